@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/capture_stats.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+namespace shadowlab::commands {
+
+namespace {
+
+double median(std::vector<double> values) {
+    if (values.empty()) return 0;
+    std::ranges::sort(values);
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+} // namespace
+
+CaptureStats::CaptureStats(const scene::Scene& scene, const CaptureOptions& options, const context::Context& context,
+                           const std::vector<session::Slot>& slots)
+    : scene_(scene.name), renderer_(context::glRenderer()), version_(context::glVersion()), backend_(context.backend()),
+      size_(options.size) {
+    std::string techniques, settings;
+    for (const session::Slot& slot : slots) {
+        SlotStats stats{std::string(slot.info->id), {}, {}, {}, {}, {}};
+        for (const params::Param& param : slot.params) {
+            stats.parameters.emplace_back(param.id, params::valueText(param));
+            settings += stats.technique + "." + param.id + "=" + params::valueText(param) + "\n";
+        }
+        techniques += (techniques.empty() ? "" : ",") + stats.technique;
+        slots_.push_back(std::move(stats));
+    }
+    pngText_ = {{"Software", "shadowlab " SHADOWLAB_VERSION}, {"Scene", scene_}, {"Techniques", techniques}};
+    if (!options.stage.empty()) pngText_.push_back({"Stage", options.stage});
+    if (!settings.empty()) pngText_.push_back({"Settings", settings});
+}
+
+void CaptureStats::add(std::size_t slot, const session::RenderedFrame& rendered) {
+    SlotStats& stats = slots_[slot];
+    stats.frameMs.push_back(rendered.frameMs);
+    stats.prepareMs.push_back(rendered.prepareMs);
+    for (const gl::PassTimer::Result& pass : rendered.result.passMs) {
+        const auto known = std::ranges::find(stats.passMs, pass.name, [](const auto& entry) { return entry.first; });
+        if (known != stats.passMs.end())
+            known->second.push_back(pass.elapsedMs);
+        else
+            stats.passMs.push_back({pass.name, {pass.elapsedMs}});
+    }
+    stats.counters = rendered.result.counters;
+}
+
+std::string CaptureStats::json() const {
+    nlohmann::ordered_json root;
+    root["scene"] = scene_;
+    root["size"] = {size_.x, size_.y};
+    root["backend"] = backend_;
+    root["renderer"] = renderer_;
+    root["version"] = version_;
+    root["results"] = nlohmann::ordered_json::array();
+    for (const SlotStats& slot : slots_) {
+        nlohmann::ordered_json entry;
+        entry["technique"] = slot.technique;
+        entry["parameters"] = nlohmann::ordered_json::object();
+        for (const auto& [id, value] : slot.parameters) entry["parameters"][id] = value;
+        entry["frames"] = slot.frameMs.size();
+        entry["ms"]["frame"] = median(slot.frameMs);
+        entry["ms"]["prepare"] = median(slot.prepareMs);
+        entry["ms"]["passes"] = nlohmann::ordered_json::object();
+        for (const auto& [name, times] : slot.passMs) entry["ms"]["passes"][name] = median(times);
+        entry["counters"] = nlohmann::ordered_json::object();
+        for (const Counter& counter : slot.counters) {
+            entry["counters"][counter.id]["built"] = counter.built;
+            if (counter.of > 0) entry["counters"][counter.id]["of"] = counter.of;
+            if (!counter.unit.empty()) entry["counters"][counter.id]["unit"] = counter.unit;
+        }
+        root["results"].push_back(std::move(entry));
+    }
+    return root.dump(2) + "\n";
+}
+
+} // namespace shadowlab::commands

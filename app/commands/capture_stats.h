@@ -1,0 +1,41 @@
+// What a capture writes beside its picture: settings into the PNG, times and counters into a JSON file.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/commands/command_line.h"
+#include "app/session/session.h"
+#include "techniques/foundation/image/png.h"
+
+namespace shadowlab::commands {
+
+class CaptureStats {
+public:
+    CaptureStats(const scene::Scene& scene, const CaptureOptions& options, const context::Context& context,
+                 const std::vector<session::Slot>& slots);
+
+    /// One frame of one slot.
+    void add(std::size_t slot, const session::RenderedFrame& rendered);
+
+    /// Text chunks: scene, techniques and every parameter. Nothing that differs from run to run or between backends.
+    [[nodiscard]] const std::vector<image::PngText>& pngText() const { return pngText_; }
+
+    /// One JSON object; times are medians over the frames, in milliseconds.
+    [[nodiscard]] std::string json() const;
+
+private:
+    struct SlotStats {
+        std::string technique;
+        std::vector<std::pair<std::string, std::string>> parameters;
+        std::vector<double> frameMs, prepareMs;
+        std::vector<std::pair<std::string, std::vector<double>>> passMs;
+        std::vector<Counter> counters; ///< of the last frame
+    };
+    std::string scene_, renderer_, version_, backend_;
+    ivec2 size_;
+    std::vector<SlotStats> slots_;
+    std::vector<image::PngText> pngText_;
+};
+
+} // namespace shadowlab::commands

@@ -1,0 +1,139 @@
+// `shadowlab list`: what there is, asked from the techniques and the folders themselves.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands/command_line.h"
+#include "app/session/assets.h"
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/nearest_names.h"
+#include "techniques/foundation/scene/load.h"
+#include "techniques/registry.h"
+
+namespace shadowlab::commands {
+
+namespace {
+
+/// A list: one row a thing, each with the same named columns. Rows become tab-separated lines or JSON objects.
+struct Table {
+    std::vector<std::string> columns;
+    std::vector<std::vector<std::string>> rows;
+};
+
+Table techniquesTable() {
+    Table table{{"id", "title", "paper", "getsWrong", "folder"}, {}};
+    for (const RegisteredTechnique& technique : registeredTechniques()) {
+        const TechniqueInfo& info = *technique.info;
+        table.rows.push_back({std::string(info.id), std::string(info.title), std::string(info.paper), std::string(info.getsWrong),
+                              "techniques/" + std::string(technique.folder)});
+    }
+    return table;
+}
+
+Table parametersTable() {
+    Table table{{"parameter", "default", "range", "unit", "help"}, {}};
+    for (const RegisteredTechnique& technique : registeredTechniques())
+        for (const params::Param& param : technique.info->make()->params())
+            table.rows.push_back({std::string(technique.info->id) + "." + param.id, params::initialText(param), params::rangeText(param), param.unit, param.help});
+    return table;
+}
+
+Table stagesTable() {
+    Table table{{"technique", "stage", "perLight", "caption"}, {}};
+    for (const RegisteredTechnique& technique : registeredTechniques()) {
+        const std::string id(technique.info->id);
+        for (const StageInfo& stage : technique.info->stages)
+            table.rows.push_back({id, std::string(stage.id), stage.perLight ? "true" : "false", std::string(stage.caption)});
+        for (const PassInfo& pass : technique.info->passes)
+            table.rows.push_back({id, "pass:" + std::string(pass.id), pass.perLight ? "true" : "false", std::string(pass.title)});
+    }
+    return table;
+}
+
+/// Names of the JSON files of one assets folder, which may not exist.
+Table filesTable(const std::string& folder) {
+    Table table{{"name"}, {}};
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(session::assetsRoot() / folder, ignored))
+        if (entry.path().extension() == ".json") table.rows.push_back({entry.path().stem().string()});
+    std::ranges::sort(table.rows);
+    return table;
+}
+
+Table scenesTable() {
+    Table table{{"name"}, {}};
+    for (const std::string& name : scene::builtInScenes(session::assetsRoot())) table.rows.push_back({name});
+    return table;
+}
+
+Table backendsTable() {
+    Table table{{"name", "available", "version", "renderer", "reason", "mend"}, {}};
+    for (const context::BackendReport& report : context::probeBackends())
+        table.rows.push_back({report.name, report.available ? "true" : "false", report.version, report.renderer, report.reason, report.mend});
+    return table;
+}
+
+Table limitsTable() {
+    const scene::Limits limits;
+    const auto number = [](auto value) { return std::to_string(static_cast<std::uint64_t>(value)); };
+    return {{"limit", "value", "unit"},
+            {{"mesh-file", number(limits.fileBytes), "bytes"},
+             {"mesh-line", number(limits.lineBytes), "bytes"},
+             {"scene-file", number(limits.sceneFileBytes), "bytes"},
+             {"triangles", number(limits.triangles), ""},
+             {"polygon-corners", number(limits.polygonCorners), ""},
+             {"objects", number(limits.objects), ""},
+             {"lights", number(limits.lights), ""},
+             {"json-depth", number(limits.jsonDepth), "levels"},
+             {"coordinate", number(limits.coordinate), "m"},
+             {"supersample", "16", "samples on a side"}}};
+}
+
+void printLines(const Table& table) {
+    for (const std::vector<std::string>& row : table.rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) line += (i ? "\t" : "") + row[i];
+        std::puts(line.c_str());
+    }
+}
+
+void printJson(const std::string& what, const Table& table) {
+    nlohmann::ordered_json entries = nlohmann::ordered_json::array();
+    for (const std::vector<std::string>& row : table.rows) {
+        nlohmann::ordered_json entry;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const bool boolean = row[i] == "true" || row[i] == "false";
+            if (boolean && (table.columns[i] == "available" || table.columns[i] == "perLight"))
+                entry[table.columns[i]] = row[i] == "true";
+            else
+                entry[table.columns[i]] = row[i];
+        }
+        entries.push_back(std::move(entry));
+    }
+    std::puts(nlohmann::ordered_json{{what, entries}}.dump(2).c_str());
+}
+
+} // namespace
+
+int list(const ListOptions& options) {
+    const std::vector<std::pair<std::string, std::function<Table()>>> tables = {
+        {"techniques", techniquesTable}, {"parameters", parametersTable}, {"stages", stagesTable},
+        {"scenes", scenesTable}, {"decks", [] { return filesTable("decks"); }}, {"lessons", [] { return filesTable("lessons"); }},
+        {"backends", backendsTable}, {"limits", limitsTable}};
+    std::vector<std::string> known;
+    for (const auto& [name, make] : tables) {
+        if (name == options.what) {
+            const Table table = make();
+            options.json ? printJson(name, table) : printLines(table);
+            if (std::fflush(stdout) != 0) throw Error(ExitStatus::cannotWrite, "standard output: cannot be written; check where it goes");
+            return 0;
+        }
+        known.push_back(name);
+    }
+    throw Error(ExitStatus::usage, "list: nothing is called '" + options.what + "'; " + suggestion(options.what, known));
+}
+
+} // namespace shadowlab::commands

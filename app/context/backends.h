@@ -1,0 +1,63 @@
+// What the three backends have in common, and how each is made. Only for the files of this folder; users of contexts
+// include context.h (and window_context.h for the visible window).
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <string>
+
+#include "app/context/context.h"
+#include "techniques/foundation/error.h"
+
+namespace shadowlab::context {
+
+/// A backend that cannot serve: what was found, and what the user can do.
+class Unavailable : public Error {
+public:
+    Unavailable(const std::string& reasonIn, const std::string& mendIn)
+        : Error(ExitStatus::noContext, "no graphics context: " + reasonIn + "; " + mendIn), reason(reasonIn),
+          mend(mendIn) {}
+    std::string reason, mend;
+};
+
+/// Packages as Debian and Ubuntu name them. libegl1 does not pull in the drivers (libgl1-mesa-dri) by itself.
+inline constexpr const char* kInstallEgl = "apt install libegl1 libgl1-mesa-dri";
+inline constexpr const char* kInstallOsmesa =
+    "apt install libosmesa6, or take --backend egl (Mesa 25.1 dropped OSMesa)";
+inline constexpr const char* kInstallDrivers = "apt install libgl1-mesa-dri, or take --backend osmesa";
+inline constexpr const char* kNewerDriver = "take a newer driver, and unset MESA_GL_VERSION_OVERRIDE if it is set";
+
+/// Keeps track of which context is current. EGL, GLX and OSMesa each have their own idea of it and do not know of each
+/// other, so the old context is let go through its own interface before the next is bound.
+class TrackedContext : public Context {
+public:
+    /// Binds, loads glad and throws Unavailable unless the context is at least 3.3.
+    void makeCurrent() final;
+
+    /// Leaves no context current. Every factory below starts with this.
+    static void releaseCurrent() noexcept;
+    [[nodiscard]] static Context* current() { return current_; }
+
+protected:
+    using GlFunction = void (*)();
+    using Loader = GlFunction (*)(const char* name);
+
+    virtual bool bind() = 0; ///< false when the window system refuses
+    virtual void unbind() noexcept = 0;
+    [[nodiscard]] virtual Loader loader() const = 0;
+
+    /// To be called first in every destructor of a backend (a base class destructor comes too late for unbind).
+    void letGo() noexcept;
+
+private:
+    static thread_local TrackedContext* current_;
+};
+
+/// Each throws Unavailable. The result is current; the context that was current before is not, even after a failure.
+std::unique_ptr<Context> createEglContext(bool debug);
+std::unique_ptr<Context> createOsmesaContext();
+std::unique_ptr<Context> createHiddenWindowContext(bool debug);
+
+/// "OpenGL 2.1 Mesa 22.3.6 (llvmpipe)" from a context's own glGetString, for messages before glad is loaded.
+std::string describeGl(void (*(*load)(const char*))());
+
+} // namespace shadowlab::context

@@ -1,0 +1,21 @@
+// Interruption and other signals. Ctrl-C sets a flag that long work asks for between frames and tiles, so that objects
+// are destroyed in order and no half-written file stays; the second Ctrl-C ends the program at once.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace shadowlab::context {
+
+/// Thrown to unwind to main after SIGINT or SIGTERM. Not a std::exception: nobody may take it for a failure.
+struct Interrupted {
+    int exitStatus; ///< 128 + signal number, as shells count: 130 for SIGINT, 143 for SIGTERM
+};
+
+/// Called once, first thing in main. SIGPIPE and SIGXFSZ are ignored from then on, so that a closed pipe or a file size
+/// limit is a failed write with a reason instead of a silent death.
+void installSignalHandlers();
+
+/// Whether SIGINT or SIGTERM has come. Cheap enough for inner loops, from any thread.
+[[nodiscard]] bool interrupted();
+void throwIfInterrupted();
+
+} // namespace shadowlab::context

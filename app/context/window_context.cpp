@@ -1,0 +1,117 @@
+// GLFW: the context of the program's window, and, hidden, the third way to render without showing anything.
+// SPDX-License-Identifier: MIT
+#include "app/context/window_context.h"
+
+#define GLFW_INCLUDE_NONE // GL comes from glad, never from the system's GL/gl.h
+#include <GLFW/glfw3.h>
+
+#include "app/context/backends.h"
+
+namespace shadowlab::context {
+namespace {
+
+/// GLFW's last complaint, without its line break: it reports by callback, and only some calls return a code.
+std::string& lastError() {
+    static std::string text;
+    return text;
+}
+void onGlfwError(int, const char* description) { lastError() = description; }
+
+constexpr const char* kNeedsDisplay =
+    "start it in a desktop session (or under xvfb-run), or take --backend egl or osmesa, which need no display";
+
+/// Keeps GLFW running while there is a window.
+class GlfwLibrary {
+public:
+    GlfwLibrary() {
+        if (users()++ > 0) return;
+        lastError().clear();
+        glfwSetErrorCallback(onGlfwError);
+        if (glfwInit()) return;
+        --users();
+        throw Unavailable("GLFW: " + lastError(), kNeedsDisplay);
+    }
+    ~GlfwLibrary() {
+        if (--users() == 0) glfwTerminate();
+    }
+    GlfwLibrary(const GlfwLibrary&) = delete;
+    GlfwLibrary& operator=(const GlfwLibrary&) = delete;
+
+private:
+    static int& users() {
+        static int count = 0;
+        return count;
+    }
+};
+
+class GlfwContext final : public TrackedContext {
+public:
+    explicit GlfwContext(const WindowOptions& options) {
+        lastError().clear();
+        glfwDefaultWindowHints();
+        glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
+        glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE); // the same size in centimetres on a HiDPI screen
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE); // macOS gives a core profile no other way
+        glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, options.debug ? GLFW_TRUE : GLFW_FALSE);
+        window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+        if (window_) return;
+        const std::string refusal = lastError();
+        throw Unavailable("found " + describeLegacy() + " where OpenGL 3.3 core is needed: GLFW: " + refusal,
+                          kNewerDriver);
+    }
+    ~GlfwContext() override {
+        letGo();
+        glfwDestroyWindow(window_);
+    }
+    [[nodiscard]] std::string_view backend() const override { return "window"; }
+    [[nodiscard]] GLFWwindow* window() const { return window_; }
+
+protected:
+    bool bind() override {
+        glfwMakeContextCurrent(window_);
+        return glfwGetCurrentContext() == window_;
+    }
+    void unbind() noexcept override { glfwMakeContextCurrent(nullptr); }
+    [[nodiscard]] Loader loader() const override { return glfwGetProcAddress; }
+
+private:
+    /// What there is instead of 3.3, by asking for a window with a context of any version.
+    static std::string describeLegacy() {
+        glfwDefaultWindowHints();
+        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+        GLFWwindow* const window = glfwCreateWindow(1, 1, "", nullptr, nullptr);
+        if (!window) return "no OpenGL";
+        glfwMakeContextCurrent(window);
+        const std::string found = describeGl(glfwGetProcAddress);
+        glfwMakeContextCurrent(nullptr);
+        glfwDestroyWindow(window);
+        return found;
+    }
+
+    GlfwLibrary library_; // first, so that GLFW outlives the window
+    GLFWwindow* window_ = nullptr;
+};
+
+} // namespace
+
+std::unique_ptr<Context> createWindowContext(const WindowOptions& options) {
+    TrackedContext::releaseCurrent();
+    auto context = std::make_unique<GlfwContext>(options);
+    context->makeCurrent();
+    return context;
+}
+
+std::unique_ptr<Context> createHiddenWindowContext(bool debug) {
+    // 16 x 16: nothing is drawn into it, but some window systems refuse a window of one pixel.
+    return createWindowContext({.width = 16, .height = 16, .title = "Shadowlab", .visible = false, .debug = debug});
+}
+
+GLFWwindow* glfwWindow(const Context& context) {
+    const auto* glfw = dynamic_cast<const GlfwContext*>(&context);
+    return glfw ? glfw->window() : nullptr;
+}
+
+} // namespace shadowlab::context

@@ -1,0 +1,27 @@
+// A GLFW window with an OpenGL 3.3 core context: hidden for headless work, visible for the program's own window.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <string>
+
+#include "app/context/context.h"
+
+struct GLFWwindow;
+
+namespace shadowlab::context {
+
+struct WindowOptions {
+    int width = 1280, height = 720; ///< screen coordinates, not pixels
+    std::string title = "Shadowlab";
+    bool visible = true;
+    bool debug = false;
+};
+
+/// The context is current and glad is loaded. The last window to go shuts GLFW down.
+/// Throws Error (noContext), for example where there is no display.
+std::unique_ptr<Context> createWindowContext(const WindowOptions& options);
+
+/// The window of such a context, owned by it; null for the other backends.
+GLFWwindow* glfwWindow(const Context& context);
+
+} // namespace shadowlab::context

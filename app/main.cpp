@@ -1,0 +1,36 @@
+// The program: parse, dispatch to a subcommand, and the only place where errors become messages and exit statuses.
+// SPDX-License-Identifier: MIT
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "app/commands/command_line.h"
+#include "app/context/signals.h"
+#include "techniques/foundation/error.h"
+
+namespace {
+
+int fail(shadowlab::ExitStatus status, const std::string& message) {
+    std::fprintf(stderr, "shadowlab: %s\n", message.c_str());
+    return static_cast<int>(status);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    using shadowlab::ExitStatus;
+    shadowlab::context::installSignalHandlers();
+    try {
+        return shadowlab::commands::run(argc, argv);
+    } catch (const shadowlab::context::Interrupted& interrupted) {
+        return interrupted.exitStatus;
+    } catch (const shadowlab::Error& error) {
+        return fail(error.status(), error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(ExitStatus::overLimit, "out of memory; use a smaller scene or picture (nothing was written)");
+    } catch (const std::exception& error) {
+        return fail(ExitStatus::bug, std::string("internal error: ") + error.what() +
+                                         "; this is a fault of the program, please report it with the command line");
+    }
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "techniques/foundation/gl/baseline.h"
+#include "techniques/foundation/gl/debug.h"
+#include "techniques/foundation/look.h"
+
+namespace shadowlab::session {
+
+namespace {
+
+/// Reads a texture's rows and turns them over: GL counts rows from the bottom, pictures from the top. The only flip.
+template <typename Texel>
+std::vector<Texel> readRows(const gl::Texture2D& texture, GLenum type) {
+    const ivec2 size = texture.size();
+    const gl::Framebuffer framebuffer(&texture, nullptr, "read-back");
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.id());
+    std::vector<Texel> texels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size.x, size.y, GL_RGBA, type, texels.data());
+    gl::check("read-back");
+    for (int y = 0; y < size.y / 2; ++y)
+        std::swap_ranges(texels.begin() + std::ptrdiff_t(y) * size.x, texels.begin() + std::ptrdiff_t(y + 1) * size.x,
+                         texels.begin() + std::ptrdiff_t(size.y - 1 - y) * size.x);
+    return texels;
+}
+
+/// Numbers of shaders/session/encode.frag.
+int mode(StageKind kind) {
+    switch (kind) {
+    case StageKind::radiance: return 0;
+    case StageKind::swatches: return 1;
+    case StageKind::scalar:
+    case StageKind::count: return 2;
+    case StageKind::visibility: return 3;
+    }
+    return 0;
+}
+
+} // namespace
+
+PictureEncoder::PictureEncoder() : program_("fullscreen.vert", "session/encode.frag") {}
+
+image::Image PictureEncoder::encode(const gl::Texture2D& radiance, float exposure, int supersample) const {
+    program_.use();
+    program_.set("mode", mode(StageKind::radiance));
+    program_.set("exposure", exposure);
+    return draw(radiance, supersample);
+}
+
+image::Image PictureEncoder::encode(const Stage& stage, StageKind kind, float exposure, int supersample) const {
+    const look::Palette& palette = kind == StageKind::count ? look::diverging() : look::viridis();
+    std::array<vec4, std::tuple_size_v<look::Palette>> stops;
+    std::ranges::transform(palette, stops.begin(), [](const vec3& color) { return vec4(color, 1); });
+    program_.use();
+    program_.set("mode", mode(kind));
+    program_.set("exposure", exposure);
+    program_.set("minimum", static_cast<float>(stage.display.minimum));
+    program_.set("maximum", static_cast<float>(stage.display.maximum));
+    program_.set("palette", std::span<const vec4>(stops));
+    // A stage may have a size of its own (a shadow map's view of the scene): only those of the target's are supersampled.
+    return draw(stage.texture, supersample);
+}
+
+image::Image PictureEncoder::draw(const gl::Texture2D& source, int supersample) const {
+    const ivec2 size = source.size() / supersample;
+    const gl::Texture2D encoded(GL_RGBA8, size, "encoded picture");
+    const gl::Framebuffer framebuffer(&encoded, nullptr, "encoded picture");
+    gl::setBaselineState();
+    glDisable(GL_DEPTH_TEST);
+    framebuffer.bind();
+    program_.set("supersample", supersample);
+    program_.set("source", 0);
+    source.bind(0);
+    gl::drawFullscreenTriangle();
+    gl::check("encode");
+    const std::vector<glm::u8vec4> texels = readRows<glm::u8vec4>(encoded, GL_UNSIGNED_BYTE);
+    image::Image picture(size.x, size.y);
+    std::memcpy(picture.rgba.data(), texels.data(), texels.size() * 4);
+    return picture;
+}
+
+VisibilityImage readVisibility(const Stage& stage) {
+    const ivec2 size = stage.texture.size();
+    VisibilityImage visibility{size.x, size.y, {}};
+    for (const vec4& texel : readTexels(stage.texture)) {
+        const bool covered = texel.g > 0.5f;
+        visibility.greyAlpha.push_back(covered ? static_cast<std::uint8_t>(std::lround(255.0f * texel.r)) : 0);
+        visibility.greyAlpha.push_back(covered ? 255 : 0);
+    }
+    return visibility;
+}
+
+std::vector<vec4> readTexels(const gl::Texture2D& texture) { return readRows<vec4>(texture, GL_FLOAT); }
+
+} // namespace shadowlab::session

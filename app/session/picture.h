@@ -1,0 +1,43 @@
+// From a slot's target, or a published stage, to a finished picture: exposure, clamp and sRGB encoding, once.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "techniques/foundation/image/image.h"
+#include "techniques/frame.h"
+
+namespace shadowlab::session {
+
+/// Encodes on the graphics card and reads back. Needs a current GL context.
+class PictureEncoder {
+public:
+    PictureEncoder();
+
+    /// The radiance in a target: exposure, clamp, sRGB. `supersample` N averages N x N texels in linear light first.
+    [[nodiscard]] image::Image encode(const gl::Texture2D& radiance, float exposure, int supersample = 1) const;
+
+    /// A stage as its kind asks: exposure, a palette, or the colours as they are.
+    [[nodiscard]] image::Image encode(const Stage& stage, StageKind kind, float exposure, int supersample = 1) const;
+
+private:
+    [[nodiscard]] image::Image draw(const gl::Texture2D& source, int supersample) const;
+    gl::Program program_;
+};
+
+/// Grey and alpha, two bytes a pixel, row 0 on top: 255 x the visible fraction; alpha 255 where there is a surface.
+struct VisibilityImage {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> greyAlpha;
+    [[nodiscard]] std::uint8_t grey(int x, int y) const { return greyAlpha[2 * index(x, y)]; }
+    [[nodiscard]] std::uint8_t alpha(int x, int y) const { return greyAlpha[2 * index(x, y) + 1]; }
+
+private:
+    [[nodiscard]] std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); }
+};
+VisibilityImage readVisibility(const Stage& stage);
+
+/// The numbers in a texture, four floats a pixel, row 0 on top: what tests look at.
+std::vector<vec4> readTexels(const gl::Texture2D& texture);
+
+} // namespace shadowlab::session

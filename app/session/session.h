@@ -1,0 +1,70 @@
+// The one place that renders a frame: for window, capture, measurement and tests alike.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "techniques/frame.h"
+#include "techniques/registry.h"
+
+namespace shadowlab::session {
+
+/// One technique with its own parameters and its own target.
+struct Slot {
+    const TechniqueInfo* info;
+    std::unique_ptr<Technique> technique;
+    params::ParamList params;
+    gl::Target target;
+};
+
+/// What came out of one frame besides the picture in the slot's target.
+struct RenderedFrame {
+    Frame::Result result;
+    double prepareMs = 0;
+    double frameMs = 0; ///< wall time of prepare and render to the end of the GL work, without read-back
+    bool converged = true;
+};
+
+/// A scene, its buffers, and the slots that draw it. Needs a current GL context for its whole life.
+class Session {
+public:
+    explicit Session(scene::Snapshot snapshot) : snapshot_(std::move(snapshot)) {}
+    /// Shows another scene; buffers of unchanged geometry stay.
+    void setScene(scene::Snapshot snapshot) { snapshot_ = std::move(snapshot); }
+    [[nodiscard]] const scene::Snapshot& snapshot() const { return snapshot_; }
+
+    /// A slot that is not yet part of any layout. Throws Error (usage) for an unknown id.
+    static Slot makeSlot(std::string_view techniqueId);
+
+    /// Prepares and renders until the technique has converged (or the deadline of the request has passed).
+    /// Throws Error (badInput) for a requested stage that the technique does not have.
+    RenderedFrame render(Slot& slot, const View& view, const FrameRequest& request = {});
+
+private:
+    scene::Snapshot snapshot_;
+    gl::SceneBuffers buffers_;
+};
+
+/// `STAGE`, `STAGE@LIGHT` or `pass:ID[@LIGHT]` as the command line writes it; a stage of one light without a name takes
+/// `defaultLight` (-1: the first). Throws Error (usage) naming what there is.
+struct StageChoice {
+    StageKey key;
+    bool isPass = false;
+};
+StageChoice parseStage(std::string_view text, const TechniqueInfo& info, const scene::Scene& scene, int defaultLight);
+
+/// What was published under that key. Throws std::logic_error if the technique did not keep its promise.
+const Stage& findStage(const RenderedFrame& rendered, const StageKey& key);
+
+/// A technique's own words about a stage.
+const StageInfo& stageInfo(const TechniqueInfo& info, std::string_view id);
+
+/// Throws Error (usage) when the pass did not run with the slot's settings, naming those that did.
+void requirePassRan(const RenderedFrame& rendered, const StageKey& pass, const TechniqueInfo& info);
+
+/// Index of the light of that name. Throws Error (usage).
+int lightIndex(const scene::Scene& scene, std::string_view name);
+
+} // namespace shadowlab::session

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/settings.h"
+
+#include <charconv>
+
+#include "techniques/foundation/error.h"
+
+namespace shadowlab::session {
+
+namespace {
+
+struct Setting {
+    int slot = 0; ///< counted from 1; 0: every slot of the technique
+    std::string id, param, value;
+};
+
+Setting parse(const std::string& text) {
+    const auto refuse = [&](const std::string& why) {
+        throw Error(ExitStatus::usage, "--set: '" + text + "' " + why + "; write [SLOT:]ID.PARAM=VALUE, as shadow-map.resolution=1024");
+    };
+    const std::size_t equals = text.find('=');
+    const std::size_t dot = text.find('.');
+    if (equals == std::string::npos || dot == std::string::npos || dot > equals) refuse("is not a setting");
+    Setting setting{0, text.substr(0, dot), text.substr(dot + 1, equals - dot - 1), text.substr(equals + 1)};
+    if (const std::size_t colon = setting.id.find(':'); colon != std::string::npos) {
+        const char *begin = setting.id.data(), *end = begin + colon;
+        const auto [last, error] = std::from_chars(begin, end, setting.slot);
+        if (error != std::errc{} || last != end || setting.slot < 1) refuse("has no slot number before the colon");
+        setting.id.erase(0, colon + 1);
+    }
+    return setting;
+}
+
+} // namespace
+
+void applySettings(std::vector<Slot>& slots, const std::vector<std::string>& settings) {
+    for (const std::string& text : settings) {
+        const Setting setting = parse(text);
+        findTechnique(setting.id); // names the nearest ids when there is none
+        if (setting.slot > static_cast<int>(slots.size()))
+            throw Error(ExitStatus::usage, "--set: '" + text + "': there are only " + std::to_string(slots.size()) + " slots; use a smaller slot number");
+        bool applied = false;
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            const bool meant = setting.slot == 0 || setting.slot == static_cast<int>(i) + 1;
+            if (!meant || slots[i].info->id != setting.id) continue;
+            params::setFromText(params::find(slots[i].params, setting.param, setting.id), setting.value, setting.id);
+            applied = true;
+        }
+        if (!applied)
+            throw Error(ExitStatus::usage, "--set: '" + text + "': no slot" + (setting.slot ? " " + std::to_string(setting.slot) : "") +
+                                               " shows " + setting.id + "; choose it with -t");
+    }
+}
+
+} // namespace shadowlab::session

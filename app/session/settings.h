@@ -1,0 +1,15 @@
+// `[SLOT:]ID.PARAM=VALUE`: setting the parameters of slots from text.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/session/session.h"
+
+namespace shadowlab::session {
+
+/// Applies the settings in order. A setting without a slot number goes to every slot of that technique.
+/// Throws Error (usage) for anything unknown, out of range, or meant for a technique that no slot shows.
+void applySettings(std::vector<Slot>& slots, const std::vector<std::string>& settings);
+
+} // namespace shadowlab::session

@@ -1,0 +1,11 @@
+// The facing gate: does the side of the triangle that the eye sees also face the light? The sign for the light was
+// decided once per triangle in double (techniques/foundation/scene/facing.h) and is only looked up here.
+uniform isamplerBuffer lightFacing;
+uniform int triangleBase; // scene-wide index of the first triangle of this draw call
+uniform int mirrored;     // 1: the object's matrix turns counter-clockwise into clockwise
+
+bool eyeSideFacesLight() {
+    int lightSide = texelFetch(lightFacing, triangleBase + gl_PrimitiveID).r;
+    bool eyeOnFront = gl_FrontFacing != (mirrored == 1);
+    return eyeOnFront ? lightSide > 0 : lightSide < 0;
+}

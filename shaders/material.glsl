@@ -1,0 +1,16 @@
+// The material of what is being drawn, and its reflection. The C++ twin is techniques/foundation/scene/shading.h.
+uniform vec3 diffuse;
+uniform vec3 specular;
+uniform float shininess;
+uniform vec3 emission;
+
+const float kPi = 3.14159265358979;
+
+// Reflected radiance toward the eye per unit of irradiance: Lambert plus normalised Blinn-Phong.
+// All vectors are unit and in view space; the normal is on the viewer's side.
+vec3 reflectance(vec3 normalView, vec3 toLightView, vec3 toEyeView) {
+    vec3 halfwayView = normalize(toLightView + toEyeView);
+    float cosHalfway = max(dot(normalView, halfwayView), 0.0);
+    float lobe = (shininess + 8.0) / (8.0 * kPi) * (shininess > 0.0 ? pow(cosHalfway, shininess) : 1.0);
+    return diffuse / kPi + specular * lobe;
+}

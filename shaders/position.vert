@@ -1,0 +1,6 @@
+#version 330 core
+// Position alone: for passes that only touch depth or stencil.
+#include "attributes.glsl"
+#include "clip_position.glsl"
+
+void main() { gl_Position = clipPosition(vec4(positionMesh, 1.0)); }

@@ -1,0 +1,18 @@
+#version 330 core
+// A surface as the eye sees it: position for the rasteriser, position and normal in view space for shading, and position
+// relative to the light (world axes, origin at the light) for techniques that ask the light's own picture.
+#include "attributes.glsl"
+#include "clip_position.glsl"
+uniform mat4 viewFromMesh;
+uniform mat3 normalViewFromMesh;
+uniform mat4 lightRelativeFromMesh;
+out vec3 positionView;
+out vec3 normalView;
+out vec3 positionLightRelative;
+
+void main() {
+    gl_Position = clipPosition(vec4(positionMesh, 1.0));
+    positionView = (viewFromMesh * vec4(positionMesh, 1.0)).xyz;
+    normalView = normalViewFromMesh * normalMesh;
+    positionLightRelative = (lightRelativeFromMesh * vec4(positionMesh, 1.0)).xyz;
+}

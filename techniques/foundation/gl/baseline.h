@@ -1,0 +1,11 @@
+// The GL state every pass may count on. Set before a technique draws, so that it never has to restore anything.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace shadowlab::gl {
+
+/// Depth test GL_LESS with writes; colour writes on; no blending, stencil test, culling, scissor, polygon offset, depth
+/// clamp or clip distances; counter-clockwise is front; polygons filled; dithering and multisampling off.
+void setBaselineState();
+
+} // namespace shadowlab::gl

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/gl/framebuffer.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "techniques/foundation/gl/debug.h"
+
+namespace shadowlab::gl {
+
+Framebuffer::Framebuffer(const Texture2D* color, const Texture2D* depthStencil, std::string_view name)
+    : handle_(FramebufferHandle::create()), size_(color ? color->size() : depthStencil->size()) {
+    glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
+    if (color)
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color->id(), 0);
+    else
+        glDrawBuffer(GL_NONE);
+    if (depthStencil)
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depthStencil->id(), 0);
+    requireComplete(name);
+}
+
+Framebuffer::Framebuffer(const DepthTextureArray& depth, int layer, std::string_view name)
+    : handle_(FramebufferHandle::create()), size_(depth.side()) {
+    glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.id(), 0, layer);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    requireComplete(name);
+}
+
+void Framebuffer::bind() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
+    glViewport(0, 0, size_.x, size_.y);
+}
+
+void Framebuffer::requireComplete(std::string_view name) const {
+    label(GL_FRAMEBUFFER, handle_.id(), name);
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status == GL_FRAMEBUFFER_COMPLETE) return;
+    const char* why = "unknown reason";
+    switch (status) {
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT: why = "an attachment is unusable (no size, or a wrong format)"; break;
+    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT: why = "it has no attachment"; break;
+    case GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER: why = "a draw buffer has no attachment"; break;
+    case GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER: why = "the read buffer has no attachment"; break;
+    case GL_FRAMEBUFFER_UNSUPPORTED: why = "the driver does not support this combination of formats"; break;
+    case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE: why = "the attachments differ in their number of samples"; break;
+    default: break;
+    }
+    throw std::logic_error("framebuffer '" + std::string(name) + "' is incomplete: " + why);
+}
+
+} // namespace shadowlab::gl

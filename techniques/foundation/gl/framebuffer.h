@@ -1,0 +1,42 @@
+// Framebuffers of our own: the default framebuffer is never drawn to.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string_view>
+
+#include "techniques/foundation/gl/handle.h"
+#include "techniques/foundation/gl/texture.h"
+
+namespace shadowlab::gl {
+
+/// One colour texture and, if wanted, one depth-stencil texture. The textures must outlive it.
+class Framebuffer {
+public:
+    Framebuffer() = default;
+    /// Either may be null. Throws std::logic_error spelling out why it is incomplete.
+    Framebuffer(const Texture2D* color, const Texture2D* depthStencil, std::string_view name);
+    /// Depth only, into one layer.
+    Framebuffer(const DepthTextureArray& depth, int layer, std::string_view name);
+    /// Binds it for drawing and sets the viewport to its size.
+    void bind() const;
+    [[nodiscard]] GLuint id() const { return handle_.id(); }
+    [[nodiscard]] ivec2 size() const { return size_; }
+    explicit operator bool() const { return bool(handle_); }
+
+private:
+    void requireComplete(std::string_view name) const;
+    FramebufferHandle handle_;
+    ivec2 size_{0};
+};
+
+/// A linear RGBA16F picture with a 24-bit depth and an 8-bit stencil buffer: what techniques render into.
+struct Target {
+    Texture2D color, depthStencil;
+    Framebuffer framebuffer;
+    Target() = default;
+    Target(ivec2 size, std::string_view name)
+        : color(GL_RGBA16F, size, name), depthStencil(GL_DEPTH24_STENCIL8, size, name),
+          framebuffer(&color, &depthStencil, name) {}
+    [[nodiscard]] ivec2 size() const { return color.size(); }
+};
+
+} // namespace shadowlab::gl

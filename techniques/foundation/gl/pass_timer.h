@@ -1,0 +1,47 @@
+// Time a pass took: the wall clock between two moments at which the renderer has nothing left to do.
+//
+// GL's own timer queries are no help here: a software renderer such as llvmpipe collects the commands of several passes
+// and draws them together, so its timestamps put all the work into whichever pass made it flush. Waiting costs a graphics
+// card some overlap between passes; nobody waits unless times were asked for.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace shadowlab::gl {
+
+class PassTimer {
+public:
+    struct Result {
+        std::string name;
+        double elapsedMs;
+    };
+
+    /// Runs `draw` and waits for it. Passes of one name are added up.
+    template <typename Draw>
+    void time(const std::string& name, Draw&& draw) {
+        glFinish();
+        const auto begin = std::chrono::steady_clock::now();
+        draw();
+        glFinish();
+        const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - begin;
+        const auto known = std::ranges::find(results_, name, &Result::name);
+        if (known == results_.end())
+            results_.push_back({name, elapsed.count()});
+        else
+            known->elapsedMs += elapsed.count();
+    }
+
+    /// The times since the last call, in the order the passes first ran.
+    std::vector<Result> take() { return std::exchange(results_, {}); }
+
+private:
+    std::vector<Result> results_;
+};
+
+} // namespace shadowlab::gl

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/gl/program.h"
+
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/gl/debug.h"
+
+namespace shadowlab::gl {
+
+namespace {
+
+/// A shader object that is deleted once the program has it.
+struct Shader {
+    GLuint id;
+    explicit Shader(GLenum type) : id(glCreateShader(type)) {}
+    ~Shader() { glDeleteShader(id); }
+    Shader(const Shader&) = delete;
+    Shader& operator=(const Shader&) = delete;
+};
+
+template <typename GetLength, typename GetLog>
+std::string infoLog(GLuint id, GetLength getLength, GetLog getLog) {
+    GLint length = 0;
+    getLength(id, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(std::max(length, 1)), '\0');
+    GLsizei written = 0;
+    getLog(id, length, &written, log.data());
+    log.resize(static_cast<std::size_t>(written));
+    return log;
+}
+
+/// First line of the log that speaks of an error: the message stays one line.
+std::string firstError(const std::string& log) {
+    const std::size_t at = log.find("error");
+    const std::size_t begin = at == std::string::npos ? 0 : log.rfind('\n', at) + 1;
+    return log.substr(begin, log.find('\n', begin) - begin);
+}
+
+void compile(const Shader& shader, const ShaderSource& source) {
+    const char* text = source.text.c_str();
+    glShaderSource(shader.id, 1, &text, nullptr);
+    glCompileShader(shader.id);
+    GLint compiled = 0;
+    glGetShaderiv(shader.id, GL_COMPILE_STATUS, &compiled);
+    if (compiled) return;
+    const std::string log = withFileNames(infoLog(shader.id, glGetShaderiv, glGetShaderInfoLog), source);
+    throw Error(ExitStatus::badInput, firstError(log) + "; mend the shader");
+}
+
+} // namespace
+
+Program::Program(std::string vertexFile, std::string fragmentFile, std::vector<std::string> defines,
+                 std::vector<Substitution> substitutions)
+    : vertexFile_(std::move(vertexFile)), fragmentFile_(std::move(fragmentFile)), defines_(std::move(defines)),
+      substitutions_(std::move(substitutions)) {}
+
+void Program::use() const {
+    if (!handle_) link();
+    glUseProgram(handle_.id());
+}
+
+void Program::link() const {
+    const Shader vertex(GL_VERTEX_SHADER), fragment(GL_FRAGMENT_SHADER);
+    compile(vertex, shaderSource(vertexFile_, defines_, substitutions_));
+    compile(fragment, shaderSource(fragmentFile_, defines_, substitutions_));
+    ProgramHandle handle = ProgramHandle::create();
+    glAttachShader(handle.id(), vertex.id);
+    glAttachShader(handle.id(), fragment.id);
+    glLinkProgram(handle.id());
+    GLint linked = 0;
+    glGetProgramiv(handle.id(), GL_LINK_STATUS, &linked);
+    const std::string name = vertexFile_ + " + " + fragmentFile_;
+    if (!linked)
+        throw Error(ExitStatus::badInput, name + ": " + firstError(infoLog(handle.id(), glGetProgramiv, glGetProgramInfoLog)) +
+                                              "; mend the shaders");
+    label(GL_PROGRAM, handle.id(), name);
+    handle_ = std::move(handle);
+}
+
+GLint Program::location(std::string_view name) const {
+    if (const auto found = locations_.find(name); found != locations_.end()) return found->second;
+    const std::string key(name);
+    return locations_.emplace(key, glGetUniformLocation(handle_.id(), key.c_str())).first->second;
+}
+
+void Program::set(std::string_view name, int value) const { glUniform1i(location(name), value); }
+void Program::set(std::string_view name, float value) const { glUniform1f(location(name), value); }
+void Program::set(std::string_view name, const vec2& value) const { glUniform2fv(location(name), 1, &value[0]); }
+void Program::set(std::string_view name, const vec3& value) const { glUniform3fv(location(name), 1, &value[0]); }
+void Program::set(std::string_view name, const vec4& value) const { glUniform4fv(location(name), 1, &value[0]); }
+void Program::set(std::string_view name, const mat3& value) const {
+    glUniformMatrix3fv(location(name), 1, GL_FALSE, &value[0][0]);
+}
+void Program::set(std::string_view name, const mat4& value) const {
+    glUniformMatrix4fv(location(name), 1, GL_FALSE, &value[0][0]);
+}
+void Program::set(std::string_view name, std::span<const mat4> values) const {
+    if (!values.empty()) glUniformMatrix4fv(location(name), static_cast<GLsizei>(values.size()), GL_FALSE, &values[0][0][0]);
+}
+void Program::set(std::string_view name, std::span<const vec4> values) const {
+    if (!values.empty()) glUniform4fv(location(name), static_cast<GLsizei>(values.size()), &values[0][0]);
+}
+
+void drawFullscreenTriangle() {
+    const VertexArrayHandle empty = VertexArrayHandle::create(); // core profile draws nothing without one bound
+    glBindVertexArray(empty.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+}
+
+} // namespace shadowlab::gl

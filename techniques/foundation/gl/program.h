@@ -1,0 +1,53 @@
+// A linked shader program whose uniforms are set by the name they have in GLSL.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "techniques/foundation/gl/handle.h"
+#include "techniques/foundation/gl/shader_source.h"
+#include "techniques/foundation/math/types.h"
+
+namespace shadowlab::gl {
+
+class Program {
+public:
+    Program() = default;
+    /// Names two files of the shaders folder. Nothing is compiled before first use: making a program needs no context,
+    /// and one that is never used costs nothing.
+    Program(std::string vertexFile, std::string fragmentFile, std::vector<std::string> defines = {},
+            std::vector<Substitution> substitutions = {});
+    /// Compiles and links when necessary. Throws Error (badInput) with `FILE:LINE: message`.
+    void use() const;
+
+    /// Set a uniform of the program in use. A name the linker removed as unused is ignored.
+    void set(std::string_view name, int value) const;
+    void set(std::string_view name, float value) const;
+    void set(std::string_view name, const vec2& value) const;
+    void set(std::string_view name, const vec3& value) const;
+    void set(std::string_view name, const vec4& value) const;
+    void set(std::string_view name, const mat3& value) const;
+    void set(std::string_view name, const mat4& value) const;
+    void set(std::string_view name, std::span<const mat4> values) const;
+    void set(std::string_view name, std::span<const vec4> values) const;
+
+private:
+    struct NameHash {
+        using is_transparent = void;
+        std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>{}(name); }
+    };
+    void link() const;
+    [[nodiscard]] GLint location(std::string_view name) const;
+    std::string vertexFile_, fragmentFile_;
+    std::vector<std::string> defines_;
+    std::vector<Substitution> substitutions_;
+    mutable ProgramHandle handle_;
+    mutable std::unordered_map<std::string, GLint, NameHash, std::equal_to<>> locations_;
+};
+
+/// Draws one triangle that covers the target, for programs made with "fullscreen.vert".
+void drawFullscreenTriangle();
+
+} // namespace shadowlab::gl

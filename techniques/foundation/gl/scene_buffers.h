@@ -1,0 +1,59 @@
+// The scene on the graphics card: object-space floats, uploaded once per geometry revision and shared by every slot.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <map>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "techniques/foundation/gl/handle.h"
+#include "techniques/foundation/gl/texture.h"
+#include "techniques/foundation/scene/scene.h"
+
+namespace shadowlab::gl {
+
+/// Attribute locations of every vertex shader (shaders/attributes.glsl has the same numbers).
+enum Attribute : GLuint { kPositionMesh = 0, kNormalMesh = 1, kExtrudable = 2 };
+
+/// Vertex and index buffers of one mesh.
+class MeshBuffers {
+public:
+    explicit MeshBuffers(const scene::Mesh& mesh);
+    /// Draws a run of triangles in the mesh's own order; gl_PrimitiveID counts from 0 at `firstTriangle`.
+    void draw(std::uint32_t firstTriangle, std::uint32_t triangleCount) const;
+    /// Three floats per vertex, tightly packed: for drawing the very same positions with other indices.
+    [[nodiscard]] GLuint positionBuffer() const { return positions_.id(); }
+
+private:
+    BufferHandle positions_, normals_, indices_;
+    VertexArrayHandle vertexArray_;
+};
+
+class SceneBuffers {
+public:
+    /// Uploads what the snapshot's revisions say is new.
+    void update(const scene::Snapshot& snapshot);
+    [[nodiscard]] const MeshBuffers& mesh(std::size_t object) const { return *objectMeshes_[object]; }
+    /// Number of triangles in the objects before this one: triangle t of it has the scene-wide index base + t.
+    [[nodiscard]] int triangleBase(std::size_t object) const { return triangleBases_[object]; }
+    /// The stored facing signs (scene/facing.h) of all triangles for one light; made when first asked for.
+    [[nodiscard]] const ByteBufferTexture& facing(int light) const;
+
+private:
+    scene::Snapshot snapshot_;
+    std::unordered_map<const scene::Mesh*, std::unique_ptr<MeshBuffers>> meshes_;
+    std::vector<const MeshBuffers*> objectMeshes_;
+    std::vector<int> triangleBases_;
+    mutable std::map<int, ByteBufferTexture> facing_;
+};
+
+/// A static buffer holding `data`.
+template <typename T>
+BufferHandle uploadBuffer(GLenum target, const std::vector<T>& data) {
+    BufferHandle buffer = BufferHandle::create();
+    glBindBuffer(target, buffer.id());
+    glBufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), GL_STATIC_DRAW);
+    return buffer;
+}
+
+} // namespace shadowlab::gl

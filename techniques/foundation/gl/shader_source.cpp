@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/gl/shader_source.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/nearest_names.h"
+
+namespace shadowlab::gl {
+
+namespace {
+
+std::string readText(std::string_view name, const std::string& includedFrom) {
+    if (const char* folder = std::getenv("SHADOWLAB_SHADERS")) {
+        if (std::ifstream file(std::string(folder) + "/" + std::string(name), std::ios::binary); file) {
+            std::ostringstream text;
+            text << file.rdbuf();
+            return text.str();
+        }
+    }
+    std::vector<std::string> known;
+    for (const EmbeddedShader& shader : embeddedShaders()) {
+        if (shader.name == name) return std::string(shader.text);
+        known.emplace_back(shader.name);
+    }
+    throw Error(ExitStatus::badInput, includedFrom + "includes \"" + std::string(name) + "\", which does not exist; " +
+                                          suggestion(name, known));
+}
+
+struct Resolver {
+    std::span<const Substitution> substitutions;
+    ShaderSource result;
+
+    /// Appends the file, a `#line` before it and after each include, so that numbers stay true.
+    void append(std::string_view name, const std::string& includedFrom) {
+        if (std::ranges::find(result.files, name) != result.files.end()) return;
+        const std::size_t number = result.files.size();
+        result.files.emplace_back(name);
+        std::istringstream lines(readText(name, includedFrom));
+        std::string line;
+        if (number > 0) result.text += "#line 1 " + std::to_string(number) + "\n";
+        for (int lineNumber = 1; std::getline(lines, line); ++lineNumber) {
+            if (!line.starts_with("#include")) {
+                result.text += line + "\n";
+                continue;
+            }
+            const std::string place = std::string(name) + ":" + std::to_string(lineNumber) + ": ";
+            const std::size_t open = line.find('"'), close = line.rfind('"');
+            if (open == std::string::npos || close <= open)
+                throw Error(ExitStatus::badInput, place + "malformed #include; write #include \"file.glsl\"");
+            std::string wanted = line.substr(open + 1, close - open - 1);
+            for (const Substitution& substitution : substitutions)
+                if (wanted == substitution.includeName) wanted = substitution.file;
+            append(wanted, place);
+            result.text += "#line " + std::to_string(lineNumber + 1) + " " + std::to_string(number) + "\n";
+        }
+    }
+};
+
+} // namespace
+
+ShaderSource shaderSource(std::string_view name, std::span<const std::string> defines,
+                          std::span<const Substitution> substitutions) {
+    Resolver resolver{substitutions, {}};
+    resolver.append(name, "");
+    if (!defines.empty()) {
+        // The #version line must stay first; definitions follow it and the count resumes at line 2.
+        const std::size_t afterVersion = resolver.result.text.find('\n') + 1;
+        std::string block;
+        for (const std::string& define : defines) block += "#define " + define + "\n";
+        resolver.result.text.insert(afterVersion, block + "#line 2 0\n");
+    }
+    return std::move(resolver.result);
+}
+
+std::string withFileNames(std::string_view log, const ShaderSource& source) {
+    static const std::regex place(R"(^(?:ERROR: |WARNING: )?(\d+)[:(](\d+)\)?(?:\(\d+\))? ?:? ?)");
+    std::istringstream lines{std::string(log)};
+    std::string line, text;
+    while (std::getline(lines, line)) {
+        std::smatch match;
+        if (std::regex_search(line, match, place)) {
+            const std::size_t number = std::stoul(match[1]);
+            if (number < source.files.size())
+                line = source.files[number] + ":" + match[2].str() + ": " + match.suffix().str();
+        }
+        text += line + "\n";
+    }
+    return text;
+}
+
+} // namespace shadowlab::gl

@@ -1,0 +1,41 @@
+// Shader text: embedded at build time, #include resolved here, so that a compile error names the true file and line.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace shadowlab::gl {
+
+/// One file of the shaders folder; the name is relative to it ("shadow_map/filter_pcf.glsl").
+struct EmbeddedShader {
+    std::string_view name;
+    std::string_view text;
+};
+
+/// Every shader, from the generated file.
+std::span<const EmbeddedShader> embeddedShaders();
+
+/// A shader after its includes: the text for the compiler and the files that `#line` numbers stand for.
+struct ShaderSource {
+    std::string text;
+    std::vector<std::string> files; ///< files[n] is source string number n in the compiler's messages
+};
+
+/// Text of `name` with `#include "other.glsl"` resolved (each file once), `defines` ("NAME value") placed after the
+/// #version line, and `substitutions` (include name -> the file to use instead) applied: that is how one file is chosen
+/// among several filters without a ladder of #ifs. When the environment variable SHADOWLAB_SHADERS names a folder, files
+/// found there replace the embedded ones.
+/// Throws Error (badInput): `FILE:LINE: includes "x", which does not exist; ...`.
+struct Substitution {
+    std::string includeName, file;
+};
+ShaderSource shaderSource(std::string_view name, std::span<const std::string> defines = {},
+                          std::span<const Substitution> substitutions = {});
+
+/// A compiler's log with `0:12(5): error` (Mesa), `0(12) : error` (NVIDIA) and `ERROR: 0:12:` (others) rewritten to
+/// `FILE:12: ...`.
+std::string withFileNames(std::string_view log, const ShaderSource& source);
+
+} // namespace shadowlab::gl

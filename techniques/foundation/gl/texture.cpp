@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/gl/texture.h"
+
+#include <string>
+
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/gl/debug.h"
+
+namespace shadowlab::gl {
+
+namespace {
+
+/// A pixel transfer format that fits the internal format; no pixels are transferred, GL only wants a legal pair.
+std::pair<GLenum, GLenum> transferFormat(GLenum internalFormat) {
+    switch (internalFormat) {
+    case GL_DEPTH24_STENCIL8: return {GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8};
+    case GL_DEPTH_COMPONENT16:
+    case GL_DEPTH_COMPONENT24:
+    case GL_DEPTH_COMPONENT32F: return {GL_DEPTH_COMPONENT, GL_FLOAT};
+    default: return {GL_RGBA, GL_FLOAT};
+    }
+}
+
+void requireSize(GLint limit, int wanted, std::string_view what) {
+    if (wanted > limit)
+        throw Error(ExitStatus::overLimit, std::string(what) + " needs " + std::to_string(wanted) +
+                                               " texels on a side, this OpenGL driver allows " + std::to_string(limit) +
+                                               "; choose a smaller size");
+}
+
+GLint limitOf(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+void sampleNearestClamped(GLenum target) {
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+} // namespace
+
+Texture2D::Texture2D(GLenum internalFormat, ivec2 size, std::string_view name)
+    : handle_(TextureHandle::create()), size_(size), internalFormat_(internalFormat) {
+    requireSize(limitOf(GL_MAX_TEXTURE_SIZE), std::max(size.x, size.y), name);
+    glBindTexture(GL_TEXTURE_2D, handle_.id());
+    const auto [format, type] = transferFormat(internalFormat);
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), size.x, size.y, 0, format, type, nullptr);
+    sampleNearestClamped(GL_TEXTURE_2D);
+    label(GL_TEXTURE, handle_.id(), name);
+}
+
+void Texture2D::bind(int unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, handle_.id());
+}
+
+DepthTextureArray::DepthTextureArray(GLenum internalFormat, int side, int layers, std::string_view name)
+    : handle_(TextureHandle::create()), side_(side), layers_(layers) {
+    requireSize(limitOf(GL_MAX_TEXTURE_SIZE), side, name);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(internalFormat), side, side, layers, 0, GL_DEPTH_COMPONENT,
+                 GL_FLOAT, nullptr);
+    sampleNearestClamped(GL_TEXTURE_2D_ARRAY);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+    const float lit[4] = {1, 1, 1, 1}; // what lies outside the map is as far away as can be: lit
+    glTexParameterfv(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BORDER_COLOR, lit);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+    compare(true);
+    label(GL_TEXTURE, handle_.id(), name);
+    if (glGetError() == GL_OUT_OF_MEMORY)
+        throw Error(ExitStatus::overLimit, std::string(name) + ": no memory for " + std::to_string(layers) + " layers of " +
+                                               std::to_string(side) + " x " + std::to_string(side) +
+                                               " texels; choose a smaller resolution");
+}
+
+void DepthTextureArray::bind(int unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
+}
+
+void DepthTextureArray::compare(bool on) const {
+    glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, on ? GL_COMPARE_REF_TO_TEXTURE : GL_NONE);
+}
+
+ByteBufferTexture::ByteBufferTexture(const std::vector<std::int8_t>& bytes, std::string_view name)
+    : buffer_(BufferHandle::create()), handle_(TextureHandle::create()) {
+    const auto limit = static_cast<std::size_t>(limitOf(GL_MAX_TEXTURE_BUFFER_SIZE));
+    if (bytes.size() > limit)
+        throw Error(ExitStatus::overLimit, std::string(name) + ": the scene has " + std::to_string(bytes.size()) +
+                                               " triangles, this OpenGL driver indexes " + std::to_string(limit) +
+                                               "; use a simpler mesh");
+    glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
+    const std::int8_t none = 0; // a buffer of no bytes is not a complete texture
+    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(std::max<std::size_t>(1, bytes.size())),
+                 bytes.empty() ? &none : bytes.data(), GL_STATIC_DRAW);
+    glBindTexture(GL_TEXTURE_BUFFER, handle_.id());
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_R8I, buffer_.id());
+    label(GL_TEXTURE, handle_.id(), name);
+}
+
+void ByteBufferTexture::bind(int unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_BUFFER, handle_.id());
+}
+
+} // namespace shadowlab::gl

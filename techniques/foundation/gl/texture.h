@@ -1,0 +1,62 @@
+// Two-dimensional textures, plain or in layers, that know their size and format.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string_view>
+#include <vector>
+
+#include "techniques/foundation/gl/handle.h"
+#include "techniques/foundation/math/types.h"
+
+namespace shadowlab::gl {
+
+/// GL_TEXTURE_2D without mipmaps, nearest filter, clamped to its edge.
+class Texture2D {
+public:
+    Texture2D() = default;
+    /// Throws Error (overLimit) when the size exceeds GL_MAX_TEXTURE_SIZE, naming both.
+    Texture2D(GLenum internalFormat, ivec2 size, std::string_view name);
+    void bind(int unit) const;
+    [[nodiscard]] GLuint id() const { return handle_.id(); }
+    [[nodiscard]] ivec2 size() const { return size_; }
+    [[nodiscard]] GLenum internalFormat() const { return internalFormat_; }
+    explicit operator bool() const { return bool(handle_); }
+
+private:
+    TextureHandle handle_;
+    ivec2 size_{0};
+    GLenum internalFormat_ = 0;
+};
+
+/// GL_TEXTURE_2D_ARRAY of depths: one layer per cascade or per face around a point light.
+/// Sampled with a hardware comparison (GL_LEQUAL: 1 where reference <= stored), nearest filter, border depth 1 (lit).
+class DepthTextureArray {
+public:
+    DepthTextureArray() = default;
+    DepthTextureArray(GLenum internalFormat, int side, int layers, std::string_view name);
+    void bind(int unit) const;
+    /// Comparison on (sampler2DArrayShadow) or off (sampler2DArray, reads the depth itself).
+    void compare(bool on) const;
+    [[nodiscard]] GLuint id() const { return handle_.id(); }
+    [[nodiscard]] int side() const { return side_; }
+    [[nodiscard]] int layers() const { return layers_; }
+    explicit operator bool() const { return bool(handle_); }
+
+private:
+    TextureHandle handle_;
+    int side_ = 0, layers_ = 0;
+};
+
+/// Bytes, one per element, that a shader reads by index (samplerBuffer over GL_R8I).
+class ByteBufferTexture {
+public:
+    ByteBufferTexture() = default;
+    /// Throws Error (overLimit) when there are more than GL_MAX_TEXTURE_BUFFER_SIZE.
+    ByteBufferTexture(const std::vector<std::int8_t>& bytes, std::string_view name);
+    void bind(int unit) const;
+
+private:
+    BufferHandle buffer_;
+    TextureHandle handle_;
+};
+
+} // namespace shadowlab::gl

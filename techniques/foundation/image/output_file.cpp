@@ -1,0 +1,241 @@
+// Whole-or-nothing output: temporary, checked writes, fsync, checked close, rename.
+//
+// A run that is killed outright cannot clean up. Its temporary is swept by the next run that writes the same name:
+// every writer holds a lock (flock) on its temporary, so one that nobody has locked belongs to nobody. The process
+// number in the name is for people; it could be reused, or belong to another container. SPDX-License-Identifier: MIT
+#include "techniques/foundation/image/output_file.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <cstring>
+
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_error.h"
+
+namespace shadowlab::image {
+namespace {
+
+namespace fs = std::filesystem;
+
+// --- the list of temporaries that a signal handler can walk
+// ----------------------------------------------------------- A handler may not allocate or lock: fixed places, each
+// guarded by one lock-free atomic. Outputs beyond these are still removed by their destructors and, after a kill, by
+// the next run.
+enum SlotState { kFree, kClaimed, kLive };
+struct Slot {
+    std::atomic<int> state{kFree};
+    char path[PATH_MAX];
+};
+constexpr std::size_t kSlots = 32; // outputs open at one time; the program opens one or two
+std::array<Slot, kSlots> slots;
+static_assert(std::atomic<int>::is_always_lock_free);
+
+int claimSlot(const std::string& path) {
+    if (path.size() >= PATH_MAX) return -1;
+    for (std::size_t i = 0; i < kSlots; ++i) {
+        int expected = kFree;
+        if (!slots[i].state.compare_exchange_strong(expected, kClaimed)) continue;
+        std::memcpy(slots[i].path, path.c_str(), path.size() + 1);
+        slots[i].state.store(kLive);
+        return static_cast<int>(i);
+    }
+    return -1;
+}
+
+void freeSlot(int& slot) {
+    if (slot >= 0) slots[static_cast<std::size_t>(slot)].state.store(kFree);
+    slot = -1;
+}
+
+// --- names
+// --------------------------------------------------------------------------------------------------------------
+/// `.NAME.tmp.`; a long name is cut, for the temporary's own name must also fit into 255 bytes with its numbers.
+std::string temporaryPrefix(const fs::path& target) {
+    return std::string(".").append(target.filename().string(), 0, 200).append(".tmp.");
+}
+
+fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+/// The open descriptor that a name such as /dev/stdout stands for, or -1. Opening it again would start at offset 0 and
+/// overwrite what `>> log` meant to keep.
+int inheritedDescriptor(const fs::path& path) {
+    const std::string name = path.string();
+    if (name == "/dev/stdout") return STDOUT_FILENO;
+    if (name == "/dev/stderr") return STDERR_FILENO;
+    for (const std::string_view prefix : {"/dev/fd/", "/proc/self/fd/"}) {
+        const std::string number = name.starts_with(prefix) ? name.substr(prefix.size()) : "";
+        if (number.empty() || number.size() > 6 || number.find_first_not_of("0123456789") != std::string::npos)
+            continue;
+        return std::atoi(number.c_str());
+    }
+    return -1;
+}
+
+/// Removes temporaries of this target that no living run holds.
+void sweepStrays(const fs::path& target) {
+    const std::string prefix = temporaryPrefix(target);
+    std::error_code ignored;
+    for (fs::directory_iterator entry(folderOf(target), ignored), end; !ignored && entry != end;
+         entry.increment(ignored)) {
+        if (!entry->path().filename().string().starts_with(prefix)) continue;
+        const int descriptor = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        if (descriptor < 0) continue;
+        struct stat status {};
+        if (::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && ::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+            ::unlink(entry->path().c_str());
+        ::close(descriptor);
+    }
+}
+
+} // namespace
+
+OutputFile::OutputFile(const fs::path& path) : shown_(path), target_(path) {
+    if (path.empty()) throw Error(ExitStatus::cannotWrite, "the output has no name; give a file name after -o");
+    if (inheritedDescriptor(path) >= 0) {
+        openSpecial();
+        return;
+    }
+    if (!path.has_filename())
+        throw Error(ExitStatus::cannotWrite, path.string() + ": is a folder; add a file name to it");
+
+    struct stat status {};
+    if (::lstat(path.c_str(), &status) == 0 && S_ISLNK(status.st_mode)) {
+        std::error_code error;
+        target_ = fs::canonical(path, error);
+        if (error) target_ = folderOf(path) / fs::read_symlink(path, error); // points to a file yet to be made
+        if (error) fail(error.value());
+    }
+    if (::stat(target_.c_str(), &status) == 0) {
+        if (S_ISDIR(status.st_mode)) fail(EISDIR);
+        if (!S_ISREG(status.st_mode)) {
+            openSpecial();
+            return;
+        }
+        replaces_ = true;
+        // Renaming over it would work, but whoever made it read-only wants to keep it.
+        if (::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0)
+            throw Error(ExitStatus::cannotWrite, path.string() + ": is read-only; choose another name or chmod u+w it");
+    } else if (errno != ENOENT) {
+        fail(errno);
+    }
+    sweepStrays(target_);
+    createTemporary();
+    if (replaces_) ::fchmod(descriptor_, status.st_mode & 0777); // best effort; some file systems have no mode bits
+}
+
+OutputFile::~OutputFile() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    freeSlot(slot_);
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (lock_ >= 0) ::close(lock_);
+}
+
+void OutputFile::openSpecial() {
+    const int inherited = inheritedDescriptor(shown_);
+    descriptor_ = inherited >= 0 ? ::fcntl(inherited, F_DUPFD_CLOEXEC, 0)
+                                 : ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    if (descriptor_ < 0) fail(errno);
+}
+
+void OutputFile::createTemporary() {
+    static std::atomic<unsigned> counter{0};
+    const fs::path start = folderOf(target_) / (temporaryPrefix(target_) + std::to_string(::getpid()) + ".");
+    for (;;) {
+        const std::string name = start.string() + std::to_string(counter++);
+        // O_EXCL: never through a link or into a file that somebody else has put there.
+        const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (descriptor < 0 && (errno == EEXIST || errno == EINTR)) continue;
+        if (descriptor < 0) fail(errno);
+        // Between open and flock another run may have swept the file away: then take the next name. A file system
+        // without locks only loses the sweeping.
+        struct stat status {};
+        const bool taken = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+        if (taken || (::fstat(descriptor, &status) == 0 && status.st_nlink == 0)) {
+            ::close(descriptor);
+            continue;
+        }
+        descriptor_ = descriptor;
+        temporary_ = name;
+        slot_ = claimSlot(name);
+        lock_ = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+        return;
+    }
+}
+
+void OutputFile::fail(int errorNumber) const {
+    throw Error(ExitStatus::cannotWrite, outputErrorText(shown_, errorNumber, replaces_));
+}
+
+void OutputFile::write(std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+        if (written > 0) {
+            bytes = bytes.subspan(static_cast<std::size_t>(written));
+        } else if (written < 0 &&
+                   (errno == EAGAIN || errno == EWOULDBLOCK)) { // a pipe that its owner made non-blocking
+            pollfd waiting{descriptor_, POLLOUT, 0};
+            ::poll(&waiting, 1, -1);
+        } else if (written == 0 || errno != EINTR) {
+            fail(written == 0 ? EIO : errno);
+        }
+    }
+}
+
+void OutputFile::write(std::string_view text) {
+    write(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+void OutputFile::commit() {
+    const bool renames = !temporary_.empty();
+    // Without fsync a crash of the machine after the rename can leave the new name on an empty file. Some file systems
+    // cannot do it and say so (EINVAL, ENOSYS, ENOTSUP); that is no fault of the file.
+    if (renames && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) fail(errno);
+    const int descriptor = descriptor_;
+    descriptor_ = -1;
+    if (::close(descriptor) != 0 && errno != EINTR) fail(errno); // NFS reports a full disk here; on EINTR it is closed
+    if (!renames) return;
+    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+    temporary_.clear();
+    freeSlot(slot_);
+    // The new name itself lasts once the folder is on disk. The file is whole either way, so a refusal is not an error.
+    const int folder = ::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder >= 0) {
+        ::fsync(folder);
+        ::close(folder);
+    }
+}
+
+void writeWhole(const fs::path& path, std::span<const std::uint8_t> bytes) {
+    OutputFile file(path);
+    file.write(bytes);
+    file.commit();
+}
+
+void writeWhole(const fs::path& path, std::string_view text) {
+    writeWhole(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+void probeWritable(const fs::path& path) {
+    struct stat status {};
+    const bool special = inheritedDescriptor(path) < 0 && ::stat(path.c_str(), &status) == 0 &&
+                         !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+    // Opening and closing a pipe would tell its reader that all is over: only ask for permission.
+    if (special && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
+        throw Error(ExitStatus::cannotWrite, outputErrorText(path, errno, false));
+    if (!special) OutputFile probe(path); // makes the temporary, removes it again
+}
+
+void removeTemporariesNow() noexcept {
+    for (Slot& slot : slots)
+        if (slot.state.load() == kLive) ::unlink(slot.path);
+}
+
+} // namespace shadowlab::image

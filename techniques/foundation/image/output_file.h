@@ -1,0 +1,54 @@
+// Outputs appear whole or not at all. The bytes go to a temporary beside the target, every step is checked, and only a
+// complete file takes the target's name (rename is atomic within a folder). A full disk or a crash leaves the old file.
+// Special files (/dev/stdout, /dev/null, pipes) have nothing to rename and are written directly, with the same checks.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace shadowlab::image {
+
+/// One output on its way. Destroyed before commit(), it leaves nothing behind and the old file as it was.
+/// All functions throw Error (cannotWrite) with the reason and the mend.
+class OutputFile {
+public:
+    /// Creates the temporary `.NAME.tmp.PID.N` in the target's folder, with the mode bits of the file it will replace.
+    explicit OutputFile(const std::filesystem::path& path);
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    void write(std::span<const std::uint8_t> bytes);
+    void write(std::string_view text);
+    /// fsync, close, rename: after this the file is there, whole.
+    void commit();
+
+private:
+    void openSpecial();
+    void createTemporary();
+    [[noreturn]] void fail(int errorNumber) const;
+
+    std::filesystem::path shown_;  ///< as the user wrote it, for messages
+    std::filesystem::path target_; ///< symbolic links resolved: a link keeps pointing where it points
+    std::string temporary_;        ///< empty when writing directly
+    int descriptor_ = -1;
+    int lock_ = -1; ///< second descriptor of the temporary; tells other runs that it is in use
+    int slot_ = -1; ///< place in the list that removeTemporariesNow() walks
+    bool replaces_ = false;
+};
+
+/// Writes a whole file at once.
+void writeWhole(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
+void writeWhole(const std::filesystem::path& path, std::string_view text);
+
+/// Finds out before any rendering whether `path` can be written (missing folder, a folder instead of a file, no
+/// permission, name too long). Leaves everything as it was. Throws Error (cannotWrite).
+void probeWritable(const std::filesystem::path& path);
+
+/// Removes the temporaries of every output under way. Async-signal-safe: for the handler that is about to _exit.
+void removeTemporariesNow() noexcept;
+
+} // namespace shadowlab::image

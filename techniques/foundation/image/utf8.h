@@ -1,0 +1,16 @@
+// UTF-8 to code points and back, as far as labels and PNG texts need it.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace shadowlab::image {
+
+/// What stands for bytes that are not UTF-8.
+constexpr char32_t kReplacementCharacter = 0xFFFD;
+
+/// Every ill-formed byte becomes one replacement character: a strange file name in a label is no reason to fail.
+std::u32string decodeUtf8(std::string_view text);
+std::string encodeUtf8(std::u32string_view text);
+
+} // namespace shadowlab::image

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/camera.h"
+
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+
+namespace shadowlab::scene {
+
+namespace {
+
+double tanHalfFovY(const Camera& camera) { return std::tan(camera.fovYDegrees * glm::pi<double>() / 360.0); }
+
+/// Rows of the rotation: right, up and backward, each a unit vector in world space.
+dmat3 worldFromViewRotation(const Camera& camera) {
+    const dvec3 backwardWorld = glm::normalize(camera.positionWorld - camera.targetWorld);
+    const dvec3 rightWorld = glm::normalize(glm::cross(camera.upWorld, backwardWorld));
+    return {rightWorld, glm::cross(backwardWorld, rightWorld), backwardWorld};
+}
+
+} // namespace
+
+dmat4 viewFromWorld(const Camera& camera) {
+    const dmat3 viewFromWorldRotation = glm::transpose(worldFromViewRotation(camera));
+    dmat4 matrix(viewFromWorldRotation);
+    matrix[3] = dvec4(-(viewFromWorldRotation * camera.positionWorld), 1.0);
+    return matrix;
+}
+
+dmat4 clipFromView(const Camera& camera, double aspect) {
+    const double scaleY = 1.0 / tanHalfFovY(camera);
+    dmat4 matrix(0.0);
+    matrix[0][0] = scaleY / aspect;
+    matrix[1][1] = scaleY;
+    matrix[2][2] = -1.0;
+    matrix[2][3] = -1.0;
+    matrix[3][2] = -2.0 * camera.near;
+    return matrix;
+}
+
+dvec3 rayDirectionWorld(const Camera& camera, dvec2 pixel, ivec2 size) {
+    const double halfHeight = tanHalfFovY(camera);
+    const double halfWidth = halfHeight * size.x / size.y;
+    const dvec3 directionView((2.0 * pixel.x / size.x - 1.0) * halfWidth, (1.0 - 2.0 * pixel.y / size.y) * halfHeight,
+                              -1.0);
+    return glm::normalize(worldFromViewRotation(camera) * directionView);
+}
+
+} // namespace shadowlab::scene

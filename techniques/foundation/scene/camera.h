@@ -1,0 +1,30 @@
+// The eye, and the matrices that follow from it.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <limits>
+
+#include "techniques/foundation/math/types.h"
+
+namespace shadowlab::scene {
+
+struct Camera {
+    dvec3 positionWorld{0.0, 1.0, 5.0};
+    dvec3 targetWorld{0.0};
+    dvec3 upWorld{0.0, 1.0, 0.0};
+    double fovYDegrees = 45.0; ///< full vertical angle
+    double near = 0.1;         ///< metres; nothing nearer is seen
+    double far = std::numeric_limits<double>::infinity(); ///< metres; a hint for depth fitting, never a clip of the picture
+};
+
+/// View space: origin at the eye, camera looks down -z, +y up in the picture.
+dmat4 viewFromWorld(const Camera& camera);
+
+/// Perspective projection with the far plane at infinity, so that points at infinity (w = 0) keep a depth.
+/// Source: Everitt and Kilgard, "Practical and Robust Stenciled Shadow Volumes", 2002.
+dmat4 clipFromView(const Camera& camera, double aspect);
+
+/// Unit direction, in world space, of the ray through a point of the picture.
+/// `pixel` counts from the upper left corner; (x + 0.5, y + 0.5) is a pixel's centre. `size` is in pixels.
+dvec3 rayDirectionWorld(const Camera& camera, dvec2 pixel, ivec2 size);
+
+} // namespace shadowlab::scene

@@ -1,0 +1,17 @@
+// Which objects can shadow anything at all: a technique builds nothing that cannot change a pixel.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <vector>
+
+#include "techniques/foundation/scene/scene.h"
+
+namespace shadowlab::scene {
+
+/// Indices of the casting objects whose shadow can fall on something. Left out is a flat object (a floor, a wall) with
+/// the whole scene on the light's side of its plane: behind it there is nothing to be shadowed.
+std::vector<std::size_t> usefulCasters(const Scene& scene, const Light& light);
+
+/// Indices of all casting objects.
+std::vector<std::size_t> allCasters(const Scene& scene);
+
+} // namespace shadowlab::scene

@@ -1,0 +1,41 @@
+// Which triangles meet at which edges, for any set of triangles: closed, open, non-manifold, inconsistently wound.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "techniques/foundation/scene/mesh.h"
+
+namespace shadowlab::scene {
+
+/// An undirected edge between two welded vertices (the first vertex with that exact position stands for all).
+struct Edge {
+    std::uint32_t a = 0, b = 0; ///< vertex indices, a < b
+    std::uint32_t firstUse = 0, useCount = 0;
+};
+
+/// One triangle at an edge. `direction` is +1 where the triangle's corner order runs a -> b, -1 where it runs b -> a.
+struct EdgeUse {
+    std::uint32_t triangle = 0;
+    std::int8_t direction = 0;
+};
+
+struct MeshTopology {
+    std::vector<Edge> edges;
+    std::vector<EdgeUse> uses; ///< those of edge e: uses[e.firstUse] ... e.useCount of them
+};
+
+/// Welds vertices by exact position and collects every edge with all its triangles. O(n log n).
+MeshTopology buildTopology(const Mesh& mesh);
+
+/// What a mesh is made of.
+struct MeshReport {
+    std::uint64_t triangles = 0, weldedVertices = 0, edges = 0;
+    std::uint64_t boundaryEdges = 0;     ///< one triangle: the mesh is open there
+    std::uint64_t multipleEdges = 0;     ///< more than two triangles
+    std::uint64_t inconsistentEdges = 0; ///< two triangles that run the same way: windings disagree
+    [[nodiscard]] bool isClosed() const { return boundaryEdges == 0 && multipleEdges == 0 && inconsistentEdges == 0; }
+};
+MeshReport reportMesh(const Mesh& mesh, const MeshTopology& topology);
+
+} // namespace shadowlab::scene

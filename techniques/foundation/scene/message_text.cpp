@@ -1,0 +1,64 @@
+// Escaping and counting for messages.
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/message_text.h"
+
+#include <charconv>
+
+namespace shadowlab::scene {
+
+namespace {
+
+/// Length of the well-formed UTF-8 sequence at the start of `text`, 0 when it is ill-formed.
+std::size_t sequenceLength(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const std::size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xc2 ? 0 : byte(0) < 0xe0 ? 2 : byte(0) < 0xf0 ? 3
+                               : byte(0) < 0xf5                                                             ? 4
+                                                                                                            : 0;
+    if (length > text.size()) return 0;
+    for (std::size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xc0) != 0x80) return 0;
+    return length;
+}
+
+std::string escaped(std::string_view text, std::size_t longest) {
+    static constexpr char kHex[] = "0123456789abcdef";
+    std::string result;
+    for (std::size_t i = 0; i < text.size();) {
+        if (result.size() >= longest) return result + "...";
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const std::size_t length = byte < 0x20 || byte == 0x7f ? 0 : sequenceLength(text.substr(i));
+        if (length == 0) {
+            result += {'\\', 'x', kHex[byte >> 4], kHex[byte & 15]};
+            ++i;
+        } else {
+            result += text.substr(i, length);
+            i += length;
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+std::string shown(std::string_view text, std::size_t longest) { return escaped(text, longest); }
+
+std::string inQuotes(std::string_view text, std::size_t longest) {
+    std::string result(1, '"');
+    result += escaped(text, longest);
+    result += '"';
+    return result;
+}
+
+std::string shownPath(const std::filesystem::path& path) { return escaped(path.native(), 4096); }
+
+std::string numberText(double value) {
+    char buffer[32];
+    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
+    return error == std::errc{} ? std::string(buffer, end) : std::string("?");
+}
+
+std::string counted(std::uint64_t count, std::string_view singular) {
+    return std::to_string(count) + " " + std::string(singular) + (count == 1 ? "" : "s");
+}
+
+} // namespace shadowlab::scene

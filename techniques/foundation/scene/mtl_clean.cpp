@@ -1,0 +1,113 @@
+// Checks and clamps MTL statements line by line.
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/mtl_clean.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "techniques/foundation/scene/message_text.h"
+#include "techniques/foundation/scene/statement_lines.h"
+
+namespace shadowlab::scene {
+
+namespace {
+
+/// A statement with numbers: how many, and between what.
+struct NumberStatement {
+    std::string_view keyword;
+    std::size_t count;
+    double low, high;
+};
+
+constexpr std::array kStatements{
+    NumberStatement{"Kd", 3, 0.0, 1.0}, NumberStatement{"Ks", 3, 0.0, 1.0},
+    NumberStatement{"Ke", 3, 0.0, 1e6}, // radiance; a million times white is brighter than any lamp
+    NumberStatement{"Ns", 1, 0.0, 1e6}, // as for shininess in scene files
+    NumberStatement{"Ni", 1, 0.1, 10.0}, // as for ior in scene files
+    NumberStatement{"d", 1, 0.0, 1.0},  NumberStatement{"Tr", 1, 0.0, 1.0}};
+
+class Cleaner {
+public:
+    Cleaner(std::string_view text, const std::filesystem::path& file, const Limits& limits)
+        : lines_(text, file, limits.lineBytes) {}
+
+    std::string run(std::vector<std::string>& notes) {
+        while (lines_.nextStatement()) {
+            const std::string keyword(lines_.keyword());
+            const auto statement = std::ranges::find(kStatements, keyword, &NumberStatement::keyword);
+            if (keyword == "newmtl") newMaterial();
+            else if (!inMaterial_) continue; // values without a material to belong to
+            else if (statement != kStatements.end()) numbers(*statement);
+            else if (keyword == "map_d") result_ += "map_d " + std::string(lines_.restOfLine()) + "\n";
+        }
+        if (clamped_ > 0)
+            notes.push_back(lines_.place(firstClampedLine_) + ": " + firstClamped_ +
+                            (clamped_ > 1 ? " (and " + counted(clamped_ - 1, "more value") + ")" : ""));
+        if (!repeated_.empty())
+            notes.push_back(lines_.place(repeatedLine_) + ": material '" + shown(repeated_) +
+                            "' is defined twice; the first definition is used");
+        return std::move(result_);
+    }
+
+private:
+    void newMaterial() {
+        const std::string name(lines_.restOfLine());
+        if (name.empty()) lines_.fail("newmtl without a name; write one after it");
+        if (!names_.insert(name).second && repeated_.empty()) {
+            repeated_ = name;
+            repeatedLine_ = lines_.line();
+        }
+        inMaterial_ = true;
+        // Defaults first: a later statement of the file replaces them. 0.8 is the scene's default grey.
+        result_ += "newmtl " + name + "\nKd 0.8 0.8 0.8\nNs 32\nNi 1.5\n";
+    }
+
+    void numbers(const NumberStatement& statement) {
+        std::array<double, 3> values{};
+        std::size_t count = 0;
+        while (const auto token = lines_.nextToken()) {
+            if (count == 0 && (*token == "spectral" || *token == "xyz" || *token == "-halo")) return; // other forms
+            if (count == statement.count) break;
+            const auto value = readNumber(*token);
+            if (!value || !std::isfinite(*value))
+                lines_.fail(inQuotes(*token, 40) + " in " + std::string(statement.keyword) +
+                            " is not a finite number; write a number such as 0.8");
+            values[count++] = clamped(*value, statement);
+        }
+        if (count == 0) lines_.fail(std::string(statement.keyword) + " has no number; write one after it");
+        // One number for a colour means grey.
+        if (count < statement.count) values[1] = count < 2 ? values[0] : values[1];
+        if (count < statement.count && statement.count == 3) values[2] = values[0];
+        result_ += statement.keyword;
+        for (std::size_t i = 0; i < statement.count; ++i) result_.append(1, ' ').append(numberText(values[i]));
+        result_ += '\n';
+    }
+
+    double clamped(double value, const NumberStatement& statement) {
+        const double result = std::clamp(value, statement.low, statement.high);
+        if (result != value && clamped_++ == 0) {
+            firstClampedLine_ = lines_.line();
+            firstClamped_ = std::string(statement.keyword) + " " + numberText(value) + " is clamped to " +
+                            numberText(statement.low) + ".." + numberText(statement.high);
+        }
+        return result;
+    }
+
+    StatementLines lines_;
+    std::string result_;
+    bool inMaterial_ = false;
+    std::set<std::string> names_;
+    std::size_t clamped_ = 0, firstClampedLine_ = 0, repeatedLine_ = 0;
+    std::string firstClamped_, repeated_;
+};
+
+} // namespace
+
+std::string cleanMtl(std::string_view text, const std::filesystem::path& file, const Limits& limits,
+                     std::vector<std::string>& notes) {
+    return Cleaner(text, file, limits).run(notes);
+}
+
+} // namespace shadowlab::scene

@@ -1,0 +1,19 @@
+// The strict first reading of an MTL file: the statements used here, checked, clamped and completed, in the form
+// tinyobjloader then reads. Everything else (other maps, PBR extensions, illum ...) is left out.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "techniques/foundation/scene/load.h"
+
+namespace shadowlab::scene {
+
+/// Throws Error "FILE:LINE: ..." where a value is no finite number; values out of range are clamped with one note.
+/// A material without Kd gets the default grey.
+std::string cleanMtl(std::string_view text, const std::filesystem::path& file, const Limits& limits,
+                     std::vector<std::string>& notes);
+
+} // namespace shadowlab::scene

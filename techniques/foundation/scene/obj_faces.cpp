@@ -1,0 +1,192 @@
+// tinyobjloader at work, compiled here from its packaged header. Its callback interface hands over each polygon as it
+// stands in the file: LoadObj would triangulate without regard to holes in concave polygons (or count corners in one
+// byte), so triangulation is ours (polygon_triangulation.h).
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/obj_faces.h"
+
+#include <algorithm>
+#include <sstream>
+
+#define TINYOBJLOADER_IMPLEMENTATION
+#define TINYOBJLOADER_USE_DOUBLE
+#include <tiny_obj_loader.h>
+
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/scene/file_access.h"
+#include "techniques/foundation/scene/message_text.h"
+#include "techniques/foundation/scene/mtl_clean.h"
+
+namespace shadowlab::scene {
+
+namespace {
+
+constexpr std::uint64_t kMtlBytes = 16ull << 20; ///< far beyond any material file, far below what fills the memory
+
+/// Finds, guards, checks and reads material files for tinyobjloader.
+class GuardedMaterialReader : public tinyobj::MaterialReader {
+public:
+    GuardedMaterialReader(const ObjScan& scan, const std::filesystem::path& file, const LoadOptions& options,
+                          std::vector<std::string>& notes)
+        : scan_(scan), file_(file), options_(options), folders_(file, options), notes_(notes) {}
+
+    /// `number` is the index into `scan.libraries` that the scan wrote in place of the name.
+    bool operator()(const std::string& number, std::vector<tinyobj::material_t>* materials,
+                    std::map<std::string, int>* materialIndex, std::string* warning, std::string* error) override {
+        const ObjReference& library = scan_.libraries.at(std::stoul(number));
+        bool found = false;
+        for (const std::string& name : candidates(library)) {
+            const std::filesystem::path path = resolved(name, library);
+            if (std::error_code ignored; !std::filesystem::exists(std::filesystem::symlink_status(path, ignored))) {
+                notes_.push_back(place(library) + ": material file \"" + shown(name) +
+                                 "\" is missing; its materials are drawn in the default grey");
+                continue;
+            }
+            const std::string text = readFile(path, std::min(kMtlBytes, options_.limits.fileBytes));
+            std::istringstream clean(cleanMtl(text, path, options_.limits, notes_));
+            tinyobj::LoadMtl(materialIndex, materials, &clean, warning, error);
+            found = true;
+        }
+        return found;
+    }
+
+private:
+    /// A library name may hold blanks, and one line may name several files: the whole line is tried first.
+    [[nodiscard]] std::vector<std::string> candidates(const ObjReference& library) const {
+        std::vector<std::string> names;
+        std::istringstream words(library.name);
+        for (std::string word; words >> word;) names.push_back(word);
+        std::error_code ignored;
+        if (names.size() > 1)
+            if (const auto whole = folders_.resolve(library.name); whole && std::filesystem::exists(*whole, ignored))
+                names.assign(1, library.name);
+        return names;
+    }
+
+    [[nodiscard]] std::filesystem::path resolved(const std::string& name, const ObjReference& library) const {
+        if (const auto path = folders_.resolve(name)) return *path;
+        throw Error(ExitStatus::badInput,
+                    place(library) + ": material file \"" + shown(name) + "\" " + std::string(kOutsideMessage));
+    }
+
+    [[nodiscard]] std::string place(const ObjReference& library) const {
+        return shownPath(file_) + ":" + std::to_string(library.line);
+    }
+
+    const ObjScan& scan_;
+    const std::filesystem::path& file_;
+    const LoadOptions& options_;
+    AllowedFolders folders_;
+    std::vector<std::string>& notes_;
+};
+
+/// Collects what tinyobjloader calls back with.
+struct Collector {
+    const ObjScan& scan;
+    ObjFaces faces;
+    std::vector<tinyobj::material_t> materials;
+    std::map<std::string, std::uint32_t> materialIndex;
+    std::uint32_t currentMaterial = 0;
+
+    std::uint32_t indexOf(const std::string& name) {
+        const auto [entry, isNew] = materialIndex.try_emplace(name, static_cast<std::uint32_t>(faces.materialNames.size()));
+        if (isNew) faces.materialNames.push_back(name);
+        return entry->second;
+    }
+
+    static void face(void* user, tinyobj::index_t* indices, int count) {
+        auto& self = *static_cast<Collector*>(user);
+        for (int i = 0; i < count; ++i) {
+            // Raw indices count from 1; 0 stands for none. The scan has checked them, but nothing is indexed on trust.
+            const std::int64_t position = indices[i].vertex_index - std::int64_t{1};
+            const std::int64_t normal = indices[i].normal_index - std::int64_t{1};
+            if (position < 0 || position >= std::ssize(self.scan.positions) || normal < -1 ||
+                normal >= std::ssize(self.scan.normals))
+                throw Error(ExitStatus::bug, "an OBJ index changed between check and use; please report this file");
+            self.faces.corners.push_back({static_cast<std::uint32_t>(position), static_cast<std::int32_t>(normal)});
+        }
+        self.faces.firstCorner.push_back(static_cast<std::uint32_t>(self.faces.corners.size()));
+        self.faces.materialOf.push_back(self.currentMaterial);
+    }
+    static void useMaterial(void* user, const char* name, int) {
+        auto& self = *static_cast<Collector*>(user);
+        self.currentMaterial = self.indexOf(name);
+    }
+    static void library(void* user, const tinyobj::material_t* materials, int count) {
+        static_cast<Collector*>(user)->materials.assign(materials, materials + count); // all so far, each time
+    }
+};
+
+vec3 color(const tinyobj::real_t (&rgb)[3]) { return {dvec3(rgb[0], rgb[1], rgb[2])}; }
+
+Material converted(const tinyobj::material_t& mtl) {
+    Material material;
+    material.name = mtl.name;
+    material.diffuse = color(mtl.diffuse);
+    material.specular = color(mtl.specular);
+    material.shininess = static_cast<float>(mtl.shininess);
+    material.emission = color(mtl.emission);
+    material.transparency = std::clamp(1.0 - mtl.dissolve, 0.0, 1.0);
+    material.ior = mtl.ior;
+    return material;
+}
+
+/// map_d: kept when it may be read; otherwise the material goes without, as it does not decide what the mesh is.
+void readAlphaMap(const tinyobj::material_t& mtl, Material& material, const AllowedFolders& folders,
+                  std::vector<std::string>& notes) {
+    if (mtl.alpha_texname.empty()) return;
+    const std::string who = "material '" + shown(mtl.name) + "': ";
+    const auto path = folders.resolve(mtl.alpha_texname);
+    if (path && whyUnreadable(*path).empty()) {
+        material.alphaMap = path->string();
+        notes.push_back(who + "alphaMap is read but holes are not cut yet");
+    } else {
+        notes.push_back(who + "map_d \"" + shown(mtl.alpha_texname) + "\" cannot be read and is ignored");
+    }
+}
+
+/// One note for all materials that usemtl names and no library defines.
+void noteUnknownMaterials(const ObjScan& scan, const std::filesystem::path& file, ObjFaces& faces) {
+    const ObjReference* first = nullptr;
+    std::size_t unknown = 0;
+    for (const ObjReference& used : scan.usedMaterials) {
+        if (std::ranges::find(faces.materials, used.name, &Material::name) != faces.materials.end()) continue;
+        if (unknown++ == 0) first = &used;
+    }
+    if (!first) return;
+    faces.notes.push_back(shownPath(file) + ":" + std::to_string(first->line) + ": no material file defines '" +
+                          shown(first->name) + "'" +
+                          (unknown > 1 ? " (and " + counted(unknown - 1, "other") + ")" : "") +
+                          "; drawn in the default grey");
+}
+
+} // namespace
+
+ObjFaces readFaces(ObjScan& scan, const std::filesystem::path& file, const LoadOptions& options) {
+    Collector collector{.scan = scan, .faces = {}, .materials = {}, .materialIndex = {}};
+    collector.faces.firstCorner.push_back(0);
+    collector.indexOf(""); // faces before the first usemtl
+    tinyobj::callback_t callbacks;
+    callbacks.index_cb = Collector::face;
+    callbacks.usemtl_cb = Collector::useMaterial;
+    callbacks.mtllib_cb = Collector::library;
+
+    std::istringstream statements(std::exchange(scan.statements, {}));
+    GuardedMaterialReader materialReader(scan, file, options, collector.faces.notes);
+    std::string warning, error;
+    if (!tinyobj::LoadObjWithCallback(statements, callbacks, &collector, &materialReader, &warning, &error))
+        throw Error(ExitStatus::badInput, shownPath(file) + ":1: tinyobjloader refuses the file: " + shown(error, 200) +
+                                              "; export the mesh again");
+
+    const AllowedFolders folders(file, options);
+    for (const tinyobj::material_t& mtl : collector.materials) {
+        const bool isKnown = std::ranges::find(collector.faces.materials, mtl.name, &Material::name) !=
+                             collector.faces.materials.end();
+        if (mtl.name.empty() || isKnown) continue; // LoadMtl adds a nameless one for an empty file
+        collector.faces.materials.push_back(converted(mtl));
+        readAlphaMap(mtl, collector.faces.materials.back(), folders, collector.faces.notes);
+    }
+    noteUnknownMaterials(scan, file, collector.faces);
+    return std::move(collector.faces);
+}
+
+} // namespace shadowlab::scene

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/scene.h"
+
+namespace shadowlab::scene {
+
+dmat4 worldFromMesh(const Object& object) {
+    dmat4 matrix = object.worldFromObject;
+    matrix[3] = object.worldFromObject * dvec4(object.mesh->originObject, 1.0);
+    return matrix;
+}
+
+Bounds boundsWorld(const Object& object) {
+    const dmat4 matrix = worldFromMesh(object);
+    Bounds bounds;
+    for (const vec3& positionMesh : object.mesh->positionsMesh)
+        bounds.include(transformPoint(matrix, dvec3(positionMesh)));
+    return bounds;
+}
+
+std::uint64_t triangleCount(const Scene& scene) {
+    std::uint64_t count = 0;
+    for (const Object& object : scene.objects) count += object.mesh->triangles.size();
+    return count;
+}
+
+} // namespace shadowlab::scene

@@ -1,0 +1,97 @@
+// The scene: what there is to see and what lights it. Immutable, in double precision, free of any graphics API.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "techniques/foundation/math/types.h"
+#include "techniques/foundation/scene/camera.h"
+#include "techniques/foundation/scene/light.h"
+#include "techniques/foundation/scene/mesh.h"
+
+namespace shadowlab::scene {
+
+/// Colours are linear RGB. The lower half only matters to ray tracing and radiosity.
+struct Material {
+    std::string name = "white";
+    vec3 diffuse{0.8f};
+    vec3 specular{0.0f};
+    float shininess = 32.0f; ///< Blinn-Phong exponent
+    vec3 emission{0.0f};     ///< radiance
+    double reflectivity = 0.0;
+    double transparency = 0.0;
+    double ior = 1.5;
+    int priority = 0;
+    double glossDegrees = 0.0;
+    double translucencyDegrees = 0.0;
+    std::string alphaMap; ///< resolved path of the image that cuts holes; empty: none
+};
+
+/// One thing in the scene.
+struct Object {
+    std::string name;
+    std::shared_ptr<const Mesh> mesh;
+    dmat4 worldFromObject{1.0};
+    std::vector<std::uint32_t> partMaterials; ///< index into Scene::materials, one per mesh part
+    bool castsShadow = true;
+    bool receivesShadow = true;
+    dvec3 velocityWorld{0.0}; ///< metres per unit of shutter time
+    int emitterOfLight = -1;  ///< index of the light whose surface this object is; -1: an ordinary object
+};
+
+/// Mesh space (what the vertex buffers hold) to world space.
+dmat4 worldFromMesh(const Object& object);
+
+/// Axis-aligned box in world space; empty when lower > upper.
+struct Bounds {
+    dvec3 lowerWorld{1e300};
+    dvec3 upperWorld{-1e300};
+    void include(const dvec3& positionWorld) {
+        lowerWorld = glm::min(lowerWorld, positionWorld);
+        upperWorld = glm::max(upperWorld, positionWorld);
+    }
+    void include(const Bounds& other) {
+        lowerWorld = glm::min(lowerWorld, other.lowerWorld);
+        upperWorld = glm::max(upperWorld, other.upperWorld);
+    }
+    [[nodiscard]] bool isEmpty() const { return lowerWorld.x > upperWorld.x; }
+    [[nodiscard]] dvec3 corner(int i) const { ///< i = 0..7
+        return {(i & 1) ? upperWorld.x : lowerWorld.x, (i & 2) ? upperWorld.y : lowerWorld.y,
+                (i & 4) ? upperWorld.z : lowerWorld.z};
+    }
+};
+
+/// Box around every vertex of the object (exact, not the box of a box).
+Bounds boundsWorld(const Object& object);
+
+/// What changed since a cached result was made: compare the number you need.
+struct Revisions {
+    std::uint64_t geometry = 1;   ///< meshes, or which objects exist
+    std::uint64_t transforms = 1; ///< where objects are
+    std::uint64_t lights = 1;
+    std::uint64_t materials = 1;
+    friend bool operator==(const Revisions&, const Revisions&) = default;
+};
+
+struct Scene {
+    std::string name; ///< "colonnade", or the file's name without its ending
+    Camera camera;
+    vec3 ambient{0.0f};
+    vec3 background{0.0f};
+    float exposure = 1.0f;
+    std::vector<Light> lights;
+    std::vector<Material> materials;
+    std::vector<Object> objects;
+    std::vector<std::string> notes; ///< one-line remarks for stderr (missing .mtl, dropped triangles ...)
+    Revisions revisions;
+};
+
+/// Number of triangles of all objects together.
+std::uint64_t triangleCount(const Scene& scene);
+
+/// What a technique, and every worker thread, works on: a scene that nobody changes any more.
+using Snapshot = std::shared_ptr<const Scene>;
+
+} // namespace shadowlab::scene

@@ -1,0 +1,51 @@
+// The parts of the scene reader, one file each. Every reader takes its piece of JSON and adds to the scene being built.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "techniques/foundation/scene/file_access.h"
+#include "techniques/foundation/scene/json_object.h"
+#include "techniques/foundation/scene/scene.h"
+
+namespace shadowlab::scene {
+
+/// What all readers share.
+struct SceneReading {
+    const JsonDocument& document;
+    const std::filesystem::path& file;
+    const LoadOptions& options;
+    const AllowedFolders& folders;
+    Scene& scene;
+
+    [[nodiscard]] Range anyNumber() const { return Range::any(options.limits.coordinate); }
+    [[nodiscard]] Range atLeastZero() const { return Range::atLeast(0.0, options.limits.coordinate); }
+    [[nodiscard]] Range aboveZero() const { return Range::above(0.0, options.limits.coordinate); }
+    /// Lengths that have to survive being rounded to float and squared.
+    [[nodiscard]] Range length() const { return Range::above(1.0 / options.limits.coordinate, options.limits.coordinate); }
+};
+
+/// "the camera", and "target", "up" ... checked against each other.
+Camera readCamera(const SceneReading& reading, const JsonObject& camera);
+
+void readLights(const SceneReading& reading, const JsonObject& top);
+
+/// Material 0 is always `white`, the file's or the default one.
+void readMaterials(const SceneReading& reading, const JsonObject& top);
+
+/// Needs the materials.
+void readObjects(const SceneReading& reading, const JsonObject& top);
+
+/// The file a key refers to: inside the allowed folders and a readable regular file, else an error at the key.
+/// Returns the path as opened: the scene's folder and the reference, not normalised.
+struct ReferredFile {
+    std::filesystem::path path;      ///< to open, and to name in messages
+    std::filesystem::path canonical; ///< to tell files apart
+};
+ReferredFile readReference(const SceneReading& reading, const JsonObject& object, std::string_view key);
+
+/// worldFromObject = translate * Rz * Ry * Rx * scale. Multiples of 90 degrees turn exactly.
+dmat4 worldFromObjectOf(const dvec3& scale, const dvec3& rotateDegrees, const dvec3& translate);
+
+} // namespace shadowlab::scene

@@ -1,0 +1,262 @@
+// Reads the objects: a built-in shape or a mesh file, its placement and its materials. Objects that show the same
+// shape or file share one mesh.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+
+#include "techniques/foundation/nearest_names.h"
+#include "techniques/foundation/scene/message_text.h"
+#include "techniques/foundation/scene/scene_json.h"
+
+namespace shadowlab::scene {
+
+namespace {
+
+constexpr std::uint32_t kWhite = 0; ///< index of the default material
+
+class ObjectReader {
+public:
+    explicit ObjectReader(const SceneReading& reading) : reading_(reading) {
+        for (std::uint32_t i = 0; i < reading.scene.materials.size(); ++i)
+            materialIndex_[reading.scene.materials[i].name] = i;
+        sceneMaterials_ = materialIndex_;
+    }
+
+    void read(const JsonValue& value, const std::string& what);
+
+private:
+    struct LoadedMesh {
+        std::shared_ptr<const Mesh> mesh;
+        std::vector<std::uint32_t> partMaterials;
+    };
+
+    JsonObject checkedKeys(const JsonValue& value, const std::string& what) const;
+    LoadedMesh meshOf(const JsonObject& keys);
+    LoadedMesh loadedFile(const JsonObject& keys, NormalMode mode);
+    std::shared_ptr<const Mesh> shape(const JsonObject& keys, NormalMode mode);
+    std::uint32_t materialOfFile(const std::filesystem::path& canonical, const ObjFile& file, const std::string& name);
+    std::uint32_t materialIndex(const JsonObject& keys) const;
+    dvec3 scaleOf(const JsonObject& keys) const;
+    void checkTriangles(const JsonObject& keys, std::uint64_t more) const;
+    std::string uniqueName(const std::string& wish);
+
+    const SceneReading& reading_;
+    std::map<std::string, std::uint32_t> materialIndex_;  ///< all of the scene so far
+    std::map<std::string, std::uint32_t> sceneMaterials_; ///< those of the scene file, which `material` may name
+    std::map<std::string, std::shared_ptr<const Mesh>> shapes_;                     ///< by all their numbers
+    std::map<std::pair<std::string, NormalMode>, LoadedMesh> files_;                ///< by canonical path
+    std::map<std::pair<std::string, std::string>, std::uint32_t> materialOfFile_;   ///< by canonical path and MTL name
+    std::set<std::string> names_;
+    std::map<std::string, int> lastNumber_; ///< of the names made up for unnamed objects: box, box2, box3 ...
+    std::uint64_t triangles_ = 0;
+};
+
+/// The object with exactly the keys its kind has.
+JsonObject ObjectReader::checkedKeys(const JsonValue& value, const std::string& what) const {
+    const JsonDocument& document = reading_.document;
+    const JsonObject all(document, value, what,
+                         {"name", "shape", "mesh", "size", "radius", "radii", "segments", "material", "scale",
+                          "rotateDegrees", "translate", "normals", "castsShadow", "receivesShadow", "velocity"});
+    const bool hasMesh = all.find("mesh") != nullptr, hasShape = all.find("shape") != nullptr;
+    if (hasMesh && hasShape) all.fail("mesh", "stands beside \"shape\"; keep one of the two");
+    if (!hasMesh && !hasShape)
+        document.fail(value.offset, what + " has neither \"mesh\" nor \"shape\"; add \"mesh\": \"FILE.obj\" or "
+                                           "\"shape\": \"quad\" (or box, sphere, torus)");
+    if (hasMesh)
+        return {document, value, what + " (a mesh)",
+                {"name", "mesh", "material", "scale", "rotateDegrees", "translate", "normals", "castsShadow",
+                 "receivesShadow", "velocity"}};
+    const std::string shape = all.text("shape");
+    const std::string named = what + " (a " + shown(shape) + ")";
+    if (shape == "quad" || shape == "box")
+        return {document, value, named,
+                {"name", "shape", "size", "material", "scale", "rotateDegrees", "translate", "normals", "castsShadow",
+                 "receivesShadow", "velocity"}};
+    if (shape == "sphere")
+        return {document, value, named,
+                {"name", "shape", "radius", "segments", "material", "scale", "rotateDegrees", "translate", "normals",
+                 "castsShadow", "receivesShadow", "velocity"}};
+    if (shape == "torus")
+        return {document, value, named,
+                {"name", "shape", "radii", "segments", "material", "scale", "rotateDegrees", "translate", "normals",
+                 "castsShadow", "receivesShadow", "velocity"}};
+    const std::vector<std::string> shapes{"quad", "box", "sphere", "torus"};
+    all.fail("shape", "is " + inQuotes(shape) + "; " + suggestion(shape, shapes));
+}
+
+void ObjectReader::checkTriangles(const JsonObject& keys, std::uint64_t more) const {
+    const std::uint64_t limit = reading_.options.limits.triangles;
+    if (triangles_ + more > limit)
+        reading_.document.fail(keys.value().offset,
+                               keys.what() + " brings the scene to " + counted(triangles_ + more, "triangle") +
+                                   ", more than the limit of " + std::to_string(limit) + "; simplify or remove objects",
+                               ExitStatus::overLimit);
+}
+
+std::shared_ptr<const Mesh> ObjectReader::shape(const JsonObject& keys, NormalMode mode) {
+    const std::string kind = keys.text("shape");
+    const Range length = reading_.length();
+    constexpr int kFewest = 3, kMost = 4096; // three make the smallest closed ring
+    std::string id = kind + " " + std::to_string(static_cast<int>(mode));
+    const auto shared = [&](const auto& make) {
+        std::shared_ptr<const Mesh>& mesh = shapes_[id];
+        if (!mesh) mesh = std::make_shared<const Mesh>(withNormals(make(), mode));
+        return mesh;
+    };
+    const auto describeBy = [&](double number) { id.append(1, ' ').append(numberText(number)); };
+
+    if (kind == "quad") {
+        const dvec2 size = keys.pair("size", length);
+        describeBy(size.x), describeBy(size.y);
+        return shared([&] { return makeQuad(size); });
+    }
+    if (kind == "box") {
+        const dvec3 size = keys.vector("size", length);
+        describeBy(size.x), describeBy(size.y), describeBy(size.z);
+        return shared([&] { return makeBox(size); });
+    }
+    if (kind == "sphere") {
+        const double radius = keys.number("radius", length);
+        const int segments = keys.integer("segments", kFewest, kMost, 64);
+        checkTriangles(keys, static_cast<std::uint64_t>(segments) * static_cast<std::uint64_t>(segments));
+        describeBy(radius), describeBy(segments);
+        return shared([&] { return makeSphere(radius, segments); });
+    }
+    const dvec2 radii = keys.pair("radii", length);
+    if (!(radii.y < radii.x))
+        keys.fail("radii", "are [major, minor] = [" + numberText(radii.x) + ", " + numberText(radii.y) +
+                               "]; the minor radius must be smaller, else the torus cuts itself");
+    ivec2 segments(64, 32);
+    if (const JsonValue* value = keys.find("segments"); value && value->kind == JsonValue::Kind::array) {
+        const dvec2 both = keys.pair("segments", Range::between(kFewest, kMost));
+        if (both != glm::floor(both)) keys.fail("segments", "must be whole numbers");
+        segments = ivec2(both);
+    } else if (value) {
+        segments.x = keys.integer("segments", kFewest, kMost);
+        segments.y = std::max(kFewest, segments.x / 2);
+    }
+    checkTriangles(keys, 2 * static_cast<std::uint64_t>(segments.x) * static_cast<std::uint64_t>(segments.y));
+    describeBy(radii.x), describeBy(radii.y), describeBy(segments.x), describeBy(segments.y);
+    return shared([&] { return makeTorus(radii.x, radii.y, segments); });
+}
+
+/// Index of a material that an MTL file defines, added to the scene on first use. A name that is taken gets the mesh
+/// file's name as an addition.
+std::uint32_t ObjectReader::materialOfFile(const std::filesystem::path& canonical, const ObjFile& file,
+                                           const std::string& name) {
+    const auto found = std::ranges::find(file.materials, name, &Material::name);
+    if (name.empty() || found == file.materials.end()) return kWhite;
+    const auto [entry, isNew] = materialOfFile_.try_emplace({canonical.string(), name}, 0);
+    if (!isNew) return entry->second;
+    Material material = *found;
+    for (int attempt = 1; materialIndex_.contains(material.name); ++attempt)
+        material.name = name + " (" + canonical.stem().string() + (attempt == 1 ? std::string() : " no. " + std::to_string(attempt)) + ")";
+    entry->second = static_cast<std::uint32_t>(reading_.scene.materials.size());
+    materialIndex_[material.name] = entry->second;
+    reading_.scene.materials.push_back(std::move(material));
+    return entry->second;
+}
+
+ObjectReader::LoadedMesh ObjectReader::loadedFile(const JsonObject& keys, NormalMode mode) {
+    const ReferredFile file = readReference(reading_, keys, "mesh");
+    const auto [entry, isNew] = files_.try_emplace({file.canonical.string(), mode});
+    LoadedMesh& loaded = entry->second;
+    if (!isNew) return loaded;
+    LoadOptions options = reading_.options; // the mesh's own references may use the scene's folder too
+    options.allowed.push_back(reading_.file.parent_path().empty() ? "." : reading_.file.parent_path());
+    ObjFile obj = loadObj(file.path, mode, options);
+    for (const MeshPart& part : obj.mesh.parts)
+        loaded.partMaterials.push_back(materialOfFile(file.canonical, obj, part.materialName));
+    loaded.mesh = std::make_shared<const Mesh>(std::move(obj.mesh));
+    std::vector<std::string>& notes = reading_.scene.notes;
+    for (std::string& note : obj.notes)
+        if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
+    return loaded;
+}
+
+ObjectReader::LoadedMesh ObjectReader::meshOf(const JsonObject& keys) {
+    NormalMode mode = NormalMode::file; // for a shape: as it is built, smooth or flat
+    if (keys.find("normals")) {
+        const std::string text = keys.text("normals");
+        const std::vector<std::string> modes{"file", "flat", "smooth"};
+        const auto found = std::ranges::find(modes, text);
+        if (found == modes.end()) keys.fail("normals", "is " + inQuotes(text) + "; " + suggestion(text, modes));
+        mode = static_cast<NormalMode>(found - modes.begin());
+    }
+    LoadedMesh loaded = keys.find("mesh") ? loadedFile(keys, mode) : LoadedMesh{shape(keys, mode), {kWhite}};
+    if (keys.find("material"))
+        std::ranges::fill(loaded.partMaterials, materialIndex(keys));
+    return loaded;
+}
+
+std::uint32_t ObjectReader::materialIndex(const JsonObject& keys) const {
+    const std::string name = keys.text("material");
+    if (const auto found = sceneMaterials_.find(name); found != sceneMaterials_.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [known, index] : sceneMaterials_) names.push_back(known);
+    keys.fail("material", "is " + inQuotes(name) + ", which \"materials\" does not define; " + suggestion(name, names));
+}
+
+dvec3 ObjectReader::scaleOf(const JsonObject& keys) const {
+    const JsonValue* value = keys.find("scale");
+    if (!value) return dvec3(1.0);
+    const dvec3 scale = value->kind == JsonValue::Kind::array ? keys.vector("scale", reading_.anyNumber())
+                                                              : dvec3(keys.number("scale", reading_.anyNumber()));
+    for (int axis = 0; axis < 3; ++axis)
+        if (!reading_.length().contains(std::abs(scale[axis])))
+            keys.fail("scale", "is " + numberText(scale[axis]) + " along " + "xyz"[axis] +
+                                   "; it must not be zero (or next to it)");
+    return scale;
+}
+
+std::string ObjectReader::uniqueName(const std::string& wish) {
+    int& number = lastNumber_.try_emplace(wish, 0).first->second;
+    std::string name;
+    do {
+        ++number;
+        name = wish + (number == 1 ? "" : std::to_string(number));
+    } while (!names_.insert(name).second);
+    return name;
+}
+
+void ObjectReader::read(const JsonValue& value, const std::string& what) {
+    const JsonObject keys = checkedKeys(value, what);
+    LoadedMesh loaded = meshOf(keys);
+    checkTriangles(keys, loaded.mesh->triangles.size());
+    triangles_ += loaded.mesh->triangles.size();
+
+    Object object;
+    const std::string kind =
+        keys.find("shape") ? keys.text("shape") : std::filesystem::path(keys.text("mesh")).stem().string();
+    object.name = keys.find("name") ? keys.text("name") : uniqueName(kind);
+    names_.insert(object.name);
+    object.mesh = std::move(loaded.mesh);
+    object.partMaterials = std::move(loaded.partMaterials);
+    object.worldFromObject = worldFromObjectOf(scaleOf(keys), keys.vector("rotateDegrees", reading_.anyNumber(), dvec3(0)),
+                                               keys.vector("translate", reading_.anyNumber(), dvec3(0)));
+    object.castsShadow = keys.boolean("castsShadow", true);
+    object.receivesShadow = keys.boolean("receivesShadow", true);
+    object.velocityWorld = keys.vector("velocity", reading_.anyNumber(), dvec3(0));
+
+    const Bounds bounds = boundsWorld(object);
+    const dvec3 farthest = glm::max(glm::abs(bounds.lowerWorld), glm::abs(bounds.upperWorld));
+    const double limit = reading_.options.limits.coordinate;
+    if (!(glm::max(farthest.x, glm::max(farthest.y, farthest.z)) <= limit))
+        reading_.document.fail(value.offset, keys.what() + " reaches beyond " + numberText(limit) +
+                                                 " m from the origin; reduce its scale or translate");
+    reading_.scene.objects.push_back(std::move(object));
+}
+
+} // namespace
+
+void readObjects(const SceneReading& reading, const JsonObject& top) {
+    const auto values = top.array("objects");
+    if (values.size() > reading.options.limits.objects)
+        top.fail("objects", "are " + std::to_string(values.size()) + ", more than the limit of " +
+                                std::to_string(reading.options.limits.objects) + "; remove some",
+                 ExitStatus::overLimit);
+    ObjectReader reader(reading);
+    for (std::size_t i = 0; i < values.size(); ++i) reader.read(values[i], "object " + std::to_string(i + 1));
+}
+
+} // namespace shadowlab::scene

@@ -1,0 +1,30 @@
+// The built-in shapes as meshes. Vertices are computed in double and rounded to float once.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/foundation/scene/mesh.h"
+
+namespace shadowlab::scene {
+
+/// Rectangle in the xz plane, centred on the origin, facing +y. `size` is the full extent along x and z.
+Mesh makeQuad(dvec2 size);
+
+/// Axis-aligned box centred on the origin, six flat faces looking outward. `size` is the full extent.
+Mesh makeBox(dvec3 size);
+
+/// Sphere with its poles on y and its vertices on the sphere: `segments` around, half as many from pole to pole.
+/// Smooth shading normals.
+Mesh makeSphere(double radius, int segments);
+
+/// Torus around the y axis, smooth. `segments` = (around the axis, around the tube).
+Mesh makeTorus(double majorRadius, double minorRadius, ivec2 segments);
+
+/// A rect light's surface in world space: one parallelogram facing cross(edgeU, edgeV), centred on the origin.
+Mesh makeParallelogram(const dvec3& edgeU, const dvec3& edgeV);
+
+enum class NormalMode { file, flat, smooth };
+
+/// Rebuilds the vertices so that each triangle has its own flat normal, or each position one area-weighted smooth one.
+/// Triangle order and the order of the three corners stay as they are. `file` returns the mesh unchanged.
+Mesh withNormals(const Mesh& mesh, NormalMode mode);
+
+} // namespace shadowlab::scene

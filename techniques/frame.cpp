@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/frame.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "techniques/foundation/gl/baseline.h"
+#include "techniques/foundation/gl/debug.h"
+
+namespace shadowlab {
+
+Frame::Frame(const scene::Snapshot& snapshot, const View& view, const gl::SceneBuffers& buffers,
+             const gl::Target& target, FrameRequest request)
+    : snapshot_(snapshot), view_(view), eye_(gl::eyeMatrices(view.camera, view.size)), buffers_(buffers),
+      target_(target), request_(std::move(request)) {}
+
+void Frame::pass(const PassInfo& info, const std::function<void()>& draw, int light) {
+    if (stopped_) return;
+    const StageKey key{std::string(info.id), light};
+    result_.passes.push_back(key);
+    {
+        const gl::DebugGroup group(info.title);
+        gl::setBaselineState();
+        target_.framebuffer.bind();
+        if (request_.timePasses)
+            timer_.time(key.id, draw);
+        else
+            draw();
+    }
+    gl::check(info.id);
+    stopped_ = request_.stopAfter == key;
+}
+
+bool Frame::wants(std::string_view stage, int light) const {
+    if (stopped_) return false;
+    return std::ranges::any_of(request_.stages,
+                               [&](const StageKey& key) { return key.id == stage && key.light == light; });
+}
+
+void Frame::publish(std::string_view stage, int light, gl::Texture2D texture, Display display) {
+    gl::check(stage);
+    result_.stages.push_back({{std::string(stage), light}, std::move(texture), std::move(display)});
+}
+
+void Frame::publishTarget(std::string_view stage, int light) { publish(stage, light, copyOfTarget(stage)); }
+
+void Frame::drawStage(std::string_view stage, int light, GLenum format, const std::function<void()>& draw,
+                      Display display) {
+    gl::Texture2D texture(format, target_.size(), stage);
+    drawInto(texture, stage, true, draw);
+    publish(stage, light, std::move(texture), std::move(display));
+}
+
+void Frame::drawOverTarget(std::string_view stage, int light, const std::function<void()>& draw, Display display) {
+    gl::Texture2D texture = copyOfTarget(stage);
+    drawInto(texture, stage, false, draw);
+    publish(stage, light, std::move(texture), std::move(display));
+}
+
+gl::Texture2D Frame::copyOfTarget(std::string_view name) const {
+    gl::Texture2D copy(target_.color.internalFormat(), target_.size(), name);
+    const gl::Framebuffer destination(&copy, nullptr, name);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.framebuffer.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, destination.id());
+    const ivec2 size = target_.size();
+    glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    return copy;
+}
+
+void Frame::drawInto(gl::Texture2D& texture, std::string_view stage, bool clear,
+                     const std::function<void()>& draw) const {
+    const gl::Framebuffer framebuffer(&texture, &target_.depthStencil, stage);
+    const gl::DebugGroup group(stage);
+    gl::setBaselineState();
+    framebuffer.bind();
+    if (clear) glClear(GL_COLOR_BUFFER_BIT);
+    draw();
+}
+
+void Frame::count(std::string_view id, double built, double of, std::string_view unit) {
+    const auto known = std::ranges::find(result_.counters, id, &Counter::id);
+    if (known == result_.counters.end()) {
+        result_.counters.push_back({std::string(id), built, of, std::string(unit)});
+        return;
+    }
+    known->built += built;
+    known->of += of;
+}
+
+Frame::Result Frame::takeResult() {
+    result_.passMs = timer_.take();
+    return std::move(result_);
+}
+
+const PassInfo& passInfo(std::span<const PassInfo> passes, std::string_view id) {
+    const auto found = std::ranges::find(passes, id, &PassInfo::id);
+    if (found == passes.end()) throw std::logic_error("no pass is described under the id " + std::string(id));
+    return *found;
+}
+
+} // namespace shadowlab

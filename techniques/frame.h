@@ -1,0 +1,102 @@
+// One frame of one technique: what it may look at, where it draws, and how it tells what it did.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "techniques/foundation/gl/framebuffer.h"
+#include "techniques/foundation/gl/pass_timer.h"
+#include "techniques/foundation/gl/scene_buffers.h"
+#include "techniques/foundation/gl/surfaces.h"
+#include "techniques/technique.h"
+
+namespace shadowlab {
+
+/// Names one stage, or one pass, of one light (kNoLight: of the whole frame).
+struct StageKey {
+    std::string id;
+    int light = kNoLight;
+    friend bool operator==(const StageKey&, const StageKey&) = default;
+};
+
+/// A published intermediate picture. Owns its texture; lives as long as the frame's result.
+struct Stage {
+    StageKey key;
+    gl::Texture2D texture;
+    Display display;
+};
+
+struct Counter {
+    std::string id;
+    double built = 0, of = 0; ///< "casters 3 of 12"; of = 0: a plain number
+    std::string unit;
+};
+
+/// What the session asks of one frame.
+struct FrameRequest {
+    std::vector<StageKey> stages;       ///< to be published
+    std::optional<StageKey> stopAfter;  ///< pass after which nothing more is drawn: step mode, and stage `pass:ID`
+    bool timePasses = false;
+    Deadline deadline = Deadline::max();
+};
+
+class Frame {
+public:
+    Frame(const scene::Snapshot& snapshot, const View& view, const gl::SceneBuffers& buffers, const gl::Target& target,
+          FrameRequest request);
+
+    [[nodiscard]] const scene::Scene& scene() const { return *snapshot_; }
+    [[nodiscard]] const scene::Snapshot& snapshot() const { return snapshot_; }
+    [[nodiscard]] const View& view() const { return view_; }
+    [[nodiscard]] const gl::EyeMatrices& eye() const { return eye_; }
+    [[nodiscard]] const gl::SceneBuffers& buffers() const { return buffers_; }
+    [[nodiscard]] const gl::Target& target() const { return target_; }
+    [[nodiscard]] Deadline deadline() const { return request_.deadline; }
+
+    /// Runs `draw` as one named pass: baseline state, the frame's target bound, a debug group, a timer and a GL error
+    /// check around it. Skipped once the pass asked for by step mode has run.
+    void pass(const PassInfo& info, const std::function<void()>& draw, int light = kNoLight);
+
+    /// Is anybody going to look at this stage? Do not draw it otherwise.
+    [[nodiscard]] bool wants(std::string_view stage, int light = kNoLight) const;
+    /// Hands an intermediate picture over.
+    void publish(std::string_view stage, int light, gl::Texture2D texture, Display display = {});
+    /// Publishes a copy of what the target's colour holds now.
+    void publishTarget(std::string_view stage, int light = kNoLight);
+    /// Draws a stage into a new texture of the target's size that shares the target's depth and stencil, and publishes it.
+    void drawStage(std::string_view stage, int light, GLenum format, const std::function<void()>& draw,
+                   Display display = {});
+    /// The same, starting from what the target's colour holds now: to draw lines and faces over the picture.
+    void drawOverTarget(std::string_view stage, int light, const std::function<void()>& draw, Display display = {});
+    /// "Built 3 of 12": how much of the scene the technique had to handle. Counts of one id add up.
+    void count(std::string_view id, double built, double of = 0, std::string_view unit = "");
+
+    struct Result {
+        std::vector<Stage> stages;
+        std::vector<Counter> counters;
+        std::vector<StageKey> passes; ///< in the order they ran
+        std::vector<gl::PassTimer::Result> passMs;
+    };
+    Result takeResult();
+
+private:
+    gl::Texture2D copyOfTarget(std::string_view name) const;
+    void drawInto(gl::Texture2D& texture, std::string_view stage, bool clear, const std::function<void()>& draw) const;
+
+    scene::Snapshot snapshot_;
+    const View& view_;
+    gl::EyeMatrices eye_;
+    const gl::SceneBuffers& buffers_;
+    const gl::Target& target_;
+    FrameRequest request_;
+    gl::PassTimer timer_;
+    Result result_;
+    bool stopped_ = false;
+};
+
+/// The pass of that id in a technique's list.
+const PassInfo& passInfo(std::span<const PassInfo> passes, std::string_view id);
+
+} // namespace shadowlab

@@ -1,0 +1,136 @@
+// The pictures of the lecture's walk through shadow mapping, in its order.
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/gl/baseline.h"
+#include "techniques/foundation/look.h"
+#include "techniques/shadow_map/technique.h"
+
+namespace shadowlab::shadow_map {
+
+namespace {
+
+constexpr int kMapUnit = gl::kFirstFreeUnit;
+
+/// The six maps around a light are shown as a 3 x 2 sheet: +x +y +z above -x -y -z.
+struct Sheet {
+    ivec2 cells;
+    int cellSize;
+    explicit Sheet(int layers, int height) : cells(layers == 6 ? ivec2(3, 2) : ivec2(1)), cellSize(height / cells.y) {}
+    [[nodiscard]] ivec2 size() const { return cells * cellSize; }
+    void setViewport(int layer) const {
+        const int column = cells.x == 1 ? 0 : layer / 2, rowFromTop = cells.x == 1 ? 0 : layer % 2;
+        const int x = column * cellSize, y = (cells.y - 1 - rowFromTop) * cellSize;
+        glViewport(x, y, cellSize, cellSize);
+        glScissor(x, y, cellSize, cellSize);
+        glEnable(GL_SCISSOR_TEST);
+    }
+};
+
+} // namespace
+
+void ShadowMap::publishStages(Frame& frame, int light, const PreparedLight& prepared) {
+    if (frame.wants("light-view", light)) publishLightView(frame, light, prepared);
+    if (frame.wants("light-depth", light)) publishLightDepth(frame, light, prepared);
+    publishProjected(frame, light, prepared);
+    if (frame.wants("visibility", light))
+        frame.drawStage("visibility", light, GL_RG32F, [&] {
+            glClear(GL_STENCIL_BUFFER_BIT);
+            gl::setVisibilityState();
+            drawReceivers(frame, visibility_, light, prepared);
+        });
+}
+
+void ShadowMap::publishWithoutShadows(Frame& frame) const {
+    frame.drawOverTarget("without-shadows", kNoLight, [&] {
+        for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
+            glClear(GL_STENCIL_BUFFER_BIT);
+            gl::setAddLightState();
+            unshadowed_.use();
+            gl::setLight(unshadowed_, frame.scene(), frame.buffers(), frame.eye(), light);
+            gl::drawSurfaces(unshadowed_, frame.scene(), frame.buffers(), frame.eye());
+        }
+    });
+}
+
+void ShadowMap::publishLightView(Frame& frame, int light, const PreparedLight& prepared) const {
+    const LightMaps& maps = prepared.maps;
+    const Sheet sheet(maps.layers(), frame.view().size.y);
+    gl::Target target(sheet.size(), "light-view");
+    gl::setBaselineState();
+    target.framebuffer.bind();
+    for (int layer = 0; layer < maps.layers(); ++layer) {
+        // The light is the eye: its camera stands at the light-relative origin.
+        gl::EyeMatrices lightEye;
+        const auto l = static_cast<std::size_t>(layer);
+        dmat4 lightRelativeFromWorld(1.0);
+        lightRelativeFromWorld[3] = dvec4(-maps.originWorld, 1.0);
+        lightEye.viewFromWorld = maps.lightViewFromLightRelative[l] * lightRelativeFromWorld;
+        lightEye.clipFromView = maps.lightClipFromLightView[l];
+        gl::setBaselineState();
+        glEnable(GL_DEPTH_CLAMP);
+        sheet.setViewport(layer);
+        gl::drawLightsOff(lightsOff_, frame.scene(), frame.buffers(), lightEye);
+        gl::setAddLightState();
+        unshadowed_.use();
+        gl::setLight(unshadowed_, frame.scene(), frame.buffers(), lightEye, light);
+        gl::drawSurfaces(unshadowed_, frame.scene(), frame.buffers(), lightEye);
+    }
+    frame.publish("light-view", light, std::move(target.color));
+}
+
+void ShadowMap::publishLightDepth(Frame& frame, int light, const PreparedLight& prepared) const {
+    const LightMaps& maps = prepared.maps;
+    const Sheet sheet(maps.layers(), frame.view().size.y);
+    gl::Texture2D picture(GL_RG32F, sheet.size(), "light-depth");
+    const gl::Framebuffer framebuffer(&picture, nullptr, "light-depth");
+    gl::setBaselineState();
+    glDisable(GL_DEPTH_TEST);
+    framebuffer.bind();
+    map_.compare(false);
+    showDepth_.use();
+    map_.bind(kMapUnit);
+    showDepth_.set("shadowMap", kMapUnit);
+    showDepth_.set("parallel", maps.parallel ? 1 : 0);
+    showDepth_.set("nearest", static_cast<float>(maps.nearest));
+    showDepth_.set("farthest", static_cast<float>(maps.farthest));
+    showDepth_.set("cellSize", sheet.cellSize);
+    for (int layer = 0; layer < maps.layers(); ++layer) {
+        sheet.setViewport(layer);
+        showDepth_.set("layer", layer);
+        gl::drawFullscreenTriangle();
+    }
+    map_.compare(true);
+    frame.publish("light-depth", light, std::move(picture),
+                  {.minimum = maps.sceneNearest, .maximum = maps.sceneFarthest, .unit = "m from the light", .key = {}});
+}
+
+void ShadowMap::publishProjected(Frame& frame, int light, const PreparedLight& prepared) const {
+    const LightMaps& maps = prepared.maps;
+    const Display distance = {.minimum = maps.sceneNearest, .maximum = maps.sceneFarthest, .unit = "m from the light", .key = {}};
+    const Display comparison = {.unit = "",
+                                .key = {{look::kEqualDepth, "d = z: equal, lit"},
+                                        {look::kOccluded, "d < z: something is nearer, in shadow"},
+                                        {look::kNoAnswer, "faces away or outside the light: not asked"}}};
+    // Numbers of shaders/shadow_map/project.frag.
+    const auto draw = [&](std::string_view stage, int mode, GLenum format, const Display& display) {
+        if (!frame.wants(stage, light)) return;
+        map_.compare(false);
+        frame.drawStage(stage, light, format, [&] {
+            glDepthFunc(GL_EQUAL);
+            project_.use();
+            project_.set("mode", mode);
+            project_.set("parallel", maps.parallel ? 1 : 0);
+            project_.set("nearest", static_cast<float>(maps.nearest));
+            project_.set("farthest", static_cast<float>(maps.farthest));
+            project_.set("equalColor", look::kEqualDepth);
+            project_.set("occludedColor", look::kOccluded);
+            project_.set("noAnswerColor", look::kNoAnswer);
+            drawReceivers(frame, project_, light, prepared);
+        }, display);
+        map_.compare(true);
+    };
+    draw("depth-on-view", 0, GL_RG32F, distance);
+    draw("distance-on-view", 1, GL_RG32F, distance);
+    draw("comparison", 2, GL_RGBA16F, comparison);
+}
+
+} // namespace shadowlab::shadow_map

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_map/technique.h"
+
+#include "techniques/foundation/scene/casters.h"
+#include "techniques/foundation/trace/exact_visibility.h"
+
+namespace shadowlab::shadow_map {
+
+namespace {
+
+const PassInfo kPasses[] = {
+    {"lights-off", "Render the scene with all light sources turned off",
+     "Emission and ambient light are counted once; the depth buffer now holds the visible point of every pixel.",
+     "depth test LESS, depth write on", false},
+    {"depth", "Render the scene from the light and keep the depth",
+     "The map stores, for every direction from the light, how far the first surface is: all the light ever sees.",
+     "depth only, depth test LESS, depth clamp, slope-scaled polygon offset", true},
+    {"light", "Render the scene from the eye and compare",
+     "Transform each point into the light's coordinates; if the map holds something nearer, the point is in shadow.",
+     "depth EQUAL, blending ONE ONE, map sampled with comparison LEQUAL", true},
+};
+
+const StageInfo kStages[] = {
+    {"without-shadows", "Image without shadows", StageKind::radiance, false},
+    {"light-view", "Image from the light", StageKind::radiance, true},
+    {"light-depth", "Depth from the light: the shadow map", StageKind::scalar, true},
+    {"depth-on-view", "Light depth d(u,v) projected onto the eye's view", StageKind::scalar, true},
+    {"distance-on-view", "Light distance z(u,v) projected onto the eye's view", StageKind::scalar, true},
+    {"comparison", "Comparison: d(u,v) against z(u,v)", StageKind::swatches, true},
+    {"visibility", "Visibility of the light", StageKind::visibility, true},
+};
+
+constexpr int kMapUnit = gl::kFirstFreeUnit;
+
+// Points are moved toward the light by this share of their distance (for a directional light: of the map's depth) before
+// the comparison. It covers the rounding of interpolated float positions, about 2^-21 here, twenty times over, and is a
+// thousandth of a texel at most.
+constexpr double kRoundingPull = 1e-5;
+
+} // namespace
+
+params::ParamList ShadowMap::params() {
+    return {
+        params::integer("resolution", params_.resolution, 64, 8192, "texels", "Side of the square depth map (of each of six around a point light)."),
+        params::choice("filter", params_.filter, {"hard", "pcf"}, "hard: one comparison a pixel; pcf: the share of a square of comparisons that are lit."),
+        params::integer("pcf-radius", params_.pcfRadius, 0, 15, "texels", "PCF averages (2 r + 1) x (2 r + 1) comparisons."),
+        params::real("slope-bias", params_.slopeBias, 0, 16, "", "Depth offset in proportion to the slope; 1 is what the kernel needs on a plane, 0 shows acne (teaching)."),
+        params::real("constant-bias", params_.constantBias, 0, 1000, "", "Depth offset against rounding; 1 is what float positions and 24-bit depths need."),
+        params::boolean("cull", params_.cull, "Leave casters out that cannot shadow anything in a map; the picture is the same."),
+    };
+}
+
+Progress ShadowMap::render(Frame& frame) {
+    choosePrograms();
+    const scene::Scene& scene = frame.scene();
+    frame.pass(passInfo(kPasses, "lights-off"),
+               [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
+    if (frame.wants("without-shadows")) publishWithoutShadows(frame);
+
+    for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
+        const PreparedLight prepared = prepareLight(frame, light);
+        drawDepth(frame, light, prepared);
+        publishStages(frame, light, prepared);
+        frame.pass(passInfo(kPasses, "light"), [&] {
+            glClear(GL_STENCIL_BUFFER_BIT);
+            gl::setAddLightState();
+            drawReceivers(frame, shade_, light, prepared);
+        }, light);
+    }
+    return {};
+}
+
+void ShadowMap::choosePrograms() {
+    if (chosenFilter_ == params_.filter) return;
+    const std::string file = params_.filter == ShadowMapParams::Filter::pcf ? "filter_pcf.glsl" : "filter_hard.glsl";
+    const std::vector<gl::Substitution> chosen = {{"shadow_visibility.glsl", "shadow_map/visibility.glsl"},
+                                                  {"shadow_map/filter.glsl", "shadow_map/" + file}};
+    shade_ = gl::Program("surface.vert", "shade_light.frag", {}, chosen);
+    visibility_ = gl::Program("surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}, chosen);
+    chosenFilter_ = params_.filter;
+}
+
+PreparedLight ShadowMap::prepareLight(Frame& frame, int light) {
+    const scene::Scene& scene = frame.scene();
+    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+    PreparedLight prepared;
+    // The fit always uses the casters that matter: a larger map would be another picture.
+    const std::vector<std::size_t> useful = scene::usefulCasters(scene, source);
+    prepared.casters = params_.cull ? useful : scene::allCasters(scene);
+    prepared.maps = fitLightMaps(scene, source, useful, params_.resolution, params_.kernelRadius());
+    if (map_.side() != params_.resolution || map_.layers() != prepared.maps.layers())
+        map_ = gl::DepthTextureArray(GL_DEPTH_COMPONENT24, params_.resolution, prepared.maps.layers(), "shadow map");
+    frame.count("casters", static_cast<double>(prepared.casters.size()), static_cast<double>(scene::allCasters(scene).size()), "objects");
+    frame.count("map-texels", static_cast<double>(prepared.maps.layers()) * params_.resolution * params_.resolution, 0, "texels");
+    return prepared;
+}
+
+void ShadowMap::drawDepth(Frame& frame, int light, const PreparedLight& prepared) {
+    frame.pass(passInfo(kPasses, "depth"), [&] {
+        glEnable(GL_DEPTH_CLAMP); // what stands nearer than the near plane still casts
+        glEnable(GL_POLYGON_OFFSET_FILL);
+        // Within a kernel of radius k a plane's depth varies by at most (k + 1/2)(|dz/du| + |dz/dv|) texels, which is at
+        // most (2 k + 1) times the larger of the two slopes: the slope that glPolygonOffset multiplies.
+        const double kernelWidth = 2.0 * params_.kernelRadius() + 1.0;
+        glPolygonOffset(static_cast<float>(params_.slopeBias * kernelWidth), static_cast<float>(2.0 * params_.constantBias));
+        depth_.use();
+        for (int layer = 0; layer < prepared.maps.layers(); ++layer) {
+            const gl::Framebuffer framebuffer(map_, layer, "shadow map layer");
+            framebuffer.bind();
+            glClear(GL_DEPTH_BUFFER_BIT);
+            for (const std::size_t caster : prepared.casters) {
+                const scene::Object& object = frame.scene().objects[caster];
+                depth_.set("clipFromMesh", mat4(prepared.maps.lightClipFromLightRelative(layer) * lightRelativeFromMesh(prepared.maps, object)));
+                frame.buffers().mesh(caster).draw(0, static_cast<std::uint32_t>(object.mesh->triangles.size()));
+            }
+        }
+    }, light);
+}
+
+void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light, const PreparedLight& prepared) const {
+    const LightMaps& maps = prepared.maps;
+    program.use();
+    gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+    std::vector<mat4> lightClipFromLightRelative;
+    for (int layer = 0; layer < maps.layers(); ++layer) lightClipFromLightRelative.emplace_back(maps.lightClipFromLightRelative(layer));
+    program.set("lightClipFromLightRelative", std::span<const mat4>(lightClipFromLightRelative));
+    program.set("mapLayers", maps.layers());
+    program.set("pcfRadius", params_.pcfRadius);
+    const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
+    const double pull = params_.constantBias * kRoundingPull;
+    program.set("pullShare", static_cast<float>(maps.parallel ? 0.0 : pull));
+    program.set("pullLightRelative", maps.parallel ? vec3(-source.directionWorld * (pull * (maps.farthest - maps.nearest))) : vec3(0));
+    map_.bind(kMapUnit);
+    program.set("shadowMap", kMapUnit);
+    gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
+        program.set("lightRelativeFromMesh", mat4(lightRelativeFromMesh(maps, object)));
+        return true;
+    });
+}
+
+Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
+    Probe probe = Technique::probe(snapshot, view, pixel, light);
+    const auto hit = trace::ExactVisibility(snapshot).eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
+    if (!hit || light < 0 || light >= static_cast<int>(snapshot->lights.size())) return probe;
+    const scene::Light& source = snapshot->lights[static_cast<std::size_t>(light)];
+    const LightMaps maps = fitLightMaps(*snapshot, source, scene::usefulCasters(*snapshot, source), params_.resolution, params_.kernelRadius());
+    for (int layer = 0; layer < maps.layers(); ++layer) {
+        const dvec4 clip = maps.lightClipFromLightRelative(layer) * dvec4(hit->positionWorld - maps.originWorld, 1.0);
+        const dvec3 ndc = dvec3(clip) / clip.w;
+        if (clip.w <= 0 || std::abs(ndc.x) > 1 || std::abs(ndc.y) > 1) continue;
+        const dvec2 texel = (dvec2(ndc) * 0.5 + 0.5) * static_cast<double>(params_.resolution);
+        probe.facts.push_back({"map texel (layer, column, row)", std::to_string(layer) + ", " + std::to_string(static_cast<int>(texel.x)) + ", " + std::to_string(static_cast<int>(texel.y)), ""});
+        probe.facts.push_back({"depth of the point in the map z(u,v)", std::to_string(0.5 * ndc.z + 0.5), ""});
+        break;
+    }
+    return probe;
+}
+
+std::string ShadowMap::remark(const scene::MeshReport&) const { return "any mesh that can be drawn can be mapped"; }
+
+std::span<const TechniqueInfo> techniques() {
+    using enum scene::LightType;
+    static const TechniqueInfo info[] = {{
+        .id = "shadow-map",
+        .title = "Shadow map",
+        .paper = "Williams 1978, Casting Curved Shadows on Curved Surfaces; Reeves, Salesin and Cook 1987 (PCF)",
+        .getsWrong = "shadow edges are as coarse as its texels; contact shadows shrink with the bias",
+        .order = 20,
+        .lightTypes = {point, directional, spot, rect, sphere},
+        .passes = {std::begin(kPasses), std::end(kPasses)},
+        .stages = {std::begin(kStages), std::end(kStages)},
+        .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ShadowMap>(); },
+    }};
+    return info;
+}
+
+} // namespace shadowlab::shadow_map

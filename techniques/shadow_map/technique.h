@@ -1,0 +1,54 @@
+// Shadow mapping: ask a depth picture taken from the light whether something stands between the light and the point.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/frame.h"
+#include "techniques/shadow_map/light_maps.h"
+
+namespace shadowlab::shadow_map {
+
+struct ShadowMapParams {
+    int resolution = 2048;
+    enum class Filter { hard, pcf } filter = Filter::pcf;
+    int pcfRadius = 1;
+    double slopeBias = 1.0;
+    double constantBias = 1.0;
+    bool cull = true;
+    [[nodiscard]] int kernelRadius() const { return filter == Filter::pcf ? pcfRadius : 0; }
+};
+
+/// One light's map for one frame.
+struct PreparedLight {
+    LightMaps maps;
+    std::vector<std::size_t> casters;
+};
+
+class ShadowMap final : public Technique {
+public:
+    params::ParamList params() override;
+    Progress render(Frame& frame) override;
+    Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
+    std::string remark(const scene::MeshReport& report) const override;
+
+private:
+    void choosePrograms();
+    PreparedLight prepareLight(Frame& frame, int light);
+    void drawDepth(Frame& frame, int light, const PreparedLight& prepared);
+    void drawReceivers(const Frame& frame, const gl::Program& program, int light, const PreparedLight& prepared) const;
+    void publishStages(Frame& frame, int light, const PreparedLight& prepared);
+    void publishWithoutShadows(Frame& frame) const;
+    void publishLightView(Frame& frame, int light, const PreparedLight& prepared) const;
+    void publishLightDepth(Frame& frame, int light, const PreparedLight& prepared) const;
+    void publishProjected(Frame& frame, int light, const PreparedLight& prepared) const;
+
+    ShadowMapParams params_;
+    std::optional<ShadowMapParams::Filter> chosenFilter_; ///< that shade_ and visibility_ were made for
+    gl::DepthTextureArray map_;
+    gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
+    gl::Program unshadowed_{"surface.vert", "shade_light.frag"};
+    gl::Program depth_{"position.vert", "nothing.frag"};
+    gl::Program project_{"surface.vert", "shadow_map/project.frag"};
+    gl::Program showDepth_{"fullscreen.vert", "shadow_map/show_depth.frag"};
+    gl::Program shade_, visibility_; ///< with the chosen filter
+};
+
+} // namespace shadowlab::shadow_map

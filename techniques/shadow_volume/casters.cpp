@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_volume/casters.h"
+
+#include "techniques/foundation/scene/facing.h"
+
+namespace shadowlab::shadow_volume {
+
+bool Casters::buildNext(const scene::Snapshot& snapshot) {
+    if (snapshot_ != snapshot) {
+        const bool sameMeshes = snapshot_ && snapshot_->revisions.geometry == snapshot->revisions.geometry;
+        const bool sameVolumes = sameMeshes && snapshot_->revisions.transforms == snapshot->revisions.transforms &&
+                                 snapshot_->revisions.lights == snapshot->revisions.lights;
+        if (!sameVolumes) perLight_.clear();
+        if (!sameMeshes) meshes_.clear();
+        snapshot_ = snapshot;
+    }
+    if (perLight_.size() == snapshot->lights.size()) return true;
+
+    const scene::Light& light = snapshot->lights[perLight_.size()];
+    std::vector<CasterVolume> casters;
+    for (std::size_t o = 0; o < snapshot->objects.size(); ++o) {
+        const scene::Object& object = snapshot->objects[o];
+        if (!object.castsShadow) continue;
+        const SharedMesh& mesh = shared(object.mesh);
+        const std::vector<std::int8_t> facing = scene::facingSigns(object, light);
+        CasterVolume caster{o, {}, silhouetteEdges(mesh.topology, facing), scene::boundsWorld(object), mesh.report,
+                            nullptr};
+        caster.volume = buildVolume(*object.mesh, facing, caster.silhouette, light.type == scene::LightType::directional);
+        casters.push_back(std::move(caster));
+    }
+    perLight_.push_back(std::move(casters));
+    return perLight_.size() == snapshot->lights.size();
+}
+
+const std::vector<CasterVolume>& Casters::upload(const scene::Snapshot& snapshot, int light) {
+    std::vector<CasterVolume>& casters = perLight_[static_cast<std::size_t>(light)];
+    for (CasterVolume& caster : casters) {
+        if (caster.buffers) continue;
+        SharedMesh& mesh = shared(snapshot->objects[caster.object].mesh);
+        if (!mesh.vertices) mesh.vertices = std::make_unique<ExtrusionVertices>(*mesh.mesh);
+        caster.buffers = std::make_unique<VolumeBuffers>(caster.volume, caster.silhouette, *mesh.vertices);
+    }
+    return casters;
+}
+
+Casters::SharedMesh& Casters::shared(const std::shared_ptr<const scene::Mesh>& mesh) {
+    SharedMesh& shared = meshes_[mesh.get()];
+    if (!shared.mesh) {
+        shared.mesh = mesh;
+        shared.topology = scene::buildTopology(*mesh);
+        shared.report = scene::reportMesh(*mesh, shared.topology);
+    }
+    return shared;
+}
+
+bool volumeMayBeInView(const scene::Bounds& caster, const scene::Light& light, const gl::EyeMatrices& eye) {
+    // The volume lies in the convex hull of the box's corners and their images at infinity, all as clip coordinates.
+    const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
+    const dvec4 lightWorld = scene::homogeneousPositionWorld(light);
+    dvec4 points[16];
+    for (int i = 0; i < 8; ++i) {
+        const dvec3 corner = caster.corner(i);
+        points[i] = clipFromWorld * dvec4(corner, 1.0);
+        points[8 + i] = clipFromWorld * dvec4(corner * lightWorld.w - dvec3(lightWorld), 0.0);
+    }
+    // Left, right, bottom, top, near; the far plane is at infinity. Rounding must not cull what grazes a plane.
+    constexpr double kMargin = 1e-6;
+    const dvec4 planes[5] = {{1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}, {0, 0, 1, 1}};
+    for (const dvec4& plane : planes) {
+        bool allOutside = true;
+        for (const dvec4& point : points)
+            allOutside = allOutside && glm::dot(plane, point) < -kMargin * (std::abs(point.x) + std::abs(point.y) +
+                                                                            std::abs(point.z) + std::abs(point.w));
+        if (allOutside) return false;
+    }
+    return true;
+}
+
+} // namespace shadowlab::shadow_volume

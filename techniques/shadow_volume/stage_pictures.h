@@ -1,0 +1,33 @@
+// The pictures a lesson on shadow volumes needs: facing signs, silhouettes, the volumes themselves, the counts.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/frame.h"
+#include "techniques/shadow_volume/casters.h"
+
+namespace shadowlab::shadow_volume {
+
+class StagePictures {
+public:
+    /// Every triangle in the colour of its sign of N.L.
+    void publishFacing(Frame& frame, int light) const;
+    /// Silhouette, boundary and non-manifold edges over the picture.
+    void publishSilhouettes(Frame& frame, int light, std::span<const CasterVolume* const> casters) const;
+    /// The faces, translucent, over the picture: by the side they turn to the viewer, or by the part they belong to.
+    void publishFaces(Frame& frame, int light, std::span<const CasterVolume* const> casters, bool byPart) const;
+    /// The stencil as signed counts where there is a surface.
+    void publishCount(Frame& frame, std::string_view stage, int light) const;
+
+private:
+    gl::Program facing_{"surface.vert", "shadow_volume/facing_sign.frag"};
+    gl::Program edges_{"shadow_volume/edge.vert", "shadow_volume/constant.frag"};
+    gl::Program faces_{"shadow_volume/extrude.vert", "shadow_volume/faces.frag"};
+    gl::Program stencilValue_{"fullscreen.vert", "shadow_volume/constant.frag"};
+};
+
+/// Orders a caster's front faces: a mirrored object turns its winding over.
+void setFrontFace(const scene::Object& object, bool clockwise);
+
+/// Sets what shaders/shadow_volume/extrude.vert needs for one caster.
+void setExtrusion(const gl::Program& program, const Frame& frame, const CasterVolume& caster, int light);
+
+} // namespace shadowlab::shadow_volume

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_volume/volume_buffers.h"
+
+namespace shadowlab::shadow_volume {
+
+ExtrusionVertices::ExtrusionVertices(const scene::Mesh& mesh) {
+    std::vector<vec4> vertices;
+    vertices.reserve(2 * mesh.positionsMesh.size());
+    for (const float extrudable : {0.0f, 1.0f})
+        for (const vec3& positionMesh : mesh.positionsMesh) vertices.emplace_back(positionMesh, extrudable);
+    vertices_ = gl::uploadBuffer(GL_ARRAY_BUFFER, vertices);
+}
+
+void ExtrusionVertices::bindAttributes() const {
+    glBindBuffer(GL_ARRAY_BUFFER, vertices_.id());
+    glEnableVertexAttribArray(gl::kPositionMesh);
+    glVertexAttribPointer(gl::kPositionMesh, 3, GL_FLOAT, GL_FALSE, sizeof(vec4), nullptr);
+    glEnableVertexAttribArray(gl::kExtrudable);
+    glVertexAttribPointer(gl::kExtrudable, 1, GL_FLOAT, GL_FALSE, sizeof(vec4), reinterpret_cast<const void*>(sizeof(vec3)));
+}
+
+void VolumeBuffers::Run::fill(const ExtrusionVertices& vertices, const std::vector<std::uint32_t>& data) {
+    count = static_cast<GLsizei>(data.size());
+    if (count == 0) return;
+    vertexArray = gl::VertexArrayHandle::create();
+    glBindVertexArray(vertexArray.id());
+    vertices.bindAttributes();
+    indices = gl::uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, data);
+    glBindVertexArray(0);
+}
+
+void VolumeBuffers::Run::draw(GLenum mode) const {
+    if (count == 0) return;
+    glBindVertexArray(vertexArray.id());
+    glDrawElements(mode, count, GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(0);
+}
+
+VolumeBuffers::VolumeBuffers(const Volume& volume, std::span<const SilhouetteEdge> silhouette,
+                             const ExtrusionVertices& vertices) {
+    topCap_.fill(vertices, volume.topCap);
+    topCapReversed_.fill(vertices, volume.topCapReversed);
+    sides_.fill(vertices, volume.sides);
+    bottomCap_.fill(vertices, volume.bottomCap);
+    std::vector<std::uint32_t> ordinary, boundary, multiple;
+    for (const SilhouetteEdge& edge : silhouette) {
+        std::vector<std::uint32_t>& lines = edge.triangles == 1 ? boundary : edge.triangles == 2 ? ordinary : multiple;
+        lines.insert(lines.end(), {edge.a, edge.b});
+    }
+    silhouette_.fill(vertices, ordinary);
+    boundary_.fill(vertices, boundary);
+    multiple_.fill(vertices, multiple);
+}
+
+} // namespace shadowlab::shadow_volume

@@ -1,0 +1,44 @@
+// A caster's volume on the graphics card, drawn part by part.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/foundation/gl/scene_buffers.h"
+#include "techniques/shadow_volume/volume.h"
+
+namespace shadowlab::shadow_volume {
+
+/// The vertices of a mesh twice: as they are (extrudable = 0) and to be pushed to infinity (extrudable = 1).
+/// One per mesh, whatever the number of lights.
+class ExtrusionVertices {
+public:
+    explicit ExtrusionVertices(const scene::Mesh& mesh);
+    void bindAttributes() const;
+
+private:
+    gl::BufferHandle vertices_;
+};
+
+class VolumeBuffers {
+public:
+    VolumeBuffers(const Volume& volume, std::span<const SilhouetteEdge> silhouette, const ExtrusionVertices& vertices);
+    // The triangles turned toward the light as they are, and those that have to be read clockwise.
+    void drawTopCap() const { topCap_.draw(GL_TRIANGLES); }
+    void drawTopCapReversed() const { topCapReversed_.draw(GL_TRIANGLES); }
+    void drawSides() const { sides_.draw(GL_TRIANGLES); }
+    void drawBottomCap() const { bottomCap_.draw(GL_TRIANGLES); }
+    // Silhouette edges as lines, by how many triangles meet there.
+    void drawSilhouette() const { silhouette_.draw(GL_LINES); }
+    void drawBoundary() const { boundary_.draw(GL_LINES); }
+    void drawMultiple() const { multiple_.draw(GL_LINES); }
+
+private:
+    struct Run {
+        gl::VertexArrayHandle vertexArray;
+        gl::BufferHandle indices;
+        GLsizei count = 0;
+        void fill(const ExtrusionVertices& vertices, const std::vector<std::uint32_t>& data);
+        void draw(GLenum mode) const;
+    };
+    Run topCap_, topCapReversed_, sides_, bottomCap_, silhouette_, boundary_, multiple_;
+};
+
+} // namespace shadowlab::shadow_volume

@@ -1,0 +1,130 @@
+// The contract every technique meets, and the words it is described with.
+//
+// A technique turns a scene and a camera into a picture with shadows. It draws in *passes* (what the lecture's numbered
+// steps are) and publishes *stages* (the intermediate pictures worth a slide). It never sees a window, a widget, a file
+// or the command line. A technique is a folder under techniques/ with a technique.cpp that defines
+//
+//     namespace shadowlab::<folder> { std::span<const TechniqueInfo> techniques(); }
+//
+// and, if it has shaders, a folder of the same name under shaders/. Nothing else is edited to add one.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <chrono>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "techniques/foundation/math/types.h"
+#include "techniques/foundation/params/param.h"
+#include "techniques/foundation/scene/mesh_topology.h"
+#include "techniques/foundation/scene/scene.h"
+
+namespace shadowlab {
+
+class Frame;
+
+constexpr int kNoLight = -1;
+
+/// One step of an algorithm, in the words a teacher would use. `perLight`: it is done once for each light.
+struct PassInfo {
+    std::string_view id, title, why, glState;
+    bool perLight = false;
+};
+
+/// What a stage's texture holds, and so how it is shown.
+enum class StageKind {
+    radiance,   ///< linear RGB, shown with the scene's exposure
+    scalar,     ///< red: a value mapped through a palette between minimum and maximum; green: 1 where there is one
+    count,      ///< red: a signed count mapped through a diverging palette; green: 1 where there is one
+    swatches,   ///< linear display colours (no exposure), explained by a key
+    visibility, ///< red: visible fraction of the light; green: 1 where a surface covers the pixel centre
+};
+
+struct StageInfo {
+    std::string_view id, caption;
+    StageKind kind = StageKind::radiance;
+    bool perLight = false;
+};
+
+/// One colour and what it stands for.
+struct KeyEntry {
+    vec3 colorLinear;
+    std::string label;
+};
+
+/// How to show a published texture. Only the members its StageKind speaks of matter.
+struct Display {
+    double minimum = 0, maximum = 1;
+    std::string unit;          ///< of the values between minimum and maximum
+    std::vector<KeyEntry> key; ///< swatches
+};
+
+/// One question to a technique: this eye, this many pixels, this sample of a progressive sequence.
+struct View {
+    scene::Camera camera;
+    ivec2 size{1280, 720};
+    std::uint32_t sample = 0;
+    std::uint32_t seed = 0;
+};
+
+using Deadline = std::chrono::steady_clock::time_point;
+
+struct Progress {
+    double done = 1.0; ///< 0..1
+    bool converged = true;
+};
+
+/// What a technique knows about one pixel: facts to print, geometry to draw in the scene.
+struct Probe {
+    struct Fact {
+        std::string label, value, unit;
+    };
+    struct Segment {
+        std::string label;
+        dvec3 fromWorld, toWorld;
+    };
+    struct Node { ///< of a tree of rays; parent is an index into `tree`, -1 at the root
+        int parent;
+        std::string label;
+        std::vector<Fact> facts;
+    };
+    std::vector<Fact> facts;
+    std::vector<Segment> geometry;
+    std::vector<Node> tree;
+};
+
+class Technique {
+public:
+    virtual ~Technique() = default;
+    Technique() = default;
+    Technique(const Technique&) = delete; // parameter lists point into the object
+    Technique& operator=(const Technique&) = delete;
+
+    /// The knobs, described once; they refer to fields of this object.
+    virtual params::ParamList params() { return {}; }
+    /// Slow work that needs no GL: silhouettes, trees, form factors. Called before every render; does only what changed
+    /// revisions and parameters demand, and returns early, unconverged, when the deadline passes.
+    virtual Progress prepare(const scene::Snapshot&, Deadline) { return {}; }
+    /// Draws into frame.target(), pass by pass. GL thread, baseline state set, prepare() has converged.
+    virtual Progress render(Frame& frame) = 0;
+    /// What there is to say about one pixel for one light.
+    virtual Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light);
+    /// What `inspect` says about a mesh for this technique; empty when there is nothing to say.
+    virtual std::string remark(const scene::MeshReport&) const { return {}; }
+};
+
+/// What is known about a technique without making one, and without a GL context.
+struct TechniqueInfo {
+    std::string_view id, title;
+    std::string_view paper;      ///< author, year, title
+    std::string_view getsWrong;  ///< one line for the README table
+    int order = 0;               ///< didactic order of lists
+    std::vector<scene::LightType> lightTypes; ///< served (area lights may be served as points)
+    std::vector<PassInfo> passes;
+    std::vector<StageInfo> stages;
+    std::unique_ptr<Technique> (*make)() = nullptr;
+};
+
+} // namespace shadowlab

@@ -1,0 +1,79 @@
+// No shadows at all: every surface that faces a light is lit by it, whatever stands between.
+//
+// The yardstick for the others: they add one question, "is anything in the way?", to this picture and change nothing else.
+// Blinn, "Models of Light Reflection for Computer Synthesized Pictures", 1977. Wrong on purpose: all cast shadows.
+// SPDX-License-Identifier: MIT
+#include "techniques/frame.h"
+
+namespace shadowlab::unshadowed {
+
+namespace {
+
+const PassInfo kPasses[] = {
+    {"lights-off", "Render the scene with all light sources turned off",
+     "Emission and ambient light are counted once, however many lights follow; the depth buffer now knows what is visible.",
+     "depth test LESS, depth write on", false},
+    {"light", "Add one light",
+     "Only surfaces that face the light receive it: N.L > 0. Nothing asks whether something else is in the way.",
+     "depth test EQUAL, blending ONE ONE, stencil lets each pixel be lit once", true},
+};
+
+const StageInfo kStages[] = {
+    {"lights-off", "Scene with lights off", StageKind::radiance, false},
+    {"visibility", "Facing gate: surfaces turned toward the light", StageKind::visibility, true},
+};
+
+class Unshadowed final : public Technique {
+public:
+    Progress render(Frame& frame) override {
+        const scene::Scene& scene = frame.scene();
+        frame.pass(passInfo(kPasses, "lights-off"),
+                   [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
+        if (frame.wants("lights-off")) frame.publishTarget("lights-off");
+        for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
+            if (frame.wants("visibility", light))
+                frame.drawStage("visibility", light, GL_RG32F, [&] {
+                    glClear(GL_STENCIL_BUFFER_BIT);
+                    gl::setVisibilityState();
+                    draw(frame, visibility_, light);
+                });
+            frame.pass(passInfo(kPasses, "light"), [&] {
+                glClear(GL_STENCIL_BUFFER_BIT);
+                gl::setAddLightState();
+                draw(frame, shade_, light);
+            }, light);
+        }
+        return {};
+    }
+
+private:
+    static void draw(const Frame& frame, const gl::Program& program, int light) {
+        program.use();
+        gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+        gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());
+    }
+
+    gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
+    gl::Program shade_{"surface.vert", "shade_light.frag"};
+    gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
+};
+
+} // namespace
+
+std::span<const TechniqueInfo> techniques() {
+    using enum scene::LightType;
+    static const TechniqueInfo info[] = {{
+        .id = "unshadowed",
+        .title = "No shadows",
+        .paper = "Blinn 1977, Models of Light Reflection for Computer Synthesized Pictures",
+        .getsWrong = "every cast shadow",
+        .order = 0,
+        .lightTypes = {point, directional, spot, rect, sphere},
+        .passes = {std::begin(kPasses), std::end(kPasses)},
+        .stages = {std::begin(kStages), std::end(kStages)},
+        .make = [] () -> std::unique_ptr<Technique> { return std::make_unique<Unshadowed>(); },
+    }};
+    return info;
+}
+
+} // namespace shadowlab::unshadowed

@@ -1,0 +1,158 @@
+// Materials of OBJ files: what is read, what is noted, and which files are never opened.
+// SPDX-License-Identifier: MIT
+#include <sys/stat.h>
+
+#include "tests/foundation/scene/scene_files.h"
+
+namespace shadowlab::scene {
+namespace {
+
+const std::string kTriangles = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+
+TEST(Mtl, ValuesAreReadAndTrianglesGroupedByMaterial) {
+    const TempFolder folder;
+    folder.write("two.mtl", "newmtl red\nKd 1 0 0\nKs 0.5 0.5 0.5\nNs 90\nKe 2 0 0\nd 0.25\nNi 1.33\n"
+                            "newmtl blue sky\r\nKd 0 0 1\nTr 0.5\n");
+    const auto file = folder.write("mesh.obj", "mtllib two.mtl\n" + kTriangles +
+                                                   "f 1 2 3\nusemtl blue sky\nf 1 2 4\nusemtl red\nf 1 3 4\n"
+                                                   "usemtl blue sky\nf 2 3 4\n");
+    const ObjFile obj = loadObj(file, NormalMode::file, {});
+    EXPECT_TRUE(obj.notes.empty());
+    ASSERT_EQ(obj.materials.size(), 2u);
+    const Material& red = obj.materials[0];
+    EXPECT_EQ(red.name, "red");
+    EXPECT_EQ(red.diffuse, vec3(1, 0, 0));
+    EXPECT_EQ(red.specular, vec3(0.5f));
+    EXPECT_EQ(red.shininess, 90.0f);
+    EXPECT_EQ(red.emission, vec3(2, 0, 0));
+    EXPECT_EQ(red.transparency, 0.75);
+    EXPECT_EQ(red.ior, 1.33);
+    EXPECT_EQ(obj.materials[1].name, "blue sky");
+    EXPECT_EQ(obj.materials[1].transparency, 0.5);
+
+    ASSERT_EQ(obj.mesh.parts.size(), 3u);
+    EXPECT_EQ(obj.mesh.parts[0].materialName, "");
+    EXPECT_EQ(obj.mesh.parts[1].materialName, "blue sky");
+    EXPECT_EQ(obj.mesh.parts[1].firstTriangle, 1u);
+    EXPECT_EQ(obj.mesh.parts[1].triangleCount, 2u);
+    EXPECT_EQ(obj.mesh.parts[2].materialName, "red");
+}
+
+TEST(Mtl, ValuesOutOfRangeAreClampedWithANote) {
+    const TempFolder folder;
+    folder.write("m.mtl", "newmtl a\nKd 1e38 -1 0.5\nd 2\n");
+    const ObjFile obj =
+        loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {});
+    EXPECT_EQ(obj.materials[0].diffuse, vec3(1, 0, 0.5f));
+    EXPECT_EQ(obj.materials[0].transparency, 0.0);
+    ASSERT_EQ(obj.notes.size(), 1u);
+    EXPECT_TRUE(contains(obj.notes[0], "m.mtl:2: Kd 1e+38 is clamped to 0..1 (and 2 more values)")) << obj.notes[0];
+}
+
+TEST(Mtl, AMaterialWithoutKdIsTheDefaultGrey) {
+    const TempFolder folder;
+    folder.write("m.mtl", "newmtl a\nmap_Kd wood.png\n");
+    const ObjFile obj =
+        loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {});
+    EXPECT_EQ(obj.materials[0].diffuse, vec3(0.8f));
+    EXPECT_EQ(obj.materials[0].transparency, 0.0);
+}
+
+TEST(Mtl, NumbersThatAreNoneAreErrorsOfTheMtlFile) {
+    const TempFolder folder;
+    const auto file = folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "f 1 2 3\n");
+    for (const auto& [text, place] : {std::pair{"newmtl a\nKd nan 0 0\n", "m.mtl:2: \"nan\""},
+                                      std::pair{"newmtl a\n\nNs many\n", "m.mtl:3: \"many\""},
+                                      std::pair{"newmtl a\nKd\n", "m.mtl:2: Kd has no number"},
+                                      std::pair{"newmtl\n", "m.mtl:1: newmtl without a name"}}) {
+        folder.write("m.mtl", text);
+        const Error error = errorOf([&] { (void)loadObj(file, NormalMode::file, {}); });
+        EXPECT_TRUE(contains(error.what(), place)) << error.what();
+        EXPECT_EQ(error.status(), ExitStatus::badInput);
+    }
+}
+
+TEST(Mtl, MissingFileAndUnknownMaterialsAreOneNoteEach) {
+    const TempFolder folder;
+    const ObjFile obj = loadObj(folder.write("m.obj", "# head\nmtllib none.mtl\n" + kTriangles +
+                                                          "usemtl a\nf 1 2 3\nusemtl b\nf 1 2 4\nusemtl a\nf 1 3 4\n"),
+                                NormalMode::file, {});
+    ASSERT_EQ(obj.notes.size(), 2u);
+    EXPECT_TRUE(contains(obj.notes[0], "m.obj:2: material file \"none.mtl\" is missing")) << obj.notes[0];
+    EXPECT_TRUE(contains(obj.notes[1], "m.obj:7: no material file defines 'a' (and 1 other)")) << obj.notes[1];
+}
+
+TEST(Mtl, PathsOutsideTheFolderAreRefusedAndTheOptionNamed) {
+    const TempFolder folder;
+    folder.write("outside.mtl", "newmtl a\n");
+    std::filesystem::create_directories(folder.path() / "in");
+    std::filesystem::create_symlink(folder.path() / "outside.mtl", folder.path() / "in/link.mtl");
+    for (const std::string& name : {std::string("../../../../../../etc/passwd"), std::string("/etc/passwd"),
+                                    std::string("../outside.mtl"), std::string("link.mtl"), std::string("..")}) {
+        const auto file = folder.write("in/m.obj", "mtllib " + name + "\n" + kTriangles + "f 1 2 3\n");
+        const Error error = errorOf([&] { (void)loadObj(file, NormalMode::file, {}); });
+        EXPECT_EQ(error.status(), ExitStatus::badInput);
+        EXPECT_TRUE(contains(error.what(), "m.obj:1: ")) << error.what();
+        EXPECT_TRUE(contains(error.what(), "--allow DIR")) << error.what();
+    }
+    LoadOptions options;
+    options.allowed = {folder.path()};
+    const auto file = folder.write("in/m.obj", "mtllib ../outside.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n");
+    EXPECT_EQ(loadObj(file, NormalMode::file, options).materials.size(), 1u);
+}
+
+TEST(Mtl, AFifoADeviceOrAFolderDoesNotHang) {
+    const TempFolder folder;
+    ASSERT_EQ(::mkfifo((folder.path() / "pipe.mtl").c_str(), 0600), 0);
+    std::filesystem::create_directory(folder.path() / "folder.mtl");
+    for (const std::string& name : {std::string("pipe.mtl"), std::string("folder.mtl")}) {
+        const auto file = folder.write("m.obj", "mtllib " + name + "\n" + kTriangles + "f 1 2 3\n");
+        const Error error = errorOf([&] { (void)loadObj(file, NormalMode::file, {}); });
+        EXPECT_EQ(error.status(), ExitStatus::badInput);
+        EXPECT_TRUE(contains(error.what(), name)) << error.what();
+    }
+}
+
+TEST(Mtl, FilesBeyondSixteenMegabytesAreRefused) {
+    const TempFolder folder;
+    folder.write("huge.mtl", std::string((16u << 20) + 1, '\n'));
+    const auto file = folder.write("m.obj", "mtllib huge.mtl\n" + kTriangles + "f 1 2 3\n");
+    EXPECT_EQ(errorOf([&] { (void)loadObj(file, NormalMode::file, {}); }).status(), ExitStatus::overLimit);
+}
+
+TEST(Mtl, StrangeFolderAndFileNamesWork) {
+    for (const std::string& name : {std::string("a:b"), std::string("a;b"), std::string("a b"), std::string("\xc3\xa4"),
+                                    std::string("a\nb")}) {
+        const TempFolder folder;
+        folder.write(name + "/my file.mtl", "newmtl a\nKd 1 0 0\n");
+        const auto file =
+            folder.write(name + "/m.obj", "mtllib my file.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n");
+        const ObjFile obj = loadObj(file, NormalMode::file, {});
+        ASSERT_EQ(obj.materials.size(), 1u) << name;
+        EXPECT_EQ(obj.materials[0].diffuse, vec3(1, 0, 0));
+    }
+}
+
+TEST(Mtl, OneLineMayNameSeveralLibraries) {
+    const TempFolder folder;
+    folder.write("a.mtl", "newmtl a\n");
+    folder.write("b.mtl", "newmtl b\n");
+    const auto file = folder.write("m.obj", "mtllib a.mtl b.mtl\nmtllib a.mtl b.mtl\n" + kTriangles + "f 1 2 3\n");
+    EXPECT_EQ(loadObj(file, NormalMode::file, {}).materials.size(), 2u);
+}
+
+TEST(Mtl, AlphaMapsAreKeptWhenTheyMayBeRead) {
+    const TempFolder folder;
+    folder.write("leaf.png", "x");
+    folder.write("m.mtl", "newmtl a\nmap_d -clamp on leaf.png\nnewmtl b\nmap_d ../../etc/passwd\n");
+    const ObjFile obj =
+        loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {});
+    EXPECT_EQ(obj.materials[0].alphaMap, (folder.path() / "leaf.png").string());
+    EXPECT_EQ(obj.materials[1].alphaMap, "");
+    ASSERT_EQ(obj.notes.size(), 2u);
+    EXPECT_EQ(obj.notes[0], "material 'a': alphaMap is read but holes are not cut yet");
+    EXPECT_TRUE(contains(obj.notes[1], "is ignored")) << obj.notes[1];
+}
+
+} // namespace
+} // namespace shadowlab::scene

@@ -1,0 +1,158 @@
+// What an OBJ file may not be. Every refusal names the file, the true line, and carries the right exit status.
+// SPDX-License-Identifier: MIT
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "tests/foundation/scene/scene_files.h"
+
+namespace shadowlab::scene {
+namespace {
+
+const std::string kThree = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"; // lines 1 to 3
+
+struct BadObj {
+    const char* name;
+    std::string text;
+    int line;
+    const char* phrase;
+    ExitStatus status = ExitStatus::badInput;
+};
+
+class BadObjFiles : public testing::TestWithParam<BadObj> {};
+
+TEST_P(BadObjFiles, AreRefusedWithLineAndReason) {
+    const TempFolder folder;
+    const auto file = folder.write("bad.obj", GetParam().text);
+    const Error error = errorOf([&] { (void)loadObj(file, NormalMode::file, {}); });
+    const std::string message = error.what();
+    EXPECT_TRUE(message.starts_with(file.string() + ":" + std::to_string(GetParam().line) + ": ")) << message;
+    EXPECT_TRUE(contains(message, GetParam().phrase)) << message;
+    EXPECT_TRUE(contains(message, "; ")) << "says what to do: " << message;
+    EXPECT_FALSE(contains(message, "\n")) << message;
+    EXPECT_EQ(error.status(), GetParam().status) << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadObjFiles,
+    testing::Values(
+        BadObj{"IndexTooLarge", kThree + "f 1 2 9\n", 4, "vertex index 9, but the file has only 3 \"v\" lines"},
+        BadObj{"IndexIntMax", kThree + "f 1 2 2147483647\n", 4, "vertex index 2147483647"},
+        BadObj{"IndexWrapsInt32", kThree + "f 4294967297 2 3\n", 4, "vertex index 4294967297"},
+        BadObj{"IndexOverflows", kThree + "f 1 2 99999999999999999999\n", 4, "is not a valid vertex index"},
+        BadObj{"IndexBeyondAtoi", kThree + "f 1 2 99999999999\n", 4, "vertex index 99999999999"},
+        BadObj{"NegativeOutOfRange", kThree + "f -1 -2 -9\n", 4, "vertex index -9, but only 3"},
+        BadObj{"NegativeForward", "v 0 0 0\nf -1 -2 -3\nv 1 0 0\nv 0 1 0\n", 2, "vertex index -2, but only 1 \"v\" line"},
+        BadObj{"NegativeMinimum", kThree + "f 1 2 -9223372036854775808\n", 4, "but only 3"},
+        BadObj{"IndexZero", kThree + "f 0 1 2\n", 4, "vertex index 0; OBJ counts from 1"},
+        BadObj{"NormalOutOfRange", kThree + "vn 0 0 1\nf 1//1 2//1 3//2\n", 5, "normal index 2"},
+        BadObj{"TexcoordOutOfRange", kThree + "vt 0 0\nf 1/1 2/1 3/7\n", 5, "texture coordinate index 7"},
+        BadObj{"FirstOfSeveralForward", "f 1 2 3\nf 1 2 8\nf 1 2 9\n" + kThree, 2, "vertex index 8"},
+        BadObj{"IndexNotANumber", kThree + "f 1 2 x\n", 4, "\"x\" is not a valid vertex index"},
+        BadObj{"IndexWithPoint", kThree + "f 1 2 3.5\n", 4, "\"3.5\" is not a valid"},
+        BadObj{"IndexEmpty", kThree + "f 1 2 /3\n", 4, "is not a valid vertex index"},
+        BadObj{"TooManySlashes", kThree + "vn 0 0 1\nf 1//1 2//1 3//1/1\n", 5, "is not a valid normal index"},
+        BadObj{"TwoCorners", kThree + "f 1 2\n", 4, "a face needs at least 3"},
+        BadObj{"NoCorners", kThree + "f\n", 4, "0 corners"},
+        BadObj{"Nan", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", 2, "not a finite number"},
+        BadObj{"Inf", "v 0 0 0\nv 0 -inf 0\nv 0 1 0\nf 1 2 3\n", 2, "not a finite number"},
+        BadObj{"TooLargeForDouble", "v 0 0 1e400\n", 1, "not a finite number"},
+        BadObj{"BeyondTheLimit", "v 0 0 0\nv 1e30 0 0\nv 0 1 0\nf 1 2 3\n", 2, "rescale the model"},
+        BadObj{"DecimalComma", "v 0 0 0\nv 1,5 0 0\nv 0 1 0\nf 1 2 3\n", 2, "write a decimal point"},
+        BadObj{"TwoCoordinates", "v 0 0 0\nv 1 0\n", 2, "the vertex has 2 numbers"},
+        BadObj{"NoCoordinates", "v\n", 1, "the vertex has 0 numbers"},
+        BadObj{"FiveNumbers", "v 1 2 3 4 5\n", 1, "the vertex has 5 numbers"},
+        BadObj{"Junk", "v abc 0 0\n", 1, "\"abc\" is not a number"},
+        BadObj{"TrailingJunk", "v 1x 0 0\n", 1, "\"1x\" is not a number"},
+        BadObj{"HexNumber", "v 0x10 0 0\n", 1, "is not a number"},
+        BadObj{"ShortNormal", kThree + "vn 0 1\nf 1 2 3\n", 4, "the normal has 2 numbers"},
+        BadObj{"JunkNormal", kThree + "vn a b c\nf 1 2 3\n", 4, "\"a\" is not a number"},
+        BadObj{"NulByte", kThree + std::string("f 1 2 3\0\n", 9), 4, "binary data"},
+        BadObj{"NulInComment", std::string("# \0\n", 4) + kThree, 1, "binary data"},
+        BadObj{"Empty", "", 1, "has no faces"},
+        BadObj{"OnlyComments", "# nothing\n\n", 1, "is not an OBJ file"},
+        BadObj{"OtherText", "Dear reader,\nthis is no mesh.\n", 1, "is not an OBJ file"},
+        BadObj{"OnlyVertices", kThree, 1, "no faces"},
+        BadObj{"OnlyDegenerate", kThree + "f 1 1 2\n", 1, "all 1 triangle of the file are degenerate"},
+        BadObj{"LineCountedThroughCrLf", "v 0 0 0\r\nv 1 0 0\r\nv 0 z 0\r\n", 3, "\"z\""},
+        BadObj{"LineCountedThroughCr", "v 0 0 0\rv 1 0 0\rv 0 z 0\r", 3, "\"z\""},
+        BadObj{"LineCountedThroughContinuation", kThree + "f 1 \\\n2 \\\n9\nf 1 2 3\n", 6, "vertex index 9"},
+        BadObj{"UsemtlWithoutName", kThree + "usemtl\nf 1 2 3\n", 4, "usemtl without a name"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(ObjErrors, LimitsEndWithTheirOwnStatus) {
+    const TempFolder folder;
+    LoadOptions options;
+    const auto statusOf = [&](const std::string& text) {
+        const auto file = folder.write("limit.obj", text);
+        return errorOf([&] { (void)loadObj(file, NormalMode::file, options); }).status();
+    };
+    options.limits.lineBytes = 100;
+    EXPECT_EQ(statusOf(kThree + "f 1 2 3 #" + std::string(200, 'x') + "\n"), ExitStatus::overLimit);
+    options = {};
+    options.limits.triangles = 1;
+    EXPECT_EQ(statusOf(kThree + "f 1 2 3\nf 1 2 3\n"), ExitStatus::overLimit);
+    options = {};
+    options.limits.polygonCorners = 4;
+    EXPECT_EQ(statusOf(kThree + "f 1 2 3 1 2\n"), ExitStatus::overLimit);
+    options = {};
+    options.limits.fileBytes = 10;
+    EXPECT_EQ(statusOf(kThree), ExitStatus::overLimit);
+}
+
+TEST(ObjErrors, MissingFilesFoldersAndPipesAreNamed) {
+    const TempFolder folder;
+    const auto messageOf = [](const std::filesystem::path& file) {
+        const Error error = errorOf([&] { (void)loadObj(file, NormalMode::file, {}); });
+        EXPECT_EQ(error.status(), ExitStatus::badInput);
+        return std::string(error.what());
+    };
+    EXPECT_TRUE(contains(messageOf(folder.path() / "none.obj"), "none.obj: cannot be read: No such file or directory"));
+    EXPECT_TRUE(contains(messageOf(folder.path()), "is a directory"));
+    const auto pipe = folder.path() / "pipe.obj";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_TRUE(contains(messageOf(pipe), "is not a regular file")); // and it came back at all
+    EXPECT_TRUE(contains(messageOf("/dev/zero"), "is not a regular file"));
+    EXPECT_TRUE(contains(messageOf(folder.path() / std::string(300, 'n')), "File name too long"));
+}
+
+TEST(ObjErrors, UnreadableFileSaysPermissionDenied) {
+    if (::geteuid() == 0) GTEST_SKIP() << "root may read everything";
+    const TempFolder folder;
+    const auto file = folder.write("secret.obj", kThree + "f 1 2 3\n");
+    std::filesystem::permissions(file, std::filesystem::perms::none);
+    EXPECT_TRUE(contains(errorOf([&] { (void)loadObj(file, NormalMode::file, {}); }).what(), "Permission denied"));
+}
+
+TEST(ObjErrors, MessagesStayOnOneLineWhateverTheFileHolds) {
+    const TempFolder folder;
+    const auto file = folder.write("line\nbreak.obj", "v \x01\xff\x1b[31m 0 0\n");
+    const std::string message = errorOf([&] { (void)loadObj(file, NormalMode::file, {}); }).what();
+    EXPECT_FALSE(contains(message, "\n"));
+    EXPECT_TRUE(contains(message, "line\\x0abreak.obj:1:")) << message;
+    EXPECT_TRUE(contains(message, "\"\\x01\\xff\\x1b[31m\"")) << message;
+}
+
+TEST(ObjErrors, RandomBytesNeverLoadOrCrash) {
+    const TempFolder folder;
+    std::uint32_t state = 1;
+    for (int round = 0; round < 300; ++round) {
+        // Every other round uses only characters that OBJ files are made of, to get past the first checks.
+        const std::string_view alphabet = "vvvfn  \n\n0123456789.-/\\#e\r\t";
+        std::string text = round % 2 ? "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" : "";
+        for (int i = 0; i < 400; ++i) {
+            state = state * 1664525u + 1013904223u;
+            text += round % 2 ? alphabet[(state >> 16) % alphabet.size()] : static_cast<char>(state >> 24);
+        }
+        const auto file = folder.write("random.obj", text);
+        try {
+            const ObjFile obj = loadObj(file, NormalMode::file, {});
+            for (const uvec3& t : obj.mesh.triangles)
+                for (int i = 0; i < 3; ++i) ASSERT_LT(t[i], obj.mesh.positionsMesh.size());
+        } catch (const Error& error) {
+            EXPECT_NE(error.status(), ExitStatus::bug) << error.what();
+        }
+    }
+}
+
+} // namespace
+} // namespace shadowlab::scene
