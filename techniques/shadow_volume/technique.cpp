@@ -205,10 +205,7 @@ Probe ZFail::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixe
     const trace::ExactVisibility exact(snapshot);
     const auto hit = exact.eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
     if (!hit || light < 0 || light >= static_cast<int>(snapshot->lights.size())) return probe;
-    const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->lights[static_cast<std::size_t>(light)]);
-    const dvec3 offset = dvec3(lightWorld) - hit->positionWorld * lightWorld.w;
-    const double length = lightWorld.w > 0 ? glm::length(offset) : std::numeric_limits<double>::infinity();
-    const int crossed = exact.crossings(hit->positionWorld, glm::normalize(offset), length, hit->object, hit->triangle);
+    const int crossed = exact.crossings(*hit, light);
     probe.facts.push_back({"casting triangles between the point and the light", std::to_string(crossed), ""});
     return probe;
 }

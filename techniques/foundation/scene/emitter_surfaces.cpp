@@ -25,8 +25,10 @@ void addEmitterSurfaces(Scene& scene) {
         material.emission = vec3(dvec3(light.color) * light.intensity);
         const auto next = static_cast<std::uint32_t>(scene.materials.size());
         const auto [entry, isNew] = materialOfLight.try_emplace(static_cast<int>(i), next);
-        if (isNew) scene.materials.push_back(material);
-        else scene.materials[entry->second] = material;
+        if (isNew)
+            scene.materials.push_back(material);
+        else
+            scene.materials[entry->second] = material;
 
         Object object;
         object.name = name;

@@ -106,7 +106,8 @@ AllowedFolders::AllowedFolders(const std::filesystem::path& referringFile, const
     };
     allow(base_);
     if (!options.assetsRoot.empty()) allow(options.assetsRoot);
-    for (const std::filesystem::path& folder : options.allowed) allow(folder);
+    for (const std::filesystem::path& folder : options.allowed)
+        allow(folder);
 }
 
 std::optional<std::filesystem::path> AllowedFolders::resolve(std::string_view reference) const {

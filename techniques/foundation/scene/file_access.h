@@ -12,7 +12,8 @@
 
 namespace shadowlab::scene {
 
-/// Why `file` cannot be read ("is a directory", "No such file or directory" ...); empty when it is a readable regular file.
+/// Why `file` cannot be read ("is a directory", "No such file or directory" ...); empty when it is a readable regular
+/// file.
 std::string whyUnreadable(const std::filesystem::path& file);
 
 /// The whole file. Throws Error: badInput when it is no readable regular file, overLimit beyond `maximumBytes`.
@@ -35,7 +36,7 @@ private:
 };
 
 /// What every refusal by AllowedFolders says after the reference.
-inline constexpr std::string_view kOutsideMessage =
-    "lies outside the folders this scene may read; move the file beside the scene, or allow its folder with --allow DIR";
+inline constexpr std::string_view kOutsideMessage = "lies outside the folders this scene may read; move the file "
+                                                    "beside the scene, or allow its folder with --allow DIR";
 
 } // namespace shadowlab::scene

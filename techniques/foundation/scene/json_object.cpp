@@ -43,8 +43,8 @@ JsonObject::JsonObject(const JsonDocument& document, const JsonValue& value, std
     for (const JsonMember& member : value.members)
         if (std::ranges::find(known, member.key) == known.end()) {
             const std::vector<std::string> names(known.begin(), known.end());
-            document.fail(member.keyOffset,
-                          "unknown key " + inQuotes(member.key) + " in " + what_ + "; " + suggestion(member.key, names));
+            document.fail(member.keyOffset, "unknown key " + inQuotes(member.key) + " in " + what_ + "; " +
+                                                suggestion(member.key, names));
         }
 }
 
@@ -66,8 +66,8 @@ void JsonObject::fail(std::string_view key, const std::string& problem, ExitStat
 
 double JsonObject::checkedNumber(std::string_view key, const JsonValue& value, const Range& range) const {
     if (value.kind == JsonValue::Kind::number && range.contains(value.number)) return value.number;
-    document_.fail(value.offset, inQuotes(key) + " of " + what_ + " is " + echo(value) + "; it must be a number " +
-                                     range.text());
+    document_.fail(value.offset,
+                   inQuotes(key) + " of " + what_ + " is " + echo(value) + "; it must be a number " + range.text());
 }
 
 double JsonObject::number(std::string_view key, const Range& range, std::optional<double> fallback) const {
@@ -113,7 +113,8 @@ void JsonObject::checkNumbers(std::string_view key, const JsonValue& value, std:
     if (value.kind != JsonValue::Kind::array || value.items.size() != count)
         document_.fail(value.offset, inQuotes(key) + " of " + what_ + " is " + echo(value) +
                                          "; it must be an array of " + std::to_string(count) + " numbers");
-    for (std::size_t i = 0; i < count; ++i) out[i] = checkedNumber(key, value.items[i], range);
+    for (std::size_t i = 0; i < count; ++i)
+        out[i] = checkedNumber(key, value.items[i], range);
 }
 
 dvec3 JsonObject::vector(std::string_view key, const Range& range, std::optional<dvec3> fallback) const {

@@ -34,8 +34,8 @@ struct Range {
 
 class JsonObject {
 public:
-    /// `what` names the object in messages: "the camera", "light 2". Fails unless `value` is an object all of whose keys
-    /// are `known`.
+    /// `what` names the object in messages: "the camera", "light 2". Fails unless `value` is an object all of whose
+    /// keys are `known`.
     JsonObject(const JsonDocument& document, const JsonValue& value, std::string what,
                std::initializer_list<std::string_view> known);
 

@@ -49,10 +49,14 @@ private:
 std::size_t skipToToken(std::string_view text, std::size_t offset) {
     if (offset == 0 && text.starts_with("\xef\xbb\xbf")) offset = 3; // UTF-8 byte order mark
     while (offset < text.size()) {
-        if (std::string_view(" \t\r\n,:").find(text[offset]) != std::string_view::npos) ++offset;
-        else if (text.substr(offset, 2) == "//") offset = std::min(text.find_first_of("\r\n", offset), text.size());
-        else if (text.substr(offset, 2) == "/*") offset = std::min(text.find("*/", offset + 2), text.size() - 2) + 2;
-        else break;
+        if (std::string_view(" \t\r\n,:").find(text[offset]) != std::string_view::npos)
+            ++offset;
+        else if (text.substr(offset, 2) == "//")
+            offset = std::min(text.find_first_of("\r\n", offset), text.size());
+        else if (text.substr(offset, 2) == "/*")
+            offset = std::min(text.find("*/", offset + 2), text.size() - 2) + 2;
+        else
+            break;
     }
     return offset;
 }
@@ -66,9 +70,7 @@ public:
     JsonValue takeRoot() { return std::move(root_); }
 
     bool null() override { return add({.kind = Kind::null, .offset = tokenStart()}); }
-    bool boolean(bool value) override {
-        return add({.kind = Kind::boolean, .offset = tokenStart(), .boolean = value});
-    }
+    bool boolean(bool value) override { return add({.kind = Kind::boolean, .offset = tokenStart(), .boolean = value}); }
     bool number_integer(number_integer_t value) override { return addNumber(static_cast<double>(value)); }
     bool number_unsigned(number_unsigned_t value) override { return addNumber(static_cast<double>(value)); }
     bool number_float(number_float_t value, const string_t&) override { return addNumber(value); }
@@ -101,7 +103,8 @@ public:
         std::string what = error.what();
         if (const std::size_t column = what.find(", column "); column != std::string::npos)
             what = what.substr(what.find(": ", column) + 2);
-        else if (const std::size_t end = what.find("] "); end != std::string::npos) what = what.substr(end + 2);
+        else if (const std::size_t end = what.find("] "); end != std::string::npos)
+            what = what.substr(end + 2);
         // The excerpt "; last read: '...'" may hold half the file; the place says it better.
         if (const std::size_t excerpt = what.find("; last read: '"); excerpt != std::string::npos) {
             const std::size_t end = what.rfind("'; expected");
@@ -133,10 +136,12 @@ private:
 
     bool add(JsonValue value) {
         lastEnd_ = consumed_;
-        if (stack_.empty()) root_ = std::move(value);
+        if (stack_.empty())
+            root_ = std::move(value);
         else if (JsonValue& parent = stack_.back().value; parent.kind == Kind::array)
             parent.items.push_back(std::move(value));
-        else parent.members.back().value = std::move(value);
+        else
+            parent.members.back().value = std::move(value);
         return true;
     }
 
@@ -203,7 +208,8 @@ std::string JsonDocument::place(std::size_t offset) const {
         }
     const auto isFirstByte = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
     std::size_t column = 1;
-    for (std::size_t i = lineStart; i < offset; ++i) column += isFirstByte(text_[i]) ? 1 : 0;
+    for (std::size_t i = lineStart; i < offset; ++i)
+        column += isFirstByte(text_[i]) ? 1 : 0;
     return fileName_ + ":" + std::to_string(line) + ":" + std::to_string(column);
 }
 

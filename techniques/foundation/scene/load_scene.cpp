@@ -14,7 +14,8 @@ namespace {
 /// The file's ending in lower case: MODEL.OBJ is an OBJ file too.
 std::string ending(const std::filesystem::path& path) {
     std::string text = path.extension().string();
-    for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    for (char& c : text)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return text;
 }
 
@@ -46,9 +47,10 @@ std::shared_ptr<const Scene> loadScene(const std::string& nameOrPath, const Load
     if (nameOrPath.find('/') != std::string::npos || path.has_extension() || std::filesystem::exists(path, ignored))
         throw Error(ExitStatus::badInput, shownPath(path) + ": is neither a .json scene nor an .obj mesh; " +
                                               "give a file with one of these endings");
-    throw Error(ExitStatus::badInput, "there is no built-in scene '" + shown(nameOrPath) + "'; " +
-                                          (names.empty() ? "none was found in " + shownPath(options.assetsRoot / "scenes")
-                                                         : suggestion(nameOrPath, names)));
+    throw Error(ExitStatus::badInput,
+                "there is no built-in scene '" + shown(nameOrPath) + "'; " +
+                    (names.empty() ? "none was found in " + shownPath(options.assetsRoot / "scenes")
+                                   : suggestion(nameOrPath, names)));
 }
 
 } // namespace shadowlab::scene

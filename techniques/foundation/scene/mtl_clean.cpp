@@ -22,11 +22,11 @@ struct NumberStatement {
 };
 
 constexpr std::array kStatements{
-    NumberStatement{"Kd", 3, 0.0, 1.0}, NumberStatement{"Ks", 3, 0.0, 1.0},
-    NumberStatement{"Ke", 3, 0.0, 1e6}, // radiance; a million times white is brighter than any lamp
-    NumberStatement{"Ns", 1, 0.0, 1e6}, // as for shininess in scene files
+    NumberStatement{"Kd", 3, 0.0, 1.0},  NumberStatement{"Ks", 3, 0.0, 1.0},
+    NumberStatement{"Ke", 3, 0.0, 1e6},  // radiance; a million times white is brighter than any lamp
+    NumberStatement{"Ns", 1, 0.0, 1e6},  // as for shininess in scene files
     NumberStatement{"Ni", 1, 0.1, 10.0}, // as for ior in scene files
-    NumberStatement{"d", 1, 0.0, 1.0},  NumberStatement{"Tr", 1, 0.0, 1.0}};
+    NumberStatement{"d", 1, 0.0, 1.0},   NumberStatement{"Tr", 1, 0.0, 1.0}};
 
 class Cleaner {
 public:
@@ -37,10 +37,14 @@ public:
         while (lines_.nextStatement()) {
             const std::string keyword(lines_.keyword());
             const auto statement = std::ranges::find(kStatements, keyword, &NumberStatement::keyword);
-            if (keyword == "newmtl") newMaterial();
-            else if (!inMaterial_) continue; // values without a material to belong to
-            else if (statement != kStatements.end()) numbers(*statement);
-            else if (keyword == "map_d") result_ += "map_d " + std::string(lines_.restOfLine()) + "\n";
+            if (keyword == "newmtl")
+                newMaterial();
+            else if (!inMaterial_)
+                continue; // values without a material to belong to
+            else if (statement != kStatements.end())
+                numbers(*statement);
+            else if (keyword == "map_d")
+                result_ += "map_d " + std::string(lines_.restOfLine()) + "\n";
         }
         if (clamped_ > 0)
             notes.push_back(lines_.place(firstClampedLine_) + ": " + firstClamped_ +
@@ -81,7 +85,8 @@ private:
         if (count < statement.count) values[1] = count < 2 ? values[0] : values[1];
         if (count < statement.count && statement.count == 3) values[2] = values[0];
         result_ += statement.keyword;
-        for (std::size_t i = 0; i < statement.count; ++i) result_.append(1, ' ').append(numberText(values[i]));
+        for (std::size_t i = 0; i < statement.count; ++i)
+            result_.append(1, ' ').append(numberText(values[i]));
         result_ += '\n';
     }
 

@@ -23,7 +23,8 @@ vec3 unitOr(const dvec3& v, const vec3& fallback) {
 }
 
 /// One vertex per corner, with the normal that `normalOf(triangle, corner)` gives; equal ones are merged.
-template <typename NormalOf> Mesh rebuilt(const Mesh& mesh, const NormalOf& normalOf) {
+template <typename NormalOf>
+Mesh rebuilt(const Mesh& mesh, const NormalOf& normalOf) {
     Mesh result = mesh;
     VertexWelder welder(3 * mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -37,9 +38,8 @@ template <typename NormalOf> Mesh rebuilt(const Mesh& mesh, const NormalOf& norm
 }
 
 Mesh withFlatNormals(const Mesh& mesh) {
-    return rebuilt(mesh, [&](std::size_t t, int) {
-        return unitOr(areaVector(mesh, mesh.triangles[t]), vec3(0.0f, 1.0f, 0.0f));
-    });
+    return rebuilt(
+        mesh, [&](std::size_t t, int) { return unitOr(areaVector(mesh, mesh.triangles[t]), vec3(0.0f, 1.0f, 0.0f)); });
 }
 
 Mesh withSmoothNormals(const Mesh& mesh) {
@@ -52,7 +52,8 @@ Mesh withSmoothNormals(const Mesh& mesh) {
     // The area vector of a triangle is already weighted by its area.
     std::vector<dvec3> sums(place.size(), dvec3(0.0));
     for (const uvec3& triangle : mesh.triangles)
-        for (int corner = 0; corner < 3; ++corner) sums[place[triangle[corner]]] += areaVector(mesh, triangle);
+        for (int corner = 0; corner < 3; ++corner)
+            sums[place[triangle[corner]]] += areaVector(mesh, triangle);
 
     return rebuilt(mesh, [&](std::size_t t, int corner) {
         const vec3 flat = unitOr(areaVector(mesh, mesh.triangles[t]), vec3(0.0f, 1.0f, 0.0f));

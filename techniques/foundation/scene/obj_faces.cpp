@@ -1,6 +1,6 @@
 // tinyobjloader at work, compiled here from its packaged header. Its callback interface hands over each polygon as it
-// stands in the file: LoadObj would triangulate without regard to holes in concave polygons (or count corners in one
-// byte), so triangulation is ours (polygon_triangulation.h).
+// stands in the file; LoadObj would cut polygons in its own way and count corners in one byte, up to 255.
+// Cutting them into triangles is done by polygon_triangulation.h.
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/obj_faces.h"
 
@@ -54,7 +54,8 @@ private:
     [[nodiscard]] std::vector<std::string> candidates(const ObjReference& library) const {
         std::vector<std::string> names;
         std::istringstream words(library.name);
-        for (std::string word; words >> word;) names.push_back(word);
+        for (std::string word; words >> word;)
+            names.push_back(word);
         std::error_code ignored;
         if (names.size() > 1)
             if (const auto whole = folders_.resolve(library.name); whole && std::filesystem::exists(*whole, ignored))
@@ -88,7 +89,8 @@ struct Collector {
     std::uint32_t currentMaterial = 0;
 
     std::uint32_t indexOf(const std::string& name) {
-        const auto [entry, isNew] = materialIndex.try_emplace(name, static_cast<std::uint32_t>(faces.materialNames.size()));
+        const auto [entry, isNew] =
+            materialIndex.try_emplace(name, static_cast<std::uint32_t>(faces.materialNames.size()));
         if (isNew) faces.materialNames.push_back(name);
         return entry->second;
     }
@@ -153,10 +155,9 @@ void noteUnknownMaterials(const ObjScan& scan, const std::filesystem::path& file
         if (unknown++ == 0) first = &used;
     }
     if (!first) return;
-    faces.notes.push_back(shownPath(file) + ":" + std::to_string(first->line) + ": no material file defines '" +
-                          shown(first->name) + "'" +
-                          (unknown > 1 ? " (and " + counted(unknown - 1, "other") + ")" : "") +
-                          "; drawn in the default grey");
+    faces.notes.push_back(
+        shownPath(file) + ":" + std::to_string(first->line) + ": no material file defines '" + shown(first->name) +
+        "'" + (unknown > 1 ? " (and " + counted(unknown - 1, "other") + ")" : "") + "; drawn in the default grey");
 }
 
 } // namespace
@@ -179,8 +180,8 @@ ObjFaces readFaces(ObjScan& scan, const std::filesystem::path& file, const LoadO
 
     const AllowedFolders folders(file, options);
     for (const tinyobj::material_t& mtl : collector.materials) {
-        const bool isKnown = std::ranges::find(collector.faces.materials, mtl.name, &Material::name) !=
-                             collector.faces.materials.end();
+        const bool isKnown =
+            std::ranges::find(collector.faces.materials, mtl.name, &Material::name) != collector.faces.materials.end();
         if (mtl.name.empty() || isKnown) continue; // LoadMtl adds a nameless one for an empty file
         collector.faces.materials.push_back(converted(mtl));
         readAlphaMap(mtl, collector.faces.materials.back(), folders, collector.faces.notes);

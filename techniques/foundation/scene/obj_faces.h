@@ -18,10 +18,10 @@ struct ObjCorner {
 
 struct ObjFaces {
     std::vector<ObjCorner> corners;
-    std::vector<std::uint32_t> firstCorner;  ///< per face, and one behind the last
-    std::vector<std::uint32_t> materialOf;   ///< per face, index into materialNames
-    std::vector<std::string> materialNames;  ///< as usemtl says, in order of first use; "" before any usemtl
-    std::vector<Material> materials;         ///< of all libraries
+    std::vector<std::uint32_t> firstCorner; ///< per face, and one behind the last
+    std::vector<std::uint32_t> materialOf;  ///< per face, index into materialNames
+    std::vector<std::string> materialNames; ///< as usemtl says, in order of first use; "" before any usemtl
+    std::vector<Material> materials;        ///< of all libraries
     std::vector<std::string> notes;
 };
 

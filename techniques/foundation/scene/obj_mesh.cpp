@@ -31,7 +31,8 @@ dvec3 originOf(const ObjScan& scan, const ObjFaces& faces) {
 std::vector<vec3> roundedPositions(const std::vector<dvec3>& positions, const dvec3& origin) {
     std::vector<vec3> result;
     result.reserve(positions.size());
-    for (const dvec3& position : positions) result.push_back(vec3(position - origin) + vec3(0.0f));
+    for (const dvec3& position : positions)
+        result.push_back(vec3(position - origin) + vec3(0.0f));
     return result;
 }
 
@@ -55,10 +56,13 @@ std::vector<CornerTriangle> split(const ObjScan& scan, const ObjFaces& faces, co
             polygon.push_back(scan.positions[faces.corners[i].position]);
         triangulate(polygon, triangles);
         for (auto corners : triangles) {
-            for (std::uint32_t& corner : corners) corner += first;
+            for (std::uint32_t& corner : corners)
+                corner += first;
             const auto at = [&](int i) { return rounded[faces.corners[corners[i]].position]; };
-            if (areaVector(at(0), at(1), at(2)) == dvec3(0.0)) ++dropped;
-            else result.push_back({corners, faces.materialOf[face]});
+            if (areaVector(at(0), at(1), at(2)) == dvec3(0.0))
+                ++dropped;
+            else
+                result.push_back({corners, faces.materialOf[face]});
         }
     }
     return result;
@@ -90,7 +94,8 @@ dvec3 chooseOrigin(const dvec3& lower, const dvec3& upper) {
     const dvec3 extent = upper - lower;
     const double size = glm::max(extent.x, glm::max(extent.y, extent.z));
     const dvec3 farthest = glm::max(glm::abs(lower), glm::abs(upper));
-    // Up to eight sizes away, float still has 24 - 3 = 21 bits for the mesh itself: two millionths of a percent.
+    // Up to eight sizes away, rounding to float moves a vertex by at most 2^-22 of the mesh's size (24 bits, 3 of them
+    // spent on the distance, half a unit of error): far below a pixel.
     constexpr double kFarInSizes = 8.0;
     if (!(size > 0.0) || glm::max(farthest.x, glm::max(farthest.y, farthest.z)) <= kFarInSizes * size)
         return dvec3(0.0);

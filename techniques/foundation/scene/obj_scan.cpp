@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <unordered_set>
 
 #include "techniques/foundation/scene/message_text.h"
+#include "techniques/foundation/scene/obj_indices.h"
 #include "techniques/foundation/scene/statement_lines.h"
 
 namespace shadowlab::scene {
@@ -16,56 +16,6 @@ namespace shadowlab::scene {
 namespace {
 
 constexpr std::size_t kShownToken = 40; ///< characters of a faulty token that a message repeats
-
-/// Counts of one kind of vertex data (v, vt or vn), and the indices that pointed ahead.
-class IndexSpace {
-public:
-    IndexSpace(std::string_view what, std::string_view statement) : what_(what), statement_(statement) {}
-
-    std::uint64_t count = 0;
-
-    /// The absolute index (from 1) for what the file says.
-    std::uint64_t resolve(std::string_view text, const StatementLines& lines) {
-        std::int64_t index = 0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
-        if (error != std::errc{} || end != text.data() + text.size())
-            lines.fail(inQuotes(text, kShownToken) + " is not a valid " + what_ + " index; write a whole number from 1 to the number of \"" +
-                       statement_ + "\" lines");
-        if (index == 0) lines.fail(what_ + " index 0; OBJ counts from 1 (or from -1 backwards)");
-        if (index < 0) {
-            if (static_cast<std::uint64_t>(-(index + 1)) >= count)
-                lines.fail(what_ + " index " + std::to_string(index) + ", but only " + has(count) +
-                           " so far; mend the face or add the missing lines before it");
-            return count - static_cast<std::uint64_t>(-(index + 1));
-        }
-        const auto positive = static_cast<std::uint64_t>(index);
-        // Of the indices that point ahead, only those larger than all before can be the first one out of range.
-        if (positive > count && (ahead_.empty() || positive > ahead_.back().index))
-            ahead_.push_back({positive, lines.line()});
-        return positive;
-    }
-
-    struct Ahead {
-        std::uint64_t index;
-        std::size_t line;
-    };
-    /// The first index beyond the final count; nullptr when there is none.
-    [[nodiscard]] const Ahead* firstOutOfRange() const {
-        for (const Ahead& ahead : ahead_)
-            if (ahead.index > count) return &ahead;
-        return nullptr;
-    }
-    [[nodiscard]] std::string outOfRangeMessage(const Ahead& ahead) const {
-        return what_ + " index " + std::to_string(ahead.index) + ", but the file has only " + has(count) +
-               "; mend the face or add the missing lines";
-    }
-
-private:
-    [[nodiscard]] std::string has(std::uint64_t n) const { return counted(n, "\"" + statement_ + "\" line"); }
-
-    std::string what_, statement_;
-    std::vector<Ahead> ahead_;
-};
 
 class Scanner {
 public:
@@ -103,8 +53,10 @@ std::size_t Scanner::readNumbers(std::array<double, 8>& numbers) {
     while (const auto token = lines_.nextToken()) {
         const auto number = readNumber(*token);
         if (!number && token->find(',') != std::string_view::npos)
-            lines_.fail(inQuotes(*token, kShownToken) + " is not a number; write a decimal point, as in 1.5, and blanks between numbers");
-        if (!number) lines_.fail(inQuotes(*token, kShownToken) + " is not a number; write a number such as 1.5 or -2e-3");
+            lines_.fail(inQuotes(*token, kShownToken) +
+                        " is not a number; write a decimal point, as in 1.5, and blanks between numbers");
+        if (!number)
+            lines_.fail(inQuotes(*token, kShownToken) + " is not a number; write a number such as 1.5 or -2e-3");
         if (count < numbers.size()) numbers[count] = *number;
         ++count;
     }
@@ -159,7 +111,8 @@ void Scanner::face() {
         const std::uint64_t v = positions_.resolve(token->substr(0, slash), lines_);
         out.append(1, ' ').append(std::to_string(v));
         if (slash == std::string_view::npos) continue;
-        const std::string_view texcoord = token->substr(slash + 1, slash2 == std::string_view::npos ? slash2 : slash2 - slash - 1);
+        const std::string_view texcoord =
+            token->substr(slash + 1, slash2 == std::string_view::npos ? slash2 : slash2 - slash - 1);
         if (!texcoord.empty()) (void)texcoords_.resolve(texcoord, lines_);
         if (slash2 == std::string_view::npos || slash2 + 1 == token->size()) continue;
         const std::uint64_t n = normals_.resolve(token->substr(slash2 + 1), lines_);
@@ -210,10 +163,14 @@ void Scanner::noteUnusableNormals() {
 ObjScan Scanner::run() {
     while (lines_.nextStatement()) {
         const std::string_view keyword = lines_.keyword();
-        if (keyword == "v") position();
-        else if (keyword == "f") face();
-        else if (keyword == "vn") normal();
-        else if (keyword == "vt") ++texcoords_.count;
+        if (keyword == "v")
+            position();
+        else if (keyword == "f")
+            face();
+        else if (keyword == "vn")
+            normal();
+        else if (keyword == "vt")
+            ++texcoords_.count;
         else if (keyword == "usemtl") {
             const std::string material(name("usemtl"));
             scan_.statements += "usemtl " + material + "\n";

@@ -25,7 +25,8 @@ struct ObjScan {
     std::vector<ObjReference> libraries;     ///< what mtllib names, each once
     std::vector<ObjReference> usedMaterials; ///< what usemtl names, each once, in order
     /// The checked statements in the form tinyobjloader reads safely: `f` with absolute indices `v` or `v//vn`,
-    /// `usemtl NAME`, and `mtllib N` where N is an index into `libraries` (so that no blank or backslash splits a name).
+    /// `usemtl NAME`, and `mtllib N` where N is an index into `libraries` (so that no blank or backslash splits a
+    /// name).
     std::string statements;
     std::size_t unusableNormals = 0; ///< vn without a direction that faces use
     std::size_t unusableNormalLine = 0;

@@ -13,8 +13,8 @@ namespace {
 /// Rotation about a coordinate axis, counter-clockwise seen from the axis' tip. Quarter turns hold only 0, 1 and -1, so
 /// that a wall turned by 90 degrees is exactly upright.
 dmat3 rotation(int axis, double degrees) {
-    const double turn = std::remainder(degrees, 360.0);            // exact; -180..180
-    const double quarters = std::round(turn / 90.0);               // -2..2
+    const double turn = std::remainder(degrees, 360.0);                       // exact; -180..180
+    const double quarters = std::round(turn / 90.0);                          // -2..2
     const double rest = (turn - 90.0 * quarters) * glm::pi<double>() / 180.0; // at most 45 degrees
     double c = std::cos(rest), s = std::sin(rest);
     for (int i = 0; i < static_cast<int>(quarters + 4.0) % 4; ++i) {

@@ -52,7 +52,8 @@ public:
         }
         for (std::uint32_t i = 0; i < n; ++i)
             if (turnAt(i) <= 0.0) blunt_.push_back(i);
-        for (std::uint32_t i = 0; i < n; ++i) isEar_[i] = checkEar(i);
+        for (std::uint32_t i = 0; i < n; ++i)
+            isEar_[i] = checkEar(i);
     }
 
     void run() {
@@ -66,7 +67,9 @@ public:
     }
 
 private:
-    [[nodiscard]] double turnAt(std::uint32_t i) const { return turn(points_[previous_[i]], points_[i], points_[next_[i]]); }
+    [[nodiscard]] double turnAt(std::uint32_t i) const {
+        return turn(points_[previous_[i]], points_[i], points_[next_[i]]);
+    }
 
     /// Only concave or straight corners can lie in another corner's triangle; those on its rim count too, else the
     /// cut would run through them and leave a triangle without area.
@@ -101,9 +104,8 @@ private:
         const std::uint32_t before = previous_[ear], after = next_[ear];
         next_[before] = after;
         previous_[after] = before;
-        std::erase_if(blunt_, [&](std::uint32_t i) {
-            return i == ear || ((i == before || i == after) && turnAt(i) > 0.0);
-        });
+        std::erase_if(blunt_,
+                      [&](std::uint32_t i) { return i == ear || ((i == before || i == after) && turnAt(i) > 0.0); });
         isEar_[before] = checkEar(before);
         isEar_[after] = checkEar(after);
         return next_[after];
@@ -129,8 +131,10 @@ void triangulate(std::span<const dvec3> corners, std::vector<Triangle>& triangle
         // The diagonal 0-2, unless only 1-3 stays inside.
         const bool along02 = turn(p[0], p[1], p[2]) > 0.0 && turn(p[0], p[2], p[3]) > 0.0;
         const bool along13 = turn(p[0], p[1], p[3]) > 0.0 && turn(p[1], p[2], p[3]) > 0.0;
-        if (along13 && !along02) triangles.insert(triangles.end(), {{0, 1, 3}, {1, 2, 3}});
-        else triangles.insert(triangles.end(), {{0, 1, 2}, {0, 2, 3}});
+        if (along13 && !along02)
+            triangles.insert(triangles.end(), {{0, 1, 3}, {1, 2, 3}});
+        else
+            triangles.insert(triangles.end(), {{0, 1, 2}, {0, 2, 3}});
         return;
     }
     EarClipper(p, triangles).run();

@@ -20,8 +20,7 @@ Camera readCamera(const SceneReading& reading, const JsonObject& camera) {
                                    numberText(result.near));
     }
     const dvec3 view = result.targetWorld - result.positionWorld;
-    if (!(glm::dot(view, view) > 0.0))
-        camera.fail("target", "is the camera's own position; move one of them");
+    if (!(glm::dot(view, view) > 0.0)) camera.fail("target", "is the camera's own position; move one of them");
     // Below a millionth of a radian, the direction "right" would be made of rounding errors.
     if (glm::length(glm::cross(glm::normalize(view), glm::normalize(result.upWorld))) < 1e-6)
         camera.fail("up", "is parallel to the view from position to target; choose another up, such as [0, 0, 1]");
@@ -35,7 +34,8 @@ ReferredFile readReference(const SceneReading& reading, const JsonObject& object
     if (!canonical) object.fail(key, named + std::string(kOutsideMessage));
     std::filesystem::path path = reading.file.parent_path() / reference;
     if (const std::string fault = whyUnreadable(path); !fault.empty())
-        object.fail(key, named + fault + " (" + shownPath(path) + "); correct the path, it is relative to the scene file");
+        object.fail(key,
+                    named + fault + " (" + shownPath(path) + "); correct the path, it is relative to the scene file");
     return {std::move(path), *canonical};
 }
 
@@ -50,8 +50,8 @@ std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::
 
     scene->name = file.stem().string();
     const JsonValue& camera = top.require("camera", "{\"position\": [3, 2.5, 5], \"target\": [0, 0, 0]}");
-    scene->camera = readCamera(
-        reading, JsonObject(document, camera, "the camera", {"position", "target", "up", "fovYDegrees", "near", "far"}));
+    scene->camera = readCamera(reading, JsonObject(document, camera, "the camera",
+                                                   {"position", "target", "up", "fovYDegrees", "near", "far"}));
     scene->ambient = top.color("ambient", reading.atLeastZero(), scene->ambient);
     scene->background = top.color("background", reading.atLeastZero(), scene->background);
     scene->exposure = static_cast<float>(top.number("exposure", reading.aboveZero(), scene->exposure));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 
@@ -23,7 +24,9 @@ struct SceneReading {
     [[nodiscard]] Range atLeastZero() const { return Range::atLeast(0.0, options.limits.coordinate); }
     [[nodiscard]] Range aboveZero() const { return Range::above(0.0, options.limits.coordinate); }
     /// Lengths that have to survive being rounded to float and squared.
-    [[nodiscard]] Range length() const { return Range::above(1.0 / options.limits.coordinate, options.limits.coordinate); }
+    [[nodiscard]] Range length() const {
+        return Range::above(1.0 / options.limits.coordinate, options.limits.coordinate);
+    }
 };
 
 /// "the camera", and "target", "up" ... checked against each other.
@@ -36,6 +39,14 @@ void readMaterials(const SceneReading& reading, const JsonObject& top);
 
 /// Needs the materials.
 void readObjects(const SceneReading& reading, const JsonObject& top);
+
+/// A built-in shape as asked for, not built yet.
+struct ShapeRequest {
+    std::string id;              ///< kind and numbers: requests with equal ids make equal meshes
+    std::uint64_t triangles = 0; ///< how many it will have
+    std::function<Mesh()> make;
+};
+ShapeRequest readShape(const SceneReading& reading, const JsonObject& keys);
 
 /// The file a key refers to: inside the allowed folders and a readable regular file, else an error at the key.
 /// Returns the path as opened: the scene's folder and the reference, not normalised.

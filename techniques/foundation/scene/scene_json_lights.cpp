@@ -22,8 +22,8 @@ LightType readType(const JsonObject& light) {
         if (text == toText(type)) return type;
         names.emplace_back(toText(type));
     }
-    light.document().fail(value.offset, "\"type\" of " + light.what() + " is " + inQuotes(text) + "; " +
-                                            suggestion(text, names));
+    light.document().fail(value.offset,
+                          "\"type\" of " + light.what() + " is " + inQuotes(text) + "; " + suggestion(text, names));
 }
 
 /// The keys of this type alone; the object has been checked against all keys of all types before.
@@ -35,7 +35,9 @@ JsonObject restrictedTo(LightType type, const JsonObject& light) {
     case LightType::point: return {document, value, what, {"name", "type", "color", "intensity", "position"}};
     case LightType::directional: return {document, value, what, {"name", "type", "color", "intensity", "direction"}};
     case LightType::spot:
-        return {document, value, what,
+        return {document,
+                value,
+                what,
                 {"name", "type", "color", "intensity", "position", "direction", "coneDegrees", "edgeDegrees"}};
     case LightType::rect:
         return {document, value, what, {"name", "type", "color", "intensity", "position", "edgeU", "edgeV"}};
@@ -79,16 +81,19 @@ Light readLight(const SceneReading& reading, const JsonValue& value, const std::
 void readLights(const SceneReading& reading, const JsonObject& top) {
     const auto values = top.array("lights");
     if (values.size() > reading.options.limits.lights)
-        top.fail("lights", "are " + std::to_string(values.size()) + ", more than the limit of " +
-                               std::to_string(reading.options.limits.lights) + "; remove some",
+        top.fail("lights",
+                 "are " + std::to_string(values.size()) + ", more than the limit of " +
+                     std::to_string(reading.options.limits.lights) + "; remove some",
                  ExitStatus::overLimit);
     std::map<std::string, std::size_t> offsetOfName;
     int unnamed = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         Light light = readLight(reading, values[i], "light " + std::to_string(i + 1));
         std::size_t offset = values[i].offset;
-        if (light.name.empty()) light.name = "light" + std::to_string(++unnamed);
-        else offset = std::ranges::find(values[i].members, "name", &JsonMember::key)->value.offset;
+        if (light.name.empty())
+            light.name = "light" + std::to_string(++unnamed);
+        else
+            offset = std::ranges::find(values[i].members, "name", &JsonMember::key)->value.offset;
         const auto [earlier, isNew] = offsetOfName.emplace(light.name, offset);
         if (!isNew)
             reading.document.fail(offset, "two lights are named \"" + shown(light.name) + "\", the first at " +

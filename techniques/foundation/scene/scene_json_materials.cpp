@@ -44,12 +44,14 @@ void readMaterials(const SceneReading& reading, const JsonObject& top) {
     const JsonValue* value = top.find("materials");
     if (!value) return;
     if (value->kind != JsonValue::Kind::object)
-        top.fail("materials", "is " + std::string(describe(value->kind)) +
-                                  "; it must be an object {\"name\": { ... }, ...}");
+        top.fail("materials",
+                 "is " + std::string(describe(value->kind)) + "; it must be an object {\"name\": { ... }, ...}");
     for (const JsonMember& member : value->members) {
         Material material = readMaterial(reading, member);
-        if (member.key == "white") materials.front() = std::move(material);
-        else materials.push_back(std::move(material));
+        if (member.key == "white")
+            materials.front() = std::move(material);
+        else
+            materials.push_back(std::move(material));
     }
 }
 

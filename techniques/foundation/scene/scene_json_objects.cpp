@@ -43,9 +43,9 @@ private:
     const SceneReading& reading_;
     std::map<std::string, std::uint32_t> materialIndex_;  ///< all of the scene so far
     std::map<std::string, std::uint32_t> sceneMaterials_; ///< those of the scene file, which `material` may name
-    std::map<std::string, std::shared_ptr<const Mesh>> shapes_;                     ///< by all their numbers
-    std::map<std::pair<std::string, NormalMode>, LoadedMesh> files_;                ///< by canonical path
-    std::map<std::pair<std::string, std::string>, std::uint32_t> materialOfFile_;   ///< by canonical path and MTL name
+    std::map<std::pair<std::string, NormalMode>, std::shared_ptr<const Mesh>> shapes_; ///< by ShapeRequest::id
+    std::map<std::pair<std::string, NormalMode>, LoadedMesh> files_;                   ///< by canonical path
+    std::map<std::pair<std::string, std::string>, std::uint32_t> materialOfFile_; ///< by canonical path and MTL name
     std::set<std::string> names_;
     std::map<std::string, int> lastNumber_; ///< of the names made up for unnamed objects: box, box2, box3 ...
     std::uint64_t triangles_ = 0;
@@ -63,21 +63,29 @@ JsonObject ObjectReader::checkedKeys(const JsonValue& value, const std::string& 
         document.fail(value.offset, what + " has neither \"mesh\" nor \"shape\"; add \"mesh\": \"FILE.obj\" or "
                                            "\"shape\": \"quad\" (or box, sphere, torus)");
     if (hasMesh)
-        return {document, value, what + " (a mesh)",
+        return {document,
+                value,
+                what + " (a mesh)",
                 {"name", "mesh", "material", "scale", "rotateDegrees", "translate", "normals", "castsShadow",
                  "receivesShadow", "velocity"}};
     const std::string shape = all.text("shape");
     const std::string named = what + " (a " + shown(shape) + ")";
     if (shape == "quad" || shape == "box")
-        return {document, value, named,
+        return {document,
+                value,
+                named,
                 {"name", "shape", "size", "material", "scale", "rotateDegrees", "translate", "normals", "castsShadow",
                  "receivesShadow", "velocity"}};
     if (shape == "sphere")
-        return {document, value, named,
+        return {document,
+                value,
+                named,
                 {"name", "shape", "radius", "segments", "material", "scale", "rotateDegrees", "translate", "normals",
                  "castsShadow", "receivesShadow", "velocity"}};
     if (shape == "torus")
-        return {document, value, named,
+        return {document,
+                value,
+                named,
                 {"name", "shape", "radii", "segments", "material", "scale", "rotateDegrees", "translate", "normals",
                  "castsShadow", "receivesShadow", "velocity"}};
     const std::vector<std::string> shapes{"quad", "box", "sphere", "torus"};
@@ -94,50 +102,11 @@ void ObjectReader::checkTriangles(const JsonObject& keys, std::uint64_t more) co
 }
 
 std::shared_ptr<const Mesh> ObjectReader::shape(const JsonObject& keys, NormalMode mode) {
-    const std::string kind = keys.text("shape");
-    const Range length = reading_.length();
-    constexpr int kFewest = 3, kMost = 4096; // three make the smallest closed ring
-    std::string id = kind + " " + std::to_string(static_cast<int>(mode));
-    const auto shared = [&](const auto& make) {
-        std::shared_ptr<const Mesh>& mesh = shapes_[id];
-        if (!mesh) mesh = std::make_shared<const Mesh>(withNormals(make(), mode));
-        return mesh;
-    };
-    const auto describeBy = [&](double number) { id.append(1, ' ').append(numberText(number)); };
-
-    if (kind == "quad") {
-        const dvec2 size = keys.pair("size", length);
-        describeBy(size.x), describeBy(size.y);
-        return shared([&] { return makeQuad(size); });
-    }
-    if (kind == "box") {
-        const dvec3 size = keys.vector("size", length);
-        describeBy(size.x), describeBy(size.y), describeBy(size.z);
-        return shared([&] { return makeBox(size); });
-    }
-    if (kind == "sphere") {
-        const double radius = keys.number("radius", length);
-        const int segments = keys.integer("segments", kFewest, kMost, 64);
-        checkTriangles(keys, static_cast<std::uint64_t>(segments) * static_cast<std::uint64_t>(segments));
-        describeBy(radius), describeBy(segments);
-        return shared([&] { return makeSphere(radius, segments); });
-    }
-    const dvec2 radii = keys.pair("radii", length);
-    if (!(radii.y < radii.x))
-        keys.fail("radii", "are [major, minor] = [" + numberText(radii.x) + ", " + numberText(radii.y) +
-                               "]; the minor radius must be smaller, else the torus cuts itself");
-    ivec2 segments(64, 32);
-    if (const JsonValue* value = keys.find("segments"); value && value->kind == JsonValue::Kind::array) {
-        const dvec2 both = keys.pair("segments", Range::between(kFewest, kMost));
-        if (both != glm::floor(both)) keys.fail("segments", "must be whole numbers");
-        segments = ivec2(both);
-    } else if (value) {
-        segments.x = keys.integer("segments", kFewest, kMost);
-        segments.y = std::max(kFewest, segments.x / 2);
-    }
-    checkTriangles(keys, 2 * static_cast<std::uint64_t>(segments.x) * static_cast<std::uint64_t>(segments.y));
-    describeBy(radii.x), describeBy(radii.y), describeBy(segments.x), describeBy(segments.y);
-    return shared([&] { return makeTorus(radii.x, radii.y, segments); });
+    const ShapeRequest request = readShape(reading_, keys);
+    checkTriangles(keys, request.triangles); // before anything is built
+    std::shared_ptr<const Mesh>& mesh = shapes_[{request.id, mode}];
+    if (!mesh) mesh = std::make_shared<const Mesh>(withNormals(request.make(), mode));
+    return mesh;
 }
 
 /// Index of a material that an MTL file defines, added to the scene on first use. A name that is taken gets the mesh
@@ -150,7 +119,8 @@ std::uint32_t ObjectReader::materialOfFile(const std::filesystem::path& canonica
     if (!isNew) return entry->second;
     Material material = *found;
     for (int attempt = 1; materialIndex_.contains(material.name); ++attempt)
-        material.name = name + " (" + canonical.stem().string() + (attempt == 1 ? std::string() : " no. " + std::to_string(attempt)) + ")";
+        material.name = name + " (" + canonical.stem().string() +
+                        (attempt == 1 ? std::string() : " no. " + std::to_string(attempt)) + ")";
     entry->second = static_cast<std::uint32_t>(reading_.scene.materials.size());
     materialIndex_[material.name] = entry->second;
     reading_.scene.materials.push_back(std::move(material));
@@ -184,8 +154,7 @@ ObjectReader::LoadedMesh ObjectReader::meshOf(const JsonObject& keys) {
         mode = static_cast<NormalMode>(found - modes.begin());
     }
     LoadedMesh loaded = keys.find("mesh") ? loadedFile(keys, mode) : LoadedMesh{shape(keys, mode), {kWhite}};
-    if (keys.find("material"))
-        std::ranges::fill(loaded.partMaterials, materialIndex(keys));
+    if (keys.find("material")) std::ranges::fill(loaded.partMaterials, materialIndex(keys));
     return loaded;
 }
 
@@ -193,7 +162,8 @@ std::uint32_t ObjectReader::materialIndex(const JsonObject& keys) const {
     const std::string name = keys.text("material");
     if (const auto found = sceneMaterials_.find(name); found != sceneMaterials_.end()) return found->second;
     std::vector<std::string> names;
-    for (const auto& [known, index] : sceneMaterials_) names.push_back(known);
+    for (const auto& [known, index] : sceneMaterials_)
+        names.push_back(known);
     keys.fail("material", "is " + inQuotes(name) + ", which \"materials\" does not define; " + suggestion(name, names));
 }
 
@@ -232,8 +202,9 @@ void ObjectReader::read(const JsonValue& value, const std::string& what) {
     names_.insert(object.name);
     object.mesh = std::move(loaded.mesh);
     object.partMaterials = std::move(loaded.partMaterials);
-    object.worldFromObject = worldFromObjectOf(scaleOf(keys), keys.vector("rotateDegrees", reading_.anyNumber(), dvec3(0)),
-                                               keys.vector("translate", reading_.anyNumber(), dvec3(0)));
+    object.worldFromObject =
+        worldFromObjectOf(scaleOf(keys), keys.vector("rotateDegrees", reading_.anyNumber(), dvec3(0)),
+                          keys.vector("translate", reading_.anyNumber(), dvec3(0)));
     object.castsShadow = keys.boolean("castsShadow", true);
     object.receivesShadow = keys.boolean("receivesShadow", true);
     object.velocityWorld = keys.vector("velocity", reading_.anyNumber(), dvec3(0));
@@ -252,11 +223,13 @@ void ObjectReader::read(const JsonValue& value, const std::string& what) {
 void readObjects(const SceneReading& reading, const JsonObject& top) {
     const auto values = top.array("objects");
     if (values.size() > reading.options.limits.objects)
-        top.fail("objects", "are " + std::to_string(values.size()) + ", more than the limit of " +
-                                std::to_string(reading.options.limits.objects) + "; remove some",
+        top.fail("objects",
+                 "are " + std::to_string(values.size()) + ", more than the limit of " +
+                     std::to_string(reading.options.limits.objects) + "; remove some",
                  ExitStatus::overLimit);
     ObjectReader reader(reading);
-    for (std::size_t i = 0; i < values.size(); ++i) reader.read(values[i], "object " + std::to_string(i + 1));
+    for (std::size_t i = 0; i < values.size(); ++i)
+        reader.read(values[i], "object " + std::to_string(i + 1));
 }
 
 } // namespace shadowlab::scene

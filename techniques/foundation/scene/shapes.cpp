@@ -106,7 +106,8 @@ Mesh makeSphere(double radius, int segments) {
     // Triangles: a fan at each pole, quads between the rings.
     const auto ringVertex = [n](std::uint32_t ring, std::uint32_t i) { return 1 + ring * n + i % n; };
     const auto lastRing = static_cast<std::uint32_t>(bands - 2);
-    for (std::uint32_t i = 0; i < n; ++i) mesh.triangles.emplace_back(0u, ringVertex(0, i), ringVertex(0, i + 1));
+    for (std::uint32_t i = 0; i < n; ++i)
+        mesh.triangles.emplace_back(0u, ringVertex(0, i), ringVertex(0, i + 1));
     for (std::uint32_t ring = 0; ring < lastRing; ++ring)
         for (std::uint32_t i = 0; i < n; ++i)
             addQuad(mesh, ringVertex(ring, i), ringVertex(ring + 1, i), ringVertex(ring + 1, i + 1),

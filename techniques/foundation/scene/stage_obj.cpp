@@ -127,7 +127,7 @@ std::shared_ptr<const Scene> stageObj(const std::filesystem::path& file, const L
     floor.partMaterials = {1};
     scene->lights = {keyLight(stage)};
     scene->camera = framing(stage, scene->lights.front());
-    scene->ambient = vec3(0.09f);              // umbra clearly above black
+    scene->ambient = vec3(0.09f);                  // umbra clearly above black
     scene->background = vec3(0.32f, 0.33f, 0.35f); // neutral, darker than the lit floor
     scene->objects.push_back(std::move(floor));
     scene->objects.push_back(std::move(object));

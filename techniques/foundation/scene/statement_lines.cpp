@@ -56,7 +56,8 @@ bool StatementLines::nextStatement() {
 
 std::optional<std::string_view> StatementLines::nextToken() {
     for (;;) {
-        while (cursor_ < lineEnd_ && isBlank(text_[cursor_])) ++cursor_;
+        while (cursor_ < lineEnd_ && isBlank(text_[cursor_]))
+            ++cursor_;
         if (cursor_ < lineEnd_ && text_[cursor_] == '#') {
             inComment_ = true; // a backslash at the end of a comment continues nothing: Windows paths stand there
             cursor_ = lineEnd_;
@@ -73,8 +74,10 @@ std::optional<std::string_view> StatementLines::nextToken() {
 
 std::string_view StatementLines::restOfLine() {
     std::size_t end = lineEnd_;
-    while (cursor_ < end && isBlank(text_[cursor_])) ++cursor_;
-    while (end > cursor_ && isBlank(text_[end - 1])) --end;
+    while (cursor_ < end && isBlank(text_[cursor_]))
+        ++cursor_;
+    while (end > cursor_ && isBlank(text_[end - 1]))
+        --end;
     const std::string_view rest = text_.substr(cursor_, end - cursor_);
     inComment_ = true; // the line has been read to its end, whatever its last character
     cursor_ = lineEnd_;

@@ -129,11 +129,9 @@ Visibility ExactVisibility::visibility(const EyeHit& hit, const scene::Camera& c
     if (!scene::lightShinesTo(source, hit.positionWorld)) return Visibility::turnedAway;
 
     if (!object.receivesShadow) return Visibility::lit;
-    const bool directional = source.type == scene::LightType::directional;
-    const dvec3 offset = source.positionWorld - hit.positionWorld;
-    const dvec3 toward = directional ? -source.directionWorld : glm::normalize(offset);
-    const double length = directional ? kInfinity : glm::length(offset);
-    return occluded(hit.positionWorld, toward, length, hit.object, hit.triangle) ? Visibility::shadowed : Visibility::lit;
+    bool blocked = false;
+    forEachBlocker(hit, light, [&] { return blocked = true; });
+    return blocked ? Visibility::shadowed : Visibility::lit;
 }
 
 Visibility ExactVisibility::at(const scene::Camera& camera, dvec2 pixel, ivec2 size, int light) const {
@@ -141,17 +139,9 @@ Visibility ExactVisibility::at(const scene::Camera& camera, dvec2 pixel, ivec2 s
     return hit ? visibility(*hit, camera, light) : Visibility::noSurface;
 }
 
-bool ExactVisibility::occluded(const dvec3& fromWorld, const dvec3& towardWorld, double length,
-                               std::uint32_t excludedObject, std::uint32_t excludedTriangle) const {
-    bool found = false;
-    forEachBlocker(fromWorld, towardWorld, length, excludedObject, excludedTriangle, [&] { return found = true; });
-    return found;
-}
-
-int ExactVisibility::crossings(const dvec3& fromWorld, const dvec3& towardWorld, double length,
-                               std::uint32_t excludedObject, std::uint32_t excludedTriangle) const {
+int ExactVisibility::crossings(const EyeHit& hit, int light) const {
     int count = 0;
-    forEachBlocker(fromWorld, towardWorld, length, excludedObject, excludedTriangle, [&] {
+    forEachBlocker(hit, light, [&] {
         ++count;
         return false;
     });
@@ -159,15 +149,21 @@ int ExactVisibility::crossings(const dvec3& fromWorld, const dvec3& towardWorld,
 }
 
 template <typename OnBlocker>
-void ExactVisibility::forEachBlocker(const dvec3& fromWorld, const dvec3& towardWorld, double length,
-                                     std::uint32_t excludedObject, std::uint32_t excludedTriangle,
-                                     const OnBlocker& onBlocker) const {
+void ExactVisibility::forEachBlocker(const EyeHit& hit, int light, const OnBlocker& onBlocker) const {
+    const scene::Light& source = snapshot_->lights[static_cast<std::size_t>(light)];
+    const std::vector<std::int8_t>& facing = facing_[static_cast<std::size_t>(light)];
+    const bool directional = source.type == scene::LightType::directional;
+    const dvec3 offset = source.positionWorld - hit.positionWorld;
+    const dvec3 toward = directional ? -source.directionWorld : glm::normalize(offset);
+    const double length = directional ? kInfinity : glm::length(offset);
     // Toward the sun there is no distance to take a share of: the size of the coordinates stands in for it.
-    const double contact = kContact * (std::isinf(length) ? 1e-2 * (1.0 + glm::length(fromWorld)) : length);
-    forEachHit(fromWorld, towardWorld, length, [&](std::uint32_t object, std::uint32_t triangle, const RayTriangle& hit) {
-        const bool itself = object == excludedObject && triangle == excludedTriangle;
-        const bool blocks = !itself && snapshot_->objects[object].castsShadow && hit.distance > contact && hit.distance < length;
-        return blocks && onBlocker();
+    const double contact = kContact * (directional ? 1e-2 * (1.0 + glm::length(hit.positionWorld)) : length);
+    forEachHit(hit.positionWorld, toward, length, [&](std::uint32_t object, std::uint32_t triangle, const RayTriangle& crossing) {
+        const bool itself = object == hit.object && triangle == hit.triangle;
+        // A triangle whose plane holds the light is only ever touched, at the light itself, never crossed.
+        const bool edgeOn = facing[firstTriangle_[object] + triangle] == 0;
+        const bool between = crossing.distance > contact && crossing.distance < length;
+        return !itself && !edgeOn && between && snapshot_->objects[object].castsShadow && onBlocker();
     });
 }
 

@@ -39,13 +39,8 @@ public:
     /// Both at once.
     [[nodiscard]] Visibility at(const scene::Camera& camera, dvec2 pixel, ivec2 size, int light) const;
 
-    /// Is there a casting triangle, other than `excluded` of `excludedObject`, strictly between the two points?
-    [[nodiscard]] bool occluded(const dvec3& fromWorld, const dvec3& towardWorld, double length, std::uint32_t excludedObject,
-                                std::uint32_t excludedTriangle) const;
-
-    /// Number of casting triangles crossed strictly between two points: what a stencil count should be.
-    [[nodiscard]] int crossings(const dvec3& fromWorld, const dvec3& towardWorld, double length, std::uint32_t excludedObject,
-                                std::uint32_t excludedTriangle) const;
+    /// Number of casting triangles strictly between a hit and the light's centre: what a stencil count should be.
+    [[nodiscard]] int crossings(const EyeHit& hit, int light) const;
 
 private:
     struct Triangle {
@@ -59,8 +54,7 @@ private:
     void forEachHit(const dvec3& originWorld, const dvec3& directionWorld, double length, const OnHit& onHit) const;
 
     template <typename OnBlocker>
-    void forEachBlocker(const dvec3& fromWorld, const dvec3& towardWorld, double length, std::uint32_t excludedObject,
-                        std::uint32_t excludedTriangle, const OnBlocker& onBlocker) const;
+    void forEachBlocker(const EyeHit& hit, int light, const OnBlocker& onBlocker) const;
 
     scene::Snapshot snapshot_;
     std::vector<Triangle> triangles_;         ///< of all objects

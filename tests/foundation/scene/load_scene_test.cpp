@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "tests/foundation/scene/scene_files.h"
 #include "techniques/foundation/scene/camera.h"
+#include "tests/foundation/scene/scene_files.h"
 
 namespace shadowlab::scene {
 namespace {
@@ -49,8 +49,8 @@ TEST(LoadScene, SceneFilesBeyondTheLimitAreRefused) {
 /// A tetrahedron of the given size, somewhere.
 std::string tetrahedron(double size, double offset) {
     char text[300];
-    std::snprintf(text, sizeof text, "v %.17g 0 0\nv %.17g 0 0\nv %.17g %.17g 0\nv %.17g 0 %.17g\n", offset, offset + size,
-                  offset, size, offset, size);
+    std::snprintf(text, sizeof text, "v %.17g 0 0\nv %.17g 0 0\nv %.17g %.17g 0\nv %.17g 0 %.17g\n", offset,
+                  offset + size, offset, size, offset, size);
     return text + std::string("f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
 }
 

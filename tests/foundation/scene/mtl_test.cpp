@@ -121,12 +121,11 @@ TEST(Mtl, FilesBeyondSixteenMegabytesAreRefused) {
 }
 
 TEST(Mtl, StrangeFolderAndFileNamesWork) {
-    for (const std::string& name : {std::string("a:b"), std::string("a;b"), std::string("a b"), std::string("\xc3\xa4"),
-                                    std::string("a\nb")}) {
+    for (const std::string& name :
+         {std::string("a:b"), std::string("a;b"), std::string("a b"), std::string("\xc3\xa4"), std::string("a\nb")}) {
         const TempFolder folder;
         folder.write(name + "/my file.mtl", "newmtl a\nKd 1 0 0\n");
-        const auto file =
-            folder.write(name + "/m.obj", "mtllib my file.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n");
+        const auto file = folder.write(name + "/m.obj", "mtllib my file.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n");
         const ObjFile obj = loadObj(file, NormalMode::file, {});
         ASSERT_EQ(obj.materials.size(), 1u) << name;
         EXPECT_EQ(obj.materials[0].diffuse, vec3(1, 0, 0));

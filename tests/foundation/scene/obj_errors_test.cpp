@@ -17,6 +17,7 @@ struct BadObj {
     const char* phrase;
     ExitStatus status = ExitStatus::badInput;
 };
+void PrintTo(const BadObj& bad, std::ostream* out) { *out << bad.name; }
 
 class BadObjFiles : public testing::TestWithParam<BadObj> {};
 
@@ -41,7 +42,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadObj{"IndexOverflows", kThree + "f 1 2 99999999999999999999\n", 4, "is not a valid vertex index"},
         BadObj{"IndexBeyondAtoi", kThree + "f 1 2 99999999999\n", 4, "vertex index 99999999999"},
         BadObj{"NegativeOutOfRange", kThree + "f -1 -2 -9\n", 4, "vertex index -9, but only 3"},
-        BadObj{"NegativeForward", "v 0 0 0\nf -1 -2 -3\nv 1 0 0\nv 0 1 0\n", 2, "vertex index -2, but only 1 \"v\" line"},
+        BadObj{"NegativeForward", "v 0 0 0\nf -1 -2 -3\nv 1 0 0\nv 0 1 0\n", 2,
+               "vertex index -2, but only 1 \"v\" line"},
         BadObj{"NegativeMinimum", kThree + "f 1 2 -9223372036854775808\n", 4, "but only 3"},
         BadObj{"IndexZero", kThree + "f 0 1 2\n", 4, "vertex index 0; OBJ counts from 1"},
         BadObj{"NormalOutOfRange", kThree + "vn 0 0 1\nf 1//1 2//1 3//2\n", 5, "normal index 2"},
@@ -68,8 +70,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadObj{"JunkNormal", kThree + "vn a b c\nf 1 2 3\n", 4, "\"a\" is not a number"},
         BadObj{"NulByte", kThree + std::string("f 1 2 3\0\n", 9), 4, "binary data"},
         BadObj{"NulInComment", std::string("# \0\n", 4) + kThree, 1, "binary data"},
-        BadObj{"Empty", "", 1, "has no faces"},
-        BadObj{"OnlyComments", "# nothing\n\n", 1, "is not an OBJ file"},
+        BadObj{"Empty", "", 1, "has no faces"}, BadObj{"OnlyComments", "# nothing\n\n", 1, "is not an OBJ file"},
         BadObj{"OtherText", "Dear reader,\nthis is no mesh.\n", 1, "is not an OBJ file"},
         BadObj{"OnlyVertices", kThree, 1, "no faces"},
         BadObj{"OnlyDegenerate", kThree + "f 1 1 2\n", 1, "all 1 triangle of the file are degenerate"},
@@ -147,7 +148,8 @@ TEST(ObjErrors, RandomBytesNeverLoadOrCrash) {
         try {
             const ObjFile obj = loadObj(file, NormalMode::file, {});
             for (const uvec3& t : obj.mesh.triangles)
-                for (int i = 0; i < 3; ++i) ASSERT_LT(t[i], obj.mesh.positionsMesh.size());
+                for (int i = 0; i < 3; ++i)
+                    ASSERT_LT(t[i], obj.mesh.positionsMesh.size());
         } catch (const Error& error) {
             EXPECT_NE(error.status(), ExitStatus::bug) << error.what();
         }

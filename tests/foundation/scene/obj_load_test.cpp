@@ -28,7 +28,8 @@ TEST(ObjLoad, AQuadBecomesTwoTrianglesWithFlatNormals) {
     const Mesh mesh = load(kSquare + "f 1 2 3 4\n").mesh;
     EXPECT_EQ(mesh.triangles, (std::vector<uvec3>{{0, 1, 2}, {0, 2, 3}}));
     EXPECT_EQ(mesh.positionsMesh, (std::vector<vec3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}));
-    for (const vec3& normal : mesh.normalsMesh) EXPECT_EQ(normal, vec3(0, 0, 1));
+    for (const vec3& normal : mesh.normalsMesh)
+        EXPECT_EQ(normal, vec3(0, 0, 1));
     ASSERT_EQ(mesh.parts.size(), 1u);
     EXPECT_EQ(mesh.parts[0].triangleCount, 2u);
     EXPECT_EQ(mesh.droppedTriangles, 0u);
@@ -38,7 +39,8 @@ TEST(ObjLoad, AQuadBecomesTwoTrianglesWithFlatNormals) {
 TEST(ObjLoad, EveryWayOfWritingGivesTheSameMesh) {
     const Mesh expected = load(kSquare + "f 1 2 3 4\n").mesh;
     const auto replaced = [](std::string text, char from, const std::string& to) {
-        for (std::size_t i = 0; (i = text.find(from, i)) != std::string::npos; i += to.size()) text.replace(i, 1, to);
+        for (std::size_t i = 0; (i = text.find(from, i)) != std::string::npos; i += to.size())
+            text.replace(i, 1, to);
         return text;
     };
     const std::string plain = kSquare + "f 1 2 3 4\n";
@@ -58,7 +60,8 @@ TEST(ObjLoad, EveryWayOfWritingGivesTheSameMesh) {
         {"vertex weights", "v 0 0 0 1\nv 1 0 0 2\nv 1 1 0 1\nv 0 1 0 1\nf 1 2 3 4\n"},
         {"vertex colours", "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3 4\n"},
         {"other number forms", "v 0.0 -0 +0\nv 1e0 0. .0\nv +1 100E-2 0\nv 0 0.1e+1 1e-400\nf 1 2 3 4\n"},
-        {"statements we do not know", "o thing\ng a b\ns off\n" + plain + "l 1 2\np 1\nvp 0 0\nvw 1e10 nan\ncurv 0 1 \\\nf 9\n"},
+        {"statements we do not know",
+         "o thing\ng a b\ns off\n" + plain + "l 1 2\np 1\nvp 0 0\nvw 1e10 nan\ncurv 0 1 \\\nf 9\n"},
         {"unused faraway vertex", plain + "v 1e9 1e9 1e9\n"},
     };
     for (const auto& [name, text] : ways) {
@@ -78,7 +81,8 @@ TEST(ObjLoad, TheLocaleOfStreamsChangesNothing) {
     const TempFolder folder;
     folder.write("m.mtl", "newmtl a\nKd 0.25 0.5 0.75\nNs 12345.5\n");
     std::string text = "mtllib m.mtl\nusemtl a\n";
-    for (int i = 0; i < 2000; ++i) text += "v 0.5 0 0\nv 1.25 0 0\nv 0 1.5 0\n"; // indices beyond a thousand
+    for (int i = 0; i < 2000; ++i)
+        text += "v 0.5 0 0\nv 1.25 0 0\nv 0 1.5 0\n"; // indices beyond a thousand
     const auto file = folder.write("m.obj", text + "f 4001 4002 4003\n");
     const ObjFile expected = loadObj(file, NormalMode::file, {});
     const std::locale before = std::locale::global(std::locale(std::locale::classic(), new CommaNumbers));
@@ -115,7 +119,8 @@ TEST(ObjLoad, PolygonsWithMoreThan255CornersAreWhole) {
         text += "v " + std::to_string(std::cos(2.0 * 3.14159265358979 * i / n)) + " " +
                 std::to_string(std::sin(2.0 * 3.14159265358979 * i / n)) + " 0\n";
     text += "f";
-    for (int i = 1; i <= n; ++i) text.append(" ").append(std::to_string(i));
+    for (int i = 1; i <= n; ++i)
+        text.append(" ").append(std::to_string(i));
     const ObjFile obj = load(text + "\n");
     EXPECT_EQ(obj.mesh.triangles.size() + obj.mesh.droppedTriangles, static_cast<std::size_t>(n - 2));
     EXPECT_NEAR(area(obj.mesh), 3.14159, 1e-4);
@@ -127,7 +132,8 @@ TEST(ObjLoad, DegenerateTrianglesAreDroppedAndCounted) {
     EXPECT_EQ(obj.mesh.droppedTriangles, 3u) << "repeated index, straight line, repeated corner of a quad";
     ASSERT_EQ(obj.notes.size(), 1u);
     EXPECT_TRUE(contains(obj.notes[0], "mesh.obj: dropped 3 degenerate triangles")) << obj.notes[0];
-    for (const vec3& normal : obj.mesh.normalsMesh) EXPECT_NEAR(glm::length(normal), 1.0f, 1e-6f);
+    for (const vec3& normal : obj.mesh.normalsMesh)
+        EXPECT_NEAR(glm::length(normal), 1.0f, 1e-6f);
 }
 
 TEST(ObjLoad, DetailFarFromTheOriginSurvives) {
@@ -141,14 +147,16 @@ TEST(ObjLoad, DetailFarFromTheOriginSurvives) {
     }
     for (int i = 0; i < 100; ++i) {
         text += 'f';
-        for (const int k : {1, 3, 4, 2}) text.append(" ").append(std::to_string(2 * i + k));
+        for (const int k : {1, 3, 4, 2})
+            text.append(" ").append(std::to_string(2 * i + k));
         text += '\n';
     }
     const Mesh mesh = load(text).mesh;
     EXPECT_EQ(mesh.triangles.size(), 200u);
     EXPECT_NE(mesh.originObject.x, 0.0);
     std::set<float> columns;
-    for (const vec3& p : mesh.positionsMesh) columns.insert(p.x);
+    for (const vec3& p : mesh.positionsMesh)
+        columns.insert(p.x);
     EXPECT_EQ(columns.size(), 101u);
     double x = 100000.0; // ascending, each where the file has it
     for (const float column : columns) {
@@ -172,8 +180,10 @@ TEST(ObjLoad, NormalsOfTheFileAreUsedAndMadeUnit) {
 
 TEST(ObjLoad, CornersWithoutAUsableNormalGetTheFlatOne) {
     const ObjFile obj = load(kSquare + "vn 0 0 0\nvn nan 0 1\nvn 1 0 0\nf 1//1 2//2 3\nf 1//3 3//3 4//3\n");
-    for (int i = 0; i < 3; ++i) EXPECT_EQ(obj.mesh.normalsMesh[obj.mesh.triangles[0][i]], vec3(0, 0, 1));
-    for (int i = 0; i < 3; ++i) EXPECT_EQ(obj.mesh.normalsMesh[obj.mesh.triangles[1][i]], vec3(1, 0, 0));
+    for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(obj.mesh.normalsMesh[obj.mesh.triangles[0][i]], vec3(0, 0, 1));
+    for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(obj.mesh.normalsMesh[obj.mesh.triangles[1][i]], vec3(1, 0, 0));
     ASSERT_EQ(obj.notes.size(), 1u);
     EXPECT_TRUE(contains(obj.notes[0], "mesh.obj:5: 2 normals (vn) without a direction")) << obj.notes[0];
 }
@@ -197,8 +207,8 @@ TEST(ObjLoad, EqualVerticesAreSharedAndNegativeZeroIsZero) {
     EXPECT_EQ(mesh.triangles.size(), 2u);
     std::set<std::array<std::uint32_t, 3>> bits;
     for (const vec3& p : mesh.positionsMesh)
-        bits.insert({std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y),
-                     std::bit_cast<std::uint32_t>(p.z)});
+        bits.insert(
+            {std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y), std::bit_cast<std::uint32_t>(p.z)});
     EXPECT_EQ(bits.size(), 4u);
 }
 

@@ -53,7 +53,8 @@ TEST(Triangulate, ConcavePentagonAndStar) {
         star.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
     }
     double area = 0.0;
-    for (int i = 0; i < 10; ++i) area += 0.5 * glm::cross(star[i], star[(i + 1) % 10]).z;
+    for (int i = 0; i < 10; ++i)
+        area += 0.5 * glm::cross(star[i], star[(i + 1) % 10]).z;
     expectExact(star, area);
 }
 
@@ -99,7 +100,8 @@ TEST(Triangulate, RandomStarShapedPolygonsAreCoveredExactly) {
             polygon.emplace_back(r * std::cos(angle), r * std::sin(angle), 0.0);
         }
         double area = 0.0;
-        for (int i = 0; i < n; ++i) area += 0.5 * glm::cross(polygon[i], polygon[(i + 1) % n]).z;
+        for (int i = 0; i < n; ++i)
+            area += 0.5 * glm::cross(polygon[i], polygon[(i + 1) % n]).z;
         expectExact(polygon, area);
     }
 }

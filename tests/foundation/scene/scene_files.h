@@ -45,7 +45,8 @@ private:
 };
 
 /// The Error that `action` throws; fails the test when it throws none.
-template <typename Action> Error errorOf(const Action& action) {
+template <typename Action>
+Error errorOf(const Action& action) {
     try {
         action();
     } catch (const Error& error) {
@@ -97,7 +98,8 @@ inline bool isClosed(const Mesh& mesh) {
     };
     std::map<std::pair<Place, Place>, int> edges;
     for (const uvec3& t : mesh.triangles)
-        for (int i = 0; i < 3; ++i) ++edges[{place(t[i]), place(t[(i + 1) % 3])}];
+        for (int i = 0; i < 3; ++i)
+            ++edges[{place(t[i]), place(t[(i + 1) % 3])}];
     for (const auto& [edge, count] : edges) {
         const auto reverse = edges.find({edge.second, edge.first});
         if (count != 1 || reverse == edges.end() || reverse->second != 1) return false;

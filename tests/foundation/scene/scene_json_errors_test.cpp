@@ -14,6 +14,7 @@ struct BadScene {
     const char* phrase;
     ExitStatus status = ExitStatus::badInput;
 };
+void PrintTo(const BadScene& scene, std::ostream* out) { *out << scene.name; }
 
 std::string expanded(std::string text) {
     const std::string camera = R"("camera": {"position": [0, 1, 5], "target": [0, 0, 0]})";
@@ -37,27 +38,28 @@ std::string nameOf(const testing::TestParamInfo<BadScene>& info) { return info.p
 
 INSTANTIATE_TEST_SUITE_P(
     Syntax, BadScenes,
-    testing::Values(
-        BadScene{"Empty", "", "1:1", "holds no JSON value"},
-        BadScene{"OnlyComment", "// nothing\n", "2:1", "holds no JSON value"},
-        BadScene{"NotAnObject", "[1, 2]", "1:1", "the scene is an array of 2; it must be an object"},
-        BadScene{"TrailingComma", "{CAMERA,\n}", "2:1", "unexpected '}'"},
-        BadScene{"MissingColon", "{CAMERA,\n \"ambient\" [0,0,0]}", "2:12", "unexpected '['"},
-        BadScene{"CutOff", "{CAMERA,\n \"lights\": [", "2:13", "unexpected end of input"},
-        BadScene{"TextAfterTheEnd", "{CAMERA}\nmore", "2:1", "expected end of input"},
-        BadScene{"UnclosedComment", "{CAMERA}\n/* ...", "2:7", "missing closing '*/'"},
-        BadScene{"IllFormedUtf8", "{\"\xff\": 1}", "1:3", "ill-formed UTF-8"},
-        BadScene{"NulByte", std::string("{\0}", 3), "1:2", "binary data"},
-        BadScene{"NotANumber", "{CAMERA, \"exposure\":\n NaN}", "2:2", "invalid literal"},
-        BadScene{"NumberTooLarge", "{CAMERA, \"exposure\":\n 1e400}", "2:2", "1e400"},
-        BadScene{"DuplicateKey", "{CAMERA,\n \"exposure\": 1,\n \"exposure\": 2}", "3:2",
-                 "\"exposure\" appears twice in one object, first at x.json:2:2"},
-        BadScene{"DuplicateMaterial", "{CAMERA, \"materials\": {\n\"a\": {},\n  \"a\": {}}}", "3:3", "first at x.json:2:1"},
-        BadScene{"TooDeep", std::string(65, '['), "1:65", "nested deeper than 64", ExitStatus::overLimit},
-        BadScene{"VeryDeep", std::string(200000, '['), "1:65", "nested deeper", ExitStatus::overLimit},
-        BadScene{"LineCountedThroughCrLf", "{CAMERA,\r\n\r\n\"x\": 1}", "3:1", "unknown key"},
-        BadScene{"LineCountedThroughCr", "{CAMERA,\r\r\"x\": 1}", "3:1", "unknown key"},
-        BadScene{"ColumnsCountCharacters", "{CAMERA,\n/* \xc3\xa4\xc3\xb6 */ \"x\": 1}", "2:10", "unknown key"}),
+    testing::Values(BadScene{"Empty", "", "1:1", "holds no JSON value"},
+                    BadScene{"OnlyComment", "// nothing\n", "2:1", "holds no JSON value"},
+                    BadScene{"NotAnObject", "[1, 2]", "1:1", "the scene is an array of 2; it must be an object"},
+                    BadScene{"TrailingComma", "{CAMERA,\n}", "2:1", "unexpected '}'"},
+                    BadScene{"MissingColon", "{CAMERA,\n \"ambient\" [0,0,0]}", "2:12", "unexpected '['"},
+                    BadScene{"CutOff", "{CAMERA,\n \"lights\": [", "2:13", "unexpected end of input"},
+                    BadScene{"TextAfterTheEnd", "{CAMERA}\nmore", "2:1", "expected end of input"},
+                    BadScene{"UnclosedComment", "{CAMERA}\n/* ...", "2:7", "missing closing '*/'"},
+                    BadScene{"IllFormedUtf8", "{\"\xff\": 1}", "1:3", "ill-formed UTF-8"},
+                    BadScene{"NulByte", std::string("{\0}", 3), "1:2", "binary data"},
+                    BadScene{"NotANumber", "{CAMERA, \"exposure\":\n NaN}", "2:2", "invalid literal"},
+                    BadScene{"NumberTooLarge", "{CAMERA, \"exposure\":\n 1e400}", "2:2", "1e400"},
+                    BadScene{"DuplicateKey", "{CAMERA,\n \"exposure\": 1,\n \"exposure\": 2}", "3:2",
+                             "\"exposure\" appears twice in one object, first at x.json:2:2"},
+                    BadScene{"DuplicateMaterial", "{CAMERA, \"materials\": {\n\"a\": {},\n  \"a\": {}}}", "3:3",
+                             "first at x.json:2:1"},
+                    BadScene{"TooDeep", std::string(65, '['), "1:65", "nested deeper than 64", ExitStatus::overLimit},
+                    BadScene{"VeryDeep", std::string(200000, '['), "1:65", "nested deeper", ExitStatus::overLimit},
+                    BadScene{"LineCountedThroughCrLf", "{CAMERA,\r\n\r\n\"x\": 1}", "3:1", "unknown key"},
+                    BadScene{"LineCountedThroughCr", "{CAMERA,\r\r\"x\": 1}", "3:1", "unknown key"},
+                    BadScene{"ColumnsCountCharacters", "{CAMERA,\n/* \xc3\xa4\xc3\xb6 */ \"x\": 1}", "2:10",
+                             "unknown key"}),
     nameOf);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -67,19 +69,31 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"NoTarget", "{\"camera\":\n {\"position\": [0,0,1]}}", "2:2", "the camera has no \"target\""},
         BadScene{"Misspelt", "{\"camera\": {\n\"postion\": [0,0,1]}}", "2:1", "did you mean \"position\"?"},
         BadScene{"UnknownTopKey", "{CAMERA,\n \"ligths\": []}", "2:2", "did you mean \"lights\"?"},
-        BadScene{"FovAsText", "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"fovYDegrees\": \"45\"}}", "2:16",
-                 "is the string \"45\"; it must be a number above 0 and below 180"},
-        BadScene{"FovZero", "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"fovYDegrees\": 0}}", "2:16", "above 0 and below 180"},
-        BadScene{"Fov180", "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"fovYDegrees\": 180}}", "2:16", "is 180"},
-        BadScene{"NearZero", "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"near\": 0}}", "2:9", "above 0"},
-        BadScene{"FarNotBeyondNear", "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"near\": 2, \"far\": 2}}", "2:19", "larger than near, which is 2"},
-        BadScene{"FarNull", "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"far\": null}}", "2:8", "is null"},
-        BadScene{"TargetIsPosition", "{\"camera\": {\"position\": [0,0,1],\n\"target\": [0,0,1]}}", "2:11", "camera's own position"},
-        BadScene{"UpAlongView", "{\"camera\": {\"position\": [0,9,0], \"target\": [0,0,0],\n\"up\": [0,2,0]}}", "2:7", "parallel to the view"},
-        BadScene{"DefaultUpAlongView", "{\"camera\":\n {\"position\": [0,9,0], \"target\": [0,0,0]}}", "2:2", "choose another up"},
-        BadScene{"UpZero", "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"up\": [0,0,0]}}", "2:7", "has no length"},
-        BadScene{"TwoCoordinates", "{\"camera\": {\"position\":\n [0,1], \"target\": [0,0,0]}}", "2:2", "an array of 2; it must be an array of 3 numbers"},
-        BadScene{"TextAmongCoordinates", "{\"camera\": {\"position\": [0,\n \"1\", 2], \"target\": [0,0,0]}}", "2:2", "must be a number"},
+        BadScene{"FovAsText", "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"fovYDegrees\": \"45\"}}",
+                 "2:16", "is the string \"45\"; it must be a number above 0 and below 180"},
+        BadScene{"FovZero", "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"fovYDegrees\": 0}}", "2:16",
+                 "above 0 and below 180"},
+        BadScene{"Fov180", "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"fovYDegrees\": 180}}", "2:16",
+                 "is 180"},
+        BadScene{"NearZero", "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"near\": 0}}", "2:9",
+                 "above 0"},
+        BadScene{"FarNotBeyondNear",
+                 "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"near\": 2, \"far\": 2}}", "2:19",
+                 "larger than near, which is 2"},
+        BadScene{"FarNull", "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"far\": null}}", "2:8",
+                 "is null"},
+        BadScene{"TargetIsPosition", "{\"camera\": {\"position\": [0,0,1],\n\"target\": [0,0,1]}}", "2:11",
+                 "camera's own position"},
+        BadScene{"UpAlongView", "{\"camera\": {\"position\": [0,9,0], \"target\": [0,0,0],\n\"up\": [0,2,0]}}", "2:7",
+                 "parallel to the view"},
+        BadScene{"DefaultUpAlongView", "{\"camera\":\n {\"position\": [0,9,0], \"target\": [0,0,0]}}", "2:2",
+                 "choose another up"},
+        BadScene{"UpZero", "{\"camera\": {\"position\": [0,0,1], \"target\": [0,0,0],\n\"up\": [0,0,0]}}", "2:7",
+                 "has no length"},
+        BadScene{"TwoCoordinates", "{\"camera\": {\"position\":\n [0,1], \"target\": [0,0,0]}}", "2:2",
+                 "an array of 2; it must be an array of 3 numbers"},
+        BadScene{"TextAmongCoordinates", "{\"camera\": {\"position\": [0,\n \"1\", 2], \"target\": [0,0,0]}}", "2:2",
+                 "must be a number"},
         BadScene{"TooFarAway", "{\"camera\": {\"position\": [0,\n 1e16, 2], \"target\": [0,0,0]}}", "2:2", "1e+15"},
         BadScene{"ExposureZero", "{CAMERA,\n \"exposure\": 0}", "2:14", "above 0"},
         BadScene{"AmbientNegative", "{CAMERA,\n \"ambient\": [0,-1,0]}", "2:16", "at least 0"},
@@ -97,19 +111,32 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"UnknownType", LIGHT("\"type\": \"spott\""), "2:10", "did you mean \"spot\""},
         BadScene{"NoPosition", LIGHT("\"type\": \"point\""), "2:1", "has no \"position\""},
         BadScene{"NoDirection", LIGHT("\"type\": \"directional\""), "2:1", "has no \"direction\""},
-        BadScene{"KeyOfAnotherType", LIGHT("\"type\": \"point\", \"position\": [0,1,0], \"radius\": 1"), "2:39", "unknown key \"radius\" in light 1 (type point)"},
+        BadScene{"KeyOfAnotherType", LIGHT("\"type\": \"point\", \"position\": [0,1,0], \"radius\": 1"), "2:40",
+                 "unknown key \"radius\" in light 1 (type point)"},
         BadScene{"DirectionZero", LIGHT("\"type\": \"directional\", \"direction\": [0,0,0]"), "2:38", "has no length"},
-        BadScene{"ConeTooWide", LIGHT("\"type\": \"spot\", \"position\": [0,1,0], \"coneDegrees\": 180"), "2:53", "below 180"},
-        BadScene{"EdgeBeyondHalfTheCone", LIGHT("\"type\": \"spot\", \"position\": [0,1,0], \"coneDegrees\": 40, \"edgeDegrees\": 21"), "2:72", "from 0 to 20"},
-        BadScene{"RadiusZero", LIGHT("\"type\": \"sphere\", \"position\": [0,1,0], \"radius\": 0"), "2:50", "above 1e-15"},
-        BadScene{"EdgesParallel", LIGHT("\"type\": \"rect\", \"position\": [0,1,0], \"edgeV\": [-2,0,0]"), "2:47", "parallel to edgeU"},
-        BadScene{"IntensityNegative", LIGHT("\"type\": \"point\", \"position\": [0,1,0], \"intensity\": -1"), "2:52", "at least 0"},
-        BadScene{"ColorNegative", LIGHT("\"type\": \"point\", \"position\": [0,1,0], \"color\": [1,1,-1]"), "2:53", "at least 0"},
+        BadScene{"ConeTooWide", LIGHT("\"type\": \"spot\", \"position\": [0,1,0], \"coneDegrees\": 180"), "2:54",
+                 "below 180"},
+        BadScene{"EdgeBeyondHalfTheCone",
+                 LIGHT("\"type\": \"spot\", \"position\": [0,1,0], \"coneDegrees\": 40, \"edgeDegrees\": 21"), "2:73",
+                 "from 0 to 20"},
+        BadScene{"RadiusZero", LIGHT("\"type\": \"sphere\", \"position\": [0,1,0], \"radius\": 0"), "2:51",
+                 "above 1e-15"},
+        BadScene{"EdgesParallel", LIGHT("\"type\": \"rect\", \"position\": [0,1,0], \"edgeV\": [-2,0,0]"), "2:48",
+                 "parallel to edgeU"},
+        BadScene{"IntensityNegative", LIGHT("\"type\": \"point\", \"position\": [0,1,0], \"intensity\": -1"), "2:53",
+                 "at least 0"},
+        BadScene{"ColorNegative", LIGHT("\"type\": \"point\", \"position\": [0,1,0], \"color\": [1,1,-1]"), "2:54",
+                 "at least 0"},
         BadScene{"NameEmpty", LIGHT("\"name\": \"\", \"type\": \"point\", \"position\": [0,1,0]"), "2:10", "is empty"},
-        BadScene{"NameWithNewline", LIGHT("\"name\": \"a\\nb\", \"type\": \"point\", \"position\": [0,1,0]"), "2:10", "control character"},
-        BadScene{"TwoOfOneName", "{CAMERA, \"lights\": [\n{\"name\": \"a\", \"type\": \"point\", \"position\": [0,1,0]},\n{\"name\": \"a\", \"type\": \"point\", \"position\": [0,1,0]}]}",
+        BadScene{"NameWithNewline", LIGHT("\"name\": \"a\\nb\", \"type\": \"point\", \"position\": [0,1,0]"), "2:10",
+                 "control character"},
+        BadScene{"TwoOfOneName",
+                 "{CAMERA, \"lights\": [\n{\"name\": \"a\", \"type\": \"point\", \"position\": [0,1,0]},\n{\"name\": "
+                 "\"a\", \"type\": \"point\", \"position\": [0,1,0]}]}",
                  "3:10", "two lights are named \"a\", the first at x.json:2:10"},
-        BadScene{"NameTakenByAnUnnamedOne", "{CAMERA, \"lights\": [\n{\"type\": \"point\", \"position\": [0,1,0]},\n{\"name\": \"light1\", \"type\": \"point\", \"position\": [0,1,0]}]}",
+        BadScene{"NameTakenByAnUnnamedOne",
+                 "{CAMERA, \"lights\": [\n{\"type\": \"point\", \"position\": [0,1,0]},\n{\"name\": \"light1\", "
+                 "\"type\": \"point\", \"position\": [0,1,0]}]}",
                  "3:10", "the first at x.json:2:1"}),
     nameOf);
 
@@ -117,19 +144,19 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Materials, BadScenes,
-    testing::Values(
-        BadScene{"NotAnObject", "{CAMERA,\n \"materials\": []}", "2:15", "must be an object"},
-        BadScene{"UnknownKey", MATERIAL("\"difuse\": [1,1,1]"), "2:1", "did you mean \"diffuse\"?"},
-        BadScene{"DiffuseAboveOne", MATERIAL("\"diffuse\": [1,1.5,1]"), "2:15", "\"diffuse\" of material 'a' is 1.5; it must be a number from 0 to 1"},
-        BadScene{"ShininessNegative", MATERIAL("\"shininess\": -1"), "2:14", "from 0 to"},
-        BadScene{"ReflectivityAboveOne", MATERIAL("\"reflectivity\": 2"), "2:17", "from 0 to 1"},
-        BadScene{"TransparencyNegative", MATERIAL("\"transparency\": -0.1"), "2:17", "from 0 to 1"},
-        BadScene{"IorZero", MATERIAL("\"ior\": 0"), "2:8", "from 0.1 to 10"},
-        BadScene{"PriorityNotWhole", MATERIAL("\"priority\": 1.5"), "2:13", "whole number"},
-        BadScene{"GlossTooWide", MATERIAL("\"glossDegrees\": 91"), "2:17", "from 0 to 90"},
-        BadScene{"EmissionNegative", MATERIAL("\"emission\": [0,0,-1]"), "2:18", "at least 0"},
-        BadScene{"AlphaMapMissing", MATERIAL("\"alphaMap\": \"none.png\""), "2:13", "No such file"},
-        BadScene{"AlphaMapOutside", MATERIAL("\"alphaMap\": \"/etc/passwd\""), "2:13", "--allow DIR"}),
+    testing::Values(BadScene{"NotAnObject", "{CAMERA,\n \"materials\": []}", "2:15", "must be an object"},
+                    BadScene{"UnknownKey", MATERIAL("\"difuse\": [1,1,1]"), "2:1", "did you mean \"diffuse\"?"},
+                    BadScene{"DiffuseAboveOne", MATERIAL("\"diffuse\": [1,1.5,1]"), "2:15",
+                             "\"diffuse\" of material 'a' is 1.5; it must be a number from 0 to 1"},
+                    BadScene{"ShininessNegative", MATERIAL("\"shininess\": -1"), "2:14", "from 0 to"},
+                    BadScene{"ReflectivityAboveOne", MATERIAL("\"reflectivity\": 2"), "2:17", "from 0 to 1"},
+                    BadScene{"TransparencyNegative", MATERIAL("\"transparency\": -0.1"), "2:17", "from 0 to 1"},
+                    BadScene{"IorZero", MATERIAL("\"ior\": 0"), "2:8", "from 0.1 to 10"},
+                    BadScene{"PriorityNotWhole", MATERIAL("\"priority\": 1.5"), "2:13", "whole number"},
+                    BadScene{"GlossTooWide", MATERIAL("\"glossDegrees\": 91"), "2:17", "from 0 to 90"},
+                    BadScene{"EmissionNegative", MATERIAL("\"emission\": [0,0,-1]"), "2:18", "at least 0"},
+                    BadScene{"AlphaMapMissing", MATERIAL("\"alphaMap\": \"none.png\""), "2:13", "No such file"},
+                    BadScene{"AlphaMapOutside", MATERIAL("\"alphaMap\": \"/etc/passwd\""), "2:13", "--allow DIR"}),
     nameOf);
 
 #define OBJECT(keys) "{CAMERA, \"objects\": [\n{" keys "}]}"
@@ -144,23 +171,34 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"NoSize", OBJECT("\"shape\": \"quad\""), "2:1", "object 1 (a quad) has no \"size\""},
         BadScene{"NoRadius", OBJECT("\"shape\": \"sphere\""), "2:1", "has no \"radius\""},
         BadScene{"NoRadii", OBJECT("\"shape\": \"torus\""), "2:1", "has no \"radii\""},
-        BadScene{"KeyOfAnotherShape", OBJECT("\"shape\": \"box\", \"radius\": 1"), "2:18", "unknown key \"radius\" in object 1 (a box)"},
-        BadScene{"SizeOfAMesh", OBJECT("\"mesh\": \"a.obj\", \"size\": [1,1]"), "2:19", "unknown key \"size\" in object 1 (a mesh)"},
+        BadScene{"KeyOfAnotherShape", OBJECT("\"shape\": \"box\", \"radius\": 1"), "2:18",
+                 "unknown key \"radius\" in object 1 (a box)"},
+        BadScene{"SizeOfAMesh", OBJECT("\"mesh\": \"a.obj\", \"size\": [1,1]"), "2:19",
+                 "unknown key \"size\" in object 1 (a mesh)"},
         BadScene{"SizeNegative", OBJECT("\"shape\": \"quad\", \"size\": [1,-1]"), "2:30", "is -1"},
         BadScene{"SizeZero", OBJECT("\"shape\": \"box\", \"size\": [1,0,1]"), "2:29", "is 0"},
         BadScene{"BoxWithTwo", OBJECT("\"shape\": \"box\", \"size\": [1,1]"), "2:26", "array of 3 numbers"},
-        BadScene{"SegmentsTooFew", OBJECT("\"shape\": \"sphere\", \"radius\": 1, \"segments\": 2"), "2:46", "whole number from 3 to 4096"},
-        BadScene{"SegmentsTooMany", OBJECT("\"shape\": \"sphere\", \"radius\": 1, \"segments\": 5000"), "2:46", "from 3 to 4096"},
-        BadScene{"SegmentsNotWhole", OBJECT("\"shape\": \"torus\", \"radii\": [1,0.3], \"segments\": [8,4.5]"), "2:51", "whole numbers"},
-        BadScene{"TorusCutsItself", OBJECT("\"shape\": \"torus\", \"radii\": [1,1]"), "2:29", "minor radius must be smaller"},
-        BadScene{"ScaleZero", OBJECT("\"shape\": \"quad\", \"size\": [1,1], \"scale\": [1,0,1]"), "2:44", "is 0 along y"},
-        BadScene{"ScaleText", OBJECT("\"shape\": \"quad\", \"size\": [1,1], \"scale\": \"2\""), "2:44", "must be a number"},
-        BadScene{"CastsShadowNumber", OBJECT("\"shape\": \"quad\", \"size\": [1,1], \"castsShadow\": 1"), "2:50", "must be true or false"},
-        BadScene{"UnknownMaterial", OBJECT("\"shape\": \"quad\", \"size\": [1,1], \"material\": \"whit\""), "2:47", "did you mean \"white\"?"},
-        BadScene{"UnknownNormals", OBJECT("\"shape\": \"quad\", \"size\": [1,1], \"normals\": \"smoth\""), "2:46", "did you mean \"smooth\"?"},
-        BadScene{"BeyondTheLimit", OBJECT("\"shape\": \"quad\", \"size\": [1,1], \"scale\": 1e10, \"translate\": [1e15,0,0]"), "2:1", "reaches beyond"},
-        BadScene{"TooManyTriangles", OBJECT("\"shape\": \"torus\", \"radii\": [1,0.3], \"segments\": 4096}, {\"shape\": \"torus\", \"radii\": [1,0.2], \"segments\": 4096"),
-                 "2:62", "more than the limit of 20000000", ExitStatus::overLimit},
+        BadScene{"SegmentsTooFew", OBJECT("\"shape\": \"sphere\", \"radius\": 1, \"segments\": 2"), "2:46",
+                 "whole number from 3 to 4096"},
+        BadScene{"SegmentsTooMany", OBJECT("\"shape\": \"sphere\", \"radius\": 1, \"segments\": 5000"), "2:46",
+                 "from 3 to 4096"},
+        BadScene{"SegmentsNotWhole", OBJECT("\"shape\": \"torus\", \"radii\": [1,0.3], \"segments\": [8,4.5]"), "2:50",
+                 "write whole numbers"},
+        BadScene{"TorusCutsItself", OBJECT("\"shape\": \"torus\", \"radii\": [1,1]"), "2:29",
+                 "minor radius must be smaller"},
+        BadScene{"ScaleZero", OBJECT("\"shape\": \"quad\", \"size\": [1,1], \"scale\": [1,0,1]"), "2:43",
+                 "is 0 along y"},
+        BadScene{"ScaleText", OBJECT("\"shape\": \"quad\", \"size\": [1,1], \"scale\": \"2\""), "2:43",
+                 "must be a number"},
+        BadScene{"CastsShadowNumber", OBJECT("\"shape\": \"quad\", \"size\": [1,1], \"castsShadow\": 1"), "2:49",
+                 "must be true or false"},
+        BadScene{"UnknownMaterial", OBJECT("\"shape\": \"quad\", \"size\": [1,1], \"material\": \"whit\""), "2:46",
+                 "did you mean \"white\"?"},
+        BadScene{"UnknownNormals", OBJECT("\"shape\": \"quad\", \"size\": [1,1], \"normals\": \"smoth\""), "2:45",
+                 "did you mean \"smooth\"?"},
+        BadScene{"BeyondTheLimit",
+                 OBJECT("\"shape\": \"quad\", \"size\": [1,1], \"scale\": 1e10, \"translate\": [1e15,0,0]"), "2:1",
+                 "reaches beyond"},
         BadScene{"MeshMissing", OBJECT("\"mesh\": \"none.obj\""), "2:10", "No such file or directory"},
         BadScene{"MeshOutside", OBJECT("\"mesh\": \"/etc/passwd\""), "2:10", "--allow DIR"},
         BadScene{"MeshAbove", OBJECT("\"mesh\": \"../../../../../../etc/passwd\""), "2:10", "outside the folders"},
@@ -190,9 +228,10 @@ TEST(SceneJsonErrors, FaultsInsideAMeshNameTheMeshFileAndItsLine) {
     const TempFolder folder;
     folder.write("bad.obj", "v 0 0 0\nv 1 0 z\n");
     const auto file = folder.write("s.json", "");
-    const std::string message = errorOf([&] {
-        (void)parseSceneJson(expanded("{CAMERA, \"objects\": [{\"mesh\": \"bad.obj\"}]}"), file, {});
-    }).what();
+    const std::string message =
+        errorOf([&] {
+            (void)parseSceneJson(expanded("{CAMERA, \"objects\": [{\"mesh\": \"bad.obj\"}]}"), file, {});
+        }).what();
     EXPECT_TRUE(message.starts_with((folder.path() / "bad.obj").string() + ":2: \"z\" is not a number")) << message;
 }
 
@@ -200,9 +239,10 @@ TEST(SceneJsonErrors, AFifoAsMeshDoesNotHang) {
     const TempFolder folder;
     ASSERT_EQ(::mkfifo((folder.path() / "pipe.obj").c_str(), 0600), 0);
     const auto file = folder.write("s.json", "");
-    const std::string message = errorOf([&] {
-        (void)parseSceneJson(expanded("{CAMERA, \"objects\": [{\"mesh\": \"pipe.obj\"}]}"), file, {});
-    }).what();
+    const std::string message =
+        errorOf([&] {
+            (void)parseSceneJson(expanded("{CAMERA, \"objects\": [{\"mesh\": \"pipe.obj\"}]}"), file, {});
+        }).what();
     EXPECT_TRUE(contains(message, "is not a regular file")) << message;
 }
 
@@ -210,10 +250,21 @@ TEST(SceneJsonErrors, CountsBeyondTheLimitsEndWithTheirOwnStatus) {
     LoadOptions options;
     options.limits.lights = 1;
     options.limits.objects = 1;
-    const std::string light = R"({"type": "directional", "direction": [0,-1,0]})", box = R"({"shape": "box", "size": [1,1,1]})";
-    for (const std::string& list : {"\"lights\": [" + light + "," + light + "]", "\"objects\": [" + box + "," + box + "]"})
-        EXPECT_EQ(errorOf([&] { (void)parseSceneJson(expanded("{CAMERA, " + list + "}"), "x.json", options); }).status(),
-                  ExitStatus::overLimit);
+    const std::string light = R"({"type": "directional", "direction": [0,-1,0]})",
+                      box = R"({"shape": "box", "size": [1,1,1]})";
+    for (const std::string& list :
+         {"\"lights\": [" + light + "," + light + "]", "\"objects\": [" + box + "," + box + "]"})
+        EXPECT_EQ(
+            errorOf([&] { (void)parseSceneJson(expanded("{CAMERA, " + list + "}"), "x.json", options); }).status(),
+            ExitStatus::overLimit);
+
+    options = {};
+    options.limits.triangles = 30;
+    const std::string boxes = "\"objects\": [" + box + "," + box + "," + "\n" + box + "]";
+    const Error error = errorOf([&] { (void)parseSceneJson(expanded("{CAMERA, " + boxes + "}"), "x.json", options); });
+    EXPECT_EQ(error.status(), ExitStatus::overLimit);
+    EXPECT_TRUE(contains(error.what(), "x.json:2:1: object 3 (a box) brings the scene to 36 triangles"))
+        << error.what();
 }
 
 } // namespace

@@ -16,8 +16,10 @@ TEST(Shapes, QuadHasFourVerticesAndTwoTrianglesFacingUp) {
     EXPECT_EQ(quad.positionsMesh.size(), 4u);
     EXPECT_EQ(quad.triangles.size(), 2u);
     EXPECT_EQ(areaVectorSum(quad), dvec3(0.0, 12.0, 0.0));
-    for (const vec3& normal : quad.normalsMesh) EXPECT_EQ(normal, vec3(0.0f, 1.0f, 0.0f));
-    for (const vec3& position : quad.positionsMesh) EXPECT_EQ(glm::abs(position), vec3(2.0f, 0.0f, 1.5f));
+    for (const vec3& normal : quad.normalsMesh)
+        EXPECT_EQ(normal, vec3(0.0f, 1.0f, 0.0f));
+    for (const vec3& position : quad.positionsMesh)
+        EXPECT_EQ(glm::abs(position), vec3(2.0f, 0.0f, 1.5f));
 }
 
 TEST(Shapes, BoxIsClosedOutwardAndExact) {
@@ -26,7 +28,8 @@ TEST(Shapes, BoxIsClosedOutwardAndExact) {
     EXPECT_EQ(box.positionsMesh.size(), 24u) << "flat faces share no vertex";
     EXPECT_TRUE(isClosed(box));
     EXPECT_DOUBLE_EQ(volume(box), 6.0);
-    for (const vec3& position : box.positionsMesh) EXPECT_EQ(glm::abs(position), vec3(0.5f, 1.0f, 1.5f));
+    for (const vec3& position : box.positionsMesh)
+        EXPECT_EQ(glm::abs(position), vec3(0.5f, 1.0f, 1.5f));
 }
 
 TEST(Shapes, ShadingNormalsAgreeWithTheWinding) {
@@ -35,7 +38,8 @@ TEST(Shapes, ShadingNormalsAgreeWithTheWinding) {
         for (const uvec3& t : mesh.triangles) {
             const dvec3 a(mesh.positionsMesh[t.x]), b(mesh.positionsMesh[t.y]), c(mesh.positionsMesh[t.z]);
             const dvec3 geometric = glm::cross(b - a, c - a);
-            for (int i = 0; i < 3; ++i) EXPECT_GT(glm::dot(geometric, dvec3(mesh.normalsMesh[t[i]])), 0.0);
+            for (int i = 0; i < 3; ++i)
+                EXPECT_GT(glm::dot(geometric, dvec3(mesh.normalsMesh[t[i]])), 0.0);
         }
 }
 
@@ -68,7 +72,8 @@ TEST(Shapes, SphereVerticesLieOnTheSphereAndPolesAreExact) {
 TEST(Shapes, SpheresAreExactlySymmetric) {
     const Mesh sphere = makeSphere(0.7, 64);
     std::set<std::array<float, 3>> places;
-    for (const vec3& p : sphere.positionsMesh) places.insert({p.x, p.y, p.z});
+    for (const vec3& p : sphere.positionsMesh)
+        places.insert({p.x, p.y, p.z});
     for (const vec3& p : sphere.positionsMesh) {
         EXPECT_TRUE(places.contains({-p.x + 0.0f, p.y, p.z}));
         EXPECT_TRUE(places.contains({p.x, -p.y + 0.0f, p.z}));
@@ -93,14 +98,16 @@ TEST(Shapes, ParallelogramFacesTheCrossProductOfItsEdges) {
     EXPECT_EQ(mesh.triangles.size(), 2u);
     EXPECT_EQ(areaVectorSum(mesh), glm::cross(u, v));
     vec3 sum(0.0f);
-    for (const vec3& p : mesh.positionsMesh) sum += p;
+    for (const vec3& p : mesh.positionsMesh)
+        sum += p;
     EXPECT_EQ(sum, vec3(0.0f)) << "centred on the origin";
 }
 
 TEST(Shapes, NoNegativeZerosSoThatEqualPositionsHaveEqualBits) {
     for (const Mesh& mesh : {makeQuad({1, 1}), makeBox({1, 1, 1}), makeSphere(1.0, 8), makeTorus(1.0, 0.25, {8, 8})})
         for (const vec3& p : mesh.positionsMesh)
-            for (int axis = 0; axis < 3; ++axis) EXPECT_FALSE(p[axis] == 0.0f && std::signbit(p[axis]));
+            for (int axis = 0; axis < 3; ++axis)
+                EXPECT_FALSE(p[axis] == 0.0f && std::signbit(p[axis]));
 }
 
 TEST(Normals, FlatGivesEachTriangleItsOwnNormalAndKeepsTheOrder) {

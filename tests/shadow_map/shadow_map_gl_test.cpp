@@ -1,0 +1,137 @@
+// Shadow maps against the exact judge: whatever is wrong is wrong near an edge of the truth, within the texels' reach.
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "techniques/foundation/scene/casters.h"
+#include "techniques/foundation/scene/shapes.h"
+#include "techniques/shadow_map/light_maps.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/scenes.h"
+#include "tests/support/truth_comparison.h"
+
+namespace shadowlab {
+namespace {
+
+using testing::compareWithTruth;
+using testing::TruthComparison;
+using ShadowMapTest = testing::GlTest;
+
+constexpr ivec2 kSize{320, 240};
+const std::vector<std::string> kHard = {"filter=hard", "resolution=1024"};
+
+/// max(1.5 px, 1.5 projected texels): a texel, seen from the light, covers texel / cos(angle to the light) of a surface;
+/// seen from the eye that is at most so many pixels.
+testing::TieRadius edgeReach(const scene::Snapshot& snapshot, int light, int resolution, ivec2 size, double texels) {
+    const scene::Light& source = snapshot->lights[static_cast<std::size_t>(light)];
+    const auto maps = shadow_map::fitLightMaps(*snapshot, source, scene::usefulCasters(*snapshot, source), resolution, 1);
+    return [=](const std::optional<trace::EyeHit>& hit) {
+        if (!hit) return 1.5;
+        const dmat4& clip = maps.lightClipFromLightView[0];
+        const dvec3 offset = source.positionWorld - hit->positionWorld;
+        const double distance = maps.parallel ? 1.0 : glm::length(offset);
+        const double texel = 2.0 / (std::min(clip[0][0], clip[1][1]) * resolution) * distance;
+        const dvec3 toLight = maps.parallel ? -source.directionWorld : glm::normalize(offset);
+        const double onSurface = texel / std::max(0.02, std::abs(glm::dot(toLight, hit->geometricNormalWorld)));
+        const double pixelsPerMetre = size.y / (2 * std::tan(snapshot->camera.fovYDegrees * M_PI / 360) * hit->distance);
+        return std::max(1.5, texels * onSurface * pixelsPerMetre);
+    };
+}
+
+void expectOnlyEdgeErrors(const scene::Scene& scene, const std::vector<std::string>& settings, double texels, int resolution = 1024) {
+    const auto snapshot = testing::snapshot(scene);
+    for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
+        const TruthComparison sum = compareWithTruth(snapshot, "shadow-map", settings, kSize, light, edgeReach(snapshot, light, resolution, kSize, texels));
+        std::cout << scene.lights[static_cast<std::size_t>(light)].name << ": " << sum << "\n";
+        EXPECT_GT(sum.lit, 500);
+        EXPECT_GT(sum.shadowed, 500);
+        EXPECT_EQ(sum.wrong(), 0) << sum;
+        EXPECT_LT(sum.ties, sum.compared / 20) << "edges everywhere: the test says nothing";
+    }
+}
+
+scene::Light spot(const dvec3& position, const dvec3& direction, double coneDegrees) {
+    scene::Light light = testing::pointLight(position);
+    light.name = "spot" + std::to_string(static_cast<int>(coneDegrees));
+    light.type = scene::LightType::spot;
+    light.directionWorld = glm::normalize(direction);
+    light.coneDegrees = coneDegrees;
+    return light;
+}
+
+TEST_F(ShadowMapTest, EveryLightTypeIsWrongOnlyNearEdges) {
+    scene::Scene scene = testing::simpleScene();
+    scene.lights.push_back(testing::directionalLight({0.5, -1, 0.25}));
+    scene.lights.push_back(spot({-1, 5, 3}, {0.2, -1, -0.5}, 60));
+    scene.lights.push_back(spot({-1, 3, 2}, {0.2, -1, -0.5}, 150));
+    expectOnlyEdgeErrors(scene, kHard, 1.5);
+}
+
+TEST_F(ShadowMapTest, PcfIsWrongOnlyWithinItsKernel) {
+    scene::Scene scene = testing::simpleScene();
+    scene.lights.push_back(testing::directionalLight({0.5, -1, 0.25}));
+    expectOnlyEdgeErrors(scene, {"filter=pcf", "pcf-radius=1", "resolution=1024"}, 3.0);
+}
+
+TEST_F(ShadowMapTest, LightAmidTheCastersHasNoSeams) {
+    scene::Scene scene = testing::floorScene();
+    scene.lights.push_back(testing::pointLight({0, 1, 0}));
+    // Casters across the diagonals, where two of the six maps meet.
+    for (const dvec3 at : {dvec3(1, 0.5, 1), dvec3(-1, 0.5, 1), dvec3(1, 0.5, -1), dvec3(-1, 0.5, -1)})
+        testing::addObject(scene, scene::makeBox({0.5, 0.5, 0.5}), testing::translation(at));
+    expectOnlyEdgeErrors(scene, kHard, 1.5);
+    expectOnlyEdgeErrors(scene, {"filter=pcf", "pcf-radius=3", "resolution=1024"}, 7.0);
+}
+
+TEST_F(ShadowMapTest, NothingShadowedMeansNoAcneAtAnyElevation) {
+    for (const double elevation : {1.0, 5.0, 10.0, 30.0, 60.0, 90.0})
+        for (const char* filter : {"filter=hard", "filter=pcf"}) {
+            scene::Scene scene = testing::floorScene();
+            const double radians = elevation * M_PI / 180;
+            scene.lights.push_back(testing::directionalLight({-std::cos(radians), -std::sin(radians), 0}));
+            const TruthComparison sum = compareWithTruth(testing::snapshot(scene), "shadow-map", {filter, "cull=false"}, kSize, 0, testing::kTiePx);
+            EXPECT_GT(sum.lit, 20000);
+            EXPECT_EQ(sum.falseShadow, 0) << elevation << " degrees, " << filter << ": " << sum;
+        }
+}
+
+TEST_F(ShadowMapTest, WithoutSlopeBiasThereIsAcne) {
+    scene::Scene scene = testing::floorScene();
+    scene.lights.push_back(testing::directionalLight({-1, -0.5, 0.3}));
+    const auto snapshot = testing::snapshot(scene);
+    const TruthComparison without = compareWithTruth(snapshot, "shadow-map", {"slope-bias=0", "constant-bias=0", "cull=false"}, kSize, 0, testing::kTiePx);
+    EXPECT_GT(without.falseShadow, 2000) << without;
+}
+
+TEST_F(ShadowMapTest, BehindASpotNothingIsMirrored) {
+    scene::Scene scene = testing::floorScene();
+    scene.lights.push_back(spot({0, 1, 0}, {1, 0, 0}, 90));
+    testing::addObject(scene, scene::makeBox({0.5, 0.5, 0.5}), testing::translation({2, 0.75, 0}));
+    testing::addObject(scene, scene::makeBox({0.2, 2, 4}), testing::translation({-3, 1, 0}));
+    const TruthComparison sum = compareWithTruth(testing::snapshot(scene), "shadow-map", {"filter=hard"}, kSize, 0, 3.0);
+    EXPECT_GT(sum.lit, 500);
+    EXPECT_EQ(sum.wrong(), 0) << sum;
+}
+
+TEST_F(ShadowMapTest, CullingChangesNoByte) {
+    scene::Scene scene = testing::simpleScene();
+    scene.lights.push_back(testing::directionalLight({0.5, -1, 0.25}));
+    const auto snapshot = testing::snapshot(scene);
+    for (const int light : {0, 1}) {
+        const auto with = testing::renderVisibility(snapshot, "shadow-map", {"cull=true"}, kSize, light);
+        const auto without = testing::renderVisibility(snapshot, "shadow-map", {"cull=false"}, kSize, light);
+        EXPECT_EQ(with.greyAlpha, without.greyAlpha);
+    }
+}
+
+TEST_F(ShadowMapTest, PcfOfRadiusZeroIsTheHardMap) {
+    const auto snapshot = testing::snapshot(testing::simpleScene());
+    EXPECT_EQ(testing::renderVisibility(snapshot, "shadow-map", {"filter=hard"}, kSize, 0).greyAlpha,
+              testing::renderVisibility(snapshot, "shadow-map", {"filter=pcf", "pcf-radius=0"}, kSize, 0).greyAlpha);
+}
+
+TEST_F(ShadowMapTest, MovedFarFromTheOrigin) {
+    expectOnlyEdgeErrors(testing::moved(testing::simpleScene(), dvec3(1e6, -1e6, 1e6)), kHard, 1.5);
+}
+
+} // namespace
+} // namespace shadowlab

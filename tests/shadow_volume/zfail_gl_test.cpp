@@ -1,0 +1,126 @@
+// Depth-fail shadow volumes against the exact judge, on scenes made to break them, and the naive variants that must fail.
+// SPDX-License-Identifier: MIT
+#include "tests/support/gl_fixture.h"
+#include "tests/support/hard_scenes.h"
+#include "tests/support/scenes.h"
+#include "tests/support/truth_comparison.h"
+#include "techniques/foundation/scene/shapes.h"
+
+namespace shadowlab {
+namespace {
+
+using testing::HardClass;
+using testing::compareWithTruth;
+using testing::TruthComparison;
+using ZFailTest = testing::GlTest;
+
+constexpr ivec2 kSize{160, 120};
+
+using testing::kTiePx;
+
+// Isolated pixels at cracks between side faces whose far vertices are at infinity: the rasteriser's clipping rounds.
+// About 2e-6 of the
+// pixels here; other rasterisers clip a little worse.
+constexpr double kCrackShare = 3e-5;
+
+int scenesPerClass() { return std::getenv("SHADOWLAB_LONG") ? 200 : 12; }
+
+TruthComparison overClass(HardClass hardClass, bool directional, const std::vector<std::string>& settings, int scenes) {
+    TruthComparison sum;
+    for (int i = 0; i < scenes; ++i) {
+        const auto scene = testing::snapshot(testing::hardScene(hardClass, static_cast<unsigned>(i), directional));
+        const TruthComparison one = compareWithTruth(scene, "shadow-volume-zfail", settings, kSize, 0, kTiePx);
+        if (one.wrong() > 3 && settings.empty()) std::cout << toText(hardClass) << " scene " << i << ": " << one << "\n";
+        sum += one;
+    }
+    return sum;
+}
+
+TEST_F(ZFailTest, EveryHardClassIsExactUpToCracks) {
+    TruthComparison all;
+    for (const bool directional : {false, true})
+        for (const HardClass hardClass : testing::kHardClasses) {
+            const TruthComparison sum = overClass(hardClass, directional, {}, scenesPerClass());
+            std::cout << toText(hardClass) << (directional ? ", directional: " : ", point: ") << sum << "\n";
+            // Inside a closed tube nothing is lit: light only leaves through the holes of half the scenes.
+            EXPECT_GT(sum.lit, hardClass == HardClass::lightInMesh ? 100 : 500);
+            EXPECT_GT(sum.shadowed, 500);
+            all += sum;
+        }
+    EXPECT_LE(all.wrong(), kCrackShare * all.compared) << all;
+}
+
+// The same comparison must see each classical fault, or it proves nothing.
+TEST_F(ZFailTest, WithoutCapsItIsWrong) {
+    const TruthComparison sum = overClass(HardClass::torus, false, {"caps=false"}, 4);
+    EXPECT_GT(sum.wrong(), sum.compared / 100) << sum;
+}
+TEST_F(ZFailTest, WithLequalItFightsWithItsOwnSurface) {
+    const TruthComparison sum = overClass(HardClass::soup, false, {"depth-test=lequal"}, 4);
+    EXPECT_GT(sum.falseShadow, sum.compared / 100) << sum;
+}
+TEST_F(ZFailTest, WithoutWrappingItLosesCounts) {
+    const TruthComparison sum = overClass(HardClass::torus, false, {"wrap=false"}, 4);
+    EXPECT_GT(sum.wrong(), sum.compared / 1000) << sum;
+}
+
+TEST_F(ZFailTest, TwoPassesGiveTheSamePixelsAsOne) {
+    const auto scene = testing::snapshot(testing::hardScene(HardClass::nonManifold, 3, false));
+    const TruthComparison one = compareWithTruth(scene, "shadow-volume-zfail", {}, kSize, 0, kTiePx);
+    const TruthComparison two = compareWithTruth(scene, "shadow-volume-zfail", {"two-sided=false"}, kSize, 0, kTiePx);
+    EXPECT_GT(one.shadowed, 500);
+    EXPECT_EQ(one.wrong(), two.wrong());
+    EXPECT_EQ(one.ties, two.ties);
+}
+
+TEST_F(ZFailTest, EyeInsideAShadowVolume) {
+    scene::Scene scene = testing::floorScene();
+    testing::addObject(scene, scene::makeQuad({4, 4}), testing::translation({0, 2, 0}));
+    testing::addObject(scene, scene::makeBox({0.5, 0.5, 0.5}), testing::translation({1, 0.25, -1.5}));
+    scene.camera.positionWorld = {0, 0.5, 0};
+    scene.camera.targetWorld = {1, 0.25, -4};
+    scene.lights.push_back(testing::pointLight({0, 5, 0}));
+    const TruthComparison sum = compareWithTruth(testing::snapshot(scene), "shadow-volume-zfail", {}, {320, 240}, 0, kTiePx);
+    EXPECT_GT(sum.lit, 500);
+    EXPECT_GT(sum.shadowed, 500);
+    EXPECT_EQ(sum.wrong(), 0) << sum;
+}
+
+TEST_F(ZFailTest, MovedFarFromTheOrigin) {
+    const scene::Scene scene = testing::simpleScene();
+    for (const double offset : {1e5, 1e6}) {
+        const auto far = testing::snapshot(testing::moved(scene, dvec3(offset, -offset, offset)));
+        const TruthComparison sum = compareWithTruth(far, "shadow-volume-zfail", {}, {320, 240}, 0, kTiePx);
+        EXPECT_GT(sum.shadowed, 500);
+        EXPECT_LE(sum.wrong(), 2) << offset << ": " << sum; // 3e-5 of the pixels
+    }
+}
+
+TEST_F(ZFailTest, MirroredAndScaledCasters) {
+    scene::Scene scene = testing::floorScene();
+    dmat4 mirror = testing::translation({-1, 1, 0});
+    mirror[0][0] = -1.5;
+    mirror[1][1] = 0.75;
+    testing::addObject(scene, scene::makeTorus(0.75, 0.25, {24, 12}), mirror);
+    testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({1.5, 0.5, 0.5}));
+    scene.lights = {testing::pointLight({2, 5, 3}), testing::directionalLight({0.5, -1, 0.25})};
+    for (const int light : {0, 1}) {
+        const TruthComparison sum = compareWithTruth(testing::snapshot(scene), "shadow-volume-zfail", {}, {320, 240}, light, kTiePx);
+        EXPECT_GT(sum.shadowed, 500);
+        EXPECT_LE(sum.wrong(), 2) << sum;
+    }
+}
+
+TEST_F(ZFailTest, WhatReceivesNoShadowIsLitAndWhatCastsNoneBlocksNothing) {
+    scene::Scene scene = testing::simpleScene();
+    scene.objects[0].receivesShadow = false;
+    scene.objects[1].castsShadow = false; // the box, which the plate above it shadows
+    testing::addObject(scene, scene::makeQuad({1.5, 1.5}), testing::translation({-0.75, 1.75, 0.5}));
+    const TruthComparison sum = compareWithTruth(testing::snapshot(scene), "shadow-volume-zfail", {}, {320, 240}, 0, kTiePx);
+    EXPECT_GT(sum.lit, 20000); // the floor
+    EXPECT_GT(sum.shadowed, 500); // the box
+    EXPECT_LE(sum.wrong(), 2) << sum;
+}
+
+} // namespace
+} // namespace shadowlab

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "tests/support/scenes.h"
+
+#include "techniques/foundation/scene/shapes.h"
+
+namespace shadowlab::testing {
+
+scene::Mesh triangleSoup(const std::vector<dvec3>& corners) {
+    scene::Mesh mesh;
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+        const dvec3 normal = glm::cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]);
+        const auto first = static_cast<std::uint32_t>(mesh.positionsMesh.size());
+        for (std::size_t c = 0; c < 3; ++c) {
+            mesh.positionsMesh.emplace_back(corners[i + c]);
+            mesh.normalsMesh.emplace_back(glm::length(normal) > 0 ? glm::normalize(normal) : dvec3(0, 1, 0));
+        }
+        mesh.triangles.emplace_back(first, first + 1, first + 2);
+    }
+    mesh.parts = {{"", 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    return mesh;
+}
+
+scene::Object& addObject(scene::Scene& scene, scene::Mesh mesh, const dmat4& worldFromObject) {
+    scene::Object object;
+    object.name = "object" + std::to_string(scene.objects.size() + 1);
+    object.mesh = std::make_shared<const scene::Mesh>(std::move(mesh));
+    object.worldFromObject = worldFromObject;
+    object.partMaterials.assign(object.mesh->parts.size(), 0);
+    scene.objects.push_back(std::move(object));
+    return scene.objects.back();
+}
+
+scene::Scene floorScene() {
+    scene::Scene scene;
+    scene.name = "test";
+    scene.materials.emplace_back();
+    scene.ambient = vec3(0.1f);
+    scene.camera.positionWorld = {0, 3, 6};
+    scene.camera.targetWorld = {0, 0, 0};
+    scene.camera.fovYDegrees = 60;
+    addObject(scene, scene::makeQuad({10, 10}));
+    return scene;
+}
+
+scene::Light pointLight(const dvec3& positionWorld) {
+    scene::Light light;
+    light.name = "point";
+    light.positionWorld = positionWorld;
+    light.intensity = 50;
+    return light;
+}
+
+scene::Light directionalLight(const dvec3& directionWorld) {
+    scene::Light light;
+    light.name = "sun";
+    light.type = scene::LightType::directional;
+    light.directionWorld = glm::normalize(directionWorld);
+    light.intensity = 2;
+    return light;
+}
+
+scene::Scene simpleScene() {
+    scene::Scene scene = floorScene();
+    addObject(scene, scene::makeBox({1, 1, 1}), translation({-1.25, 0.5, 0}));
+    addObject(scene, scene::makeSphere(0.5, 32), translation({0.25, 0.75, 1}));
+    addObject(scene, scene::makeTorus(0.75, 0.25, {32, 16}), translation({1.25, 1, -0.5}));
+    scene.lights.push_back(pointLight({2, 5, 3}));
+    return scene;
+}
+
+scene::Scene moved(const scene::Scene& scene, const dvec3& offsetWorld) {
+    scene::Scene result = scene;
+    result.camera.positionWorld += offsetWorld;
+    result.camera.targetWorld += offsetWorld;
+    for (scene::Light& light : result.lights) light.positionWorld += offsetWorld;
+    for (scene::Object& object : result.objects) object.worldFromObject[3] += dvec4(offsetWorld, 0);
+    return result;
+}
+
+dmat4 translation(const dvec3& offset) {
+    dmat4 matrix(1.0);
+    matrix[3] = dvec4(offset, 1.0);
+    return matrix;
+}
+
+} // namespace shadowlab::testing

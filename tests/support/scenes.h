@@ -1,0 +1,34 @@
+// Small scenes for tests, built in memory.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "techniques/foundation/scene/scene.h"
+
+namespace shadowlab::testing {
+
+/// A mesh of loose triangles (three vertices each, flat normals), one material.
+scene::Mesh triangleSoup(const std::vector<dvec3>& corners);
+
+/// Adds an object with that mesh; returns it for further changes.
+scene::Object& addObject(scene::Scene& scene, scene::Mesh mesh, const dmat4& worldFromObject = dmat4(1.0));
+
+/// A scene with the default material, a floor of 10 x 10 at y = 0 and a camera at (0, 3, 6) that looks at the origin.
+scene::Scene floorScene();
+
+scene::Light pointLight(const dvec3& positionWorld);
+scene::Light directionalLight(const dvec3& directionWorld);
+
+/// A small, simple scene that every technique can be tried on: floor, box, sphere and torus, one point light.
+scene::Scene simpleScene();
+
+/// The whole scene moved: camera, lights and objects.
+scene::Scene moved(const scene::Scene& scene, const dvec3& offsetWorld);
+
+inline scene::Snapshot snapshot(scene::Scene scene) { return std::make_shared<const scene::Scene>(std::move(scene)); }
+
+dmat4 translation(const dvec3& offset);
+
+} // namespace shadowlab::testing
