@@ -4,6 +4,8 @@ uniform mat4 lightClipFromLightRelative[6];
 uniform int mapLayers;
 uniform float pullShare;        // share of the distance, and
 uniform vec3 pullLightRelative; // offset, by which a point is moved toward the light against rounding
+uniform float slopeTexels;      // half the kernel's width, in units of the whole map: how far a lookup is off the point
+uniform float slopeStep;        // metres: length of the steps along the surface that its slope is taken from
 
 // Of the six maps around a light, the one that looks along the largest component.
 int mapLayer(vec3 toPoint) {
@@ -20,9 +22,28 @@ struct MapPlace {
     bool behind;   // on the far side of a spot's apex: the projection would mirror it
 };
 
+vec3 shadowUvOf(vec3 point, int layer) {
+    vec4 lightClip = lightClipFromLightRelative[layer] * vec4(point, 1.0);
+    return lightClip.xyz / lightClip.w * 0.5 + 0.5;
+}
+
+// |dz/du| + |dz/dv| of the receiver's plane: how much depth varies across the map. A plane stays a plane in (u, v, z), so
+// two steps along it tell, however long. After Isidoro, "Shadow Mapping: GPU-based Tips and Techniques", 2006.
+float receiverSlope(vec3 point, vec3 shadowUv, int layer) {
+    vec3 alongX = dFdx(positionLightRelative), alongY = dFdy(positionLightRelative);
+    vec3 stepX = shadowUvOf(point + slopeStep * normalize(alongX), layer) - shadowUv;
+    vec3 stepY = shadowUvOf(point + slopeStep * normalize(alongY), layer) - shadowUv;
+    float area = stepX.x * stepY.y - stepX.y * stepY.x;
+    vec2 slope = vec2(stepX.z * stepY.y - stepY.z * stepX.y, stepY.z * stepX.x - stepX.z * stepY.x) / area;
+    float sum = abs(slope.x) + abs(slope.y);
+    return sum >= 0.0 && sum < 1e4 ? sum : 0.0; // seen edge-on by eye or light there is no slope to speak of
+}
+
 MapPlace mapPlace() {
     vec3 point = positionLightRelative * (1.0 - pullShare) + pullLightRelative;
     int layer = mapLayer(point);
     vec4 lightClip = lightClipFromLightRelative[layer] * vec4(point, 1.0);
-    return MapPlace(lightClip.xyz / lightClip.w * 0.5 + 0.5, layer, lightClip.w <= 0.0);
+    vec3 shadowUv = lightClip.xyz / lightClip.w * 0.5 + 0.5;
+    shadowUv.z -= slopeTexels * receiverSlope(point, shadowUv, layer);
+    return MapPlace(shadowUv, layer, lightClip.w <= 0.0);
 }

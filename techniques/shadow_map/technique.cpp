@@ -100,7 +100,8 @@ void ShadowMap::drawDepth(Frame& frame, int light, const PreparedLight& prepared
         glEnable(GL_DEPTH_CLAMP); // what stands nearer than the near plane still casts
         glEnable(GL_POLYGON_OFFSET_FILL);
         // Within a kernel of radius k a plane's depth varies by at most (k + 1/2)(|dz/du| + |dz/dv|) texels, which is at
-        // most (2 k + 1) times the larger of the two slopes: the slope that glPolygonOffset multiplies.
+        // most (2 k + 1) times the larger of the two slopes: the slope that glPolygonOffset multiplies. The caster's slope
+        // guards concave corners, where the kernel meets a steeper neighbour; the receiver's (lookup.glsl) convex ones.
         const double kernelWidth = 2.0 * params_.kernelRadius() + 1.0;
         glPolygonOffset(static_cast<float>(params_.slopeBias * kernelWidth), static_cast<float>(2.0 * params_.constantBias));
         depth_.use();
@@ -130,6 +131,8 @@ void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, in
     const double pull = params_.constantBias * kRoundingPull;
     program.set("pullShare", static_cast<float>(maps.parallel ? 0.0 : pull));
     program.set("pullLightRelative", maps.parallel ? vec3(-source.directionWorld * (pull * (maps.farthest - maps.nearest))) : vec3(0));
+    program.set("slopeTexels", static_cast<float>(params_.slopeBias * (params_.kernelRadius() + 0.5) / params_.resolution));
+    program.set("slopeStep", static_cast<float>(0.01 * (maps.farthest - maps.nearest)));
     map_.bind(kMapUnit);
     program.set("shadowMap", kMapUnit);
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {

@@ -1,0 +1,103 @@
+# Shared by ./demo and ./check: which Debian packages the project needs, how missing ones are installed, how a step is run.
+# To be sourced, with `root` set to the folder of the checkout and `log` to the file that long output goes to.
+# SPDX-License-Identifier: MIT
+# shellcheck shell=bash disable=SC2034,SC2154
+
+# To build and run the program. libegl1, libgl1-mesa-dri and libosmesa6 are loaded at run time, and no other package pulls
+# all three in.
+build_packages=(
+    g++ cmake ninja-build python3-glad
+    libcli11-dev libegl-dev libfreetype-dev libglfw3-dev libglm-dev libpng-dev libtinyobjloader-dev nlohmann-json3-dev
+    libegl1 libgl1-mesa-dri libosmesa6
+)
+# To build and run the tests as well: xvfb and xauth are the display of the tests that need one.
+test_packages=(libgtest-dev python3 xauth xvfb)
+
+# Debian's own tools and libraries, whatever else (conda, pyenv, a home-made cmake) is installed and first in the PATH.
+use_debian_tools() {
+    export PATH=/usr/sbin:/usr/bin:/sbin:/bin
+    unset AR AS CC CXX CFLAGS CXXFLAGS CPPFLAGS LD LDFLAGS CPATH C_INCLUDE_PATH CPLUS_INCLUDE_PATH LIBRARY_PATH
+    unset CMAKE_PREFIX_PATH CMAKE_MODULE_PATH CMAKE_INCLUDE_PATH CMAKE_LIBRARY_PATH CMAKE_TOOLCHAIN_FILE CMAKE_GENERATOR
+    unset CMAKE_BUILD_TYPE PKG_CONFIG_PATH PYTHONHOME PYTHONPATH
+}
+
+say() { printf '%s\n' "$*" >&2; }
+
+# One line on what failed, and how to go on. The log's last lines come first: they usually say why.
+fail() {
+    if [[ -s ${log:-} ]]; then
+        tail -n 25 "$log" >&2
+        say "$(basename "$0"): $* (log: $log)"
+    else
+        say "$(basename "$0"): $*"
+    fi
+    exit 1
+}
+
+# install_missing PACKAGE...: installs with apt what is not there yet, and says so before.
+install_missing() {
+    if [[ ! -x /usr/bin/dpkg-query || ! -x /usr/bin/apt-get ]]; then
+        say "$(basename "$0"): this is no Debian system, so nothing is installed; needed are what Debian 12 calls: $*"
+        return
+    fi
+    local package missing=()
+    for package in "$@"; do
+        [[ $(dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null) == *installed* ]] || missing+=("$package")
+    done
+    if ((${#missing[@]} == 0)); then return; fi
+
+    local as_root=(env DEBIAN_FRONTEND=noninteractive)
+    local manually="apt-get install --no-install-recommends ${missing[*]}"
+    say "Installing from Debian: ${missing[*]}"
+    if ((EUID != 0)); then
+        [[ -x /usr/bin/sudo ]] || fail "these packages are missing, and there is no sudo; run as root: $manually"
+        sudo true || fail "these packages are missing, and sudo was refused; run as root: $manually"
+        as_root=(sudo "${as_root[@]}")
+    fi
+    local apt=("${as_root[@]}" apt-get -y -o DPkg::Lock::Timeout=120)
+    "${apt[@]}" update </dev/null >"$log" 2>&1 || fail "apt-get update failed; mend that and try again"
+    "${apt[@]}" install --no-install-recommends "${missing[@]}" </dev/null >"$log" 2>&1 ||
+        fail "apt could not install the packages; mend that and try again, or run as root: $manually"
+}
+
+# configure PRESET: makes build/PRESET when it is not there, was made by other presets, or belongs to another place
+# (a build folder cannot be moved). Everything else that changes, ninja sees by itself.
+configure() {
+    local folder=$root/build/$1 fresh=()
+    if [[ -f $folder/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
+        fresh=(--fresh)
+    elif [[ -f $folder/build.ninja && ! $root/CMakePresets.json -nt $folder/build.ninja ]]; then
+        return
+    fi
+    (cd "$root" && cmake --preset "$1" "${fresh[@]}") >"$log" 2>&1 || fail "cmake could not configure build/$1"
+    touch "$folder/build.ninja"
+}
+
+# build PRESET TARGET...: silent when there is nothing to do. On a terminal the current step shows in one line.
+build() {
+    local folder=$root/build/$1 announced=
+    shift
+    ninja -C "$folder" -j "$(nproc)" "$@" 2>&1 | tee "$log" | while IFS= read -r line; do
+        [[ $line == \[*/*\]* && $line != *Re-checking* ]] || continue
+        if [[ -z $announced ]]; then
+            announced=yes
+            say "Building in $folder ..."
+        fi
+        if [[ -t 2 ]]; then printf '\r\033[K%s' "${line:0:$((${COLUMNS:-80} - 1))}" >&2; fi
+    done || {
+        if [[ -t 2 ]]; then printf '\n' >&2; fi
+        fail "the build failed"
+    }
+    if [[ -t 2 ]]; then printf '\r\033[K' >&2; fi
+}
+
+# Two runs at a time would build into one folder: the second waits for the first.
+lock_build_folder() {
+    mkdir -p "$root/build" || fail "$root/build cannot be made; check the permissions of the checkout"
+    exec {lock_fd}>"$root/build/.lock" || fail "$root/build cannot be written; check the permissions of the checkout"
+    if ! flock -n "$lock_fd"; then
+        say "Waiting for another run in the same checkout ..."
+        flock "$lock_fd"
+    fi
+}
+unlock_build_folder() { exec {lock_fd}>&-; }

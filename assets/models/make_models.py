@@ -1,0 +1,403 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Writes the models of the built-in scenes: OBJ and MTL files, into the folder of this script.
+
+    python3 make_models.py
+
+Every model is a list of closed shells: each edge has exactly two faces, and every face is counter-clockwise seen from
+outside, which is what shadow volumes ask of a mesh. Where two shells meet (a leg and the table top) they overlap by a few
+millimetres, so that no light leaks through the joint. Units are metres, y is up. The same script gives the same bytes.
+"""
+
+from math import acos, cos, degrees, pi, sin, sqrt
+from pathlib import Path
+
+FOLDER = Path(__file__).resolve().parent
+
+# Name: (Kd, Ks, Ns). Linear RGB, as everywhere in this program.
+MATERIALS = {
+    "plaster": ((0.72, 0.71, 0.69), (0, 0, 0), 32),
+    "marble": ((0.60, 0.59, 0.56), (0, 0, 0), 32),
+    "wood": ((0.50, 0.43, 0.36), (0, 0, 0), 32),
+    "ceramic": ((0.58, 0.60, 0.62), (0.04, 0.04, 0.04), 60),
+    "wax": ((0.78, 0.73, 0.64), (0, 0, 0), 32),
+    "wick": ((0.08, 0.07, 0.06), (0, 0, 0), 32),
+    "brass": ((0.46, 0.32, 0.12), (0.12, 0.09, 0.04), 60),
+}
+
+
+# Vectors ------------------------------------------------------------------------------------------------------------------
+
+
+def add(a, b):
+    return (a[0] + b[0], a[1] + b[1], a[2] + b[2])
+
+
+def sub(a, b):
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def mul(a, s):
+    return (a[0] * s, a[1] * s, a[2] * s)
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def unit(a):
+    return mul(a, 1 / sqrt(dot(a, a)))
+
+
+# Shells: (points, faces), a face being a list of point indices -----------------------------------------------------------
+
+
+def grid(rows, closed_rows):
+    """Quads between neighbouring rows of points; every row is a ring. A row of one point is a pole."""
+    points, first = [], []
+    for row in rows:
+        first.append(len(points))
+        points += row
+    faces = []
+    pairs = list(zip(range(len(rows) - 1), range(1, len(rows))))
+    if closed_rows:
+        pairs.append((len(rows) - 1, 0))
+    for a, b in pairs:
+        count = max(len(rows[a]), len(rows[b]))
+        for i in range(count):
+            j = (i + 1) % count
+            low = [first[a]] if len(rows[a]) == 1 else [first[a] + i, first[a] + j]
+            high = [first[b]] if len(rows[b]) == 1 else [first[b] + j, first[b] + i]
+            faces.append(low + high)
+    return points, faces
+
+
+def ring(radius, y, around):
+    """Points about the y axis, counter-clockwise seen from above. `radius`: a number or a function of the angle."""
+    if radius == 0:
+        return [(0, y, 0)]
+    angles = [2 * pi * i / around for i in range(around)]
+    radii = [radius(a) if callable(radius) else radius for a in angles]
+    return [(r * cos(a), y, -r * sin(a)) for a, r in zip(angles, radii)]
+
+
+def lathe(profile, around):
+    """A solid of revolution about y: (radius, y) from the lower end of the axis, up the outside, back to the axis."""
+    return grid([ring(radius, y, around) for radius, y in profile], closed_rows=False)
+
+
+def tube(centre, tangent, outward, radius, along, around):
+    """A closed tube about a closed curve. `outward(t)` is any vector field along the curve, never along the tangent."""
+    rows = []
+    for i in range(along):
+        t = 2 * pi * i / along
+        side = unit(cross(tangent(t), outward(t)))
+        up = cross(side, tangent(t))
+        angles = [2 * pi * j / around for j in range(around)]
+        rows.append([add(centre(t), add(mul(up, radius * cos(a)), mul(side, radius * sin(a)))) for a in angles])
+    return grid(rows, closed_rows=True)
+
+
+def box(lower, upper, taper=1.0):
+    """A box; `taper` scales its lower face about the middle (for table legs)."""
+    (x0, y0, z0), (x1, y1, z1) = lower, upper
+    xm, zm = (x0 + x1) / 2, (z0 + z1) / 2
+    corners = [(x0, z0), (x0, z1), (x1, z1), (x1, z0)]
+    points = [(xm + taper * (x - xm), y0, zm + taper * (z - zm)) for x, z in corners]
+    points += [(x, y1, z) for x, z in corners]
+    sides = [[i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4] for i in range(4)]
+    return points, [[3, 2, 1, 0], [4, 5, 6, 7]] + sides
+
+
+def extrude(outline, length):
+    """A prism along x, centred; `outline` is a list of (z, y), clockwise seen from +x."""
+    count = len(outline)
+    points = [(x, y, z) for x in (-length / 2, length / 2) for z, y in outline]
+    faces = [[i, i + count, (i + 1) % count + count, (i + 1) % count] for i in range(count)]
+    return points, [list(range(count)), list(range(2 * count - 1, count - 1, -1))] + faces
+
+
+def moved(shell, offset):
+    return [add(point, offset) for point in shell[0]], shell[1]
+
+
+def turned_about_x(shell):
+    """A quarter turn: what pointed up (+y) now faces the viewer (+z)."""
+    return [(x, -z, y) for x, y, z in shell[0]], shell[1]
+
+
+def triangles(shell):
+    """Bent quads made definite: split along the shorter diagonal."""
+    points, faces = shell
+    out = []
+    for face in faces:
+        if len(face) != 4:
+            out.append(face)
+            continue
+        a, b, c, d = face
+        ac, bd = sub(points[c], points[a]), sub(points[d], points[b])
+        out += [[a, b, c], [a, c, d]] if dot(ac, ac) <= dot(bd, bd) else [[a, b, d], [b, c, d]]
+    return points, out
+
+
+# Normals and files -------------------------------------------------------------------------------------------------------
+
+
+def area_vector(points, face):
+    """Twice the area times the outward normal (Newell's sum: right for any planar polygon)."""
+    total = (0, 0, 0)
+    for i, index in enumerate(face):
+        total = add(total, cross(points[index], points[face[(i + 1) % len(face)]]))
+    return total
+
+
+def corner_angle(points, face, k):
+    before = unit(sub(points[face[k - 1]], points[face[k]]))
+    after = unit(sub(points[face[(k + 1) % len(face)]], points[face[k]]))
+    return acos(max(-1, min(1, dot(before, after))))
+
+
+def corner_normals(shell, crease_degrees):
+    """Per face and corner: the mean normal of the faces about the point that bend away by less than the crease angle."""
+    points, faces = shell
+    normals = [unit(area_vector(points, face)) for face in faces]
+    about = {}
+    for f, face in enumerate(faces):
+        for k, index in enumerate(face):
+            about.setdefault(index, []).append((f, corner_angle(points, face, k)))
+    limit = cos(crease_degrees * pi / 180)
+    out = []
+    for f, face in enumerate(faces):
+        out.append([])
+        for index in face:
+            total = (0, 0, 0)
+            for other, angle in about[index]:
+                if other == f or dot(normals[f], normals[other]) > limit:
+                    total = add(total, mul(normals[other], angle))
+            out[-1].append(unit(total))
+    return out
+
+
+def check_closed(name, shell):
+    """Every directed edge once, and its opposite once: closed and consistently wound; and the volume is positive."""
+    points, faces = shell
+    edges = [(face[i - 1], face[i]) for face in faces for i in range(len(face))]
+    if len(set(edges)) != len(edges) or {(b, a) for a, b in edges} != set(edges):
+        raise SystemExit(f"{name}: a shell is not closed")
+    middle = mul((sum(p[0] for p in points), sum(p[1] for p in points), sum(p[2] for p in points)), 1 / len(points))
+    volume = sum(dot(sub(points[face[0]], middle), area_vector(points, face)) for face in faces)
+    if volume <= 0:
+        raise SystemExit(f"{name}: a shell is inside out")
+
+
+def number(x, digits):
+    text = f"{x:.{digits}f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
+
+
+def write_model(name, description, parts, crease_degrees=40.0):
+    """`parts`: (material, shell) each. Positions get 5 decimals (10 micrometres), normals 4."""
+    lines = [f"# {description}", "# Written by make_models.py", f"mtllib {name}.mtl"]
+    normal_index = {}
+    first, count = 1, 0
+    current = None
+    for material, shell in parts:
+        check_closed(name, shell)
+        points, faces = shell
+        lines += ["v " + " ".join(number(x, 5) for x in point) for point in points]
+        corners = []
+        for normals in corner_normals(shell, crease_degrees):
+            corners.append([])
+            for normal in normals:
+                text = "vn " + " ".join(number(x, 4) for x in normal)
+                if text not in normal_index:
+                    normal_index[text] = len(normal_index) + 1
+                    lines.append(text)
+                corners[-1].append(normal_index[text])
+        if material != current:
+            lines.append(f"usemtl {material}")
+            current = material
+        for face, normals in zip(faces, corners):
+            lines.append("f " + " ".join(f"{v + first}//{n}" for v, n in zip(face, normals)))
+            count += len(face) - 2
+        first += len(points)
+    (FOLDER / f"{name}.obj").write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
+
+    lines = ["# Written by make_models.py"]
+    for material in dict.fromkeys(material for material, _ in parts):
+        diffuse, specular, shininess = MATERIALS[material]
+        lines += [f"newmtl {material}", "Kd " + " ".join(number(x, 4) for x in diffuse)]
+        lines += ["Ks " + " ".join(number(x, 4) for x in specular), f"Ns {shininess}"]
+    (FOLDER / f"{name}.mtl").write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
+    size = (FOLDER / f"{name}.obj").stat().st_size
+    print(f"{name:12} {count:6} triangles {size / 1000:6.0f} kB")
+
+
+def arc(centre, radii, degrees_from, degrees_to, steps):
+    """Points of a profile on an ellipse about (radius, y) = `centre`; 0 degrees is outward, 90 up."""
+    angles = [(degrees_from + (degrees_to - degrees_from) * i / steps) * pi / 180 for i in range(steps + 1)]
+    return [(centre[0] + radii[0] * cos(a), centre[1] + radii[1] * sin(a)) for a in angles]
+
+
+def curve(knots, steps):
+    """A smooth profile through (radius, y) points (Catmull and Rom, 1974), `steps` pieces between neighbours."""
+    ends = [knots[0]] + list(knots) + [knots[-1]]
+    out = []
+    for i in range(len(knots) - 1):
+        p0, p1, p2, p3 = ends[i : i + 4]
+        for s in range(steps):
+            t = s / steps
+            weights = (-t + 2 * t**2 - t**3, 2 - 5 * t**2 + 3 * t**3, t + 4 * t**2 - 3 * t**3, t**3 - t**2)
+            out.append(tuple(sum(w * p[k] for w, p in zip(weights, (p0, p1, p2, p3))) / 2 for k in (0, 1)))
+    return out + [knots[-1]]
+
+
+# The models --------------------------------------------------------------------------------------------------------------
+
+
+def torus_knot():
+    """A (2,3) torus knot: twice about the axis while three times through the hole. It stands, 1 m high."""
+    major, minor, thickness = 0.3, 0.145, 0.075
+
+    def centre(t):
+        radius = major + minor * cos(3 * t)
+        return (radius * cos(2 * t), radius * sin(2 * t), minor * sin(3 * t))
+
+    def tangent(t):
+        radius, slope = major + minor * cos(3 * t), -3 * minor * sin(3 * t)
+        return unit(
+            (
+                slope * cos(2 * t) - 2 * radius * sin(2 * t),
+                slope * sin(2 * t) + 2 * radius * cos(2 * t),
+                3 * minor * cos(3 * t),
+            )
+        )
+
+    def outward(t):  # away from the circle about which the knot winds: never along the tangent
+        return (cos(3 * t) * cos(2 * t), cos(3 * t) * sin(2 * t), sin(3 * t))
+
+    shell = triangles(tube(centre, tangent, outward, thickness, 128, 16))
+    # One lobe points down and would stand on its tip; half a turn gives it two feet. Then scaled to a height of 1.
+    points = [(-x, -y, z) for x, y, z in shell[0]]
+    low, high = min(p[1] for p in points), max(p[1] for p in points)
+    points = [mul(sub(p, (0, low, 0)), 1 / (high - low)) for p in points]
+    write_model("torus_knot", "A (2,3) torus knot, 1 m high", [("plaster", (points, shell[1]))], 60.0)
+
+
+def column():
+    """A fluted column, 4 m high: plinth and base, shaft with entasis, capital."""
+    flutes, per_flute, low, high = 20, 4, 0.36, 3.72
+
+    def radius(y):  # entasis: the shaft narrows upward, the faster the higher
+        s = (y - low) / (high - low)
+        return 0.30 - 0.012 * s - 0.038 * s * s
+
+    def fluted(y, depth):
+        return lambda a: radius(y) * (1 - depth * sin(pi * ((a * flutes / (2 * pi)) % 1.0)))
+
+    around = flutes * per_flute
+    levels = [low + (high - low) * i / 7 for i in range(8)]
+    rows = [[(0, low, 0)]] + [ring(fluted(y, 0.09), y, around) for y in levels] + [[(0, high, 0)]]
+    shaft = grid(rows, closed_rows=False)
+    base = [(0, 0.14), (0.40, 0.14)] + arc((0.36, 0.20), (0.055, 0.06), -90, 90, 6)[1:]
+    base += [(0.335, 0.27)] + arc((0.325, 0.31), (0.035, 0.04), -90, 90, 5) + [(0.315, 0.37), (0, 0.37)]
+    capital = [(0, 3.70), (0.262, 3.70), (0.262, 3.74)]
+    capital += [(0.275, 3.76)] + arc((0.275, 3.88), (0.105, 0.11), -70, 0, 5) + [(0.38, 3.90), (0, 3.90)]
+    parts = [
+        ("marble", box((-0.44, 0, -0.44), (0.44, 0.15, 0.44))),
+        ("marble", lathe(base, 40)),
+        ("marble", shaft),
+        ("marble", lathe(capital, 40)),
+        ("marble", box((-0.42, 3.89, -0.42), (0.42, 4.0, 0.42))),
+    ]
+    write_model("column", "A fluted column, 4 m high, standing on the origin", parts)
+
+
+def entablature():
+    """What columns carry: a beam in two bands, a plain frieze and a cornice. 1 m long in x, to be scaled in x."""
+    half = [(0.30, 0), (0.30, 0.24), (0.33, 0.24), (0.33, 0.46), (0.37, 0.50), (0.31, 0.50), (0.31, 0.84)]
+    half += [(0.40, 0.92), (0.56, 0.92), (0.56, 1.02), (0.62, 1.10)]
+    outline = half + [(-z, y) for z, y in reversed(half)]
+    write_model("entablature", "An entablature, 1 m long and 1.1 m high", [("marble", extrude(outline[::-1], 1.0))])
+
+
+def table():
+    """A table 1.8 m x 0.9 m x 0.75 m; the middle of its top is the origin, so that things stand on y = 0."""
+    parts = [("wood", box((-0.9, -0.035, -0.45), (0.9, 0, 0.45)))]
+    for x in (-0.8, 0.8):
+        for z in (-0.36, 0.36):
+            parts.append(("wood", box((x - 0.035, -0.75, z - 0.035), (x + 0.035, -0.03, z + 0.035), taper=0.6)))
+    for z in (-0.36, 0.36):
+        parts.append(("wood", box((-0.79, -0.12, z - 0.012), (0.79, -0.03, z + 0.012))))
+    for x in (-0.8, 0.8):
+        parts.append(("wood", box((x - 0.012, -0.12, -0.35), (x + 0.012, -0.03, 0.35))))
+    write_model("table", "A table, the middle of its top at the origin", parts)
+
+
+def vase():
+    """A vase, 0.36 m high, turned on a lathe with a wall 5 mm thick, open above."""
+    knots = [(0.058, 0.012), (0.088, 0.07), (0.112, 0.15), (0.100, 0.22), (0.056, 0.275), (0.042, 0.31), (0.058, 0.352)]
+    outside = curve(knots, 4)
+    rim = [(0.058, 0.357), (0.055, 0.36), (0.052, 0.357)]
+    inside = [(r - 0.006, y + 0.002) for r, y in reversed(outside[:-1])]
+    profile = [(0, 0), (0.058, 0)] + outside + rim + inside + [(0, 0.014)]
+    write_model("vase", "A vase, 0.36 m high, open above", [("ceramic", lathe(profile, 56))])
+
+
+def pawn():
+    """A chess pawn, 1 m high: a shadow that everybody knows."""
+    profile = [(0, 0), (0.30, 0), (0.31, 0.02), (0.31, 0.08), (0.29, 0.11)]
+    profile += curve([(0.265, 0.12), (0.25, 0.17), (0.16, 0.30), (0.115, 0.46), (0.10, 0.60)], 4)
+    profile += [(0.10, 0.605), (0.185, 0.625), (0.20, 0.645), (0.185, 0.665), (0.11, 0.69)]
+    # The head is a ball of radius 0.175 whose top is at 1.
+    start = -degrees(acos(0.11 / 0.175))
+    profile += arc((0, 0.825), (0.175, 0.175), start, 90, 14)[1:-1] + [(0, 1.0)]
+    write_model("pawn", "A chess pawn, 1 m high", [("plaster", lathe(profile, 56))])
+
+
+def candle():
+    """A candle 0.20 m high in a brass dish with a ring to hold it by; the wick ends at y = 0.225."""
+    dish = [(0, 0), (0.060, 0), (0.066, 0.004)] + curve([(0.078, 0.010), (0.090, 0.022), (0.094, 0.030)], 4)
+    dish += [(0.092, 0.032), (0.089, 0.030)] + curve([(0.086, 0.024), (0.075, 0.013), (0.062, 0.008)], 4) + [(0, 0.007)]
+    socket = [(0, 0.005), (0.030, 0.005), (0.026, 0.012), (0.024, 0.040), (0.029, 0.044), (0.029, 0.048), (0, 0.048)]
+    wax = [(0, 0.045), (0.0205, 0.045), (0.0200, 0.196), (0.0190, 0.200), (0.0165, 0.201)]
+    wax += [(0.0120, 0.198), (0.0060, 0.196), (0, 0.1955)]
+    wick = [(0, 0.190), (0.0016, 0.190), (0.0014, 0.223), (0.0007, 0.225), (0, 0.225)]
+
+    def centre(t):
+        return (0.024 * cos(t), 0.024 * sin(t), 0)
+
+    def tangent(t):
+        return (-sin(t), cos(t), 0)
+
+    def outward(t):
+        return (cos(t), sin(t), 0)
+
+    handle = moved(tube(centre, tangent, outward, 0.0042, 40, 10), (0.112, 0.026, 0))
+    parts = [("brass", lathe(dish, 56)), ("brass", lathe(socket, 40)), ("brass", handle)]
+    parts += [("wax", lathe(wax, 40)), ("wick", lathe(wick, 8))]
+    write_model("candle", "A candle in a brass holder, 0.225 m high", parts)
+
+
+def flame():
+    """The flame of the candle, 0.05 m high, its lower end at the origin. Let it cast no shadow: the light is inside."""
+    knots = [(0.0035, 0.0008), (0.0072, 0.008), (0.0075, 0.014), (0.0048, 0.027), (0.0018, 0.040)]
+    write_model("flame", "A candle flame, 0.05 m high", [("wax", lathe([(0, 0)] + curve(knots, 4) + [(0, 0.05)], 24))], 60.0)
+
+
+def stairs():
+    """Five steps, each 0.16 m high and 0.30 m deep, going up toward -z; 1 m wide in x, to be scaled in x."""
+    outline = [(0.0, 0.0)]
+    for i in range(5):
+        outline += [(-0.30 * i, 0.16 * (i + 1)), (-0.30 * (i + 1), 0.16 * (i + 1))]
+    outline += [(-1.5, 0.0)]
+    write_model("stairs", "Five steps, 1 m wide", [("marble", extrude(outline, 1.0))])
+
+
+if __name__ == "__main__":
+    for model in (torus_knot, column, entablature, table, vase, pawn, candle, flame, stairs):
+        model()
