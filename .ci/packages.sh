@@ -42,7 +42,7 @@ install_missing() {
     fi
     local package missing=()
     for package in "$@"; do
-        [[ $(dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null) == *installed* ]] || missing+=("$package")
+        dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
     done
     if ((${#missing[@]} == 0)); then return; fi
 
@@ -55,7 +55,7 @@ install_missing() {
         as_root=(sudo "${as_root[@]}")
     fi
     local apt=("${as_root[@]}" apt-get -y -o DPkg::Lock::Timeout=120)
-    "${apt[@]}" update </dev/null >"$log" 2>&1 || fail "apt-get update failed; mend that and try again"
+    "${apt[@]}" update </dev/null >"$log" 2>&1 || say "apt-get update had errors; trying with the package lists there are"
     "${apt[@]}" install --no-install-recommends "${missing[@]}" </dev/null >"$log" 2>&1 ||
         fail "apt could not install the packages; mend that and try again, or run as root: $manually"
 }

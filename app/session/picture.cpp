@@ -7,28 +7,12 @@
 #include <cstring>
 
 #include "techniques/foundation/gl/baseline.h"
-#include "techniques/foundation/gl/debug.h"
+#include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/look.h"
 
 namespace shadowlab::session {
 
 namespace {
-
-/// Reads a texture's rows and turns them over: GL counts rows from the bottom, pictures from the top. The only flip.
-template <typename Texel>
-std::vector<Texel> readRows(const gl::Texture2D& texture, GLenum type) {
-    const ivec2 size = texture.size();
-    const gl::Framebuffer framebuffer(&texture, nullptr, "read-back");
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.id());
-    std::vector<Texel> texels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, size.x, size.y, GL_RGBA, type, texels.data());
-    gl::check("read-back");
-    for (int y = 0; y < size.y / 2; ++y)
-        std::swap_ranges(texels.begin() + std::ptrdiff_t(y) * size.x, texels.begin() + std::ptrdiff_t(y + 1) * size.x,
-                         texels.begin() + std::ptrdiff_t(size.y - 1 - y) * size.x);
-    return texels;
-}
 
 /// Numbers of shaders/session/encode.frag.
 int mode(StageKind kind) {
@@ -79,7 +63,7 @@ image::Image PictureEncoder::draw(const gl::Texture2D& source, int supersample) 
     source.bind(0);
     gl::drawFullscreenTriangle();
     gl::check("encode");
-    const std::vector<glm::u8vec4> texels = readRows<glm::u8vec4>(encoded, GL_UNSIGNED_BYTE);
+    const std::vector<glm::u8vec4> texels = gl::readRows<glm::u8vec4>(encoded, GL_UNSIGNED_BYTE);
     image::Image picture(size.x, size.y);
     std::memcpy(picture.rgba.data(), texels.data(), texels.size() * 4);
     return picture;
@@ -88,14 +72,12 @@ image::Image PictureEncoder::draw(const gl::Texture2D& source, int supersample) 
 VisibilityImage readVisibility(const Stage& stage) {
     const ivec2 size = stage.texture.size();
     VisibilityImage visibility{size.x, size.y, {}};
-    for (const vec4& texel : readTexels(stage.texture)) {
+    for (const vec4& texel : gl::readTexels(stage.texture)) {
         const bool covered = texel.g > 0.5f;
         visibility.greyAlpha.push_back(covered ? static_cast<std::uint8_t>(std::lround(255.0f * texel.r)) : 0);
         visibility.greyAlpha.push_back(covered ? 255 : 0);
     }
     return visibility;
 }
-
-std::vector<vec4> readTexels(const gl::Texture2D& texture) { return readRows<vec4>(texture, GL_FLOAT); }
 
 } // namespace shadowlab::session

@@ -37,7 +37,4 @@ private:
 };
 VisibilityImage readVisibility(const Stage& stage);
 
-/// The numbers in a texture, four floats a pixel, row 0 on top: what tests look at.
-std::vector<vec4> readTexels(const gl::Texture2D& texture);
-
 } // namespace shadowlab::session

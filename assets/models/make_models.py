@@ -125,11 +125,6 @@ def moved(shell, offset):
     return [add(point, offset) for point in shell[0]], shell[1]
 
 
-def turned_about_x(shell):
-    """A quarter turn: what pointed up (+y) now faces the viewer (+z)."""
-    return [(x, -z, y) for x, y, z in shell[0]], shell[1]
-
-
 def triangles(shell):
     """Bent quads made definite: split along the shorter diagonal."""
     points, faces = shell
@@ -280,7 +275,7 @@ def torus_knot():
     def outward(t):  # away from the circle about which the knot winds: never along the tangent
         return (cos(3 * t) * cos(2 * t), cos(3 * t) * sin(2 * t), sin(3 * t))
 
-    shell = triangles(tube(centre, tangent, outward, thickness, 128, 16))
+    shell = triangles(tube(centre, tangent, outward, thickness, 128, 24))
     # One lobe points down and would stand on its tip; half a turn gives it two feet. Then scaled to a height of 1.
     points = [(-x, -y, z) for x, y, z in shell[0]]
     low, high = min(p[1] for p in points), max(p[1] for p in points)
@@ -322,7 +317,7 @@ def entablature():
     half = [(0.30, 0), (0.30, 0.24), (0.33, 0.24), (0.33, 0.46), (0.37, 0.50), (0.31, 0.50), (0.31, 0.84)]
     half += [(0.40, 0.92), (0.56, 0.92), (0.56, 1.02), (0.62, 1.10)]
     outline = half + [(-z, y) for z, y in reversed(half)]
-    write_model("entablature", "An entablature, 1 m long and 1.1 m high", [("marble", extrude(outline[::-1], 1.0))])
+    write_model("entablature", "An entablature, 1 m long and 1.1 m high", [("marble", extrude(outline, 1.0))])
 
 
 def table():
@@ -341,11 +336,11 @@ def table():
 def vase():
     """A vase, 0.36 m high, turned on a lathe with a wall 5 mm thick, open above."""
     knots = [(0.058, 0.012), (0.088, 0.07), (0.112, 0.15), (0.100, 0.22), (0.056, 0.275), (0.042, 0.31), (0.058, 0.352)]
-    outside = curve(knots, 4)
+    outside = curve(knots, 3)
     rim = [(0.058, 0.357), (0.055, 0.36), (0.052, 0.357)]
     inside = [(r - 0.006, y + 0.002) for r, y in reversed(outside[:-1])]
     profile = [(0, 0), (0.058, 0)] + outside + rim + inside + [(0, 0.014)]
-    write_model("vase", "A vase, 0.36 m high, open above", [("ceramic", lathe(profile, 56))])
+    write_model("vase", "A vase, 0.36 m high, open above", [("ceramic", lathe(profile, 72))])
 
 
 def pawn():

@@ -20,6 +20,7 @@ vec3 throughPalette(float value) {
 vec3 linearColor(vec4 texel) {
     if (mode == 2) return texel.g > 0.5 ? throughPalette(texel.r) : kNoValue;
     if (mode == 3) return texel.g > 0.5 ? vec3(texel.r) : kNoValue;
+    if (mode == 1 && texel.a < 0.5) return kNoValue;
     return texel.rgb;
 }
 

@@ -17,7 +17,8 @@ int mapLayer(vec3 toPoint) {
 }
 
 struct MapPlace {
-    vec3 shadowUv; // u, v and depth, each 0..1 inside the map
+    vec3 shadowUv; // u, v and the depth to compare with, each 0..1 inside the map
+    float depth;   // of the point itself
     int layer;
     bool behind;   // on the far side of a spot's apex: the projection would mirror it
 };
@@ -44,6 +45,7 @@ MapPlace mapPlace() {
     int layer = mapLayer(point);
     vec4 lightClip = lightClipFromLightRelative[layer] * vec4(point, 1.0);
     vec3 shadowUv = lightClip.xyz / lightClip.w * 0.5 + 0.5;
+    float depth = shadowUv.z;
     shadowUv.z -= slopeTexels * receiverSlope(point, shadowUv, layer);
-    return MapPlace(shadowUv, layer, lightClip.w <= 0.0);
+    return MapPlace(shadowUv, depth, layer, lightClip.w <= 0.0);
 }

@@ -17,7 +17,7 @@ void main() {
     if (mode == 0) {
         result = vec4(distanceOfDepth(stored), inside && stored < 1.0 ? 1.0 : 0.0, 0.0, 1.0);
     } else if (mode == 1) {
-        result = vec4(distanceOfDepth(place.shadowUv.z), place.behind ? 0.0 : 1.0, 0.0, 1.0);
+        result = vec4(distanceOfDepth(place.depth), place.behind ? 0.0 : 1.0, 0.0, 1.0);
     } else {
         float distanceSquared;
         bool asked = eyeSideFacesLight() && lightShinesTo(towardLight(positionView, distanceSquared));

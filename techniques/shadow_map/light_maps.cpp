@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <glm/gtc/constants.hpp>
 
@@ -64,47 +65,72 @@ void fitParallel(LightMaps& maps, const scene::Light& light, std::span<const sce
                  std::span<const scene::Bounds> all, int resolution, int guardTexels) {
     const dmat4 lightView = lookAlong(light.directionWorld);
     scene::Bounds range = boundsInView(casters, maps.originWorld, lightView);
+    const scene::Bounds whole = boundsInView(all, maps.originWorld, lightView);
+    range.lowerWorld.z = whole.lowerWorld.z;
+    range.upperWorld.z = whole.upperWorld.z;
     // The guard band, and half a texel against rounding; never empty, even for a caster seen edge-on.
     const dvec3 extent = range.upperWorld - range.lowerWorld;
     const double largest = std::max({extent.x, extent.y, extent.z, 1e-6});
     const double share = (guardTexels + 0.5) / std::max(1, resolution - 2 * guardTexels - 1);
-    const dvec3 margin(std::max(share * extent.x, 1e-3 * largest), std::max(share * extent.y, 1e-3 * largest), 1e-3 * largest);
+    // Square texels: the longer side decides for both.
+    const double side = std::max({extent.x, extent.y, 1e-3 * largest});
+    const dvec3 margin(0.5 * (side - extent.x) + share * side, 0.5 * (side - extent.y) + share * side, 1e-3 * largest);
     range.lowerWorld -= margin;
     range.upperWorld += margin;
-    const scene::Bounds sceneRange = boundsInView(all, maps.originWorld, lightView);
     maps.parallel = true;
     maps.nearest = -range.upperWorld.z;
     maps.farthest = -range.lowerWorld.z;
-    maps.sceneNearest = -sceneRange.upperWorld.z;
-    maps.sceneFarthest = -sceneRange.lowerWorld.z;
     maps.lightViewFromLightRelative = {lightView};
     maps.lightClipFromLightView = {parallelProjection(range.lowerWorld, range.upperWorld)};
+}
+
+/// The camera that sees all casters in one square picture: where it looks, and half its width at distance 1.
+struct Aim {
+    dmat4 lightView;
+    double tanHalf;
+};
+
+/// Looks at the middle of the casters. Nothing when they are all around, or spread wider than one map serves well.
+std::optional<Aim> aimAt(std::span<const scene::Bounds> casters, const dvec3& originWorld) {
+    scene::Bounds together;
+    for (const scene::Bounds& box : casters) together.include(box);
+    const dvec3 middle = 0.5 * (together.lowerWorld + together.upperWorld) - originWorld;
+    if (!(glm::length(middle) > 0)) return std::nullopt;
+    Aim aim{lookAlong(glm::normalize(middle)), 1e-6};
+    for (const scene::Bounds& box : casters)
+        for (int i = 0; i < 8; ++i) {
+            const dvec3 cornerView = transformPoint(aim.lightView, box.corner(i) - originWorld);
+            if (cornerView.z >= 0) return std::nullopt;
+            aim.tanHalf = std::max({aim.tanHalf, std::abs(cornerView.x / cornerView.z), std::abs(cornerView.y / cornerView.z)});
+        }
+    const double widest = std::tan(kWidestSingleConeDegrees * glm::pi<double>() / 360.0);
+    return aim.tanHalf <= widest ? std::optional(aim) : std::nullopt;
 }
 
 void fitPerspective(LightMaps& maps, const scene::Light& light, std::span<const scene::Bounds> casters,
                     std::span<const scene::Bounds> all, int resolution, int guardTexels) {
     double nearest = 1e300, farthest = 0;
-    for (const scene::Bounds& box : casters) {
+    for (const scene::Bounds& box : all) {
         const auto [boxNearest, boxFarthest] = distanceRange(box, maps.originWorld);
         nearest = std::min(nearest, boxNearest);
         farthest = std::max(farthest, boxFarthest);
     }
-    for (const scene::Bounds& box : all) {
-        const auto [boxNearest, boxFarthest] = distanceRange(box, maps.originWorld);
-        maps.sceneNearest = std::min(maps.sceneNearest, boxNearest);
-        maps.sceneFarthest = std::max(maps.sceneFarthest, boxFarthest);
-    }
-    // Distance along an axis is at least 1/sqrt(3) of the distance itself.
+    // The distance along one of the six axes is at least 1/sqrt(3) of the distance itself; in a single wide picture, half.
     maps.farthest = std::max(1.001 * farthest, 1e-6);
-    maps.nearest = std::max(0.99 * nearest / std::sqrt(3.0), kLeastNearShare * maps.farthest);
+    maps.nearest = std::max(0.49 * nearest, kLeastNearShare * maps.farthest);
 
     const double guard = 1.0 + 2.0 * (guardTexels + 1) / std::max(1, resolution - 2 * guardTexels - 2);
-    const bool single = light.type == scene::LightType::spot && light.coneDegrees <= kWidestSingleConeDegrees;
-    const double tanHalf = single ? std::tan(light.coneDegrees * glm::pi<double>() / 360.0) : 1.0;
-    const std::vector<dvec3> axes = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-    for (const dvec3& axis : single ? std::vector<dvec3>{light.directionWorld} : axes) {
-        maps.lightViewFromLightRelative.push_back(lookAlong(axis));
+    const auto add = [&](const dmat4& lightView, double tanHalf) {
+        maps.lightViewFromLightRelative.push_back(lightView);
         maps.lightClipFromLightView.push_back(perspective(tanHalf * guard, maps.nearest, maps.farthest));
+    };
+    if (light.type == scene::LightType::spot && light.coneDegrees <= kWidestSingleConeDegrees) {
+        add(lookAlong(light.directionWorld), std::tan(light.coneDegrees * glm::pi<double>() / 360.0));
+    } else if (const std::optional<Aim> aim = aimAt(casters, maps.originWorld)) {
+        add(aim->lightView, aim->tanHalf);
+    } else {
+        for (const dvec3& axis : {dvec3(1, 0, 0), dvec3(-1, 0, 0), dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(0, 0, 1), dvec3(0, 0, -1)})
+            add(lookAlong(axis), 1.0);
     }
 }
 
@@ -122,8 +148,6 @@ LightMaps fitLightMaps(const scene::Scene& scene, const scene::Light& light, std
     if (casterBounds.empty()) casterBounds = all; // an empty map, but a map
 
     LightMaps maps;
-    maps.sceneNearest = 1e300;
-    maps.sceneFarthest = 0;
     if (light.type == scene::LightType::directional) {
         maps.originWorld = whole.isEmpty() ? dvec3(0.0) : 0.5 * (whole.lowerWorld + whole.upperWorld);
         if (casterBounds.empty()) casterBounds = all = {scene::Bounds{dvec3(-1), dvec3(1)}};

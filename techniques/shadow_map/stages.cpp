@@ -1,6 +1,9 @@
 // The pictures of the lecture's walk through shadow mapping, in its order.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "techniques/foundation/gl/baseline.h"
+#include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/look.h"
 #include "techniques/shadow_map/technique.h"
 
@@ -10,11 +13,15 @@ namespace {
 
 constexpr int kMapUnit = gl::kFirstFreeUnit;
 
+// Modes of shaders/shadow_map/project.frag.
+constexpr int kMapDepth = 0, kPointDistance = 1, kComparison = 2;
+
 /// The six maps around a light are shown as a 3 x 2 sheet: +x +y +z above -x -y -z.
 struct Sheet {
     ivec2 cells;
     int cellSize;
-    explicit Sheet(int layers, int height) : cells(layers == 6 ? ivec2(3, 2) : ivec2(1)), cellSize(height / cells.y) {}
+    Sheet(int layers, ivec2 within)
+        : cells(layers == 6 ? ivec2(3, 2) : ivec2(1)), cellSize(std::max(1, std::min(within.x / cells.x, within.y / cells.y))) {}
     [[nodiscard]] ivec2 size() const { return cells * cellSize; }
     void setViewport(int layer) const {
         const int column = cells.x == 1 ? 0 : layer / 2, rowFromTop = cells.x == 1 ? 0 : layer % 2;
@@ -28,6 +35,8 @@ struct Sheet {
 } // namespace
 
 void ShadowMap::publishStages(Frame& frame, int light, const PreparedLight& prepared) {
+    if (frame.wants("light-depth", light) || frame.wants("depth-on-view", light) || frame.wants("distance-on-view", light))
+        shownDistance_ = distanceRange(frame, light, prepared);
     if (frame.wants("light-view", light)) publishLightView(frame, light, prepared);
     if (frame.wants("light-depth", light)) publishLightDepth(frame, light, prepared);
     publishProjected(frame, light, prepared);
@@ -53,7 +62,7 @@ void ShadowMap::publishWithoutShadows(Frame& frame) const {
 
 void ShadowMap::publishLightView(Frame& frame, int light, const PreparedLight& prepared) const {
     const LightMaps& maps = prepared.maps;
-    const Sheet sheet(maps.layers(), frame.view().size.y);
+    const Sheet sheet(maps.layers(), frame.view().size);
     gl::Target target(sheet.size(), "light-view");
     gl::setBaselineState();
     target.framebuffer.bind();
@@ -79,7 +88,7 @@ void ShadowMap::publishLightView(Frame& frame, int light, const PreparedLight& p
 
 void ShadowMap::publishLightDepth(Frame& frame, int light, const PreparedLight& prepared) const {
     const LightMaps& maps = prepared.maps;
-    const Sheet sheet(maps.layers(), frame.view().size.y);
+    const Sheet sheet(maps.layers(), frame.view().size);
     gl::Texture2D picture(GL_RG32F, sheet.size(), "light-depth");
     const gl::Framebuffer framebuffer(&picture, nullptr, "light-depth");
     gl::setBaselineState();
@@ -99,38 +108,55 @@ void ShadowMap::publishLightDepth(Frame& frame, int light, const PreparedLight& 
         gl::drawFullscreenTriangle();
     }
     map_.compare(true);
-    frame.publish("light-depth", light, std::move(picture),
-                  {.minimum = maps.sceneNearest, .maximum = maps.sceneFarthest, .unit = "m from the light", .key = {}});
+    frame.publish("light-depth", light, std::move(picture), shownDistance_);
+}
+
+void ShadowMap::drawProjected(const Frame& frame, int light, const PreparedLight& prepared, int mode) const {
+    const LightMaps& maps = prepared.maps;
+    glDepthFunc(GL_EQUAL);
+    project_.use();
+    project_.set("mode", mode);
+    project_.set("parallel", maps.parallel ? 1 : 0);
+    project_.set("nearest", static_cast<float>(maps.nearest));
+    project_.set("farthest", static_cast<float>(maps.farthest));
+    project_.set("equalColor", look::kEqualDepth);
+    project_.set("occludedColor", look::kOccluded);
+    project_.set("noAnswerColor", look::kNoAnswer);
+    drawReceivers(frame, project_, light, prepared);
+}
+
+// One scale for all pictures of depth, so that they can be compared: the distances of what the eye sees.
+Display ShadowMap::distanceRange(const Frame& frame, int light, const PreparedLight& prepared) const {
+    gl::Texture2D distances(GL_RG32F, frame.target().size(), "distance range");
+    const gl::Framebuffer framebuffer(&distances, &frame.target().depthStencil, "distance range");
+    gl::setBaselineState();
+    framebuffer.bind();
+    glClear(GL_COLOR_BUFFER_BIT);
+    drawProjected(frame, light, prepared, kPointDistance);
+    Display range{.minimum = 1e300, .maximum = 0, .unit = "m from the light", .key = {}};
+    for (const vec4& texel : gl::readTexels(distances)) {
+        if (texel.g < 0.5f) continue;
+        range.minimum = std::min(range.minimum, static_cast<double>(texel.r));
+        range.maximum = std::max(range.maximum, static_cast<double>(texel.r));
+    }
+    if (range.minimum >= range.maximum) range = {.minimum = prepared.maps.nearest, .maximum = prepared.maps.farthest, .unit = range.unit, .key = {}};
+    return range;
 }
 
 void ShadowMap::publishProjected(Frame& frame, int light, const PreparedLight& prepared) const {
-    const LightMaps& maps = prepared.maps;
-    const Display distance = {.minimum = maps.sceneNearest, .maximum = maps.sceneFarthest, .unit = "m from the light", .key = {}};
     const Display comparison = {.unit = "",
                                 .key = {{look::kEqualDepth, "d = z: equal, lit"},
                                         {look::kOccluded, "d < z: something is nearer, in shadow"},
                                         {look::kNoAnswer, "faces away or outside the light: not asked"}}};
-    // Numbers of shaders/shadow_map/project.frag.
-    const auto draw = [&](std::string_view stage, int mode, GLenum format, const Display& display) {
-        if (!frame.wants(stage, light)) return;
-        map_.compare(false);
-        frame.drawStage(stage, light, format, [&] {
-            glDepthFunc(GL_EQUAL);
-            project_.use();
-            project_.set("mode", mode);
-            project_.set("parallel", maps.parallel ? 1 : 0);
-            project_.set("nearest", static_cast<float>(maps.nearest));
-            project_.set("farthest", static_cast<float>(maps.farthest));
-            project_.set("equalColor", look::kEqualDepth);
-            project_.set("occludedColor", look::kOccluded);
-            project_.set("noAnswerColor", look::kNoAnswer);
-            drawReceivers(frame, project_, light, prepared);
-        }, display);
-        map_.compare(true);
+    map_.compare(false);
+    const auto publish = [&](std::string_view stage, int mode, GLenum format, const Display& display) {
+        if (frame.wants(stage, light))
+            frame.drawStage(stage, light, format, [&] { drawProjected(frame, light, prepared, mode); }, display);
     };
-    draw("depth-on-view", 0, GL_RG32F, distance);
-    draw("distance-on-view", 1, GL_RG32F, distance);
-    draw("comparison", 2, GL_RGBA16F, comparison);
+    publish("depth-on-view", kMapDepth, GL_RG32F, shownDistance_);
+    publish("distance-on-view", kPointDistance, GL_RG32F, shownDistance_);
+    publish("comparison", kComparison, GL_RGBA16F, comparison);
+    map_.compare(true);
 }
 
 } // namespace shadowlab::shadow_map

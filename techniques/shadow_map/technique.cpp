@@ -86,7 +86,8 @@ PreparedLight ShadowMap::prepareLight(Frame& frame, int light) {
     PreparedLight prepared;
     // The fit always uses the casters that matter: a larger map would be another picture.
     const std::vector<std::size_t> useful = scene::usefulCasters(scene, source);
-    prepared.casters = params_.cull ? useful : scene::allCasters(scene);
+    const bool shown = frame.wants("light-depth", light) || frame.wants("depth-on-view", light) || frame.wants("comparison", light);
+    prepared.casters = params_.cull && !shown ? useful : scene::allCasters(scene); // a lesson wants to see the floor, too
     prepared.maps = fitLightMaps(scene, source, useful, params_.resolution, params_.kernelRadius());
     if (map_.side() != params_.resolution || map_.layers() != prepared.maps.layers())
         map_ = gl::DepthTextureArray(GL_DEPTH_COMPONENT24, params_.resolution, prepared.maps.layers(), "shadow map");

@@ -38,9 +38,12 @@ private:
     void publishWithoutShadows(Frame& frame) const;
     void publishLightView(Frame& frame, int light, const PreparedLight& prepared) const;
     void publishLightDepth(Frame& frame, int light, const PreparedLight& prepared) const;
+    void drawProjected(const Frame& frame, int light, const PreparedLight& prepared, int mode) const;
+    Display distanceRange(const Frame& frame, int light, const PreparedLight& prepared) const;
     void publishProjected(Frame& frame, int light, const PreparedLight& prepared) const;
 
     ShadowMapParams params_;
+    Display shownDistance_; ///< scale of the current light's depth pictures
     std::optional<ShadowMapParams::Filter> chosenFilter_; ///< that shade_ and visibility_ were made for
     gl::DepthTextureArray map_;
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_volume/casters.h"
 
+#include <algorithm>
+
+#include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/facing.h"
 
 namespace shadowlab::shadow_volume {
@@ -17,14 +20,14 @@ bool Casters::buildNext(const scene::Snapshot& snapshot) {
     if (perLight_.size() == snapshot->lights.size()) return true;
 
     const scene::Light& light = snapshot->lights[perLight_.size()];
+    const std::vector<std::size_t> useful = scene::usefulCasters(*snapshot, light);
     std::vector<CasterVolume> casters;
-    for (std::size_t o = 0; o < snapshot->objects.size(); ++o) {
+    for (const std::size_t o : scene::allCasters(*snapshot)) {
         const scene::Object& object = snapshot->objects[o];
-        if (!object.castsShadow) continue;
         const SharedMesh& mesh = shared(object.mesh);
         const std::vector<std::int8_t> facing = scene::facingSigns(object, light);
-        CasterVolume caster{o, {}, silhouetteEdges(mesh.topology, facing), scene::boundsWorld(object), mesh.report,
-                            nullptr};
+        CasterVolume caster{o, {}, silhouetteEdges(mesh.topology, facing), scene::boundsWorld(object),
+                            std::ranges::binary_search(useful, o), mesh.report, nullptr};
         caster.volume = buildVolume(*object.mesh, facing, caster.silhouette, light.type == scene::LightType::directional);
         casters.push_back(std::move(caster));
     }

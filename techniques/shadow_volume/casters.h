@@ -17,6 +17,7 @@ struct CasterVolume {
     Volume volume;
     std::vector<SilhouetteEdge> silhouette;
     scene::Bounds bounds;
+    bool useful = true; ///< its shadow can fall on something (scene/casters.h)
     scene::MeshReport report;
     std::unique_ptr<VolumeBuffers> buffers; ///< made when first drawn
 };

@@ -62,7 +62,7 @@ params::ParamList ZFail::params() {
     return {
         params::boolean("two-sided", params_.twoSided,
                         "Count back and front faces in one pass; false: the lecture's steps 4 and 5, one after the other."),
-        params::boolean("cull", params_.cull, "Skip volumes that cannot reach the view; the picture is the same."),
+        params::boolean("cull", params_.cull, "Skip volumes that cannot reach the view, or in which nothing lies; the picture is the same."),
         params::boolean("wrap", params_.wrap,
                         "Let the stencil wrap around; false: it sticks at 0 and 255, and counts get lost (teaching)."),
         params::boolean("caps", params_.caps, "Close the volumes with caps; false: depth fail miscounts (teaching)."),
@@ -87,7 +87,7 @@ Progress ZFail::render(Frame& frame) {
         const std::vector<CasterVolume>& casters = casters_.upload(frame.snapshot(), light);
         drawn_.clear();
         for (const CasterVolume& caster : casters)
-            if (!params_.cull || volumeMayBeInView(caster.bounds, scene.lights[static_cast<std::size_t>(light)], frame.eye()))
+            if (!params_.cull || (caster.useful && volumeMayBeInView(caster.bounds, scene.lights[static_cast<std::size_t>(light)], frame.eye())))
                 drawn_.push_back(&caster);
         frame.count("volumes", static_cast<double>(drawn_.size()), static_cast<double>(casters.size()), "casters");
 
@@ -103,7 +103,8 @@ Progress ZFail::render(Frame& frame) {
     // Pictures over the finished image.
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
         std::vector<const CasterVolume*> casters;
-        for (const CasterVolume& caster : casters_.upload(frame.snapshot(), light)) casters.push_back(&caster);
+        for (const CasterVolume& caster : casters_.upload(frame.snapshot(), light))
+            if (caster.useful || !params_.cull) casters.push_back(&caster);
         if (frame.wants("facing", light)) pictures_.publishFacing(frame, light);
         if (frame.wants("silhouettes", light)) pictures_.publishSilhouettes(frame, light, casters);
         if (frame.wants("volume-signs", light)) pictures_.publishFaces(frame, light, casters, false);

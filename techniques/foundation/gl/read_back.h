@@ -1,0 +1,31 @@
+// The numbers in a texture, on the processor.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+#include <vector>
+
+#include "techniques/foundation/gl/debug.h"
+#include "techniques/foundation/gl/framebuffer.h"
+
+namespace shadowlab::gl {
+
+/// Four channels a pixel, row 0 on top. GL counts rows from the bottom and pictures from the top: this is the only place
+/// that turns them over. `type` is the GL type of Texel's components.
+template <typename Texel>
+std::vector<Texel> readRows(const Texture2D& texture, GLenum type) {
+    const ivec2 size = texture.size();
+    const Framebuffer framebuffer(&texture, nullptr, "read-back");
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.id());
+    std::vector<Texel> texels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size.x, size.y, GL_RGBA, type, texels.data());
+    check("read-back");
+    for (int y = 0; y < size.y / 2; ++y)
+        std::swap_ranges(texels.begin() + std::ptrdiff_t(y) * size.x, texels.begin() + std::ptrdiff_t(y + 1) * size.x,
+                         texels.begin() + std::ptrdiff_t(size.y - 1 - y) * size.x);
+    return texels;
+}
+
+inline std::vector<vec4> readTexels(const Texture2D& texture) { return readRows<vec4>(texture, GL_FLOAT); }
+
+} // namespace shadowlab::gl

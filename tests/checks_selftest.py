@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""Shows that include_check.py and house_check.py bite: a made-up tree with each violation must be flagged at the very line, and
+a clean tree that comes close to each rule must pass."""
+# SPDX-License-Identifier: MIT
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+TESTS = Path(__file__).resolve().parent
+SPDX = "// SPDX-License-Identifier: MIT\n"
+
+# What is allowed, and close to what is not.
+CLEAN = {
+    "CMakeLists.txt": "find_package(PNG REQUIRED) # never OpenGL::GL\ntarget_link_libraries(app PRIVATE glfw OpenGL::EGL)\n",
+    "techniques/technique.h": SPDX + '#include "techniques/foundation/scene/scene.h"\n',
+    "techniques/frame.cpp": SPDX + '#include "techniques/technique.h"\n#include "techniques/foundation/gl/program.h"\n',
+    "techniques/foundation/scene/scene.h": SPDX + '#include <vector>\n#include <png.h>\n// #include "app/session/session.h"\n',
+    "techniques/foundation/scene/mesh.h": SPDX + '#include "scene.h"\n/*\n#include <imgui.h>\n*/\n',
+    "techniques/foundation/gl/program.h": SPDX + '#include <glad/gl.h>\n#include "techniques/foundation/scene/scene.h"\n',
+    "techniques/planar/technique.cpp": SPDX + '#include "techniques/planar/matrix.h"\n#include "techniques/technique.h"\n#include <glad/gl.h>\n',
+    "techniques/planar/matrix.h": SPDX + '#include "../foundation/scene/scene.h"\n',
+    "app/main.cpp": SPDX + '#include "techniques/planar/matrix.h"\n#include "app/ui/panel.h"\n#include <GLFW/glfw3.h>\n',
+    "app/ui/panel.h": SPDX + "#include <imgui.h>\n",
+    "tests/planar/matrix_test.cpp": SPDX + '#include "techniques/planar/matrix.h"\n#include "app/main.cpp"\n#include <glad/gl.h>\n',
+    "shaders/light.glsl": "float one() { return 1.0; }\n",
+    "shaders/planar/flat.frag": '#version 330 core\n#include "light.glsl"\n#include "planar/flat.glsl"\n',
+    "docs/tour.md": "Run `/usr/bin/glad`, or build/home/x.\n",
+}
+
+# (check, file, line, text of the file): each must be flagged at that line, and nothing else.
+BROKEN = [
+    ("include", "techniques/foundation/scene/light.h", 2, SPDX + '#include "techniques/technique.h"\n'),
+    ("include", "techniques/foundation/trace/bvh.cpp", 2, SPDX + '#include "techniques/planar/matrix.h"\n'),
+    ("include", "techniques/foundation/trace/ray.cpp", 2, SPDX + '#include "app/ui/panel.h"\n'),
+    ("include", "techniques/foundation/image/png.cpp", 2, SPDX + "#include <glad/gl.h>\n"),
+    ("include", "techniques/foundation/image/jpg.cpp", 2, SPDX + '#include "techniques/foundation/gl/program.h"\n'),
+    ("include", "techniques/foundation/image/gif.cpp", 2, SPDX + '#include "../gl/program.h"\n'),
+    ("include", "techniques/foundation/gl/window.cpp", 3, SPDX + "\n# include <GLFW/glfw3.h>\n"),
+    ("include", "techniques/frame.h", 2, SPDX + '#include "techniques/planar/matrix.h"\n'),
+    ("include", "techniques/registry.cpp", 2, SPDX + '#include "app/session/session.h"\n'),
+    ("include", "techniques/registry.h", 2, SPDX + "#include <glad/gl.h>\n"),
+    ("include", "techniques/shadow_map/a.cpp", 2, SPDX + '#include "techniques/planar/matrix.h"\n'),
+    ("include", "techniques/shadow_map/b.cpp", 2, SPDX + '#include "../planar/matrix.h"\n'),
+    ("include", "techniques/shadow_map/c.cpp", 4, SPDX + '/* #include\n*/\n#include "app/ui/panel.h"\n'),
+    ("include", "techniques/shadow_map/d.cpp", 2, SPDX + '#include "tests/planar/matrix_test.cpp"\n'),
+    ("include", "techniques/shadow_map/e.cpp", 2, SPDX + "#include <imgui.h>\n"),
+    ("include", "techniques/shadow_map/f.cpp", 2, SPDX + "#include <EGL/egl.h>\n"),
+    ("include", "techniques/shadow_map/g.cpp", 3, SPDX + '#define OTHER "techniques/planar/matrix.h"\n#include OTHER\n'),
+    ("include", "app/session/a.cpp", 2, SPDX + "#include <GL/gl.h>\n"),
+    ("include", "app/session/b.cpp", 2, SPDX + "#include <imgui_internal.h>\n"),
+    ("include", "app/session/c.cpp", 2, SPDX + '#include "tests/planar/matrix_test.cpp"\n'),
+    ("include", "tests/a_test.cpp", 2, SPDX + "#include <GL/osmesa.h>\n"),
+    ("include", "shaders/planar/a.frag", 2, '#version 330 core\n#include "shadow_map/lookup.glsl"\n'),
+    ("include", "shaders/b.glsl", 1, '#include "planar/flat.frag"\n'),
+    ("include", "app/CMakeLists.txt", 2, "find_package(PNG)\ntarget_link_libraries(app PRIVATE OpenGL::GL)\n"),
+    ("include", "techniques/CMakeLists.txt", 1, "find_package(OpenGL REQUIRED)\n"),
+    ("include", "tests/CMakeLists.txt", 2, "target_link_libraries(t\n  PRIVATE -lOSMesa)\n"),
+    ("house", "app/a.cpp", 1, "int main() {}\n"),
+    ("house", "techniques/planar/b.h", 402, SPDX + "\n" * 401),
+    ("house", "tests/c_test.cpp", 3, SPDX + "\n// TO" + "DO later\n"),
+    ("house", "shaders/d.glsl", 2, "float x;\n// FIX" + "ME\n"),
+    ("house", "docs/e.md", 1, "cd /ho" + "me/someone/shadowlab\n"),
+    ("house", "docs/f.py", 1, "print()\n"),
+]
+
+
+def write(root, files):
+    for name, text in files.items():
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+
+def run(check, root):
+    command = [sys.executable, str(TESTS / f"{check}_check.py"), str(root)]
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    return result.returncode, result.stdout.splitlines(), result.stderr
+
+
+def main():
+    complaints = []
+    for check in ("include", "house"):
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            write(root, CLEAN)
+            status, lines, errors = run(check, root)
+            if status != 0 or lines:
+                complaints.append(f"{check}_check: flags a clean tree: {lines} {errors}")
+            broken = [case for case in BROKEN if case[0] == check]
+            write(root, {file: text for _, file, _, text in broken})
+            status, lines, errors = run(check, root)
+            if status != 1:
+                complaints.append(f"{check}_check: exit status {status} for a broken tree {errors}")
+            flagged = {tuple(line.split(":")[:2]) for line in lines}
+            for _, file, line, _ in broken:
+                wanted = (file, str(line))
+                if wanted not in flagged:
+                    complaints.append(f"{check}_check: does not see the fault at {':'.join(wanted)}")
+                flagged.discard(wanted)
+            complaints += [f"{check}_check: flags {':'.join(place)}, where nothing is wrong" for place in sorted(flagged)]
+    print("\n".join(complaints) or f"{len(BROKEN)} faults, each flagged where it is; the clean tree passes")
+    sys.exit(1 if complaints else 0)
+
+
+if __name__ == "__main__":
+    main()
