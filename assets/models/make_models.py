@@ -14,13 +14,13 @@ from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 
-# Name: (Kd, Ks, Ns). Linear RGB, as everywhere in this program.
+# Name: (Kd, Ks, Ns, Ke). Linear RGB, as everywhere in this program.
 MATERIALS = {
     "plaster": ((0.72, 0.71, 0.69), (0, 0, 0), 32),
     "marble": ((0.60, 0.59, 0.56), (0, 0, 0), 32),
     "wood": ((0.50, 0.43, 0.36), (0, 0, 0), 32),
     "ceramic": ((0.58, 0.60, 0.62), (0.04, 0.04, 0.04), 60),
-    "wax": ((0.78, 0.73, 0.64), (0, 0, 0), 32),
+    "wax": ((0.72, 0.68, 0.60), (0, 0, 0), 32, (0.06, 0.042, 0.02)),  # a little of the flame shines through
     "wick": ((0.08, 0.07, 0.06), (0, 0, 0), 32),
     "brass": ((0.46, 0.32, 0.12), (0.12, 0.09, 0.04), 60),
 }
@@ -224,9 +224,10 @@ def write_model(name, description, parts, crease_degrees=40.0):
 
     lines = ["# Written by make_models.py"]
     for material in dict.fromkeys(material for material, _ in parts):
-        diffuse, specular, shininess = MATERIALS[material]
+        diffuse, specular, shininess, emission = (*MATERIALS[material], (0, 0, 0))[:4]
         lines += [f"newmtl {material}", "Kd " + " ".join(number(x, 4) for x in diffuse)]
         lines += ["Ks " + " ".join(number(x, 4) for x in specular), f"Ns {shininess}"]
+        lines += ["Ke " + " ".join(number(x, 4) for x in emission)] if any(emission) else []
     (FOLDER / f"{name}.mtl").write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
     size = (FOLDER / f"{name}.obj").stat().st_size
     print(f"{name:12} {count:6} triangles {size / 1000:6.0f} kB")
@@ -340,7 +341,7 @@ def vase():
     rim = [(0.058, 0.357), (0.055, 0.36), (0.052, 0.357)]
     inside = [(r - 0.006, y + 0.002) for r, y in reversed(outside[:-1])]
     profile = [(0, 0), (0.058, 0)] + outside + rim + inside + [(0, 0.014)]
-    write_model("vase", "A vase, 0.36 m high, open above", [("ceramic", lathe(profile, 72))])
+    write_model("vase", "A vase, 0.36 m high, open above", [("ceramic", lathe(profile, 96))])
 
 
 def pawn():
@@ -355,13 +356,13 @@ def pawn():
 
 
 def candle():
-    """A candle 0.20 m high in a brass dish with a ring to hold it by; the wick ends at y = 0.225."""
+    """A candle in a brass dish with a ring to hold it by; the wick ends at y = 0.325."""
     dish = [(0, 0), (0.060, 0), (0.066, 0.004)] + curve([(0.078, 0.010), (0.090, 0.022), (0.094, 0.030)], 4)
     dish += [(0.092, 0.032), (0.089, 0.030)] + curve([(0.086, 0.024), (0.075, 0.013), (0.062, 0.008)], 4) + [(0, 0.007)]
     socket = [(0, 0.005), (0.030, 0.005), (0.026, 0.012), (0.024, 0.040), (0.029, 0.044), (0.029, 0.048), (0, 0.048)]
-    wax = [(0, 0.045), (0.0205, 0.045), (0.0200, 0.196), (0.0190, 0.200), (0.0165, 0.201)]
-    wax += [(0.0120, 0.198), (0.0060, 0.196), (0, 0.1955)]
-    wick = [(0, 0.190), (0.0016, 0.190), (0.0014, 0.223), (0.0007, 0.225), (0, 0.225)]
+    wax = [(0, 0.045), (0.0150, 0.045), (0.0125, 0.296), (0.0115, 0.299), (0.0100, 0.300)]
+    wax += [(0.0070, 0.298), (0.0035, 0.296), (0, 0.2955)]
+    wick = [(0, 0.290), (0.0016, 0.290), (0.0014, 0.323), (0.0007, 0.325), (0, 0.325)]
 
     def centre(t):
         return (0.024 * cos(t), 0.024 * sin(t), 0)
@@ -375,7 +376,7 @@ def candle():
     handle = moved(tube(centre, tangent, outward, 0.0042, 40, 10), (0.112, 0.026, 0))
     parts = [("brass", lathe(dish, 56)), ("brass", lathe(socket, 40)), ("brass", handle)]
     parts += [("wax", lathe(wax, 40)), ("wick", lathe(wick, 8))]
-    write_model("candle", "A candle in a brass holder, 0.225 m high", parts)
+    write_model("candle", "A candle in a brass holder, 0.325 m high", parts)
 
 
 def flame():

@@ -1,0 +1,252 @@
+#!/usr/bin/env python3
+"""Writes the parts of README.md and docs/ that the program knows better than any hand: tables, the index, the pictures.
+
+generate.py              rewrites what stands between `<!-- generated: NAME -->` and `<!-- end generated -->`, and makes a
+                         page, to be filled in, for every technique that has none
+generate.py --check      writes nothing; exits with 1 when a part is out of date, a page or a picture is missing, a link is dead
+generate.py --pictures   draws the pictures as well, with `shadowlab capture`:
+                         `<!-- picture NAME: ARGUMENTS -->` asks for docs/images/NAME.png wherever it stands, and
+                         `<!-- gallery: ARGUMENTS -->` on a technique's page for a picture of each of its stages
+--program PATH           the program to ask, build/release/shadowlab by default
+"""
+# SPDX-License-Identifier: MIT
+import argparse
+import json
+import math
+import re
+import shlex
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+DOCS = ROOT / "docs"
+IMAGES = DOCS / "images"
+LARGEST_PICTURE = 150_000  # bytes: a clone stays small, a page loads at once
+
+BLOCK = re.compile(r"(<!-- generated: ([\w-]+) -->\n).*?(<!-- end generated -->)", re.DOTALL)
+PICTURE = re.compile(r"<!-- picture ([\w-]+): (.+?) -->")
+GALLERY = re.compile(r"<!-- gallery: (.+?) -->")
+LINK = re.compile(r"\]\(([^)\s#]+)(?:#[^)]*)?\)|<img src=\"([^\"]+)\"")
+UNWRITTEN = "(to be written)"
+
+PAGE = f"""# {{title}}
+
+{UNWRITTEN}: the idea in five sentences.
+
+Paper: {{paper}}.
+
+## In the lecture
+
+{UNWRITTEN}: the lecture's steps, and which pass does which.
+
+## Passes
+
+<!-- generated: passes -->
+<!-- end generated -->
+
+## Stages
+
+<!-- gallery: still-life --size 640x360 -->
+<!-- generated: stages -->
+<!-- end generated -->
+
+## Parameters
+
+<!-- generated: parameters -->
+<!-- end generated -->
+
+## What goes wrong
+
+It gets wrong: {{getsWrong}}. {UNWRITTEN}: each artefact with the parameter values that show it.
+"""
+
+
+class Program:
+    """What `shadowlab list` says about techniques that belong to this checkout."""
+
+    def __init__(self, path):
+        self.path = path
+        self.techniques = [t for t in self.list("techniques") if (ROOT / t["folder"] / "technique.cpp").is_file()]
+        self.parameters = self.list("parameters")
+        self.stages = self.list("stages")
+
+    def list(self, what):
+        try:
+            result = subprocess.run([self.path, "list", what, "--json"], capture_output=True, text=True, check=True)
+        except OSError as error:
+            sys.exit(f"generate.py: {self.path}: {error.strerror}; build the program with ./demo, or name it with --program")
+        except subprocess.CalledProcessError as error:
+            sys.exit(f"generate.py: `shadowlab list {what}` failed: {error.stderr.strip()}")
+        return json.loads(result.stdout)[what]
+
+    def stages_of(self, technique):
+        return [s for s in self.stages if s["technique"] == technique and not s["stage"].startswith("pass:")]
+
+    def passes_of(self, technique):
+        return [s for s in self.stages if s["technique"] == technique and s["stage"].startswith("pass:")]
+
+    def parameters_of(self, technique):
+        return [p for p in self.parameters if p["parameter"].rpartition(".")[0] == technique]
+
+
+def table(head, rows):
+    def line(cells):
+        return "| " + " | ".join(str(cell).replace("|", "\\|") for cell in cells) + " |"
+
+    return "\n".join([line(head), "|" + "---|" * len(head), *map(line, rows)]) + "\n"
+
+
+def code(text):
+    return f"`{text}`" if text else ""
+
+
+def range_text(parameter):
+    return " ".join(filter(None, (code(parameter["range"]), parameter["unit"])))
+
+
+def parameters_table(program, technique):
+    rows = [(code(p["parameter"].rpartition(".")[2]), code(p["default"]), range_text(p), p["help"])
+            for p in program.parameters_of(technique)]
+    return table(("parameter", "default", "range", "meaning"), rows) if rows else "It has none.\n"
+
+
+def passes_table(program, technique):
+    passes = program.passes_of(technique)
+    more = [(key, title) for key, title in (("why", "why"), ("glState", "state")) if any(p.get(key) for p in passes)]
+    rows = [(code(p["stage"]), p["caption"] + (", for each light" if p["perLight"] else ""), *(p.get(key, "") for key, _ in more))
+            for p in passes]
+    return table(("pass", "what it does", *(title for _, title in more)), rows)
+
+
+def stages_table(program, technique):
+    def picture(stage):
+        return f'<img src="images/{technique}-{stage["stage"]}.png" alt="{stage["caption"]}" width="320">'
+
+    rows = [(code(s["stage"] + ("@LIGHT" if s["perLight"] else "")), s["caption"], picture(s)) for s in program.stages_of(technique)]
+    return table(("stage", "what it shows", "picture"), rows)
+
+
+def techniques_table(program, folder):
+    """`folder`: from where the links go."""
+    rows = [(f"[{t['title']}]({'docs/' if folder == ROOT else ''}{t['id']}.md)", t["paper"],
+             f"[{t['folder']}]({'' if folder == ROOT else '../'}{t['folder']})", t["getsWrong"]) for t in program.techniques]
+    return table(("technique", "paper", "folder", "what it gets wrong"), rows)
+
+
+def pages_list(program):
+    ids = {t["id"] for t in program.techniques}
+    first = ["tour", "conventions", "scene_format", "adding_a_technique"]
+    names = [p.stem for p in DOCS.glob("*.md") if p.stem not in ids and p.stem != "README"]
+    lines = []
+    for name in sorted(names, key=lambda n: (first.index(n) if n in first else len(first), n)):
+        text = (DOCS / f"{name}.md").read_text(encoding="utf-8")
+        title = re.search(r"^# (.+)$", text, re.MULTILINE).group(1)
+        opening = re.search(r"\n\n([^#<|`\n].+?[.:])(?:\s|$)", text, re.DOTALL)
+        lines.append(f"- [{title}]({name}.md)" + (f": {' '.join(opening.group(1).split()).rstrip(':')}" if opening else ""))
+    return "\n".join(lines) + "\n"
+
+
+def regenerated(program, path, text):
+    def block(match):
+        name, technique = match.group(2), path.stem
+        makers = {"techniques": lambda: techniques_table(program, path.parent), "pages": lambda: pages_list(program),
+                  "parameters": lambda: parameters_table(program, technique), "passes": lambda: passes_table(program, technique),
+                  "stages": lambda: stages_table(program, technique)}
+        if name not in makers:
+            sys.exit(f"generate.py: {path}: there is no generated part '{name}'; there are {', '.join(makers)}")
+        return match.group(1) + "\n" + makers[name]() + "\n" + match.group(3)
+
+    return BLOCK.sub(block, text)
+
+
+def every_technique(program):
+    """Capture arguments that put all techniques into one picture of equal cells."""
+    count = len(program.techniques)
+    columns = count if count <= 3 else math.ceil(math.sqrt(count))
+    rows = math.ceil(count / columns)
+    layout, cell = ("side", (480, 360)) if rows == 1 else ("grid", (480, 270))
+    ids = ",".join(t["id"] for t in program.techniques)
+    return f"-t {ids} --layout {layout} --size {columns * cell[0]}x{rows * cell[1]}"
+
+
+def wanted_pictures(program):
+    """Name of each picture and the arguments it is captured with."""
+    pictures = {}
+    ids = {t["id"] for t in program.techniques}
+    for path in (ROOT / "README.md", *sorted(DOCS.glob("*.md"))):
+        text = re.sub(r"```.*?```", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+        for name, arguments in PICTURE.findall(text):
+            pictures[name] = arguments.replace("{every technique}", every_technique(program))
+        gallery = GALLERY.search(text)
+        if gallery and path.stem in ids:
+            for stage in program.stages_of(path.stem):
+                pictures[f"{path.stem}-{stage['stage']}"] = f"{gallery.group(1)} -t {path.stem} --stage {stage['stage']}"
+    return pictures
+
+
+def draw_pictures(program):
+    IMAGES.mkdir(exist_ok=True)
+    pictures = wanted_pictures(program)
+    for name, arguments in pictures.items():
+        output = IMAGES / f"{name}.png"
+        # OSMesa: the same bytes on every machine with the same Mesa, whatever graphics card it has.
+        command = [program.path, "capture", *shlex.split(arguments), "--backend", "osmesa", "-o", str(output)]
+        if subprocess.run(command, check=False).returncode != 0:
+            sys.exit(f"generate.py: picture {name} could not be drawn: {shlex.join(command)}")
+        if output.stat().st_size > LARGEST_PICTURE:
+            sys.exit(f"generate.py: {output} has {output.stat().st_size} bytes, {LARGEST_PICTURE} is the most; choose a smaller --size")
+    for stale in set(IMAGES.glob("*.png")) - {IMAGES / f"{name}.png" for name in pictures}:
+        stale.unlink()
+    total = sum(p.stat().st_size for p in IMAGES.glob("*.png"))
+    print(f"{len(pictures)} pictures, {total // 1000} kB, in {IMAGES}", file=sys.stderr)
+
+
+def complaints_about(path, text):
+    name = path.relative_to(ROOT)
+    if UNWRITTEN in text and path.name != "adding_a_technique.md":
+        yield f"{name}: a part is still {UNWRITTEN}; write it"
+    for match in LINK.finditer(re.sub(r"```.*?```", "", text, flags=re.DOTALL)):
+        target = match.group(1) or match.group(2)
+        if re.match(r"[a-z]+:", target) or (path.parent / target).exists():
+            continue
+        mend = "draw it with docs/generate.py --pictures" if target.endswith(".png") else "mend the link"
+        yield f"{name}: there is no {target}; {mend}"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--pictures", action="store_true")
+    parser.add_argument("--program", default=str(ROOT / "build/release/shadowlab"))
+    options = parser.parse_args()
+    program = Program(options.program)
+
+    complaints = []
+    for technique in program.techniques:
+        page = DOCS / f"{technique['id']}.md"
+        if page.is_file():
+            continue
+        if options.check:
+            complaints.append(f"technique '{technique['id']}' has no page; run docs/generate.py, and fill in docs/{page.name}")
+        else:
+            page.write_text(PAGE.format(**technique), encoding="utf-8")
+            print(f"{page.relative_to(ROOT)}: new, to be filled in", file=sys.stderr)
+    for path in (ROOT / "README.md", *sorted(DOCS.glob("*.md"))):
+        text = path.read_text(encoding="utf-8")
+        new = regenerated(program, path, text)
+        if new != text and options.check:
+            complaints.append(f"{path.relative_to(ROOT)}: is out of date; run docs/generate.py")
+        elif new != text:
+            path.write_text(new, encoding="utf-8")
+            print(f"{path.relative_to(ROOT)}: brought up to date", file=sys.stderr)
+        if options.check:
+            complaints += complaints_about(path, new)
+    if options.pictures and not options.check:
+        draw_pictures(program)
+    print("".join(complaint + "\n" for complaint in complaints), end="")
+    sys.exit(1 if complaints else 0)
+
+
+if __name__ == "__main__":
+    main()
