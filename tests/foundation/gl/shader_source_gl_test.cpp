@@ -1,0 +1,87 @@
+// Shaders: includes, true places in compile errors, and every program there is compiles without a word.
+// SPDX-License-Identifier: MIT
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/gl/program.h"
+#include "tests/support/gl_fixture.h"
+
+namespace shadowlab {
+namespace {
+
+using ShaderSourceTest = testing::GlTest;
+
+/// A folder of shaders that SHADOWLAB_SHADERS points to for the length of a test.
+class ShaderFolder {
+public:
+    ShaderFolder() : path_(std::filesystem::temp_directory_path() / ("shadowlab-shaders-" + std::to_string(::getpid()))) {
+        std::filesystem::create_directories(path_);
+        ::setenv("SHADOWLAB_SHADERS", path_.c_str(), 1);
+    }
+    ~ShaderFolder() {
+        ::unsetenv("SHADOWLAB_SHADERS");
+        std::filesystem::remove_all(path_);
+    }
+    void write(const std::string& name, const std::string& text) const { std::ofstream(path_ / name) << text; }
+
+private:
+    std::filesystem::path path_;
+};
+
+std::string errorOf(const gl::Program& program) {
+    try {
+        program.use();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), ExitStatus::badInput);
+        gl::takeDebugMessages(); // the driver says it, too
+        return error.what();
+    }
+    return "compiled";
+}
+
+TEST_F(ShaderSourceTest, ErrorsNameTheIncludedFileAndItsLine) {
+    const ShaderFolder folder;
+    folder.write("part.glsl", "// first line\nfloat half_() { return 0.5; }\nfloat broken() { return undefinedName; }\n");
+    folder.write("main.frag", "#version 330 core\n#include \"part.glsl\"\nout vec4 c;\nvoid main() { c = vec4(broken()); }\n");
+    EXPECT_TRUE(errorOf({"fullscreen.vert", "main.frag"}).starts_with("part.glsl:3: ")) << errorOf({"fullscreen.vert", "main.frag"});
+}
+
+TEST_F(ShaderSourceTest, ErrorsAfterAnIncludeKeepTheirLine) {
+    const ShaderFolder folder;
+    folder.write("part.glsl", "\n\n\n\n\nfloat half_() { return 0.5; }\n");
+    folder.write("main.frag", "#version 330 core\n#include \"part.glsl\"\nout vec4 c;\nvoid main() { c = vec4(nonsense); }\n");
+    EXPECT_TRUE(errorOf({"fullscreen.vert", "main.frag", {"A 1", "B 2"}}).starts_with("main.frag:4: "));
+}
+
+TEST_F(ShaderSourceTest, AMissingIncludeIsNamedWithItsPlace) {
+    const ShaderFolder folder;
+    folder.write("main.frag", "#version 330 core\n\n#include \"materiel.glsl\"\nvoid main() {}\n");
+    const std::string message = errorOf({"fullscreen.vert", "main.frag"});
+    EXPECT_TRUE(message.starts_with("main.frag:3: ")) << message;
+    EXPECT_NE(message.find("material.glsl"), std::string::npos) << message;
+}
+
+TEST_F(ShaderSourceTest, ALaterCorrectionIsPickedUp) {
+    const ShaderFolder folder;
+    folder.write("main.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(oops); }\n");
+    const gl::Program program("fullscreen.vert", "main.frag");
+    EXPECT_NE(errorOf(program), "compiled");
+    folder.write("main.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
+    EXPECT_EQ(errorOf(program), "compiled");
+}
+
+TEST_F(ShaderSourceTest, EveryFileStartsWithWhatItIsFor) {
+    ASSERT_GT(gl::embeddedShaders().size(), 20u);
+    for (const gl::EmbeddedShader& shader : gl::embeddedShaders()) {
+        const bool complete = shader.name.ends_with(".vert") || shader.name.ends_with(".frag");
+        EXPECT_EQ(shader.text.starts_with("#version 330 core\n"), complete) << shader.name;
+        EXPECT_NE(shader.text.find("// "), std::string_view::npos) << shader.name << " has no comment";
+    }
+}
+
+} // namespace
+} // namespace shadowlab

@@ -1,0 +1,66 @@
+// Parameters: values in and out as text, and what is refused with which words.
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/params/param.h"
+
+#include <gtest/gtest.h>
+
+#include "techniques/foundation/error.h"
+
+namespace shadowlab::params {
+namespace {
+
+enum class Filter { hard, pcf };
+struct Params {
+    bool on = true;
+    int count = 3;
+    double share = 0.1;
+    Filter filter = Filter::pcf;
+};
+ParamList describe(Params& p) {
+    return {boolean("on", p.on, "h"), integer("count", p.count, 1, 9, "texels", "h"), real("share", p.share, 0, 1, "", "h"),
+            choice("filter", p.filter, {"hard", "pcf"}, "h")};
+}
+
+std::string refusal(const std::string& id, const std::string& text) {
+    Params values;
+    ParamList list = describe(values);
+    try {
+        setFromText(find(list, id, "t"), text, "t");
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), ExitStatus::usage);
+        EXPECT_EQ(values.count, 3);
+        EXPECT_EQ(values.share, 0.1);
+        return error.what();
+    }
+    return "accepted";
+}
+
+TEST(Param, ReadsAndWritesEveryKind) {
+    Params values;
+    ParamList list = describe(values);
+    EXPECT_EQ(valueText(list[0]) + valueText(list[1]) + valueText(list[2]) + valueText(list[3]), "true30.1pcf");
+    EXPECT_EQ(rangeText(list[0]) + rangeText(list[1]) + rangeText(list[2]) + rangeText(list[3]), "false|true1..90..1hard|pcf");
+    setFromText(list[0], "false", "t");
+    setFromText(list[1], "9", "t");
+    setFromText(list[2], "2.5e-1", "t");
+    setFromText(list[3], "hard", "t");
+    EXPECT_FALSE(values.on);
+    EXPECT_EQ(values.count, 9);
+    EXPECT_EQ(values.share, 0.25);
+    EXPECT_EQ(values.filter, Filter::hard);
+    EXPECT_EQ(initialText(list[1]), "3");
+}
+
+TEST(Param, RefusesInsteadOfClamping) {
+    EXPECT_EQ(refusal("count", "10"), "parameter 't.count': '10' is out of range; use 1..9 texels");
+    EXPECT_EQ(refusal("count", "2.5"), "parameter 't.count': '2.5' is not a whole number; use 1..9 texels");
+    EXPECT_EQ(refusal("count", "3x"), "parameter 't.count': '3x' is not a whole number; use 1..9 texels");
+    EXPECT_EQ(refusal("share", "nan"), "parameter 't.share': 'nan' is not a number; use 0..1");
+    EXPECT_EQ(refusal("share", "0,5"), "parameter 't.share': '0,5' is not a number; use 0..1");
+    EXPECT_EQ(refusal("on", "yes"), "parameter 't.on': 'yes' is not one of its values; use one of false|true");
+    EXPECT_EQ(refusal("filter", "PCF"), "parameter 't.filter': 'PCF' is not one of its values; use one of hard|pcf");
+    EXPECT_EQ(refusal("cuont", "1"), "'t' has no parameter 'cuont'; did you mean \"count\"?");
+}
+
+} // namespace
+} // namespace shadowlab::params
