@@ -1,18 +1,18 @@
 // The program: parse, dispatch to a subcommand, and the only place where errors become messages and exit statuses.
 // SPDX-License-Identifier: MIT
-#include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
 
 #include "app/commands/command_line.h"
+#include "app/commands/messages.h"
 #include "app/context/signals.h"
 #include "techniques/foundation/error.h"
 
 namespace {
 
 int fail(shadowlab::ExitStatus status, const std::string& message) {
-    std::fprintf(stderr, "shadowlab: %s\n", message.c_str());
+    shadowlab::commands::complain(message);
     return static_cast<int>(status);
 }
 
@@ -20,6 +20,7 @@ int fail(shadowlab::ExitStatus status, const std::string& message) {
 
 int main(int argc, char** argv) {
     using shadowlab::ExitStatus;
+    shadowlab::commands::keepStandardDescriptors();
     shadowlab::context::installSignalHandlers();
     try {
         return shadowlab::commands::run(argc, argv);

@@ -1,11 +1,13 @@
 // `shadowlab capture`: one picture, or a sequence, of one or several techniques.
 // SPDX-License-Identifier: MIT
+#include <glad/gl.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 
 #include "app/commands/capture_stats.h"
 #include "app/commands/command_line.h"
+#include "app/commands/messages.h"
 #include "app/context/signals.h"
 #include "app/session/assets.h"
 #include "app/session/orbit.h"
@@ -32,23 +34,35 @@ std::filesystem::path numbered(const std::filesystem::path& pattern, int frame) 
     return pattern.parent_path() / name.replace(first, width, number);
 }
 
+/// The file that SCENE stands for; it may not exist.
+std::filesystem::path sceneFile(const std::string& scene) {
+    const std::filesystem::path path(scene);
+    return path.has_extension() ? path : session::assetsRoot() / "scenes" / (scene + ".json");
+}
+
+/// Would these two names lead to one and the same regular file?
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code ignored;
+    if (std::filesystem::exists(a, ignored) && !std::filesystem::is_regular_file(a, ignored)) return false; // /dev/null
+    return std::filesystem::equivalent(a, b, ignored) ||
+           std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
+}
+
 class Capture {
 public:
-    explicit Capture(const CaptureOptions& options) : options_(options) {}
+    explicit Capture(const CaptureOptions& options)
+        : options_(options), exactVisibility_(options.techniques.size() == 1 && options.stage.substr(0, options.stage.find('@')) == "visibility") {}
 
     int run() {
-        image::probeWritable(numbered(options_.output, 0));
-        if (!options_.stats.empty()) image::probeWritable(options_.stats);
-        std::vector<std::string> notes;
-        base_ = scene::loadScene(options_.scene, {.assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = {}});
-        for (const std::string& note : base_->notes) std::fprintf(stderr, "shadowlab: note: %s\n", note.c_str());
-        if (!options_.light.empty()) defaultLight_ = session::lightIndex(*base_, options_.light);
         for (const std::string& id : options_.techniques) slots_.push_back(session::Session::makeSlot(id));
         session::applySettings(slots_, options_.settings);
+        checkOutputs();
+        loadScene();
         for (const session::Slot& slot : slots_)
             if (!options_.stage.empty()) stages_.push_back(session::parseStage(options_.stage, *slot.info, *base_, defaultLight_));
 
         context_ = context::createContext(options_.backend);
+        checkGlLimits();
         session_ = std::make_unique<session::Session>(base_);
         encoder_ = std::make_unique<session::PictureEncoder>();
         stats_ = std::make_unique<CaptureStats>(*base_, options_, *context_, slots_);
@@ -56,6 +70,7 @@ public:
             context::throwIfInterrupted();
             renderFrame(frame);
         }
+        context::throwIfInterrupted();
         if (!options_.stats.empty()) image::writeWhole(options_.stats, stats_->json());
         // The session's buffers and the slots' targets go before the context they live in.
         encoder_.reset();
@@ -65,6 +80,40 @@ public:
     }
 
 private:
+    /// Before any work: can the outputs be written, and would they destroy something?
+    void checkOutputs() const {
+        const std::filesystem::path picture = numbered(options_.output, 0), input = sceneFile(options_.scene);
+        const auto refuse = [](const std::string& option, const std::filesystem::path& path, const std::string& other) {
+            throw Error(ExitStatus::usage, option + ": '" + path.string() + "' is also " + other + "; choose another name");
+        };
+        if (sameFile(picture, input)) refuse("-o", picture, "the scene that is read");
+        image::probeWritable(picture);
+        if (options_.stats.empty()) return;
+        if (sameFile(options_.stats, input)) refuse("--stats", options_.stats, "the scene that is read");
+        if (sameFile(options_.stats, picture)) refuse("--stats", options_.stats, "the picture that is written");
+        image::probeWritable(options_.stats);
+    }
+
+    void loadScene() {
+        base_ = scene::loadScene(options_.scene, {.assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = {}});
+        for (const std::string& remark : base_->notes) note(remark);
+        if (base_->lights.empty()) note("scene '" + base_->name + "' has no lights; only its ambient light and what glows is seen");
+        if (base_->objects.empty()) note("scene '" + base_->name + "' has no objects; only its background is seen");
+        if (!options_.light.empty()) defaultLight_ = session::lightIndex(*base_, options_.light);
+    }
+
+    /// What this driver can draw, asked before it is given anything to allocate.
+    void checkGlLimits() const {
+        const int needed = requireDrawable(options_);
+        GLint texture = 0, viewport[2] = {0, 0};
+        glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+        glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+        const int limit = std::min({texture, viewport[0], viewport[1]});
+        if (needed > limit)
+            throw Error(ExitStatus::overLimit, "the picture needs " + std::to_string(needed) + " samples on a side, this OpenGL driver draws " +
+                                                   std::to_string(limit) + "; choose a smaller --size or --supersample");
+    }
+
     void renderFrame(int frame) {
         const double share = static_cast<double>(frame) / options_.frames;
         session_->setScene(scene::Snapshot(options_.orbitLightDegrees ? session::withLightsTurned(base_, share * *options_.orbitLightDegrees) : base_));
@@ -76,11 +125,7 @@ private:
         std::vector<session::Panel> panels;
         for (std::size_t i = 0; i < slots_.size(); ++i) {
             session::Slot& slot = slots_[i];
-            const bool exactVisibility = !stages_.empty() && !stages_[i].isPass && stages_[i].key.id == "visibility";
-            const int supersample = exactVisibility ? 1 : options_.supersample;
-            if (cells[i].pictureSize.x < 1 || cells[i].pictureSize.y < 1)
-                throw Error(ExitStatus::usage, "--size: too small for " + std::to_string(slots_.size()) + " pictures; choose a larger size");
-            view.size = cells[i].pictureSize * supersample;
+            view.size = cells[i].pictureSize * options_.supersample;
             FrameRequest request;
             request.timePasses = !options_.stats.empty();
             if (!stages_.empty() && stages_[i].isPass) request.stopAfter = stages_[i].key;
@@ -88,38 +133,43 @@ private:
             const session::RenderedFrame rendered = session_->render(slot, view, request);
             stats_->add(i, rendered);
 
-            if (exactVisibility && slots_.size() == 1) {
+            if (exactVisibility_) {
                 const session::VisibilityImage visibility = session::readVisibility(session::findStage(rendered, stages_[i].key));
                 image::writeWhole(path, image::encodeGreyAlpha(visibility.width, visibility.height, visibility.greyAlpha, stats_->pngText()));
                 return;
             }
-            panels.push_back(panel(i, rendered, supersample));
+            panels.push_back(panel(i, rendered, cells[i]));
         }
         const bool needsFont = std::ranges::any_of(panels, [](const session::Panel& p) { return !p.title.empty() || session::hasLegend(p); });
         if (needsFont && !font_) font_ = std::make_unique<image::Font>(session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
-        const image::Image figure = session::composeFigure(cells, panels, options_.size, font_.get());
-        image::writeWhole(path, image::encodePng(figure, {.opaque = true, .text = stats_->pngText()}));
+        const session::Figure figure = session::composeFigure(cells, panels, options_.size, font_.get());
+        if (frame == 0)
+            for (const std::string& remark : figure.notes) note(remark);
+        image::writeWhole(path, image::encodePng(figure.picture, {.opaque = true, .text = stats_->pngText()}));
     }
 
-    session::Panel panel(std::size_t i, const session::RenderedFrame& rendered, int supersample) const {
+    session::Panel panel(std::size_t i, const session::RenderedFrame& rendered, const session::Cell& cell) const {
         const session::Slot& slot = slots_[i];
         session::Panel panel;
         if (options_.labels && slots_.size() > 1) panel.title = slot.info->title;
         if (stages_.empty() || stages_[i].isPass) {
             if (!stages_.empty()) session::requirePassRan(rendered, stages_[i].key, *slot.info);
-            panel.picture = encoder_->encode(slot.target.color, base_->exposure, supersample);
+            panel.picture = encoder_->encode(slot.target.color, base_->exposure, options_.supersample);
             return panel;
         }
         const Stage& stage = session::findStage(rendered, stages_[i].key);
         const StageInfo& info = session::stageInfo(*slot.info, stage.key.id);
-        const bool targetSized = stage.texture.size() == slot.target.size();
-        panel.picture = encoder_->encode(stage, info.kind, base_->exposure, targetSized ? supersample : 1);
+        // A stage of a size of its own (a light's view of the scene) is averaged only if it would not fit otherwise.
+        const ivec2 size = stage.texture.size();
+        const bool fits = size.x <= cell.pictureSize.x && size.y <= cell.pictureSize.y;
+        panel.picture = encoder_->encode(stage, info.kind, base_->exposure, fits ? 1 : options_.supersample);
         panel.kind = info.kind;
         panel.display = stage.display;
         return panel;
     }
 
     const CaptureOptions& options_;
+    const bool exactVisibility_; ///< the output is the visibility image itself, not a figure of it
     scene::Snapshot base_;
     int defaultLight_ = kNoLight;
     std::unique_ptr<context::Context> context_;

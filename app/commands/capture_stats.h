@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands/command_line.h"
+#include "app/commands/capture_options.h"
 #include "app/session/session.h"
 #include "techniques/foundation/image/png.h"
 

@@ -1,167 +1,129 @@
+// CLI11 splits the words into options and arguments and writes the help; what is wrong is said in our own words, because
+// every refusal is one line with a mend.
 // SPDX-License-Identifier: MIT
 #include "app/commands/command_line.h"
 
-#include <charconv>
-#include <cstdio>
+#include <algorithm>
 
 #include <CLI/CLI.hpp>
 
-#include "techniques/foundation/error.h"
+#include "app/commands/messages.h"
+#include "app/commands/option_values.h"
+#include "app/session/assets.h"
 #include "techniques/foundation/nearest_names.h"
+#include "techniques/foundation/scene/load.h"
 
 namespace shadowlab::commands {
 
 namespace {
 
-[[noreturn]] void usage(const std::string& message) { throw Error(ExitStatus::usage, message); }
+constexpr const char* kDemoScene = "still-life";
 
-/// "1280x720"
-ivec2 parseSize(const std::string& text) {
-    ivec2 size{0};
-    const char *begin = text.data(), *end = begin + text.size();
-    const auto [cross, widthError] = std::from_chars(begin, end, size.x);
-    const auto [last, heightError] = cross != end && *cross == 'x' ? std::from_chars(cross + 1, end, size.y) : std::from_chars_result{begin, std::errc::invalid_argument};
-    if (widthError != std::errc{} || heightError != std::errc{} || last != end || size.x < 1 || size.y < 1)
-        usage("--size: '" + text + "' is not a size; write WIDTHxHEIGHT in pixels, as 1280x720");
-    return size;
+std::string helpHint(const CLI::App& command) {
+    const bool top = command.get_parent() == nullptr;
+    return "see shadowlab " + (top ? "" : command.get_name() + " ") + "--help";
 }
 
-bool parseBoolean(const std::string& option, const std::string& text) {
-    if (text != "true" && text != "false") usage(option + ": '" + text + "' is neither true nor false; write one of them");
-    return text == "true";
+/// `did you mean ...?` when a name is near, else where to look them up.
+std::string mendFor(const std::string& word, const std::vector<std::string>& known, const CLI::App& command) {
+    return nearestNames(word, known).empty() ? helpHint(command) : suggestion(word, known);
 }
 
-double parseNumber(const std::string& option, const std::string& text) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || !(std::abs(value) <= 1e6))
-        usage(option + ": '" + text + "' is not a number within ±1000000; write degrees, as 360");
-    return value;
+/// Words that no option and no argument of the command has taken. CLI11 keeps the mark `--` among them.
+std::vector<std::string> leftOver(const CLI::App& command) {
+    std::vector<std::string> words = command.remaining();
+    if (const auto mark = std::ranges::find(words, "--"); mark != words.end()) words.erase(mark);
+    return words;
 }
 
-int parseCount(const std::string& option, const std::string& text, int most) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size() || value < 1 || value > most)
-        usage(option + ": '" + text + "' is not a whole number from 1 to " + std::to_string(most) + "; write one");
-    return value;
-}
-
-session::Layout parseLayout(const std::string& text) {
-    const std::vector<std::string> names = {"single", "side", "split", "grid"};
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == text) return static_cast<session::Layout>(i);
-    usage("--layout: '" + text + "' is no layout; " + suggestion(text, names));
-}
-
-/// The texts of the capture options, before they are checked.
-struct CaptureTexts {
-    std::string scene, output, layout, labels = "true", stage, size = "1280x720", supersample = "1", light, backend = "auto", stats, frames = "1", orbitLight, orbitCamera;
-    std::vector<std::string> techniques, settings, allowed;
-};
-
-void describeCapture(CLI::App& command, CaptureTexts& texts) {
-    command.add_option("SCENE", texts.scene, "a built-in name (`list scenes`), a .json scene or an .obj mesh")->required();
-    command.add_option("-o,--output", texts.output, "PNG file; of several frames: with #### for the number")->required();
-    command.add_option("-t,--technique", texts.techniques, "technique ids, separated by commas (default shadow-volume-zfail)")->delimiter(',')->take_all();
-    command.add_option("--layout", texts.layout, "single|side|split|grid (default: single for one technique, else side)");
-    command.add_option("--labels", texts.labels, "true|false: titles on pictures of several techniques");
-    command.add_option("--stage", texts.stage, "an intermediate picture: STAGE, STAGE@LIGHT or pass:ID (`list stages`)");
-    command.add_option("--size", texts.size, "WIDTHxHEIGHT of the whole picture in pixels (default 1280x720)");
-    command.add_option("--supersample", texts.supersample, "N: average N x N samples a pixel in linear light");
-    command.add_option("--set", texts.settings, "[SLOT:]ID.PARAM=VALUE (`list parameters`); may be repeated")->take_all();
-    command.add_option("--light", texts.light, "the light a stage is about (default: the first)");
-    command.add_option("--backend", texts.backend, "auto|egl|osmesa|window");
-    command.add_option("--stats", texts.stats, "JSON file for times, counters and settings");
-    command.add_option("--frames", texts.frames, "number of frames");
-    command.add_option("--orbit-light", texts.orbitLight, "degrees the lights turn about the camera's target over all frames");
-    command.add_option("--orbit-camera", texts.orbitCamera, "degrees the camera turns about its target over all frames");
-    command.add_option("--allow", texts.allowed, "a further folder a scene may take meshes from; may be repeated")->take_all();
-}
-
-CaptureOptions checked(const CaptureTexts& texts) {
-    CaptureOptions options;
-    options.scene = texts.scene;
-    options.output = texts.output;
-    options.techniques = texts.techniques;
-    if (options.techniques.empty()) options.techniques = {"shadow-volume-zfail"};
-    options.layout = texts.layout.empty() ? (options.techniques.size() > 1 ? session::Layout::side : session::Layout::single) : parseLayout(texts.layout);
-    if (options.layout == session::Layout::single && options.techniques.size() > 1)
-        usage("--layout single shows one technique, " + std::to_string(options.techniques.size()) + " are given; use --layout side, split or grid");
-    options.labels = parseBoolean("--labels", texts.labels);
-    options.stage = texts.stage;
-    options.size = parseSize(texts.size);
-    options.supersample = parseCount("--supersample", texts.supersample, 16);
-    options.settings = texts.settings;
-    options.light = texts.light;
-    options.backend = context::backendFromName(texts.backend);
-    options.stats = texts.stats;
-    options.frames = parseCount("--frames", texts.frames, 100000);
-    if (!texts.orbitLight.empty()) options.orbitLightDegrees = parseNumber("--orbit-light", texts.orbitLight);
-    if (!texts.orbitCamera.empty()) options.orbitCameraDegrees = parseNumber("--orbit-camera", texts.orbitCamera);
-    for (const std::string& folder : texts.allowed) options.allowed.emplace_back(folder);
-    if (options.frames > 1 && options.output.filename().string().find('#') == std::string::npos)
-        usage("--frames " + texts.frames + ": the frames need a place for their number in -o; write for example name_####.png");
-    return options;
-}
-
-/// CLI11's own words for a fault, as one line with a mend.
-[[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
-    std::string message = error.what();
-    for (char& c : message)
-        if (c == '\n') c = ' ';
+void refuseLeftOver(const CLI::App& command) {
+    const std::vector<std::string> words = leftOver(command);
+    if (words.empty()) return;
+    const std::string prefix = command.get_parent() ? command.get_name() + ": " : "";
+    const std::string& word = words.front();
+    if (!word.starts_with('-'))
+        refuseUsage(prefix + "'" + word + "' is one argument too many; " + helpHint(command));
     std::vector<std::string> known;
-    const CLI::App* active = &app;
-    for (const CLI::App* sub : app.get_subcommands()) active = sub;
-    for (const CLI::Option* option : active->get_options())
+    for (const CLI::Option* option : command.get_options())
         for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-    for (const CLI::App* sub : active->get_subcommands([](const CLI::App*) { return true; })) known.push_back(sub->get_name());
-    std::string mend = "see shadowlab --help";
-    for (int i = 1; i < argc; ++i) {
-        const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
-        if (message.find(word) == std::string::npos || std::ranges::find(known, word) != known.end()) continue;
-        if (const auto near = nearestNames(word, known); !near.empty()) mend = suggestion(word, known);
+    const std::string option = word.substr(0, word.find('='));
+    refuseUsage(prefix + "there is no option '" + option + "'; " + mendFor(option, known, command));
+}
+
+bool isScene(const std::string& word) {
+    const std::string ending = std::filesystem::path(word).extension().string();
+    const std::vector<std::string> builtIn = scene::builtInScenes(session::assetsRoot());
+    return ending == ".json" || ending == ".obj" || std::ranges::find(builtIn, word) != builtIn.end();
+}
+
+/// Without a command: `shadowlab SCENE` is the demo of that scene.
+int runWithoutCommand(const CLI::App& app) {
+    const std::vector<std::string> words = leftOver(app);
+    if (words.empty()) {
+        print(app.help());
+        return 0;
     }
-    usage(message + "; " + mend);
+    if (words.size() == 1 && isScene(words.front())) return demo(words.front());
+    if (words.front().starts_with('-')) refuseLeftOver(app);
+    std::vector<std::string> known = scene::builtInScenes(session::assetsRoot());
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        known.push_back(command->get_name());
+    refuseUsage("'" + words.front() + "' is neither a command nor a scene; " + mendFor(words.front(), known, app));
+}
+
+CLI::App* addCommand(CLI::App& app, const char* name, const char* what) {
+    CLI::App* command = app.add_subcommand(name, what);
+    command->allow_extras(); // refused by refuseLeftOver, after which nothing else can hide them
+    return command;
 }
 
 } // namespace
 
 int run(int argc, char** argv) {
     CLI::App app("One scene, many ways to draw its shadows, each measured against the exact answer.", "shadowlab");
-    app.set_version_flag("--version", "shadowlab " SHADOWLAB_VERSION);
+    app.set_help_flag("-h,--help", "what there is to write, and ends");
+    app.set_version_flag("--version", "shadowlab " SHADOWLAB_VERSION, "the program's version, and ends");
+    app.get_formatter()->column_width(36);
     app.require_subcommand(0, 1);
+    app.allow_extras();
+    app.footer("shadowlab COMMAND --help tells more about each. `shadowlab SCENE` is short for `shadowlab demo SCENE`.");
 
-    CaptureTexts texts;
-    CLI::App* captureCommand = app.add_subcommand("capture", "Render a scene to a PNG without a window");
-    describeCapture(*captureCommand, texts);
+    CLI::App* captureCommand = addCommand(app, "capture", "Renders a scene to a PNG without a window");
+    describeCapture(*captureCommand);
 
-    std::string demoScene = "still-life";
-    CLI::App* demoCommand = app.add_subcommand("demo", "Shadow map and shadow volume side by side, as a picture in the current folder");
-    demoCommand->add_option("SCENE", demoScene, "a built-in name (`list scenes`), a .json scene or an .obj mesh");
+    CLI::App* demoCommand = addCommand(app, "demo", "Shadow map and shadow volume side by side, as a picture in the current folder");
+    addOption(*demoCommand, "SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh (default still-life)");
 
-    ListOptions listOptions;
-    CLI::App* listCommand = app.add_subcommand("list", "What there is: techniques, parameters, stages, scenes, backends, limits");
-    listCommand->add_option("WHAT", listOptions.what, "techniques|parameters|stages|scenes|decks|lessons|backends|limits")->required();
-    listCommand->add_flag("--json", listOptions.json, "one JSON object on standard output");
+    CLI::App* listCommand = addCommand(app, "list", "What there is: techniques, parameters, stages, scenes, backends, limits");
+    addOption(*listCommand, "WHAT", "", "techniques, parameters, stages, scenes, decks, lessons, backends or limits");
+    listCommand->add_flag("--json", "one JSON object instead of lines with tabs");
 
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        const auto used = app.get_subcommands();
-        std::fputs((used.empty() ? app.help() : used.front()->help()).c_str(), stdout);
+        print(app.help());
         return 0;
     } catch (const CLI::CallForVersion& version) {
-        std::printf("%s\n", version.what());
+        print(std::string(version.what()) + "\n");
         return 0;
     } catch (const CLI::ParseError& error) {
-        refuse(app, error, argc, argv);
+        // All that is left to CLI11: an option without its value ("--size: 1 required ..."), or a value for a flag.
+        const std::string what = error.what();
+        const auto commands = app.get_subcommands();
+        const CLI::App& command = commands.empty() ? app : *commands.front();
+        const std::string option = what.substr(0, what.find(':'));
+        if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) refuseUsage(option + ": its value is missing; " + helpHint(command));
+        refuseUsage(what + "; " + helpHint(command));
     }
-    if (captureCommand->parsed()) return capture(checked(texts));
-    if (listCommand->parsed()) return list(listOptions);
-    if (demoCommand->parsed()) return demo(demoScene);
-    std::fputs(app.help().c_str(), stdout);
-    return 0;
+    for (const CLI::App* command : app.get_subcommands()) {
+        refuseLeftOver(*command);
+        refuseLeftOver(app); // words before the command
+    }
+    if (captureCommand->parsed()) return capture(captureOptions(*captureCommand));
+    if (listCommand->parsed())
+        return list({GivenOptions(*listCommand).required("WHAT", "for example shadowlab list techniques"), listCommand->count("--json") > 0});
+    if (demoCommand->parsed()) return demo(GivenOptions(*demoCommand).text("SCENE", kDemoScene));
+    return runWithoutCommand(app);
 }
 
 } // namespace shadowlab::commands

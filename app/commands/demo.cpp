@@ -1,8 +1,7 @@
 // `shadowlab demo`: shadow map and shadow volume side by side, as a picture in the current folder.
 // SPDX-License-Identifier: MIT
-#include <cstdio>
-
 #include "app/commands/command_line.h"
+#include "app/commands/messages.h"
 
 namespace shadowlab::commands {
 
@@ -16,7 +15,7 @@ int demo(const std::string& sceneNameOrPath) {
     const std::string name = std::filesystem::path(sceneNameOrPath).stem().string();
     options.output = std::filesystem::current_path() / (name + "-comparison.png");
     const int status = capture(options);
-    if (status == 0) std::printf("%s\n", options.output.c_str());
+    if (status == 0) print(options.output.string() + "\n");
     return status;
 }
 

@@ -1,12 +1,14 @@
 // `shadowlab list`: what there is, asked from the techniques and the folders themselves.
 // SPDX-License-Identifier: MIT
+#include <glad/gl.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <functional>
 
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command_line.h"
+#include "app/commands/messages.h"
 #include "app/session/assets.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/nearest_names.h"
@@ -76,44 +78,65 @@ Table backendsTable() {
     return table;
 }
 
-Table limitsTable() {
-    const scene::Limits limits;
-    const auto number = [](auto value) { return std::to_string(static_cast<std::uint64_t>(value)); };
-    return {{"limit", "value", "unit"},
-            {{"mesh-file", number(limits.fileBytes), "bytes"},
-             {"mesh-line", number(limits.lineBytes), "bytes"},
-             {"scene-file", number(limits.sceneFileBytes), "bytes"},
-             {"triangles", number(limits.triangles), ""},
-             {"polygon-corners", number(limits.polygonCorners), ""},
-             {"objects", number(limits.objects), ""},
-             {"lights", number(limits.lights), ""},
-             {"json-depth", number(limits.jsonDepth), "levels"},
-             {"coordinate", number(limits.coordinate), "m"},
-             {"supersample", "16", "samples on a side"}}};
-}
-
-void printLines(const Table& table) {
-    for (const std::vector<std::string>& row : table.rows) {
-        std::string line;
-        for (std::size_t i = 0; i < row.size(); ++i) line += (i ? "\t" : "") + row[i];
-        std::puts(line.c_str());
+/// What the driver of the default context can hold; nothing, with a note, on a machine without graphics.
+void addDriverLimits(Table& table) {
+    try {
+        const std::unique_ptr<context::Context> context = context::createContext(context::Backend::automatic);
+        const auto limit = [&](const char* name, GLenum which, const char* unit) {
+            GLint value = 0;
+            glGetIntegerv(which, &value);
+            table.rows.push_back({name, std::to_string(value), unit});
+        };
+        limit("driver-texture-side", GL_MAX_TEXTURE_SIZE, "texels");
+        limit("driver-texture-layers", GL_MAX_ARRAY_TEXTURE_LAYERS, "layers");
+        limit("driver-buffer-texture", GL_MAX_TEXTURE_BUFFER_SIZE, "texels");
+    } catch (const Error& why) {
+        note(std::string("the limits of the graphics driver are not known: ") + why.what());
     }
 }
 
-void printJson(const std::string& what, const Table& table) {
+Table limitsTable() {
+    const scene::Limits limits;
+    const auto number = [](auto value) { return std::to_string(static_cast<std::uint64_t>(value)); };
+    Table table{{"limit", "value", "unit"},
+                {{"mesh-file", number(limits.fileBytes), "bytes"},
+                 {"mesh-line", number(limits.lineBytes), "bytes"},
+                 {"scene-file", number(limits.sceneFileBytes), "bytes"},
+                 {"triangles", number(limits.triangles), ""},
+                 {"polygon-corners", number(limits.polygonCorners), ""},
+                 {"objects", number(limits.objects), ""},
+                 {"lights", number(limits.lights), ""},
+                 {"json-depth", number(limits.jsonDepth), "levels"},
+                 {"coordinate", number(limits.coordinate), "m"},
+                 {"picture-side", number(kLongestSide), "pixels"},
+                 {"picture-samples", number(kMostSamples), "samples"},
+                 {"supersample", number(kMostSupersample), "samples on a side"},
+                 {"frames", number(kMostFrames), ""}}};
+    addDriverLimits(table);
+    return table;
+}
+
+std::string lines(const Table& table) {
+    std::string text;
+    for (const std::vector<std::string>& row : table.rows)
+        for (std::size_t i = 0; i < row.size(); ++i) text += row[i] + (i + 1 < row.size() ? '\t' : '\n');
+    return text;
+}
+
+std::string json(const std::string& what, const Table& table) {
     nlohmann::ordered_json entries = nlohmann::ordered_json::array();
     for (const std::vector<std::string>& row : table.rows) {
         nlohmann::ordered_json entry;
         for (std::size_t i = 0; i < row.size(); ++i) {
-            const bool boolean = row[i] == "true" || row[i] == "false";
-            if (boolean && (table.columns[i] == "available" || table.columns[i] == "perLight"))
+            const bool boolean = table.columns[i] == "available" || table.columns[i] == "perLight";
+            if (boolean)
                 entry[table.columns[i]] = row[i] == "true";
             else
                 entry[table.columns[i]] = row[i];
         }
         entries.push_back(std::move(entry));
     }
-    std::puts(nlohmann::ordered_json{{what, entries}}.dump(2).c_str());
+    return nlohmann::ordered_json{{what, entries}}.dump(2) + "\n";
 }
 
 } // namespace
@@ -127,8 +150,7 @@ int list(const ListOptions& options) {
     for (const auto& [name, make] : tables) {
         if (name == options.what) {
             const Table table = make();
-            options.json ? printJson(name, table) : printLines(table);
-            if (std::fflush(stdout) != 0) throw Error(ExitStatus::cannotWrite, "standard output: cannot be written; check where it goes");
+            print(options.json ? json(name, table) : lines(table));
             return 0;
         }
         known.push_back(name);

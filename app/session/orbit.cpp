@@ -33,9 +33,9 @@ scene::Snapshot withLightsTurned(const scene::Snapshot& snapshot, double degrees
         dmat4 turned = dmat4(rotation) * object.worldFromObject;
         turned[3] += dvec4(pivotWorld - rotation * pivotWorld, 0.0);
         object.worldFromObject = turned;
-        ++scene->revisions.transforms;
+        scene->revisions.transforms = scene::newRevision();
     }
-    ++scene->revisions.lights;
+    scene->revisions.lights = scene::newRevision();
     return scene;
 }
 

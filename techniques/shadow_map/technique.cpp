@@ -50,6 +50,20 @@ params::ParamList ShadowMap::params() {
     };
 }
 
+Progress ShadowMap::prepare(const scene::Snapshot& snapshot, Deadline) {
+    const std::pair<int, int> size(params_.resolution, params_.kernelRadius());
+    if (preparedFor_ == snapshot && preparedSize_ == size) return {};
+    prepared_.clear();
+    for (const scene::Light& light : snapshot->lights) {
+        // The fit always uses the casters that matter, also when all are drawn: another map would be another picture.
+        std::vector<std::size_t> useful = scene::usefulCasters(*snapshot, light);
+        prepared_.push_back({fitLightMaps(*snapshot, light, useful, params_.resolution, params_.kernelRadius()), {}, useful});
+    }
+    preparedFor_ = snapshot;
+    preparedSize_ = size;
+    return {};
+}
+
 Progress ShadowMap::render(Frame& frame) {
     choosePrograms();
     const scene::Scene& scene = frame.scene();
@@ -58,7 +72,8 @@ Progress ShadowMap::render(Frame& frame) {
     if (frame.wants("without-shadows")) publishWithoutShadows(frame);
 
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
-        const PreparedLight prepared = prepareLight(frame, light);
+        PreparedLight& prepared = prepared_[static_cast<std::size_t>(light)];
+        chooseMap(frame, light, prepared);
         drawDepth(frame, light, prepared);
         publishStages(frame, light, prepared);
         frame.pass(passInfo(kPasses, "light"), [&] {
@@ -80,20 +95,15 @@ void ShadowMap::choosePrograms() {
     chosenFilter_ = params_.filter;
 }
 
-PreparedLight ShadowMap::prepareLight(Frame& frame, int light) {
+void ShadowMap::chooseMap(Frame& frame, int light, PreparedLight& prepared) {
     const scene::Scene& scene = frame.scene();
-    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
-    PreparedLight prepared;
-    // The fit always uses the casters that matter: a larger map would be another picture.
-    const std::vector<std::size_t> useful = scene::usefulCasters(scene, source);
+    const std::vector<std::size_t> all = scene::allCasters(scene);
     const bool shown = frame.wants("light-depth", light) || frame.wants("depth-on-view", light) || frame.wants("comparison", light);
-    prepared.casters = params_.cull && !shown ? useful : scene::allCasters(scene); // a lesson wants to see the floor, too
-    prepared.maps = fitLightMaps(scene, source, useful, params_.resolution, params_.kernelRadius());
+    prepared.casters = params_.cull && !shown ? prepared.usefulCasters : all; // a lesson wants to see the floor, too
     if (map_.side() != params_.resolution || map_.layers() != prepared.maps.layers())
         map_ = gl::DepthTextureArray(GL_DEPTH_COMPONENT24, params_.resolution, prepared.maps.layers(), "shadow map");
-    frame.count("casters", static_cast<double>(prepared.casters.size()), static_cast<double>(scene::allCasters(scene).size()), "objects");
+    frame.count("casters", static_cast<double>(prepared.casters.size()), static_cast<double>(all.size()), "objects");
     frame.count("map-texels", static_cast<double>(prepared.maps.layers()) * params_.resolution * params_.resolution, 0, "texels");
-    return prepared;
 }
 
 void ShadowMap::drawDepth(Frame& frame, int light, const PreparedLight& prepared) {

@@ -16,22 +16,24 @@ struct ShadowMapParams {
     [[nodiscard]] int kernelRadius() const { return filter == Filter::pcf ? pcfRadius : 0; }
 };
 
-/// One light's map for one frame.
+/// What one light needs, as long as neither the scene nor the map's size changes.
 struct PreparedLight {
     LightMaps maps;
-    std::vector<std::size_t> casters;
+    std::vector<std::size_t> casters;       ///< drawn into the maps
+    std::vector<std::size_t> usefulCasters; ///< those whose shadow can fall on something
 };
 
 class ShadowMap final : public Technique {
 public:
     params::ParamList params() override;
+    Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override;
     Progress render(Frame& frame) override;
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::string remark(const scene::MeshReport& report) const override;
 
 private:
     void choosePrograms();
-    PreparedLight prepareLight(Frame& frame, int light);
+    void chooseMap(Frame& frame, int light, PreparedLight& prepared);
     void drawDepth(Frame& frame, int light, const PreparedLight& prepared);
     void drawReceivers(const Frame& frame, const gl::Program& program, int light, const PreparedLight& prepared) const;
     void publishStages(Frame& frame, int light, const PreparedLight& prepared);
@@ -43,6 +45,9 @@ private:
     void publishProjected(Frame& frame, int light, const PreparedLight& prepared) const;
 
     ShadowMapParams params_;
+    scene::Snapshot preparedFor_;
+    std::pair<int, int> preparedSize_; ///< resolution and kernel radius
+    std::vector<PreparedLight> prepared_;
     Display shownDistance_; ///< scale of the current light's depth pictures
     std::optional<ShadowMapParams::Filter> chosenFilter_; ///< that shade_ and visibility_ were made for
     gl::DepthTextureArray map_;

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "app/session/picture.h"
 #include "app/session/settings.h"
+#include "techniques/foundation/error.h"
 #include "techniques/foundation/gl/read_back.h"
+#include "techniques/foundation/params/param_json.h"
 #include "techniques/foundation/scene/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
@@ -153,6 +156,37 @@ TEST_P(Contract, ParametersSurviveTheWayThroughText) {
             params::setFromText(param, text, GetParam());
             EXPECT_EQ(param.get(), value) << param.id;
         }
+    }
+}
+
+TEST_P(Contract, ParametersSurviveTheWayThroughJson) {
+    session::Slot slot = session::Session::makeSlot(GetParam()), copy = session::Session::makeSlot(GetParam());
+    for (params::Param& param : slot.params) param.set(param.maximum);
+    params::setFromJson(copy.params, params::toJson(slot.params), GetParam());
+    for (std::size_t i = 0; i < slot.params.size(); ++i) EXPECT_EQ(copy.params[i].get(), slot.params[i].get());
+    EXPECT_THROW(params::setFromJson(copy.params, {{"no-such-parameter", 1}}, GetParam()), Error);
+    for (std::size_t i = 0; i < slot.params.size(); ++i) EXPECT_EQ(copy.params[i].get(), slot.params[i].get());
+}
+
+TEST_P(Contract, EveryChangeOfTheSceneIsSeen) {
+    const scene::Scene first = twoLights();
+    session::Session session(testing::snapshot(first));
+    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture(session, slot);
+    // Each step changes one thing of the scene before it and says so; what is cached must not outlive it.
+    scene::Scene scene = first;
+    const std::vector<std::function<void()>> changes = {
+        [&] { scene.lights[0].positionWorld.x -= 3; scene.revisions.lights = scene::newRevision(); },
+        [&] { scene.lights[0].positionWorld.z -= 3; scene.revisions.lights = scene::newRevision(); },
+        [&] { scene.objects[3].worldFromObject[3].x -= 1; scene.revisions.transforms = scene::newRevision(); },
+        [&] { scene.objects.erase(scene.objects.begin() + 1); scene.revisions.geometry = scene::newRevision(); },
+        [&] { scene.lights.pop_back(); scene.revisions.lights = scene::newRevision(); },
+        [&] { scene = testing::floorScene(); scene.lights.push_back(testing::pointLight({1, 2, 3})); },
+    };
+    for (const auto& change : changes) {
+        change();
+        session.setScene(testing::snapshot(scene));
+        EXPECT_EQ(picture(session, slot), picture(scene));
     }
 }
 

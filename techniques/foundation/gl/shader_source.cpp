@@ -42,7 +42,10 @@ struct Resolver {
         result.files.emplace_back(name);
         std::istringstream lines(readText(name, includedFrom));
         std::string line;
-        if (number > 0) result.text += "#line 1 " + std::to_string(number) + "\n";
+        const auto lineDirective = [&](std::size_t lineNumber) {
+            return "#line " + std::to_string(number * ShaderSource::kLinesPerFile + lineNumber) + "\n";
+        };
+        if (number > 0) result.text += lineDirective(1);
         for (int lineNumber = 1; std::getline(lines, line); ++lineNumber) {
             if (!line.starts_with("#include")) {
                 result.text += line + "\n";
@@ -56,7 +59,7 @@ struct Resolver {
             for (const Substitution& substitution : substitutions)
                 if (wanted == substitution.includeName) wanted = substitution.file;
             append(wanted, place);
-            result.text += "#line " + std::to_string(lineNumber + 1) + " " + std::to_string(number) + "\n";
+            result.text += lineDirective(static_cast<std::size_t>(lineNumber) + 1);
         }
     }
 };
@@ -72,7 +75,7 @@ ShaderSource shaderSource(std::string_view name, std::span<const std::string> de
         const std::size_t afterVersion = resolver.result.text.find('\n') + 1;
         std::string block;
         for (const std::string& define : defines) block += "#define " + define + "\n";
-        resolver.result.text.insert(afterVersion, block + "#line 2 0\n");
+        resolver.result.text.insert(afterVersion, block + "#line 2\n");
     }
     return std::move(resolver.result);
 }
@@ -84,9 +87,9 @@ std::string withFileNames(std::string_view log, const ShaderSource& source) {
     while (std::getline(lines, line)) {
         std::smatch match;
         if (std::regex_search(line, match, place)) {
-            const std::size_t number = std::stoul(match[1]);
+            const unsigned long at = std::stoul(match[2]), number = at / ShaderSource::kLinesPerFile;
             if (number < source.files.size())
-                line = source.files[number] + ":" + match[2].str() + ": " + match.suffix().str();
+                line = source.files[number] + ":" + std::to_string(at % ShaderSource::kLinesPerFile) + ": " + match.suffix().str();
         }
         text += line + "\n";
     }

@@ -17,10 +17,14 @@ struct EmbeddedShader {
 /// Every shader, from the generated file.
 std::span<const EmbeddedShader> embeddedShaders();
 
-/// A shader after its includes: the text for the compiler and the files that `#line` numbers stand for.
+/// A shader after its includes: the text for the compiler and the files it came from.
+///
+/// File n counts its lines from n * kLinesPerFile. GLSL has source string numbers for that, but Mesa's compiler forgets
+/// them in its messages; line numbers every compiler reports.
 struct ShaderSource {
+    static constexpr unsigned long kLinesPerFile = 100'000;
     std::string text;
-    std::vector<std::string> files; ///< files[n] is source string number n in the compiler's messages
+    std::vector<std::string> files;
 };
 
 /// Text of `name` with `#include "other.glsl"` resolved (each file once), `defines` ("NAME value") placed after the

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/scene.h"
 
+#include <atomic>
+
 namespace shadowlab::scene {
+
+std::uint64_t newRevision() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
 
 dmat4 worldFromMesh(const Object& object) {
     dmat4 matrix = object.worldFromObject;

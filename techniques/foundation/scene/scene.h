@@ -66,12 +66,16 @@ struct Bounds {
 /// Box around every vertex of the object (exact, not the box of a box).
 Bounds boundsWorld(const Object& object);
 
-/// What changed since a cached result was made: compare the number you need.
+/// A number nobody else has: what gets it differs from everything before.
+std::uint64_t newRevision();
+
+/// What changed since a cached result was made: equal numbers mean equal content, in whatever scene they stand. A copy of
+/// a scene keeps them; whoever changes a part of the copy gives that part a new one.
 struct Revisions {
-    std::uint64_t geometry = 1;   ///< meshes, or which objects exist
-    std::uint64_t transforms = 1; ///< where objects are
-    std::uint64_t lights = 1;
-    std::uint64_t materials = 1;
+    std::uint64_t geometry = newRevision();   ///< meshes, and which objects exist
+    std::uint64_t transforms = newRevision(); ///< where objects are
+    std::uint64_t lights = newRevision();
+    std::uint64_t materials = newRevision();
     friend bool operator==(const Revisions&, const Revisions&) = default;
 };
 

@@ -1,6 +1,7 @@
 // A bare mesh made presentable: floor, key light and camera, all in proportion to the mesh, whatever its size.
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <limits>
 
 #include <glm/gtc/constants.hpp>
 
@@ -24,8 +25,8 @@ Object placedMesh(ObjFile& obj, Stage& stage) {
     const dvec3 extent = bounds.upperWorld - bounds.lowerWorld;
     stage.size = glm::max(extent.x, glm::max(extent.y, extent.z));
 
-    // A sheet lying flat would hide its own shadow: it floats a little.
-    const bool isFlat = extent.y < 1e-3 * stage.size;
+    // A sheet or a needle lying flat would hide its own shadow: it floats a little.
+    const bool isFlat = extent.y < 0.02 * stage.size;
     const double lift = isFlat ? 0.3 * stage.size : 0.0;
     const dvec3 centre = 0.5 * (bounds.lowerWorld + bounds.upperWorld);
     object.worldFromObject[3] = dvec4(-centre.x, lift - bounds.lowerWorld.y, -centre.z, 1.0);
@@ -49,42 +50,78 @@ Object floorUnder(const Stage& stage) {
 Light keyLight(const Stage& stage) {
     Light light;
     light.name = "key";
-    const dvec3 toLightWorld = glm::normalize(dvec3(-0.55, 1.0, 0.6)); // about 50 degrees high
-    const double distance = 4.0 * stage.size; // so far that even a tall mesh throws a shadow shorter than two sizes
+    const dvec3 toLightWorld = glm::normalize(dvec3(-0.5, 1.25, 0.35)); // 64 degrees high: a compact shadow
+    const double distance = 6.0 * stage.size; // so far that the floor about the mesh is lit evenly
     light.positionWorld = 0.5 * (stage.meshWorld.lowerWorld + stage.meshWorld.upperWorld) + distance * toLightWorld;
     // Irradiance 3 makes a white surface that faces the light just not clip (3 * 0.8 / pi = 0.76).
     light.intensity = 3.0 * distance * distance;
     return light;
 }
 
-/// From the front right and above, so near that the mesh and its shadow fill the picture.
-Camera framing(const Stage& stage, const Light& light) {
-    // What has to be seen: the corners of the mesh's box, and their shadows on the floor.
-    Bounds wanted = stage.meshWorld;
-    for (int i = 0; i < 8; ++i) {
-        const dvec3 corner = stage.meshWorld.corner(i);
-        const double t = (light.positionWorld.y - stage.floorWorld) / (light.positionWorld.y - corner.y);
-        wanted.include(light.positionWorld + t * (corner - light.positionWorld));
+/// Across one axis of the picture: how far back a camera of fixed direction has to stand so that all points appear
+/// within `slope` (their offset over their depth) of its centre. Exact: two planes of that slope are moved in until
+/// they touch the points, and the camera stands where they meet.
+class AxisFit {
+public:
+    explicit AxisFit(double slope) : slope_(slope) {}
+    void include(double offset, double backward) {
+        high_ = glm::max(high_, offset + slope_ * backward);
+        low_ = glm::max(low_, slope_ * backward - offset);
     }
+    double centre() const { return 0.5 * (high_ - low_); }
+    double distance() const { return 0.5 * (high_ + low_) / slope_; }
+    /// The centre nearest to the wanted one that keeps all points in sight; `atDistance` is at least distance().
+    double nearestCentre(double wanted, double atDistance) const {
+        return glm::clamp(wanted, high_ - slope_ * atDistance, slope_ * atDistance - low_);
+    }
+
+private:
+    double slope_;
+    double high_ = -std::numeric_limits<double>::infinity(), low_ = high_;
+};
+
+/// From the front right and above, so near that the mesh and its shadow fill the picture.
+Camera framing(const Stage& stage, const Object& object, const Light& light) {
     Camera camera;
     camera.fovYDegrees = 35.0; // a long lens: little distortion
-    camera.targetWorld = 0.5 * (wanted.lowerWorld + wanted.upperWorld);
-    const dvec3 backwardWorld = glm::normalize(dvec3(0.35, 0.5, 1.0));
+    const dvec3 backwardWorld = glm::normalize(dvec3(0.35, 0.45, 1.0)); // three-quarter view, 23 degrees down
     const dvec3 rightWorld = glm::normalize(glm::cross(camera.upWorld, backwardWorld));
     const dvec3 aboveWorld = glm::cross(backwardWorld, rightWorld);
+    const auto shadowOf = [&](const dvec3& pointWorld) {
+        const double t = (light.positionWorld.y - stage.floorWorld) / (light.positionWorld.y - pointWorld.y);
+        return light.positionWorld + t * (pointWorld - light.positionWorld);
+    };
+    const auto include = [&](AxisFit& across, AxisFit& up, const dvec3& pointWorld) {
+        const double backward = glm::dot(pointWorld, backwardWorld);
+        across.include(glm::dot(pointWorld, rightWorld), backward);
+        up.include(glm::dot(pointWorld, aboveWorld), backward);
+    };
 
-    // The nearest distance at which every wanted point lies inside a square picture, a tenth of it left as margin.
-    const double reach = 0.9 * std::tan(camera.fovYDegrees * glm::pi<double>() / 360.0);
+    // Slopes as shares of half the picture's height. The mesh is at most 0.6 high. Mesh and shadow stay within 0.8 across,
+    // which is half of a 16:9 picture less a margin of a tenth. The box about the mesh, and its shadow, fit a square.
+    const double half = std::tan(camera.fovYDegrees * glm::pi<double>() / 360.0);
+    AxisFit meshUp(0.6 * half), seenAcross(0.8 * half), seenUp(0.9 * half), boxAcross(0.97 * half), boxUp(0.97 * half);
+    for (const vec3& positionMesh : object.mesh->positionsMesh) {
+        const dvec3 pointWorld(object.worldFromObject * dvec4(object.mesh->originObject + dvec3(positionMesh), 1.0));
+        meshUp.include(glm::dot(pointWorld, aboveWorld), glm::dot(pointWorld, backwardWorld));
+        include(seenAcross, seenUp, pointWorld);
+        include(seenAcross, seenUp, shadowOf(pointWorld));
+    }
+    for (int i = 0; i < 8; ++i) {
+        include(boxAcross, boxUp, stage.meshWorld.corner(i));
+        include(boxAcross, boxUp, shadowOf(stage.meshWorld.corner(i)));
+    }
     double distance = 0.0;
-    for (const Bounds& box : {wanted, stage.meshWorld})
-        for (int i = 0; i < 8; ++i) {
-            const dvec3 offset = box.corner(i) - camera.targetWorld;
-            const double sideways =
-                glm::max(std::abs(glm::dot(offset, rightWorld)), std::abs(glm::dot(offset, aboveWorld)));
-            distance = glm::max(distance, glm::dot(offset, backwardWorld) + sideways / reach);
-        }
-    camera.positionWorld = camera.targetWorld + distance * backwardWorld;
-    camera.near = distance / 100.0; // nothing stands that close, and depth precision stays where the mesh is
+    for (const AxisFit& fit : {meshUp, seenAcross, seenUp, boxAcross, boxUp})
+        distance = glm::max(distance, fit.distance());
+
+    // What is seen comes to the middle, as far as the box allows. Distances are measured along `backwardWorld`.
+    camera.positionWorld = boxAcross.nearestCentre(seenAcross.centre(), distance) * rightWorld +
+                           boxUp.nearestCentre(seenUp.centre(), distance) * aboveWorld + distance * backwardWorld;
+    const dvec3 middleWorld = 0.5 * (stage.meshWorld.lowerWorld + stage.meshWorld.upperWorld);
+    const double depth = distance - glm::dot(middleWorld, backwardWorld);
+    camera.targetWorld = camera.positionWorld - depth * backwardWorld; // beside the mesh: the camera orbits about it
+    camera.near = depth / 100.0; // nothing stands that close, and depth precision stays where the mesh is
     return camera;
 }
 
@@ -126,7 +163,7 @@ std::shared_ptr<const Scene> stageObj(const std::filesystem::path& file, const L
     Object floor = floorUnder(stage);
     floor.partMaterials = {1};
     scene->lights = {keyLight(stage)};
-    scene->camera = framing(stage, scene->lights.front());
+    scene->camera = framing(stage, object, scene->lights.front());
     scene->ambient = vec3(0.09f);                  // umbra clearly above black
     scene->background = vec3(0.32f, 0.33f, 0.35f); // neutral, darker than the lit floor
     scene->objects.push_back(std::move(floor));

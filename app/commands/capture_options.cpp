@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/capture_options.h"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands/option_values.h"
+#include "techniques/foundation/error.h"
+
+namespace shadowlab::commands {
+
+namespace {
+
+const std::vector<std::string> kLayouts = {"single", "side", "split", "grid"}; ///< in the order of session::Layout
+
+/// The name's ending tells what is in a file, and keeps a slip of the hand from overwriting a scene or a mesh. What
+/// stands for a device or a pipe may have any name.
+void requireEnding(const std::string& option, const std::filesystem::path& path, const std::string& ending) {
+    std::error_code ignored;
+    const bool device = path.native().starts_with("/dev/") || path.native().starts_with("/proc/self/fd/");
+    if (device || std::filesystem::is_fifo(path, ignored) || std::filesystem::is_directory(path, ignored)) return;
+    std::string found = path.extension().string();
+    std::ranges::transform(found, found.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    if (found != ending)
+        refuseUsage(option + ": '" + path.string() + "' does not end in " + ending + "; write " + path.string() + ending);
+}
+
+session::Layout layoutFor(const GivenOptions& given, std::size_t slots) {
+    if (!given.has("--layout")) return slots > 1 ? session::Layout::side : session::Layout::single;
+    const auto layout = static_cast<session::Layout>(choiceFrom("--layout", given.text("--layout"), kLayouts));
+    if (layout == session::Layout::single && slots > 1)
+        refuseUsage("--layout: single shows one technique, " + std::to_string(slots) +
+                    " are given with -t; use side, split or grid");
+    return layout;
+}
+
+void checkFrames(const CaptureOptions& options) {
+    const bool turns = options.orbitLightDegrees || options.orbitCameraDegrees;
+    if (options.frames == 1 && turns)
+        refuseUsage(std::string(options.orbitLightDegrees ? "--orbit-light" : "--orbit-camera") +
+                    " turns from frame to frame, and there is only one; add --frames N");
+    if (options.frames > 1 && options.output.filename().string().find('#') == std::string::npos)
+        refuseUsage("--frames " + std::to_string(options.frames) + ": the frames need a place for their number in -o; " +
+                    "write for example name_####.png");
+}
+
+} // namespace
+
+void describeCapture(CLI::App& command) {
+    const auto add = [&](const char* names, const char* value, const char* help) { addOption(command, names, value, help); };
+    add("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh");
+    add("-o,--output", "OUT.png", "the picture; for several frames with #### in place of the number");
+    add("-t,--technique", "ID[,ID...]", "techniques, one a slot (`list techniques`; default shadow-volume-zfail)");
+    add("--layout", "LAYOUT", "single, side, split or grid (default: single for one technique, else side)");
+    add("--labels", "true|false", "titles on the pictures of several techniques (default true)");
+    add("--stage", "STAGE", "an intermediate picture: STAGE, STAGE@LIGHT or pass:ID (`list stages`)");
+    add("--size", "WxH", "width and height of the whole picture in pixels (default 1280x720)");
+    add("--supersample", "N", "average N x N samples a pixel in linear light (default 1; never for the stage visibility)");
+    add("--set", "[SLOT:]ID.PARAM=VALUE", "a parameter (`list parameters`), of all slots or of one; may be repeated");
+    add("--light", "NAME", "the light that the stage is about (default: the first)");
+    add("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    add("--stats", "FILE.json", "writes times in milliseconds, counters and settings");
+    add("--frames", "N", "number of pictures (default 1)");
+    add("--orbit-light", "DEGREES", "turns the lights that far about the camera's target over all frames");
+    add("--orbit-camera", "DEGREES", "turns the camera that far about its target over all frames");
+    add("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
+    command.footer("Examples:\n"
+                   "  shadowlab capture still-life -o still-life.png\n"
+                   "  shadowlab capture bunny.obj -t shadow-map,shadow-volume-zfail --set shadow-map.resolution=256 -o both.png\n"
+                   "  shadowlab capture still-life --frames 90 --orbit-light 360 -o frames/turn_####.png");
+}
+
+CaptureOptions captureOptions(const CLI::App& command) {
+    const GivenOptions given(command);
+    const std::string example = "shadowlab capture SCENE -o OUT.png";
+    CaptureOptions options;
+    options.scene = given.required("SCENE", example);
+    options.output = given.required("--output", example);
+    requireEnding("-o", options.output, ".png");
+    if (given.has("--technique")) options.techniques = splitAtCommas(given.texts("--technique"));
+    options.layout = layoutFor(given, options.techniques.size());
+    options.labels = booleanFrom("--labels", given.text("--labels", "true"));
+    options.stage = given.text("--stage");
+    options.size = sizeFrom("--size", given.text("--size", "1280x720"), kLongestSide);
+    options.supersample = countFrom("--supersample", given.text("--supersample", "1"), kMostSupersample);
+    // A visibility image holds the answers at the pixels' centres, not an average.
+    if (options.stage.substr(0, options.stage.find('@')) == "visibility") options.supersample = 1;
+    options.settings = given.texts("--set");
+    options.light = given.text("--light");
+    options.backend = context::backendFromName(given.text("--backend", "auto"));
+    options.stats = given.text("--stats");
+    if (!options.stats.empty()) requireEnding("--stats", options.stats, ".json");
+    options.frames = countFrom("--frames", given.text("--frames", "1"), kMostFrames);
+    if (given.has("--orbit-light")) options.orbitLightDegrees = degreesFrom("--orbit-light", given.text("--orbit-light"));
+    if (given.has("--orbit-camera")) options.orbitCameraDegrees = degreesFrom("--orbit-camera", given.text("--orbit-camera"));
+    for (const std::string& folder : given.texts("--allow")) options.allowed.emplace_back(folder);
+    checkFrames(options);
+    requireDrawable(options);
+    return options;
+}
+
+int requireDrawable(const CaptureOptions& options) {
+    const int panels = static_cast<int>(options.techniques.size());
+    const std::string asked = "--size " + std::to_string(options.size.x) + "x" + std::to_string(options.size.y) +
+                              (options.supersample > 1 ? " with --supersample " + std::to_string(options.supersample) : "");
+    int longest = 0;
+    std::int64_t samples = 0;
+    for (const session::Cell& cell : session::layoutCells(options.layout, panels, options.size)) {
+        if (std::min({cell.width, cell.height, cell.pictureSize.x, cell.pictureSize.y}) < 1)
+            refuseUsage(asked + " is too small for " + std::to_string(panels) + " pictures; choose a larger size");
+        const ivec2 drawn = cell.pictureSize * options.supersample;
+        longest = std::max({longest, drawn.x, drawn.y});
+        samples += std::int64_t{drawn.x} * drawn.y;
+    }
+    const std::string mend = std::string("; choose a smaller --size") + (options.supersample > 1 ? " or --supersample" : "");
+    if (longest > kLongestSide)
+        throw Error(ExitStatus::overLimit, asked + " needs " + std::to_string(longest) +
+                                               " samples on a side, the limit is " + std::to_string(kLongestSide) + mend);
+    if (samples > kMostSamples)
+        throw Error(ExitStatus::overLimit, asked + " needs " + std::to_string(samples) + " samples, the limit is " +
+                                               std::to_string(kMostSamples) + mend);
+    return longest;
+}
+
+} // namespace shadowlab::commands

@@ -1,0 +1,54 @@
+// What `capture` is asked to do: its options, described and checked.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/context/context.h"
+#include "app/session/figure.h"
+#include "techniques/foundation/math/types.h"
+
+namespace CLI {
+class App;
+}
+
+namespace shadowlab::commands {
+
+// What a capture refuses to go beyond (exit status 6, except for the two counts: 2), shown by `list limits`.
+constexpr int kLongestSide = 16384;                ///< pixels of the picture, and samples of one panel, on a side
+constexpr std::int64_t kMostSamples = 1ll << 27;   ///< of all panels together: 12 bytes each on the graphics card
+constexpr int kMostSupersample = 16;
+constexpr int kMostFrames = 100000;
+
+struct CaptureOptions {
+    std::string scene;
+    std::filesystem::path output;
+    std::vector<std::string> techniques{"shadow-volume-zfail"};
+    session::Layout layout = session::Layout::single;
+    bool labels = true;
+    std::string stage; ///< empty: the picture
+    ivec2 size{1280, 720};
+    int supersample = 1;
+    std::vector<std::string> settings; ///< [SLOT:]ID.PARAM=VALUE
+    std::string light;                 ///< empty: the first
+    context::Backend backend = context::Backend::automatic;
+    std::filesystem::path stats; ///< empty: none
+    int frames = 1;
+    std::optional<double> orbitLightDegrees, orbitCameraDegrees;
+    std::vector<std::filesystem::path> allowed;
+};
+
+void describeCapture(CLI::App& command);
+
+/// From what was written to what is meant. Throws Error (usage, overLimit) for what is wrong in itself; what depends on
+/// the scene, or on the graphics card, is seen later.
+CaptureOptions captureOptions(const CLI::App& command);
+
+/// Samples of the largest panel on a side. Throws Error when the panels are too small to be drawn (usage) or all
+/// together too large (overLimit).
+int requireDrawable(const CaptureOptions& options);
+
+} // namespace shadowlab::commands

@@ -1,0 +1,109 @@
+// Numbers are read with from_chars: no locale may turn a point into a comma.
+// SPDX-License-Identifier: MIT
+#include "app/commands/option_values.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/nearest_names.h"
+
+namespace shadowlab::commands {
+
+namespace {
+
+/// Reads the whole text as a number. A number too large for its type counts as one: `text` is then beyond any limit.
+template <typename Number> bool readWhole(std::string_view text, Number& value) {
+    const char *begin = text.data(), *end = begin + text.size();
+    const auto [last, error] = std::from_chars(begin, end, value);
+    if (error == std::errc::result_out_of_range && *begin != '-') value = std::numeric_limits<Number>::max();
+    return error != std::errc::invalid_argument && last == end;
+}
+
+} // namespace
+
+void refuseUsage(const std::string& message) { throw Error(ExitStatus::usage, message); }
+
+std::vector<std::string> GivenOptions::texts(const std::string& option) const {
+    const CLI::Option* found = command_.get_option(option);
+    std::vector<std::string> texts = found->count() > 0 ? found->results() : std::vector<std::string>{};
+    if (std::ranges::find(texts, "") != texts.end())
+        refuseUsage(option + ": an empty text is given; write a value after it, or leave " + option + " out");
+    return texts;
+}
+
+std::string GivenOptions::text(const std::string& option, const std::string& fallback) const {
+    const std::vector<std::string> given = texts(option);
+    if (given.size() > 1)
+        refuseUsage(option + " is given " + std::to_string(given.size()) + " times; give it once");
+    return given.empty() ? fallback : given.front();
+}
+
+std::string GivenOptions::required(const std::string& option, const std::string& example) const {
+    if (!has(option))
+        refuseUsage(command_.get_name() + ": " + option + " is missing; write " + example);
+    return text(option);
+}
+
+bool GivenOptions::has(const std::string& option) const { return command_.get_option(option)->count() > 0; }
+
+void addOption(CLI::App& command, const std::string& names, const std::string& value, const std::string& help) {
+    CLI::Option* option = command.add_option(names, help);
+    option->expected(1)->take_all()->allow_extra_args(false);
+    option->type_name(value);
+}
+
+ivec2 sizeFrom(const std::string& option, const std::string& text, int longestSide) {
+    const std::size_t cross = std::min(text.find('x'), text.size());
+    const std::string width = text.substr(0, cross), height = cross < text.size() ? text.substr(cross + 1) : "";
+    ivec2 size{0};
+    if (!readWhole(width, size.x) || !readWhole(height, size.y) || size.x < 1 || size.y < 1)
+        refuseUsage(option + ": '" + text + "' is not a size; write WIDTHxHEIGHT in pixels, as 1280x720");
+    if (std::max(size.x, size.y) > longestSide)
+        throw Error(ExitStatus::overLimit, option + ": '" + text + "' is larger than " + std::to_string(longestSide) +
+                                               " pixels, the limit for either side; choose a smaller size");
+    return size;
+}
+
+bool booleanFrom(const std::string& option, const std::string& text) {
+    if (text != "true" && text != "false")
+        refuseUsage(option + ": '" + text + "' is neither true nor false; write one of them");
+    return text == "true";
+}
+
+double degreesFrom(const std::string& option, const std::string& text) {
+    double value = 0;
+    if (!readWhole(text, value) || !(std::abs(value) <= 1e6))
+        refuseUsage(option + ": '" + text + "' is not a number within ±1000000; write degrees, as 360");
+    return value;
+}
+
+int countFrom(const std::string& option, const std::string& text, int most) {
+    int value = 0;
+    if (!readWhole(text, value) || value < 1 || value > most)
+        refuseUsage(option + ": '" + text + "' is not a whole number from 1 to " + std::to_string(most) +
+                    "; write one");
+    return value;
+}
+
+int choiceFrom(const std::string& option, const std::string& text, const std::vector<std::string>& choices) {
+    const auto found = std::ranges::find(choices, text);
+    if (found != choices.end()) return static_cast<int>(found - choices.begin());
+    refuseUsage(option + ": '" + text + "' is not one of its values; " + suggestion(text, choices));
+}
+
+std::vector<std::string> splitAtCommas(const std::vector<std::string>& texts) {
+    std::vector<std::string> parts;
+    for (const std::string& text : texts)
+        for (std::size_t begin = 0; begin <= text.size();) {
+            const std::size_t end = std::min(text.find(',', begin), text.size());
+            parts.push_back(text.substr(begin, end - begin));
+            begin = end + 1;
+        }
+    return parts;
+}
+
+} // namespace shadowlab::commands
