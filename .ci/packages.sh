@@ -3,15 +3,16 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash disable=SC2034,SC2154
 
-# To build and run the program. libegl1, libgl1-mesa-dri and libosmesa6 are loaded at run time, and no other package pulls
-# all three in.
+# To build and run the program. libgtest-dev: configuring looks for it, though nothing links it yet. libegl1, libgl1-mesa-dri
+# and libosmesa6 are loaded at run time, and no other package pulls all three in.
 build_packages=(
     g++ cmake ninja-build python3-glad
-    libcli11-dev libegl-dev libfreetype-dev libglfw3-dev libglm-dev libpng-dev libtinyobjloader-dev nlohmann-json3-dev
+    libcli11-dev libegl-dev libfreetype-dev libglfw3-dev libglm-dev libgtest-dev libpng-dev
+    libtinyobjloader-dev nlohmann-json3-dev
     libegl1 libgl1-mesa-dri libosmesa6
 )
-# To build and run the tests as well: xvfb and xauth are the display of the tests that need one.
-test_packages=(libgtest-dev python3 xauth xvfb)
+# To run the tests as well: xvfb and xauth are the display of those that need one.
+test_packages=(python3 xauth xvfb)
 
 # Debian's own tools and libraries, whatever else (conda, pyenv, a home-made cmake) is installed and first in the PATH.
 use_debian_tools() {
@@ -48,7 +49,7 @@ install_missing() {
 
     local as_root=(env DEBIAN_FRONTEND=noninteractive)
     local manually="apt-get install --no-install-recommends ${missing[*]}"
-    say "Installing from Debian: ${missing[*]}"
+    say "Missing, to be installed with apt: ${missing[*]}"
     if ((EUID != 0)); then
         [[ -x /usr/bin/sudo ]] || fail "these packages are missing, and there is no sudo; run as root: $manually"
         sudo true || fail "these packages are missing, and sudo was refused; run as root: $manually"

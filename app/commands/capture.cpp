@@ -28,7 +28,9 @@ std::filesystem::path numbered(const std::filesystem::path& pattern, int frame) 
     std::string name = pattern.filename().string();
     const std::size_t first = name.find('#');
     if (first == std::string::npos) return pattern;
-    const std::size_t width = name.find_first_not_of('#', first) == std::string::npos ? name.size() - first : name.find_first_not_of('#', first) - first;
+    const std::size_t width = name.find_first_not_of('#', first) == std::string::npos
+                                  ? name.size() - first
+                                  : name.find_first_not_of('#', first) - first;
     std::string number = std::to_string(frame + 1);
     if (number.size() < width) number.insert(0, width - number.size(), '0');
     return pattern.parent_path() / name.replace(first, width, number);
@@ -51,15 +53,18 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
 class Capture {
 public:
     explicit Capture(const CaptureOptions& options)
-        : options_(options), exactVisibility_(options.techniques.size() == 1 && options.stage.substr(0, options.stage.find('@')) == "visibility") {}
+        : options_(options), exactVisibility_(options.techniques.size() == 1 &&
+                                              options.stage.substr(0, options.stage.find('@')) == "visibility") {}
 
     int run() {
-        for (const std::string& id : options_.techniques) slots_.push_back(session::Session::makeSlot(id));
+        for (const std::string& id : options_.techniques)
+            slots_.push_back(session::Session::makeSlot(id));
         session::applySettings(slots_, options_.settings);
         checkOutputs();
         loadScene();
         for (const session::Slot& slot : slots_)
-            if (!options_.stage.empty()) stages_.push_back(session::parseStage(options_.stage, *slot.info, *base_, defaultLight_));
+            if (!options_.stage.empty())
+                stages_.push_back(session::parseStage(options_.stage, *slot.info, *base_, defaultLight_));
 
         context_ = context::createContext(options_.backend);
         checkGlLimits();
@@ -72,10 +77,6 @@ public:
         }
         context::throwIfInterrupted();
         if (!options_.stats.empty()) image::writeWhole(options_.stats, stats_->json());
-        // The session's buffers and the slots' targets go before the context they live in.
-        encoder_.reset();
-        slots_.clear();
-        session_.reset();
         return 0;
     }
 
@@ -84,7 +85,8 @@ private:
     void checkOutputs() const {
         const std::filesystem::path picture = numbered(options_.output, 0), input = sceneFile(options_.scene);
         const auto refuse = [](const std::string& option, const std::filesystem::path& path, const std::string& other) {
-            throw Error(ExitStatus::usage, option + ": '" + path.string() + "' is also " + other + "; choose another name");
+            throw Error(ExitStatus::usage,
+                        option + ": '" + path.string() + "' is also " + other + "; choose another name");
         };
         if (sameFile(picture, input)) refuse("-o", picture, "the scene that is read");
         image::probeWritable(picture);
@@ -95,9 +97,12 @@ private:
     }
 
     void loadScene() {
-        base_ = scene::loadScene(options_.scene, {.assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = {}});
-        for (const std::string& remark : base_->notes) note(remark);
-        if (base_->lights.empty()) note("scene '" + base_->name + "' has no lights; only its ambient light and what glows is seen");
+        base_ = scene::loadScene(options_.scene,
+                                 {.assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = {}});
+        for (const std::string& remark : base_->notes)
+            note(remark);
+        if (base_->lights.empty())
+            note("scene '" + base_->name + "' has no lights; only its ambient light and what glows is seen");
         if (base_->objects.empty()) note("scene '" + base_->name + "' has no objects; only its background is seen");
         if (!options_.light.empty()) defaultLight_ = session::lightIndex(*base_, options_.light);
     }
@@ -110,17 +115,23 @@ private:
         glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
         const int limit = std::min({texture, viewport[0], viewport[1]});
         if (needed > limit)
-            throw Error(ExitStatus::overLimit, "the picture needs " + std::to_string(needed) + " samples on a side, this OpenGL driver draws " +
-                                                   std::to_string(limit) + "; choose a smaller --size or --supersample");
+            throw Error(ExitStatus::overLimit, "the picture needs " + std::to_string(needed) +
+                                                   " samples on a side, this OpenGL driver draws " +
+                                                   std::to_string(limit) +
+                                                   "; choose a smaller --size or --supersample");
     }
 
     void renderFrame(int frame) {
         const double share = static_cast<double>(frame) / options_.frames;
-        session_->setScene(scene::Snapshot(options_.orbitLightDegrees ? session::withLightsTurned(base_, share * *options_.orbitLightDegrees) : base_));
+        session_->setScene(scene::Snapshot(options_.orbitLightDegrees
+                                               ? session::withLightsTurned(base_, share * *options_.orbitLightDegrees)
+                                               : base_));
         View view;
-        view.camera = options_.orbitCameraDegrees ? session::turned(base_->camera, share * *options_.orbitCameraDegrees) : base_->camera;
+        view.camera = options_.orbitCameraDegrees ? session::turned(base_->camera, share * *options_.orbitCameraDegrees)
+                                                  : base_->camera;
 
-        const std::vector<session::Cell> cells = session::layoutCells(options_.layout, static_cast<int>(slots_.size()), options_.size);
+        const std::vector<session::Cell> cells =
+            session::layoutCells(options_.layout, static_cast<int>(slots_.size()), options_.size);
         const std::filesystem::path path = numbered(options_.output, frame);
         std::vector<session::Panel> panels;
         for (std::size_t i = 0; i < slots_.size(); ++i) {
@@ -134,17 +145,22 @@ private:
             stats_->add(i, rendered);
 
             if (exactVisibility_) {
-                const session::VisibilityImage visibility = session::readVisibility(session::findStage(rendered, stages_[i].key));
-                image::writeWhole(path, image::encodeGreyAlpha(visibility.width, visibility.height, visibility.greyAlpha, stats_->pngText()));
+                const session::VisibilityImage visibility =
+                    session::readVisibility(session::findStage(rendered, stages_[i].key));
+                image::writeWhole(path, image::encodeGreyAlpha(visibility.width, visibility.height,
+                                                               visibility.greyAlpha, stats_->pngText()));
                 return;
             }
             panels.push_back(panel(i, rendered, cells[i]));
         }
-        const bool needsFont = std::ranges::any_of(panels, [](const session::Panel& p) { return !p.title.empty() || session::hasLegend(p); });
-        if (needsFont && !font_) font_ = std::make_unique<image::Font>(session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+        const bool needsFont = std::ranges::any_of(
+            panels, [](const session::Panel& p) { return !p.title.empty() || session::hasLegend(p); });
+        if (needsFont && !font_)
+            font_ = std::make_unique<image::Font>(session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
         const session::Figure figure = session::composeFigure(cells, panels, options_.size, font_.get());
         if (frame == 0)
-            for (const std::string& remark : figure.notes) note(remark);
+            for (const std::string& remark : figure.notes)
+                note(remark);
         image::writeWhole(path, image::encodePng(figure.picture, {.opaque = true, .text = stats_->pngText()}));
     }
 
@@ -172,7 +188,7 @@ private:
     const bool exactVisibility_; ///< the output is the visibility image itself, not a figure of it
     scene::Snapshot base_;
     int defaultLight_ = kNoLight;
-    std::unique_ptr<context::Context> context_;
+    std::unique_ptr<context::Context> context_; ///< before all that lives in it, so that it is destroyed after them
     std::unique_ptr<session::Session> session_;
     std::unique_ptr<session::PictureEncoder> encoder_;
     std::vector<session::Slot> slots_;

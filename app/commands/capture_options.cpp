@@ -23,7 +23,8 @@ void requireEnding(const std::string& option, const std::filesystem::path& path,
     std::string found = path.extension().string();
     std::ranges::transform(found, found.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
     if (found != ending)
-        refuseUsage(option + ": '" + path.string() + "' does not end in " + ending + "; write " + path.string() + ending);
+        refuseUsage(option + ": '" + path.string() + "' does not end in " + ending + "; write " + path.string() +
+                    ending);
 }
 
 session::Layout layoutFor(const GivenOptions& given, std::size_t slots) {
@@ -41,14 +42,16 @@ void checkFrames(const CaptureOptions& options) {
         refuseUsage(std::string(options.orbitLightDegrees ? "--orbit-light" : "--orbit-camera") +
                     " turns from frame to frame, and there is only one; add --frames N");
     if (options.frames > 1 && options.output.filename().string().find('#') == std::string::npos)
-        refuseUsage("--frames " + std::to_string(options.frames) + ": the frames need a place for their number in -o; " +
-                    "write for example name_####.png");
+        refuseUsage("--frames " + std::to_string(options.frames) +
+                    ": the frames need a place for their number in -o; " + "write for example name_####.png");
 }
 
 } // namespace
 
 void describeCapture(CLI::App& command) {
-    const auto add = [&](const char* names, const char* value, const char* help) { addOption(command, names, value, help); };
+    const auto add = [&](const char* names, const char* value, const char* help) {
+        addOption(command, names, value, help);
+    };
     add("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh");
     add("-o,--output", "OUT.png", "the picture; for several frames with #### in place of the number");
     add("-t,--technique", "ID[,ID...]", "techniques, one a slot (`list techniques`; default shadow-volume-zfail)");
@@ -56,7 +59,8 @@ void describeCapture(CLI::App& command) {
     add("--labels", "true|false", "titles on the pictures of several techniques (default true)");
     add("--stage", "STAGE", "an intermediate picture: STAGE, STAGE@LIGHT or pass:ID (`list stages`)");
     add("--size", "WxH", "width and height of the whole picture in pixels (default 1280x720)");
-    add("--supersample", "N", "average N x N samples a pixel in linear light (default 1; never for the stage visibility)");
+    add("--supersample", "N",
+        "average N x N samples a pixel in linear light (default 1; never for the stage visibility)");
     add("--set", "[SLOT:]ID.PARAM=VALUE", "a parameter (`list parameters`), of all slots or of one; may be repeated");
     add("--light", "NAME", "the light that the stage is about (default: the first)");
     add("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
@@ -65,10 +69,11 @@ void describeCapture(CLI::App& command) {
     add("--orbit-light", "DEGREES", "turns the lights that far about the camera's target over all frames");
     add("--orbit-camera", "DEGREES", "turns the camera that far about its target over all frames");
     add("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
-    command.footer("Examples:\n"
-                   "  shadowlab capture still-life -o still-life.png\n"
-                   "  shadowlab capture bunny.obj -t shadow-map,shadow-volume-zfail --set shadow-map.resolution=256 -o both.png\n"
-                   "  shadowlab capture still-life --frames 90 --orbit-light 360 -o frames/turn_####.png");
+    command.footer(
+        "Examples:\n"
+        "  shadowlab capture still-life -o still-life.png\n"
+        "  shadowlab capture bunny.obj -t shadow-map,shadow-volume-zfail --set shadow-map.resolution=256 -o both.png\n"
+        "  shadowlab capture still-life --frames 90 --orbit-light 360 -o frames/turn_####.png");
 }
 
 CaptureOptions captureOptions(const CLI::App& command) {
@@ -92,9 +97,12 @@ CaptureOptions captureOptions(const CLI::App& command) {
     options.stats = given.text("--stats");
     if (!options.stats.empty()) requireEnding("--stats", options.stats, ".json");
     options.frames = countFrom("--frames", given.text("--frames", "1"), kMostFrames);
-    if (given.has("--orbit-light")) options.orbitLightDegrees = degreesFrom("--orbit-light", given.text("--orbit-light"));
-    if (given.has("--orbit-camera")) options.orbitCameraDegrees = degreesFrom("--orbit-camera", given.text("--orbit-camera"));
-    for (const std::string& folder : given.texts("--allow")) options.allowed.emplace_back(folder);
+    if (given.has("--orbit-light"))
+        options.orbitLightDegrees = degreesFrom("--orbit-light", given.text("--orbit-light"));
+    if (given.has("--orbit-camera"))
+        options.orbitCameraDegrees = degreesFrom("--orbit-camera", given.text("--orbit-camera"));
+    for (const std::string& folder : given.texts("--allow"))
+        options.allowed.emplace_back(folder);
     checkFrames(options);
     requireDrawable(options);
     return options;
@@ -102,8 +110,9 @@ CaptureOptions captureOptions(const CLI::App& command) {
 
 int requireDrawable(const CaptureOptions& options) {
     const int panels = static_cast<int>(options.techniques.size());
-    const std::string asked = "--size " + std::to_string(options.size.x) + "x" + std::to_string(options.size.y) +
-                              (options.supersample > 1 ? " with --supersample " + std::to_string(options.supersample) : "");
+    const std::string asked =
+        "--size " + std::to_string(options.size.x) + "x" + std::to_string(options.size.y) +
+        (options.supersample > 1 ? " with --supersample " + std::to_string(options.supersample) : "");
     int longest = 0;
     std::int64_t samples = 0;
     for (const session::Cell& cell : session::layoutCells(options.layout, panels, options.size)) {
@@ -113,10 +122,12 @@ int requireDrawable(const CaptureOptions& options) {
         longest = std::max({longest, drawn.x, drawn.y});
         samples += std::int64_t{drawn.x} * drawn.y;
     }
-    const std::string mend = std::string("; choose a smaller --size") + (options.supersample > 1 ? " or --supersample" : "");
+    const std::string mend =
+        std::string("; choose a smaller --size") + (options.supersample > 1 ? " or --supersample" : "");
     if (longest > kLongestSide)
         throw Error(ExitStatus::overLimit, asked + " needs " + std::to_string(longest) +
-                                               " samples on a side, the limit is " + std::to_string(kLongestSide) + mend);
+                                               " samples on a side, the limit is " + std::to_string(kLongestSide) +
+                                               mend);
     if (samples > kMostSamples)
         throw Error(ExitStatus::overLimit, asked + " needs " + std::to_string(samples) + " samples, the limit is " +
                                                std::to_string(kMostSamples) + mend);

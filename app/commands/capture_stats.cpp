@@ -34,6 +34,7 @@ CaptureStats::CaptureStats(const scene::Scene& scene, const CaptureOptions& opti
     }
     pngText_ = {{"Software", "shadowlab " SHADOWLAB_VERSION}, {"Scene", scene_}, {"Techniques", techniques}};
     if (!options.stage.empty()) pngText_.push_back({"Stage", options.stage});
+    if (!options.light.empty()) pngText_.push_back({"Light", options.light});
     if (!settings.empty()) pngText_.push_back({"Settings", settings});
 }
 
@@ -63,12 +64,14 @@ std::string CaptureStats::json() const {
         nlohmann::ordered_json entry;
         entry["technique"] = slot.technique;
         entry["parameters"] = nlohmann::ordered_json::object();
-        for (const auto& [id, value] : slot.parameters) entry["parameters"][id] = value;
+        for (const auto& [id, value] : slot.parameters)
+            entry["parameters"][id] = value;
         entry["frames"] = slot.frameMs.size();
         entry["ms"]["frame"] = median(slot.frameMs);
         entry["ms"]["prepare"] = median(slot.prepareMs);
         entry["ms"]["passes"] = nlohmann::ordered_json::object();
-        for (const auto& [name, times] : slot.passMs) entry["ms"]["passes"][name] = median(times);
+        for (const auto& [name, times] : slot.passMs)
+            entry["ms"]["passes"][name] = median(times);
         entry["counters"] = nlohmann::ordered_json::object();
         for (const Counter& counter : slot.counters) {
             entry["counters"][counter.id]["built"] = counter.built;
@@ -77,7 +80,8 @@ std::string CaptureStats::json() const {
         }
         root["results"].push_back(std::move(entry));
     }
-    return root.dump(2) + "\n";
+    // A file's name may hold bytes that are no UTF-8; JSON may not.
+    return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 } // namespace shadowlab::commands

@@ -1,6 +1,5 @@
-// CLI11 splits the words into options and arguments and writes the help; what is wrong is said in our own words, because
-// every refusal is one line with a mend.
-// SPDX-License-Identifier: MIT
+// CLI11 splits the words into options and arguments and writes the help; what is wrong is said in our own words,
+// because every refusal is one line with a mend. SPDX-License-Identifier: MIT
 #include "app/commands/command_line.h"
 
 #include <algorithm>
@@ -41,11 +40,11 @@ void refuseLeftOver(const CLI::App& command) {
     if (words.empty()) return;
     const std::string prefix = command.get_parent() ? command.get_name() + ": " : "";
     const std::string& word = words.front();
-    if (!word.starts_with('-'))
-        refuseUsage(prefix + "'" + word + "' is one argument too many; " + helpHint(command));
+    if (!word.starts_with('-')) refuseUsage(prefix + "'" + word + "' is one argument too many; " + helpHint(command));
     std::vector<std::string> known;
     for (const CLI::Option* option : command.get_options())
-        for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+        for (const std::string& name : option->get_lnames())
+            known.push_back("--" + name);
     const std::string option = word.substr(0, word.find('='));
     refuseUsage(prefix + "there is no option '" + option + "'; " + mendFor(option, known, command));
 }
@@ -86,17 +85,23 @@ int run(int argc, char** argv) {
     app.get_formatter()->column_width(36);
     app.require_subcommand(0, 1);
     app.allow_extras();
-    app.footer("shadowlab COMMAND --help tells more about each. `shadowlab SCENE` is short for `shadowlab demo SCENE`.");
 
     CLI::App* captureCommand = addCommand(app, "capture", "Renders a scene to a PNG without a window");
     describeCapture(*captureCommand);
 
-    CLI::App* demoCommand = addCommand(app, "demo", "Shadow map and shadow volume side by side, as a picture in the current folder");
-    addOption(*demoCommand, "SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh (default still-life)");
+    CLI::App* demoCommand =
+        addCommand(app, "demo", "Shadow map and shadow volume side by side, as a picture in the current folder");
+    addOption(*demoCommand, "SCENE", "",
+              "a built-in name (`list scenes`), a .json scene or an .obj mesh (default still-life)");
 
-    CLI::App* listCommand = addCommand(app, "list", "What there is: techniques, parameters, stages, scenes, backends, limits");
+    CLI::App* listCommand =
+        addCommand(app, "list", "What there is: techniques, parameters, stages, scenes, backends, limits");
     addOption(*listCommand, "WHAT", "", "techniques, parameters, stages, scenes, decks, lessons, backends or limits");
-    listCommand->add_flag("--json", "one JSON object instead of lines with tabs");
+    listCommand->add_flag("--json")->description("one JSON object instead of lines with tabs");
+
+    // After the commands, which would inherit it.
+    app.footer(
+        "shadowlab COMMAND --help tells more about each. `shadowlab SCENE` is short for `shadowlab demo SCENE`.");
 
     try {
         app.parse(argc, argv);
@@ -112,7 +117,8 @@ int run(int argc, char** argv) {
         const auto commands = app.get_subcommands();
         const CLI::App& command = commands.empty() ? app : *commands.front();
         const std::string option = what.substr(0, what.find(':'));
-        if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) refuseUsage(option + ": its value is missing; " + helpHint(command));
+        if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
+            refuseUsage(option + ": its value is missing; " + helpHint(command));
         refuseUsage(what + "; " + helpHint(command));
     }
     for (const CLI::App* command : app.get_subcommands()) {
@@ -121,7 +127,8 @@ int run(int argc, char** argv) {
     }
     if (captureCommand->parsed()) return capture(captureOptions(*captureCommand));
     if (listCommand->parsed())
-        return list({GivenOptions(*listCommand).required("WHAT", "for example shadowlab list techniques"), listCommand->count("--json") > 0});
+        return list({GivenOptions(*listCommand).required("WHAT", "for example shadowlab list techniques"),
+                     listCommand->count("--json") > 0});
     if (demoCommand->parsed()) return demo(GivenOptions(*demoCommand).text("SCENE", kDemoScene));
     return runWithoutCommand(app);
 }

@@ -29,8 +29,8 @@ Table techniquesTable() {
     Table table{{"id", "title", "paper", "getsWrong", "folder"}, {}};
     for (const RegisteredTechnique& technique : registeredTechniques()) {
         const TechniqueInfo& info = *technique.info;
-        table.rows.push_back({std::string(info.id), std::string(info.title), std::string(info.paper), std::string(info.getsWrong),
-                              "techniques/" + std::string(technique.folder)});
+        table.rows.push_back({std::string(info.id), std::string(info.title), std::string(info.paper),
+                              std::string(info.getsWrong), "techniques/" + std::string(technique.folder)});
     }
     return table;
 }
@@ -39,7 +39,8 @@ Table parametersTable() {
     Table table{{"parameter", "default", "range", "unit", "help"}, {}};
     for (const RegisteredTechnique& technique : registeredTechniques())
         for (const params::Param& param : technique.info->make()->params())
-            table.rows.push_back({std::string(technique.info->id) + "." + param.id, params::initialText(param), params::rangeText(param), param.unit, param.help});
+            table.rows.push_back({std::string(technique.info->id) + "." + param.id, params::initialText(param),
+                                  params::rangeText(param), param.unit, param.help});
     return table;
 }
 
@@ -48,9 +49,11 @@ Table stagesTable() {
     for (const RegisteredTechnique& technique : registeredTechniques()) {
         const std::string id(technique.info->id);
         for (const StageInfo& stage : technique.info->stages)
-            table.rows.push_back({id, std::string(stage.id), stage.perLight ? "true" : "false", std::string(stage.caption)});
+            table.rows.push_back(
+                {id, std::string(stage.id), stage.perLight ? "true" : "false", std::string(stage.caption)});
         for (const PassInfo& pass : technique.info->passes)
-            table.rows.push_back({id, "pass:" + std::string(pass.id), pass.perLight ? "true" : "false", std::string(pass.title)});
+            table.rows.push_back(
+                {id, "pass:" + std::string(pass.id), pass.perLight ? "true" : "false", std::string(pass.title)});
     }
     return table;
 }
@@ -67,14 +70,16 @@ Table filesTable(const std::string& folder) {
 
 Table scenesTable() {
     Table table{{"name"}, {}};
-    for (const std::string& name : scene::builtInScenes(session::assetsRoot())) table.rows.push_back({name});
+    for (const std::string& name : scene::builtInScenes(session::assetsRoot()))
+        table.rows.push_back({name});
     return table;
 }
 
 Table backendsTable() {
     Table table{{"name", "available", "version", "renderer", "reason", "mend"}, {}};
     for (const context::BackendReport& report : context::probeBackends())
-        table.rows.push_back({report.name, report.available ? "true" : "false", report.version, report.renderer, report.reason, report.mend});
+        table.rows.push_back({report.name, report.available ? "true" : "false", report.version, report.renderer,
+                              report.reason, report.mend});
     return table;
 }
 
@@ -119,7 +124,8 @@ Table limitsTable() {
 std::string lines(const Table& table) {
     std::string text;
     for (const std::vector<std::string>& row : table.rows)
-        for (std::size_t i = 0; i < row.size(); ++i) text += row[i] + (i + 1 < row.size() ? '\t' : '\n');
+        for (std::size_t i = 0; i < row.size(); ++i)
+            text += row[i] + (i + 1 < row.size() ? '\t' : '\n');
     return text;
 }
 
@@ -136,16 +142,23 @@ std::string json(const std::string& what, const Table& table) {
         }
         entries.push_back(std::move(entry));
     }
-    return nlohmann::ordered_json{{what, entries}}.dump(2) + "\n";
+    return nlohmann::ordered_json{{what, entries}}.dump(2, ' ', false,
+                                                        nlohmann::ordered_json::error_handler_t::replace) +
+           "\n";
 }
 
 } // namespace
 
 int list(const ListOptions& options) {
     const std::vector<std::pair<std::string, std::function<Table()>>> tables = {
-        {"techniques", techniquesTable}, {"parameters", parametersTable}, {"stages", stagesTable},
-        {"scenes", scenesTable}, {"decks", [] { return filesTable("decks"); }}, {"lessons", [] { return filesTable("lessons"); }},
-        {"backends", backendsTable}, {"limits", limitsTable}};
+        {"techniques", techniquesTable},
+        {"parameters", parametersTable},
+        {"stages", stagesTable},
+        {"scenes", scenesTable},
+        {"decks", [] { return filesTable("decks"); }},
+        {"lessons", [] { return filesTable("lessons"); }},
+        {"backends", backendsTable},
+        {"limits", limitsTable}};
     std::vector<std::string> known;
     for (const auto& [name, make] : tables) {
         if (name == options.what) {
@@ -155,7 +168,8 @@ int list(const ListOptions& options) {
         }
         known.push_back(name);
     }
-    throw Error(ExitStatus::usage, "list: nothing is called '" + options.what + "'; " + suggestion(options.what, known));
+    throw Error(ExitStatus::usage,
+                "list: nothing is called '" + options.what + "'; " + suggestion(options.what, known));
 }
 
 } // namespace shadowlab::commands

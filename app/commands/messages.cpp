@@ -26,7 +26,8 @@ void say(const char* prefix, std::string_view sentence) {
 } // namespace
 
 void keepStandardDescriptors() {
-    // open() takes the lowest free number. Standard output is opened for reading: writing to it still fails, with EBADF.
+    // open() takes the lowest free number. Standard output is opened for reading: writing to it still fails, with
+    // EBADF.
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
             ::open("/dev/null", descriptor == STDOUT_FILENO ? O_RDONLY : O_RDWR);

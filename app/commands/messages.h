@@ -5,12 +5,12 @@
 
 namespace shadowlab::commands {
 
-/// Called once, first thing in main: a standard descriptor that the caller has closed gets a stand-in. Otherwise the next
-/// file to be opened would take its number, and messages would end up inside a picture.
+/// Called once, first thing in main: a standard descriptor that the caller has closed gets a stand-in. Otherwise the
+/// next file to be opened would take its number, and messages would end up inside a picture.
 void keepStandardDescriptors();
 
-/// Writes data to standard output at once. Throws Error (cannotWrite) with the reason when that fails; a reader that has
-/// closed its end of the pipe (`list parameters | head -1`) has what it wanted, and is no failure.
+/// Writes data to standard output at once. Throws Error (cannotWrite) with the reason when that fails; a reader that
+/// has closed its end of the pipe (`list parameters | head -1`) has what it wanted, and is no failure.
 void print(std::string_view text);
 
 /// "shadowlab: note: ..." on standard error: something the user should know and need not mend.

@@ -16,7 +16,8 @@ namespace shadowlab::commands {
 namespace {
 
 /// Reads the whole text as a number. A number too large for its type counts as one: `text` is then beyond any limit.
-template <typename Number> bool readWhole(std::string_view text, Number& value) {
+template <typename Number>
+bool readWhole(std::string_view text, Number& value) {
     const char *begin = text.data(), *end = begin + text.size();
     const auto [last, error] = std::from_chars(begin, end, value);
     if (error == std::errc::result_out_of_range && *begin != '-') value = std::numeric_limits<Number>::max();
@@ -37,14 +38,12 @@ std::vector<std::string> GivenOptions::texts(const std::string& option) const {
 
 std::string GivenOptions::text(const std::string& option, const std::string& fallback) const {
     const std::vector<std::string> given = texts(option);
-    if (given.size() > 1)
-        refuseUsage(option + " is given " + std::to_string(given.size()) + " times; give it once");
+    if (given.size() > 1) refuseUsage(option + " is given " + std::to_string(given.size()) + " times; give it once");
     return given.empty() ? fallback : given.front();
 }
 
 std::string GivenOptions::required(const std::string& option, const std::string& example) const {
-    if (!has(option))
-        refuseUsage(command_.get_name() + ": " + option + " is missing; write " + example);
+    if (!has(option)) refuseUsage(command_.get_name() + ": " + option + " is missing; write " + example);
     return text(option);
 }
 

@@ -2,101 +2,65 @@
 #include "app/session/figure.h"
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
 
-#include "techniques/foundation/look.h"
+#include "app/session/labels.h"
 
 namespace shadowlab::session {
 
 namespace {
 
-// Type no smaller than 1/45 of the figure's height is readable from the last row; these leave a reserve.
-constexpr double kTitleShare = 1.0 / 30.0;
-constexpr double kLegendShare = 1.0 / 38.0;
-constexpr image::Color8 kText{245, 245, 245, 255};
-constexpr image::Color8 kPlate{16, 16, 18, 255};
-constexpr float kPlateCoverage = 0.78f;
+// Type sizes as shares of the figure's height, the first that fits is taken. 1/45 is readable from the last row of a
+// lecture hall; less is not.
+constexpr std::array kTitleShares = {1.0 / 30, 1.0 / 37, 1.0 / 45};
+constexpr std::array kLegendShares = {1.0 / 38, 1.0 / 45};
+constexpr double kSmallestType = 10;      ///< pixels; below, letters dissolve
+constexpr double kLargestShare = 1.0 / 3; ///< of a cell that a plate may cover
 constexpr int kDividerWidth = 2;
+constexpr image::Color8 kDivider{245, 245, 245, 255};
 
-void plate(image::Image& figure, int x, int y, int width, int height) {
-    for (int row = y; row < y + height; ++row)
-        for (int column = x; column < x + width; ++column) blendPixel(figure, column, row, kPlate, kPlateCoverage);
+void drawPicture(image::Image& figure, const Cell& cell, const image::Image& picture) {
+    // A stage of a size of its own is centred; a picture of the cell's size fills it.
+    const int offsetX = (cell.pictureSize.x - picture.width) / 2 - cell.cropX;
+    const int offsetY = (cell.pictureSize.y - picture.height) / 2;
+    for (int y = 0; y < cell.height; ++y)
+        for (int x = 0; x < cell.width; ++x)
+            if (picture.contains(x - offsetX, y - offsetY))
+                figure.set(cell.x + x, cell.y + y, picture.at(x - offsetX, y - offsetY));
 }
 
-image::Color8 encoded(const vec3& linear) {
-    return {image::srgbFromLinear(linear.r), image::srgbFromLinear(linear.g), image::srgbFromLinear(linear.b), 255};
-}
-
-/// At most three significant digits: legends are read from afar.
-std::string shortNumber(double value) {
-    char buffer[32];
-    const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 3);
-    return error == std::errc{} ? std::string(buffer, end) : std::string();
-}
-
-void drawTitle(image::Image& figure, const Cell& cell, const std::string& title, const image::Font& font, int height) {
-    const double em = std::max(9.0, height * kTitleShare);
-    const int pad = static_cast<int>(em * 0.45);
-    int y = cell.y;
-    for (const std::string& line : font.wrap(title, em, cell.width - 2 * pad)) {
-        const image::TextSize size = font.measure(line, em);
-        plate(figure, cell.x, y, std::min(size.width + 2 * pad, cell.width), size.height + pad);
-        font.draw(figure, cell.x + pad, y + pad / 2, line, em, kText);
-        y += size.height + pad;
+void drawDividers(image::Image& figure, const std::vector<Cell>& cells) {
+    for (const Cell& cell : cells) {
+        if (cell.x > 0) fillRect(figure, cell.x - kDividerWidth / 2, cell.y, kDividerWidth, cell.height, kDivider);
+        if (cell.y > 0) fillRect(figure, cell.x, cell.y - kDividerWidth / 2, cell.width, kDividerWidth, kDivider);
     }
 }
 
-/// A bar from minimum to maximum with its numbers and unit.
-void drawBar(image::Image& figure, const Cell& cell, const Panel& panel, const image::Font& font, int height) {
-    const double em = std::max(9.0, height * kLegendShare);
-    const int pad = static_cast<int>(em * 0.5), barHeight = static_cast<int>(em * 0.7);
-    const std::string low = shortNumber(panel.display.minimum), high = shortNumber(panel.display.maximum);
-    const image::TextSize lowSize = font.measure(low, em), highSize = font.measure(high, em), unit = font.measure(panel.display.unit, em);
-    const int barWidth = std::min(cell.width - 2 * pad, std::max({cell.width / 3, unit.width, lowSize.width + highSize.width + 3 * pad}));
-    const int boxHeight = barHeight + 2 * lowSize.height + 3 * pad;
-    const int x = cell.x + pad, y = cell.y + cell.height - boxHeight;
-    plate(figure, cell.x, y, barWidth + 2 * pad, boxHeight);
-    font.draw(figure, x, y + pad / 2, panel.display.unit, em, kText);
-    const look::Palette& palette = panel.kind == StageKind::count ? look::diverging() : look::viridis();
-    const int barY = y + lowSize.height + pad;
-    for (int i = 0; i < barWidth; ++i)
-        fillRect(figure, x + i, barY, 1, barHeight, encoded(look::colorAt(palette, (i + 0.5) / barWidth)));
-    const int numbersY = barY + barHeight + pad / 2;
-    font.draw(figure, x, numbersY, low, em, kText);
-    font.draw(figure, x + barWidth - highSize.width, numbersY, high, em, kText);
-    if (panel.kind == StageKind::count) {
-        const image::TextSize zero = font.measure("0", em);
-        font.draw(figure, x + (barWidth - zero.width) / 2, numbersY, "0", em, kText);
-    }
+bool fits(const Plate& plate, const Cell& cell) {
+    return plate.width <= cell.width && plate.height <= cell.height &&
+           plate.width * plate.height <= kLargestShare * cell.width * cell.height;
 }
 
-void drawKey(image::Image& figure, const Cell& cell, const Panel& panel, const image::Font& font, int height) {
-    const double em = std::max(9.0, height * kLegendShare);
-    const int pad = static_cast<int>(em * 0.5), swatch = static_cast<int>(em * 0.9);
-    struct Line {
-        const KeyEntry* entry; ///< null on the further lines of a wrapped label
-        std::string text;
-    };
-    std::vector<Line> lines;
-    int widest = 0, lineHeight = font.measure("X", em).height;
-    for (const KeyEntry& entry : panel.display.key)
-        for (const std::string& text : font.wrap(entry.label, em, cell.width - swatch - 4 * pad)) {
-            const bool first = lines.empty() || lines.back().entry != &entry;
-            lines.push_back({first ? &entry : nullptr, text});
-            if (!first) lines.back().entry = nullptr;
-            widest = std::max(widest, font.measure(text, em).width);
-        }
-    const int boxHeight = static_cast<int>(lines.size()) * lineHeight + 2 * pad;
-    int y = cell.y + cell.height - boxHeight;
-    plate(figure, cell.x, y, widest + swatch + 3 * pad, boxHeight);
-    y += pad;
-    for (const Line& line : lines) {
-        if (line.entry)
-            fillRect(figure, cell.x + pad, y + (lineHeight - swatch) / 2, swatch, swatch, encoded(line.entry->colorLinear));
-        font.draw(figure, cell.x + swatch + 2 * pad, y, line.text, em, kText);
-        y += lineHeight;
+/// The plates of all cells in one type size: the largest in which every plate fits and needs no more lines than in the
+/// smallest. Empty plates when even the smallest does not fit.
+template <typename MakePlate>
+std::vector<Plate> layOut(std::span<const double> shares, int figureHeight, const std::vector<Cell>& cells,
+                          const MakePlate& plateOfCell) {
+    std::vector<std::vector<Plate>> tries;
+    for (const double share : shares) {
+        std::vector<Plate>& plates = tries.emplace_back();
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            plates.push_back(plateOfCell(i, std::max(kSmallestType, figureHeight * share)));
     }
+    const std::vector<Plate>& smallest = tries.back();
+    for (const std::vector<Plate>& plates : tries) {
+        bool good = true;
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            good = good && fits(plates[i], cells[i]) && plates[i].lines <= smallest[i].lines;
+        if (good) return plates;
+    }
+    return std::vector<Plate>(cells.size());
 }
 
 } // namespace
@@ -123,30 +87,32 @@ bool hasLegend(const Panel& panel) {
     return panel.kind == StageKind::scalar || panel.kind == StageKind::count || !panel.display.key.empty();
 }
 
-image::Image composeFigure(const std::vector<Cell>& cells, const std::vector<Panel>& panels, ivec2 size,
-                           const image::Font* font) {
-    image::Image figure(size.x, size.y, {12, 12, 14, 255});
+Figure composeFigure(const std::vector<Cell>& cells, const std::vector<Panel>& panels, ivec2 size,
+                     const image::Font* font) {
+    Figure figure{image::Image(size.x, size.y, {12, 12, 14, 255}), {}};
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        drawPicture(figure.picture, cells[i], panels[i].picture);
+    drawDividers(figure.picture, cells);
+    if (!font) return figure;
+
+    const auto titles = layOut(kTitleShares, size.y, cells, [&](std::size_t i, double em) {
+        return titlePlate(panels[i].title, *font, em, cells[i].width);
+    });
+    const auto legends = layOut(kLegendShares, size.y, cells, [&](std::size_t i, double em) {
+        return legendPlate(panels[i], *font, em, cells[i].width);
+    });
+    bool titleMissing = false, legendMissing = false;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const Cell& cell = cells[i];
-        const image::Image& picture = panels[i].picture;
-        // A stage with a size of its own is centred in its cell; a picture of the target's size fills it.
-        const bool ownSize = picture.width != cell.pictureSize.x || picture.height != cell.pictureSize.y;
-        const int offsetX = ownSize ? (cell.width - picture.width) / 2 : -cell.cropX;
-        const int offsetY = ownSize ? (cell.height - picture.height) / 2 : 0;
-        for (int y = 0; y < cell.height; ++y)
-            for (int x = 0; x < cell.width; ++x)
-                if (picture.contains(x - offsetX, y - offsetY))
-                    figure.set(cell.x + x, cell.y + y, picture.at(x - offsetX, y - offsetY));
-        if (cell.x > 0) fillRect(figure, cell.x - kDividerWidth / 2, cell.y, kDividerWidth, cell.height, kText);
+        titleMissing = titleMissing || (titles[i].isEmpty() && !panels[i].title.empty());
+        legendMissing = legendMissing || (legends[i].isEmpty() && hasLegend(panels[i]));
+        if (!titles[i].isEmpty()) drawPlate(figure.picture, titles[i], cell.x, cell.y);
+        if (!legends[i].isEmpty())
+            drawPlate(figure.picture, legends[i], cell.x, cell.y + cell.height - legends[i].height);
     }
-    if (!font) return figure;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        if (!panels[i].title.empty()) drawTitle(figure, cells[i], panels[i].title, *font, size.y);
-        if (panels[i].kind == StageKind::scalar || panels[i].kind == StageKind::count)
-            drawBar(figure, cells[i], panels[i], *font, size.y);
-        else if (!panels[i].display.key.empty())
-            drawKey(figure, cells[i], panels[i], *font, size.y);
-    }
+    const std::string why = " would cover the pictures and are left out; choose a larger size to have them";
+    if (titleMissing) figure.notes.push_back("the titles" + why);
+    if (legendMissing) figure.notes.push_back("the legends" + why);
     return figure;
 }
 

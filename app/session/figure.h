@@ -14,28 +14,36 @@ enum class Layout {
     single, ///< one picture
     side,   ///< side by side, each a picture of its own
     split,  ///< one picture in vertical bands, each drawn by another slot
-    grid,   ///< rows and columns
+    grid,   ///< rows and columns; the last row may have empty places at its end
 };
 
-/// Where slot `index` of `count` is drawn: its rectangle in the figure, and the size its picture is rendered at.
+/// Where a slot is drawn: its rectangle in the figure, and the size its picture is rendered at.
 struct Cell {
     int x = 0, y = 0, width = 0, height = 0;
     ivec2 pictureSize{0};
     int cropX = 0; ///< column of the picture that comes to the cell's left edge
 };
+/// One cell for each of `count` slots, in rows from the upper left. Their sizes differ by one pixel at most.
 std::vector<Cell> layoutCells(Layout layout, int count, ivec2 size);
 
 /// One slot's part of the figure.
 struct Panel {
     image::Image picture;
-    std::string title;    ///< empty: no label
+    std::string title; ///< empty: no label
     StageKind kind = StageKind::radiance;
-    Display display;      ///< for the legend
+    Display display; ///< for the legend
 };
 
-/// Puts the panels into their cells, with titles and legends. `font` may be null when nothing is to be labelled.
-image::Image composeFigure(const std::vector<Cell>& cells, const std::vector<Panel>& panels, ivec2 size,
-                           const image::Font* font);
+struct Figure {
+    image::Image picture;
+    std::vector<std::string> notes; ///< what was left out because the picture is too small for it
+};
+
+/// Puts the panels into their cells, with titles above and legends below. Type is at least 1/45 of the figure's height
+/// and 10 pixels high. Where titles, or legends, would then cover more than a third of a cell, all of them are left
+/// out. `font` may be null when nothing is to be labelled.
+Figure composeFigure(const std::vector<Cell>& cells, const std::vector<Panel>& panels, ivec2 size,
+                     const image::Font* font);
 
 /// Does a figure of this panel need a legend?
 bool hasLegend(const Panel& panel);

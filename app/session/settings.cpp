@@ -38,7 +38,7 @@ void applySettings(std::vector<Slot>& slots, const std::vector<std::string>& set
         const Setting setting = parse(text);
         findTechnique(setting.id); // names the nearest ids when there is none
         if (setting.slot > static_cast<int>(slots.size()))
-            throw Error(ExitStatus::usage, "--set: '" + text + "': there are only " + std::to_string(slots.size()) + " slots; use a smaller slot number");
+            throw Error(ExitStatus::usage, "--set: '" + text + "': the slots are numbered from 1 to " + std::to_string(slots.size()) + "; use one of these numbers");
         bool applied = false;
         for (std::size_t i = 0; i < slots.size(); ++i) {
             const bool meant = setting.slot == 0 || setting.slot == static_cast<int>(i) + 1;

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/shapes.h"
-#include "techniques/shadow_map/light_maps.h"
+#include "tests/shadow_map/edge_reach.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
-#include "tests/support/truth_comparison.h"
 
 namespace shadowlab {
 namespace {
@@ -19,28 +17,10 @@ using ShadowMapTest = testing::GlTest;
 constexpr ivec2 kSize{320, 240};
 const std::vector<std::string> kHard = {"filter=hard", "resolution=1024"};
 
-/// max(1.5 px, 1.5 projected texels): a texel, seen from the light, covers texel / cos(angle to the light) of a surface;
-/// seen from the eye that is at most so many pixels.
-testing::TieRadius edgeReach(const scene::Snapshot& snapshot, int light, int resolution, ivec2 size, double texels) {
-    const scene::Light& source = snapshot->lights[static_cast<std::size_t>(light)];
-    const auto maps = shadow_map::fitLightMaps(*snapshot, source, scene::usefulCasters(*snapshot, source), resolution, 1);
-    return [=](const std::optional<trace::EyeHit>& hit) {
-        if (!hit) return 1.5;
-        const dmat4& clip = maps.lightClipFromLightView[0];
-        const dvec3 offset = source.positionWorld - hit->positionWorld;
-        const double distance = maps.parallel ? 1.0 : glm::length(offset);
-        const double texel = 2.0 / (std::min(clip[0][0], clip[1][1]) * resolution) * distance;
-        const dvec3 toLight = maps.parallel ? -source.directionWorld : glm::normalize(offset);
-        const double onSurface = texel / std::max(0.02, std::abs(glm::dot(toLight, hit->geometricNormalWorld)));
-        const double pixelsPerMetre = size.y / (2 * std::tan(snapshot->camera.fovYDegrees * M_PI / 360) * hit->distance);
-        return std::max(1.5, texels * onSurface * pixelsPerMetre);
-    };
-}
-
 void expectOnlyEdgeErrors(const scene::Scene& scene, const std::vector<std::string>& settings, double texels, int resolution = 1024) {
     const auto snapshot = testing::snapshot(scene);
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
-        const TruthComparison sum = compareWithTruth(snapshot, "shadow-map", settings, kSize, light, edgeReach(snapshot, light, resolution, kSize, texels));
+        const TruthComparison sum = compareWithTruth(snapshot, "shadow-map", settings, kSize, light, testing::edgeReach(snapshot, light, resolution, kSize, texels));
         std::cout << scene.lights[static_cast<std::size_t>(light)].name << ": " << sum << "\n";
         EXPECT_GT(sum.lit, 500);
         EXPECT_GT(sum.shadowed, 500);
