@@ -1,4 +1,3 @@
 #version 330 core
 // One triangle that covers the target, made from the vertex number alone: (-1,-1), (3,-1), (-1,3).
-// It lies on the far plane, so that a depth test GREATER passes exactly where something has been drawn.
-void main() { gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 1.0, 1.0); }
+void main() { gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 0.0, 1.0); }

@@ -6,12 +6,15 @@
 
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/debug.h"
+#include "techniques/foundation/scene/depth_fit.h"
 
 namespace shadowlab {
 
 Frame::Frame(const scene::Snapshot& snapshot, const View& view, const gl::SceneBuffers& buffers,
              const gl::Target& target, FrameRequest request)
-    : snapshot_(snapshot), view_(view), eye_(gl::eyeMatrices(view.camera, view.size)), buffers_(buffers),
+    : snapshot_(snapshot), view_(view), 
+      camera_(scene::withTightNear(view.camera, *snapshot, static_cast<double>(view.size.x) / view.size.y)),
+      eye_(gl::eyeMatrices(camera_, view.size)), buffers_(buffers),
       target_(target), request_(std::move(request)) {}
 
 void Frame::pass(const PassInfo& info, const std::function<void()>& draw, int light) {
@@ -51,8 +54,9 @@ void Frame::drawStage(std::string_view stage, int light, GLenum format, const st
     publish(stage, light, std::move(texture), std::move(display));
 }
 
-void Frame::drawOverTarget(std::string_view stage, int light, const std::function<void()>& draw, Display display) {
-    gl::Texture2D texture = copyOfTarget(stage);
+void Frame::drawOverTarget(std::string_view stage, int light, bool greyed, const std::function<void()>& draw,
+                           Display display) {
+    gl::Texture2D texture = greyed ? greyedTarget(stage) : copyOfTarget(stage);
     drawInto(texture, stage, false, draw);
     publish(stage, light, std::move(texture), std::move(display));
 }
@@ -65,6 +69,20 @@ gl::Texture2D Frame::copyOfTarget(std::string_view name) const {
     const ivec2 size = target_.size();
     glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     return copy;
+}
+
+gl::Texture2D Frame::greyedTarget(std::string_view name) const {
+    gl::Texture2D grey(target_.color.internalFormat(), target_.size(), name);
+    const gl::Framebuffer destination(&grey, nullptr, name);
+    const gl::Program program("fullscreen.vert", "greyed.frag");
+    gl::setBaselineState();
+    glDisable(GL_DEPTH_TEST);
+    destination.bind();
+    program.use();
+    program.set("source", 0);
+    target_.color.bind(0);
+    gl::drawFullscreenTriangle();
+    return grey;
 }
 
 void Frame::drawInto(gl::Texture2D& texture, std::string_view stage, bool clear,

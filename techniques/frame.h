@@ -50,6 +50,8 @@ public:
     [[nodiscard]] const scene::Scene& scene() const { return *snapshot_; }
     [[nodiscard]] const scene::Snapshot& snapshot() const { return snapshot_; }
     [[nodiscard]] const View& view() const { return view_; }
+    /// The view's camera, its near plane moved out as far as what is in view allows (scene/depth_fit.h): draw with this.
+    [[nodiscard]] const scene::Camera& camera() const { return camera_; }
     [[nodiscard]] const gl::EyeMatrices& eye() const { return eye_; }
     [[nodiscard]] const gl::SceneBuffers& buffers() const { return buffers_; }
     [[nodiscard]] const gl::Target& target() const { return target_; }
@@ -68,8 +70,10 @@ public:
     /// Draws a stage into a new texture of the target's size that shares the target's depth and stencil, and publishes it.
     void drawStage(std::string_view stage, int light, GLenum format, const std::function<void()>& draw,
                    Display display = {});
-    /// The same, starting from what the target's colour holds now: to draw lines and faces over the picture.
-    void drawOverTarget(std::string_view stage, int light, const std::function<void()>& draw, Display display = {});
+    /// The same, starting from what the target's colour holds now; `greyed` without its colours, as a ground for coloured
+    /// lines and faces.
+    void drawOverTarget(std::string_view stage, int light, bool greyed, const std::function<void()>& draw,
+                        Display display = {});
     /// "Built 3 of 12": how much of the scene the technique had to handle. Counts of one id add up.
     void count(std::string_view id, double built, double of = 0, std::string_view unit = "");
 
@@ -83,10 +87,12 @@ public:
 
 private:
     gl::Texture2D copyOfTarget(std::string_view name) const;
+    gl::Texture2D greyedTarget(std::string_view name) const;
     void drawInto(gl::Texture2D& texture, std::string_view stage, bool clear, const std::function<void()>& draw) const;
 
     scene::Snapshot snapshot_;
     const View& view_;
+    scene::Camera camera_;
     gl::EyeMatrices eye_;
     const gl::SceneBuffers& buffers_;
     const gl::Target& target_;

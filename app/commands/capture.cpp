@@ -68,6 +68,7 @@ public:
 
         context_ = context::createContext(options_.backend);
         checkGlLimits();
+        sayNotes();
         session_ = std::make_unique<session::Session>(base_);
         encoder_ = std::make_unique<session::PictureEncoder>();
         stats_ = std::make_unique<CaptureStats>(*base_, options_, *context_, slots_);
@@ -99,12 +100,16 @@ private:
     void loadScene() {
         base_ = scene::loadScene(options_.scene,
                                  {.assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = {}});
+        if (!options_.light.empty()) defaultLight_ = session::lightIndex(*base_, options_.light);
+    }
+
+    /// Said when nothing stands in the way of the picture any more: a refusal is one line, without remarks before it.
+    void sayNotes() const {
         for (const std::string& remark : base_->notes)
             note(remark);
         if (base_->lights.empty())
             note("scene '" + base_->name + "' has no lights; only its ambient light and what glows is seen");
         if (base_->objects.empty()) note("scene '" + base_->name + "' has no objects; only its background is seen");
-        if (!options_.light.empty()) defaultLight_ = session::lightIndex(*base_, options_.light);
     }
 
     /// What this driver can draw, asked before it is given anything to allocate.

@@ -17,8 +17,7 @@ constexpr std::array kTitleShares = {1.0 / 30, 1.0 / 37, 1.0 / 45};
 constexpr std::array kLegendShares = {1.0 / 38, 1.0 / 45};
 constexpr double kSmallestType = 10;      ///< pixels; below, letters dissolve
 constexpr double kLargestShare = 1.0 / 3; ///< of a cell that a plate may cover
-constexpr int kDividerWidth = 2;
-constexpr image::Color8 kDivider{245, 245, 245, 255};
+constexpr image::Color8 kDark{16, 16, 18, 255}, kLight{245, 245, 245, 255};
 
 void drawPicture(image::Image& figure, const Cell& cell, const image::Image& picture) {
     // A stage of a size of its own is centred; a picture of the cell's size fills it.
@@ -30,10 +29,17 @@ void drawPicture(image::Image& figure, const Cell& cell, const image::Image& pic
                 figure.set(cell.x + x, cell.y + y, picture.at(x - offsetX, y - offsetY));
 }
 
+/// A dark line and a light one: one of them is seen on any picture.
 void drawDividers(image::Image& figure, const std::vector<Cell>& cells) {
     for (const Cell& cell : cells) {
-        if (cell.x > 0) fillRect(figure, cell.x - kDividerWidth / 2, cell.y, kDividerWidth, cell.height, kDivider);
-        if (cell.y > 0) fillRect(figure, cell.x, cell.y - kDividerWidth / 2, cell.width, kDividerWidth, kDivider);
+        if (cell.x > 0) {
+            fillRect(figure, cell.x - 1, cell.y, 1, cell.height, kDark);
+            fillRect(figure, cell.x, cell.y, 1, cell.height, kLight);
+        }
+        if (cell.y > 0) {
+            fillRect(figure, cell.x, cell.y - 1, cell.width, 1, kDark);
+            fillRect(figure, cell.x, cell.y, cell.width, 1, kLight);
+        }
     }
 }
 

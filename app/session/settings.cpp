@@ -16,7 +16,8 @@ struct Setting {
 
 Setting parse(const std::string& text) {
     const auto refuse = [&](const std::string& why) {
-        throw Error(ExitStatus::usage, "--set: '" + text + "' " + why + "; write [SLOT:]ID.PARAM=VALUE, as shadow-map.resolution=1024");
+        throw Error(ExitStatus::usage,
+                    "--set: '" + text + "' " + why + "; write [SLOT:]ID.PARAM=VALUE, as shadow-map.resolution=1024");
     };
     const std::size_t equals = text.find('=');
     const std::size_t dot = text.find('.');
@@ -38,7 +39,8 @@ void applySettings(std::vector<Slot>& slots, const std::vector<std::string>& set
         const Setting setting = parse(text);
         findTechnique(setting.id); // names the nearest ids when there is none
         if (setting.slot > static_cast<int>(slots.size()))
-            throw Error(ExitStatus::usage, "--set: '" + text + "': the slots are numbered from 1 to " + std::to_string(slots.size()) + "; use one of these numbers");
+            throw Error(ExitStatus::usage, "--set: '" + text + "': the slots are numbered from 1 to " +
+                                               std::to_string(slots.size()) + "; use one of these numbers");
         bool applied = false;
         for (std::size_t i = 0; i < slots.size(); ++i) {
             const bool meant = setting.slot == 0 || setting.slot == static_cast<int>(i) + 1;
@@ -47,8 +49,9 @@ void applySettings(std::vector<Slot>& slots, const std::vector<std::string>& set
             applied = true;
         }
         if (!applied)
-            throw Error(ExitStatus::usage, "--set: '" + text + "': no slot" + (setting.slot ? " " + std::to_string(setting.slot) : "") +
-                                               " shows " + setting.id + "; choose it with -t");
+            throw Error(ExitStatus::usage, "--set: '" + text + "': no slot" +
+                                               (setting.slot ? " " + std::to_string(setting.slot) : "") + " shows " +
+                                               setting.id + "; choose it with -t");
     }
 }
 

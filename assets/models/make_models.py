@@ -5,8 +5,8 @@
     python3 make_models.py
 
 Every model is a list of closed shells: each edge has exactly two faces, and every face is counter-clockwise seen from
-outside, which is what shadow volumes ask of a mesh. Where two shells meet (a leg and the table top) they overlap by a few
-millimetres, so that no light leaks through the joint. Units are metres, y is up. The same script gives the same bytes.
+outside, which is what shadow volumes ask of a mesh. Where two shells meet (a leg and the table top) they overlap by a
+few millimetres, so that no light leaks through the joint. Units are metres, y is up. The same script gives the same bytes.
 """
 
 from math import acos, cos, degrees, pi, sin, sqrt
@@ -26,7 +26,7 @@ MATERIALS = {
 }
 
 
-# Vectors ------------------------------------------------------------------------------------------------------------------
+# Vectors ------------------------------------------------------------------------------------------------------------
 
 
 def add(a, b):
@@ -53,7 +53,7 @@ def unit(a):
     return mul(a, 1 / sqrt(dot(a, a)))
 
 
-# Shells: (points, faces), a face being a list of point indices -----------------------------------------------------------
+# Shells: (points, faces), a face being a list of point indices ------------------------------------------------------
 
 
 def grid(rows, closed_rows):
@@ -139,7 +139,7 @@ def triangles(shell):
     return points, out
 
 
-# Normals and files -------------------------------------------------------------------------------------------------------
+# Normals and files --------------------------------------------------------------------------------------------------
 
 
 def area_vector(points, face):
@@ -157,7 +157,7 @@ def corner_angle(points, face, k):
 
 
 def corner_normals(shell, crease_degrees):
-    """Per face and corner: the mean normal of the faces about the point that bend away by less than the crease angle."""
+    """Per face and corner: the mean normal of the faces about the point that bend away by less than the crease."""
     points, faces = shell
     normals = [unit(area_vector(points, face)) for face in faces]
     about = {}
@@ -252,7 +252,7 @@ def curve(knots, steps):
     return out + [knots[-1]]
 
 
-# The models --------------------------------------------------------------------------------------------------------------
+# The models ---------------------------------------------------------------------------------------------------------
 
 
 def torus_knot():
@@ -382,18 +382,10 @@ def candle():
 def flame():
     """The flame of the candle, 0.05 m high, its lower end at the origin. Let it cast no shadow: the light is inside."""
     knots = [(0.0035, 0.0008), (0.0072, 0.008), (0.0075, 0.014), (0.0048, 0.027), (0.0018, 0.040)]
-    write_model("flame", "A candle flame, 0.05 m high", [("wax", lathe([(0, 0)] + curve(knots, 4) + [(0, 0.05)], 24))], 60.0)
-
-
-def stairs():
-    """Five steps, each 0.16 m high and 0.30 m deep, going up toward -z; 1 m wide in x, to be scaled in x."""
-    outline = [(0.0, 0.0)]
-    for i in range(5):
-        outline += [(-0.30 * i, 0.16 * (i + 1)), (-0.30 * (i + 1), 0.16 * (i + 1))]
-    outline += [(-1.5, 0.0)]
-    write_model("stairs", "Five steps, 1 m wide", [("marble", extrude(outline, 1.0))])
+    profile = [(0, 0)] + curve(knots, 4) + [(0, 0.05)]
+    write_model("flame", "A candle flame, 0.05 m high", [("wax", lathe(profile, 24))], 60.0)
 
 
 if __name__ == "__main__":
-    for model in (torus_knot, column, entablature, table, vase, pawn, candle, flame, stairs):
+    for model in (torus_knot, column, entablature, table, vase, pawn, candle, flame):
         model()

@@ -37,7 +37,7 @@ float receiverSlope(vec3 point, vec3 shadowUv, int layer) {
     float area = stepX.x * stepY.y - stepX.y * stepY.x;
     vec2 slope = vec2(stepX.z * stepY.y - stepY.z * stepX.y, stepY.z * stepX.x - stepX.z * stepY.x) / area;
     float sum = abs(slope.x) + abs(slope.y);
-    return sum >= 0.0 && sum < 1e4 ? sum : 0.0; // seen edge-on by eye or light there is no slope to speak of
+    return sum >= 0.0 ? min(sum, 1e4) : 0.0; // not a number where eye or light see the plane exactly edge-on
 }
 
 MapPlace mapPlace() {

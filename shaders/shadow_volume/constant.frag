@@ -1,5 +1,5 @@
 #version 330 core
-// One colour for everything drawn: lines, and the full-screen passes that read the stencil.
+// One colour for everything drawn.
 uniform vec4 color;
 out vec4 result;
 

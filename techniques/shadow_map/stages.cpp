@@ -49,7 +49,7 @@ void ShadowMap::publishStages(Frame& frame, int light, const PreparedLight& prep
 }
 
 void ShadowMap::publishWithoutShadows(Frame& frame) const {
-    frame.drawOverTarget("without-shadows", kNoLight, [&] {
+    frame.drawOverTarget("without-shadows", kNoLight, false, [&] {
         for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
             glClear(GL_STENCIL_BUFFER_BIT);
             gl::setAddLightState();
@@ -133,19 +133,22 @@ Display ShadowMap::distanceRange(const Frame& frame, int light, const PreparedLi
     framebuffer.bind();
     glClear(GL_COLOR_BUFFER_BIT);
     drawProjected(frame, light, prepared, kPointDistance);
-    Display range{.minimum = 1e300, .maximum = 0, .unit = "m from the light", .key = {}};
-    for (const vec4& texel : gl::readTexels(distances)) {
-        if (texel.g < 0.5f) continue;
-        range.minimum = std::min(range.minimum, static_cast<double>(texel.r));
-        range.maximum = std::max(range.maximum, static_cast<double>(texel.r));
-    }
-    if (range.minimum >= range.maximum) range = {.minimum = prepared.maps.nearest, .maximum = prepared.maps.farthest, .unit = range.unit, .key = {}};
+    std::vector<float> seen;
+    for (const vec4& texel : gl::readTexels(distances))
+        if (texel.g > 0.5f) seen.push_back(texel.r);
+    const std::string unit = prepared.maps.parallel ? "m along the light, from the map's near side" : "m from the light";
+    Display range{.minimum = 0, .maximum = prepared.maps.farthest, .unit = unit, .key = {}};
+    if (seen.empty()) return range;
+    // A horizon would stretch the scale until everything near is one colour: one pixel in fifty may lie beyond each end.
+    std::ranges::sort(seen);
+    range.minimum = seen[seen.size() / 50];
+    range.maximum = std::max<double>(seen[seen.size() - 1 - seen.size() / 50], range.minimum + 1e-3 * prepared.maps.farthest);
     return range;
 }
 
 void ShadowMap::publishProjected(Frame& frame, int light, const PreparedLight& prepared) const {
     const Display comparison = {.unit = "",
-                                .key = {{look::kEqualDepth, "d = z: equal, lit"},
+                                .key = {{look::kEqualDepth, "d = z: equal, nothing nearer: lit"},
                                         {look::kOccluded, "d < z: something is nearer, in shadow"},
                                         {look::kNoAnswer, "faces away or outside the light: not asked"}}};
     map_.compare(false);

@@ -41,7 +41,7 @@ constexpr double kRoundingPull = 1e-5;
 
 params::ParamList ShadowMap::params() {
     return {
-        params::integer("resolution", params_.resolution, 64, 8192, "texels", "Side of the square depth map (of each of six around a point light)."),
+        params::integer("resolution", params_.resolution, 64, 8192, "texels", "Side of the square depth map; of each of six when casters surround the light."),
         params::choice("filter", params_.filter, {"hard", "pcf"}, "hard: one comparison a pixel; pcf: the share of a square of comparisons that are lit."),
         params::integer("pcf-radius", params_.pcfRadius, 0, 15, "texels", "PCF averages (2 r + 1) x (2 r + 1) comparisons."),
         params::real("slope-bias", params_.slopeBias, 0, 16, "", "Depth offset in proportion to the slope; 1 is what the kernel needs on a plane, 0 shows acne (teaching)."),

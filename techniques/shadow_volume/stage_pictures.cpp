@@ -2,6 +2,7 @@
 #include "techniques/shadow_volume/stage_pictures.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "techniques/foundation/look.h"
 #include "techniques/foundation/scene/facing.h"
@@ -13,8 +14,18 @@ namespace {
 /// A display colour as the radiance that exposure turns into it.
 vec4 unexposed(const Frame& frame, const vec3& color, float alpha) { return {color / frame.scene().exposure, alpha}; }
 
-// Counts beyond this are shown like it: real scenes rarely stack more casters, and few colours stay readable.
-constexpr int kCountShown = 6;
+/// Names the kinds of edges that occur.
+std::vector<KeyEntry> edgeKey(std::span<const CasterVolume* const> casters) {
+    bool ordinary = false, boundary = false, multiple = false;
+    for (const CasterVolume* caster : casters)
+        for (const SilhouetteEdge& edge : caster->silhouette)
+            (edge.triangles == 1 ? boundary : edge.triangles == 2 ? ordinary : multiple) = true;
+    std::vector<KeyEntry> key;
+    if (ordinary) key.push_back({look::kSilhouette, "silhouette edge"});
+    if (boundary) key.push_back({look::kBoundaryEdge, "boundary of an open mesh"});
+    if (multiple) key.push_back({look::kMultipleEdge, "edge of more than two faces"});
+    return key;
+}
 
 } // namespace
 
@@ -53,33 +64,33 @@ void StagePictures::publishSilhouettes(Frame& frame, int light, std::span<const 
             }
         glViewport(0, 0, size.x, size.y);
     };
-    frame.drawOverTarget("silhouettes", light, [&] {
+    frame.drawOverTarget("silhouettes", light, true, [&] {
         glDepthFunc(GL_LEQUAL);
         glDepthMask(GL_FALSE);
         edges_.use();
-        edges_.set("pullClip", static_cast<float>(2.0 * frame.view().camera.near * 0.003)); // 0.3 % nearer
+        edges_.set("pullClip", static_cast<float>(2.0 * frame.camera().near * 0.003)); // 0.3 % nearer
         for (const CasterVolume* caster : casters) {
             edges_.set("clipFromMesh", mat4(frame.eye().clipFromMesh(frame.scene().objects[caster->object])));
             drawThick(look::kSilhouette, [&] { caster->buffers->drawSilhouette(); });
             drawThick(look::kBoundaryEdge, [&] { caster->buffers->drawBoundary(); });
             drawThick(look::kMultipleEdge, [&] { caster->buffers->drawMultiple(); });
         }
-    }, {.unit = "", .key = {{look::kSilhouette, "silhouette edge"}, {look::kBoundaryEdge, "boundary of an open mesh"},
-                {look::kMultipleEdge, "edge of more than two faces"}}});
+    }, {.unit = "", .key = edgeKey(casters)});
 }
 
 void StagePictures::publishFaces(Frame& frame, int light, std::span<const CasterVolume* const> casters,
                                  bool byPart) const {
-    constexpr float kAlpha = 0.22f; // two or three layers stay distinguishable
+    constexpr float kSideAlpha = 0.3f; // two or three layers stay distinguishable
+    constexpr float kCapAlpha = 0.2f;  // a cap lies on the caster's own surface, which should still be recognised
     const vec3 plus = look::diverging()[6], minus = look::diverging()[2];
     const vec3 top = look::kTowardLight, side = look::kSilhouette, bottom = look::kMultipleEdge;
-    const auto choose = [&](const vec3& partColor) {
-        faces_.set("frontColor", unexposed(frame, byPart ? partColor : plus, kAlpha));
-        faces_.set("backColor", unexposed(frame, byPart ? partColor : minus, kAlpha));
+    const auto choose = [&](const vec3& partColor, float alpha) {
+        faces_.set("frontColor", unexposed(frame, byPart ? partColor : plus, alpha));
+        faces_.set("backColor", unexposed(frame, byPart ? partColor : minus, alpha));
     };
-    const std::vector<KeyEntry> parts = {{top, "top cap"}, {side, "side"}, {bottom, "bottom cap, at infinity"}};
+    const std::vector<KeyEntry> parts = {{top, "top cap"}, {side, "side"}, {bottom, "bottom cap, at infinity behind everything"}};
     const std::vector<KeyEntry> signs = {{plus, "faces the viewer (front)"}, {minus, "faces away from the viewer (back)"}};
-    frame.drawOverTarget(byPart ? "volume-parts" : "volume-signs", light, [&] {
+    frame.drawOverTarget(byPart ? "volume-parts" : "volume-signs", light, true, [&] {
         glDepthFunc(GL_LEQUAL); // the top cap lies exactly on the caster's surface
         glDepthMask(GL_FALSE);
         glEnable(GL_DEPTH_CLAMP);
@@ -90,11 +101,11 @@ void StagePictures::publishFaces(Frame& frame, int light, std::span<const Caster
             const scene::Object& object = frame.scene().objects[caster->object];
             setExtrusion(faces_, frame, *caster, light);
             setFrontFace(object, false);
-            choose(bottom);
+            choose(bottom, kCapAlpha);
             caster->buffers->drawBottomCap();
-            choose(side);
+            choose(side, kSideAlpha);
             caster->buffers->drawSides();
-            choose(top);
+            choose(top, kCapAlpha);
             caster->buffers->drawTopCap();
             setFrontFace(object, true);
             caster->buffers->drawTopCapReversed();
@@ -102,23 +113,26 @@ void StagePictures::publishFaces(Frame& frame, int light, std::span<const Caster
     }, {.unit = "", .key = byPart ? parts : signs});
 }
 
-void StagePictures::publishCount(Frame& frame, std::string_view stage, int light) const {
-    frame.drawStage(stage, light, GL_RG32F, [&] {
-        glDepthFunc(GL_GREATER); // only where something has been drawn
-        glDepthMask(GL_FALSE);
-        glEnable(GL_STENCIL_TEST);
-        glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-        stencilValue_.use();
-        const auto paint = [&](int value, GLenum function, int reference) {
-            glStencilFunc(function, reference, 0xff);
-            stencilValue_.set("color", vec4(static_cast<float>(value), 1, 0, 1));
-            gl::drawFullscreenTriangle();
-        };
-        // The stencil wraps: 255 is -1. Large counts first, then each small one exactly.
-        paint(kCountShown, GL_ALWAYS, 0);
-        paint(-kCountShown, GL_LESS, 127); // reference 127 < stencil
-        for (int value = 1 - kCountShown; value < kCountShown; ++value) paint(value, GL_EQUAL, value & 0xff);
-    }, {.minimum = -kCountShown, .maximum = kCountShown, .unit = "faces counted", .key = {}});
+void StagePictures::publishCount(Frame& frame, std::string_view stage, int light, bool bothSigns) const {
+    // Depth and stencil of a pixel come as one word: 24 bits of depth, then the count.
+    const ivec2 size = frame.target().size();
+    std::vector<std::uint32_t> words(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.target().framebuffer.id());
+    glReadPixels(0, 0, size.x, size.y, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, words.data());
+    std::vector<vec2> counts;
+    counts.reserve(words.size());
+    int largest = 1;
+    for (const std::uint32_t word : words) {
+        const int stored = static_cast<int>(word & 0xff);
+        const int count = bothSigns && stored > 127 ? stored - 256 : stored; // the stencil wraps: 255 is -1
+        const bool surface = (word >> 8) < 0xffffff;
+        counts.emplace_back(static_cast<float>(count), surface ? 1.0f : 0.0f);
+        if (surface) largest = std::max(largest, std::abs(count));
+    }
+    gl::Texture2D texture(GL_RG32F, size, stage);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RG, GL_FLOAT, counts.data());
+    frame.publish(stage, light, std::move(texture),
+                  {.minimum = -static_cast<double>(largest), .maximum = static_cast<double>(largest), .unit = "faces counted", .key = {}});
 }
 
 } // namespace shadowlab::shadow_volume

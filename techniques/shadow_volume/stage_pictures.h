@@ -14,14 +14,13 @@ public:
     void publishSilhouettes(Frame& frame, int light, std::span<const CasterVolume* const> casters) const;
     /// The faces, translucent, over the picture: by the side they turn to the viewer, or by the part they belong to.
     void publishFaces(Frame& frame, int light, std::span<const CasterVolume* const> casters, bool byPart) const;
-    /// The stencil as signed counts where there is a surface.
-    void publishCount(Frame& frame, std::string_view stage, int light) const;
+    /// The stencil's counts where there is a surface; `bothSigns` reads 128 to 255 as -128 to -1.
+    void publishCount(Frame& frame, std::string_view stage, int light, bool bothSigns) const;
 
 private:
     gl::Program facing_{"surface.vert", "shadow_volume/facing_sign.frag"};
     gl::Program edges_{"shadow_volume/edge.vert", "shadow_volume/constant.frag"};
     gl::Program faces_{"shadow_volume/extrude.vert", "shadow_volume/faces.frag"};
-    gl::Program stencilValue_{"fullscreen.vert", "shadow_volume/constant.frag"};
 };
 
 /// Orders a caster's front faces: a mirrored object turns its winding over.

@@ -33,13 +33,15 @@ TEST(SameBytes, OnEglAndOsMesa) {
     const auto egl = picturesOn(context::Backend::egl), osmesa = picturesOn(context::Backend::osmesa);
     ASSERT_GE(egl.size(), 3u);
     EXPECT_NE(egl[0], egl[1]) << "with and without shadows must differ";
-    for (std::size_t i = 0; i < egl.size(); ++i) EXPECT_TRUE(egl[i] == osmesa[i]) << registeredTechniques()[i].info->id;
+    for (std::size_t i = 0; i < egl.size(); ++i)
+        EXPECT_TRUE(egl[i] == osmesa[i]) << registeredTechniques()[i].info->id;
 }
 
 TEST(SameBytes, OnAHiddenWindow) {
     if (!std::getenv("DISPLAY")) GTEST_SKIP() << "no display for a window; ./check runs this under Xvfb";
     const auto egl = picturesOn(context::Backend::egl), window = picturesOn(context::Backend::window);
-    for (std::size_t i = 0; i < egl.size(); ++i) EXPECT_TRUE(egl[i] == window[i]) << registeredTechniques()[i].info->id;
+    for (std::size_t i = 0; i < egl.size(); ++i)
+        EXPECT_TRUE(egl[i] == window[i]) << registeredTechniques()[i].info->id;
 }
 
 } // namespace

@@ -51,6 +51,9 @@ Texture2D::Texture2D(GLenum internalFormat, ivec2 size, std::string_view name)
     glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), size.x, size.y, 0, format, type, nullptr);
     sampleNearestClamped(GL_TEXTURE_2D);
     label(GL_TEXTURE, handle_.id(), name);
+    if (glGetError() == GL_OUT_OF_MEMORY)
+        throw Error(ExitStatus::overLimit, std::string(name) + ": no memory for " + std::to_string(size.x) + " x " +
+                                               std::to_string(size.y) + " texels; choose a smaller size");
 }
 
 void Texture2D::bind(int unit) const {

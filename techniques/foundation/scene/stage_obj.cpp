@@ -40,6 +40,7 @@ Object placedMesh(ObjFile& obj, Stage& stage) {
 Object floorUnder(const Stage& stage) {
     Object floor;
     floor.name = "floor";
+    floor.castsShadow = false;               // nothing lies under it
     const double extent = 40.0 * stage.size; // reaches the horizon of this camera
     floor.mesh = std::make_shared<const Mesh>(makeQuad({extent, extent}));
     floor.worldFromObject[3] = dvec4(0.0, stage.floorWorld, 0.0, 1.0);
@@ -50,7 +51,7 @@ Object floorUnder(const Stage& stage) {
 Light keyLight(const Stage& stage) {
     Light light;
     light.name = "key";
-    const dvec3 toLightWorld = glm::normalize(dvec3(-0.5, 1.25, 0.35)); // 64 degrees high: a compact shadow
+    const dvec3 toLightWorld = glm::normalize(dvec3(-0.5, 1.2, 0.5)); // about 60 degrees high: a compact shadow
     const double distance = 6.0 * stage.size; // so far that the floor about the mesh is lit evenly
     light.positionWorld = 0.5 * (stage.meshWorld.lowerWorld + stage.meshWorld.upperWorld) + distance * toLightWorld;
     // Irradiance 3 makes a white surface that faces the light just not clip (3 * 0.8 / pi = 0.76).
@@ -83,7 +84,7 @@ private:
 /// From the front right and above, so near that the mesh and its shadow fill the picture.
 Camera framing(const Stage& stage, const Object& object, const Light& light) {
     Camera camera;
-    camera.fovYDegrees = 35.0; // a long lens: little distortion
+    camera.fovYDegrees = 35.0;                                          // a long lens: little distortion
     const dvec3 backwardWorld = glm::normalize(dvec3(0.35, 0.45, 1.0)); // three-quarter view, 23 degrees down
     const dvec3 rightWorld = glm::normalize(glm::cross(camera.upWorld, backwardWorld));
     const dvec3 aboveWorld = glm::cross(backwardWorld, rightWorld);
@@ -97,8 +98,9 @@ Camera framing(const Stage& stage, const Object& object, const Light& light) {
         up.include(glm::dot(pointWorld, aboveWorld), backward);
     };
 
-    // Slopes as shares of half the picture's height. The mesh is at most 0.6 high. Mesh and shadow stay within 0.8 across,
-    // which is half of a 16:9 picture less a margin of a tenth. The box about the mesh, and its shadow, fit a square.
+    // Slopes as shares of half the picture's height. The mesh is at most 0.6 high. Mesh and shadow stay within 0.8
+    // across, which is half of a 16:9 picture less a margin of a tenth. The box about the mesh and its shadow fit a
+    // square.
     const double half = std::tan(camera.fovYDegrees * glm::pi<double>() / 360.0);
     AxisFit meshUp(0.6 * half), seenAcross(0.8 * half), seenUp(0.9 * half), boxAcross(0.97 * half), boxUp(0.97 * half);
     for (const vec3& positionMesh : object.mesh->positionsMesh) {
