@@ -36,8 +36,8 @@ struct Counter {
 
 /// What the session asks of one frame.
 struct FrameRequest {
-    std::vector<StageKey> stages;       ///< to be published
-    std::optional<StageKey> stopAfter;  ///< pass after which nothing more is drawn: step mode, and stage `pass:ID`
+    std::vector<StageKey> stages;      ///< to be published
+    std::optional<StageKey> stopAfter; ///< pass after which nothing more is drawn: step mode, and stage `pass:ID`
     bool timePasses = false;
     Deadline deadline = Deadline::max();
 };
@@ -50,7 +50,8 @@ public:
     [[nodiscard]] const scene::Scene& scene() const { return *snapshot_; }
     [[nodiscard]] const scene::Snapshot& snapshot() const { return snapshot_; }
     [[nodiscard]] const View& view() const { return view_; }
-    /// The view's camera, its near plane moved out as far as what is in view allows (scene/depth_fit.h): draw with this.
+    /// The view's camera, its near plane moved out as far as what is in view allows (scene/depth_fit.h): draw with
+    /// this.
     [[nodiscard]] const scene::Camera& camera() const { return camera_; }
     [[nodiscard]] const gl::EyeMatrices& eye() const { return eye_; }
     [[nodiscard]] const gl::SceneBuffers& buffers() const { return buffers_; }
@@ -67,11 +68,12 @@ public:
     void publish(std::string_view stage, int light, gl::Texture2D texture, Display display = {});
     /// Publishes a copy of what the target's colour holds now.
     void publishTarget(std::string_view stage, int light = kNoLight);
-    /// Draws a stage into a new texture of the target's size that shares the target's depth and stencil, and publishes it.
+    /// Draws a stage into a new texture of the target's size that shares the target's depth and stencil, and publishes
+    /// it.
     void drawStage(std::string_view stage, int light, GLenum format, const std::function<void()>& draw,
                    Display display = {});
-    /// The same, starting from what the target's colour holds now; `greyed` without its colours, as a ground for coloured
-    /// lines and faces.
+    /// The same, starting from what the target's colour holds now; `greyed` without its colours, as a ground for
+    /// coloured lines and faces.
     void drawOverTarget(std::string_view stage, int light, bool greyed, const std::function<void()>& draw,
                         Display display = {});
     /// "Built 3 of 12": how much of the scene the technique had to handle. Counts of one id add up.

@@ -118,9 +118,9 @@ public:
 /// What is known about a technique without making one, and without a GL context.
 struct TechniqueInfo {
     std::string_view id, title;
-    std::string_view paper;      ///< author, year, title
-    std::string_view getsWrong;  ///< one line for the README table
-    int order = 0;               ///< didactic order of lists
+    std::string_view paper;                   ///< author, year, title
+    std::string_view getsWrong;               ///< one line for the README table
+    int order = 0;                            ///< didactic order of lists
     std::vector<scene::LightType> lightTypes; ///< served (area lights may be served as points)
     std::vector<PassInfo> passes;
     std::vector<StageInfo> stages;

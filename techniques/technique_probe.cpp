@@ -21,7 +21,11 @@ Probe Technique::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     probe.geometry.push_back({"eye ray", view.camera.positionWorld, hit->positionWorld});
     if (light >= 0 && light < static_cast<int>(snapshot->lights.size())) {
         const auto truth = exact.visibility(*hit, view.camera, light);
-        probe.facts.push_back({"truth", truth == trace::Visibility::lit ? "lit" : truth == trace::Visibility::shadowed ? "in shadow" : "turned away", ""});
+        probe.facts.push_back({"truth",
+                               truth == trace::Visibility::lit        ? "lit"
+                               : truth == trace::Visibility::shadowed ? "in shadow"
+                                                                      : "turned away",
+                               ""});
         probe.geometry.push_back({"shadow ray", hit->positionWorld, snapshot->lights[light].positionWorld});
     }
     return probe;

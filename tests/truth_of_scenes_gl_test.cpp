@@ -1,6 +1,5 @@
-// Whole scenes against the exact judge: every built-in one, and any that SHADOWLAB_TRUTH_SCENES names (paths separated by
-// colons: .json or .obj), each from its own camera and from others around it.
-// SPDX-License-Identifier: MIT
+// Whole scenes against the exact judge: every built-in one, and any that SHADOWLAB_TRUTH_SCENES names (paths separated
+// by colons: .json or .obj), each from its own camera and from others around it. SPDX-License-Identifier: MIT
 #include <sstream>
 
 #include "app/session/assets.h"
@@ -70,7 +69,8 @@ TEST_F(TruthOfScenes, BothHoldInScenesGivenByTheUser) {
     std::string path;
     TruthComparison all;
     while (std::getline(paths, path, ':')) {
-        const scene::Snapshot staged = scene::loadScene(path, {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+        const scene::Snapshot staged =
+            scene::loadScene(path, {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
         auto scene = std::make_shared<scene::Scene>(*staged);
         scene::Light sun;
         sun.name = "sun";

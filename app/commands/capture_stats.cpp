@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
 namespace shadowlab::commands {
 
 namespace {
@@ -24,11 +22,11 @@ CaptureStats::CaptureStats(const scene::Scene& scene, const CaptureOptions& opti
       size_(options.size) {
     std::string techniques, settings;
     for (const session::Slot& slot : slots) {
-        SlotStats stats{std::string(slot.info->id), {}, {}, {}, {}, {}};
-        for (const params::Param& param : slot.params) {
-            stats.parameters.emplace_back(param.id, params::valueText(param));
-            settings += stats.technique + "." + param.id + "=" + params::valueText(param) + "\n";
-        }
+        SlotStats stats{std::string(slot.info->id), params::toJson(slot.params), {}, {}, {}, {}};
+        // As --set takes them: of several slots, each with its number.
+        const std::string prefix = slots.size() > 1 ? std::to_string(slots_.size() + 1) + ":" : "";
+        for (const params::Param& param : slot.params)
+            settings += prefix + stats.technique + "." + param.id + "=" + params::valueText(param) + "\n";
         techniques += (techniques.empty() ? "" : ",") + stats.technique;
         slots_.push_back(std::move(stats));
     }
@@ -63,9 +61,7 @@ std::string CaptureStats::json() const {
     for (const SlotStats& slot : slots_) {
         nlohmann::ordered_json entry;
         entry["technique"] = slot.technique;
-        entry["parameters"] = nlohmann::ordered_json::object();
-        for (const auto& [id, value] : slot.parameters)
-            entry["parameters"][id] = value;
+        entry["parameters"] = slot.parameters;
         entry["frames"] = slot.frameMs.size();
         entry["ms"]["frame"] = median(slot.frameMs);
         entry["ms"]["prepare"] = median(slot.prepareMs);

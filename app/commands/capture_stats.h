@@ -7,6 +7,7 @@
 #include "app/commands/capture_options.h"
 #include "app/session/session.h"
 #include "techniques/foundation/image/png.h"
+#include "techniques/foundation/params/param_json.h"
 
 namespace shadowlab::commands {
 
@@ -27,7 +28,7 @@ public:
 private:
     struct SlotStats {
         std::string technique;
-        std::vector<std::pair<std::string, std::string>> parameters;
+        nlohmann::ordered_json parameters;
         std::vector<double> frameMs, prepareMs;
         std::vector<std::pair<std::string, std::vector<double>>> passMs;
         std::vector<Counter> counters; ///< of the last frame

@@ -45,15 +45,15 @@ Table parametersTable() {
 }
 
 Table stagesTable() {
-    Table table{{"technique", "stage", "perLight", "caption"}, {}};
+    Table table{{"technique", "stage", "perLight", "caption", "why", "glState"}, {}};
     for (const RegisteredTechnique& technique : registeredTechniques()) {
         const std::string id(technique.info->id);
         for (const StageInfo& stage : technique.info->stages)
             table.rows.push_back(
-                {id, std::string(stage.id), stage.perLight ? "true" : "false", std::string(stage.caption)});
+                {id, std::string(stage.id), stage.perLight ? "true" : "false", std::string(stage.caption), "", ""});
         for (const PassInfo& pass : technique.info->passes)
-            table.rows.push_back(
-                {id, "pass:" + std::string(pass.id), pass.perLight ? "true" : "false", std::string(pass.title)});
+            table.rows.push_back({id, "pass:" + std::string(pass.id), pass.perLight ? "true" : "false",
+                                  std::string(pass.title), std::string(pass.why), std::string(pass.glState)});
     }
     return table;
 }

@@ -5,8 +5,8 @@
 
 namespace shadowlab::session {
 
-/// The scene with every light (positions, directions, edges, and the surfaces of area lights) turned by that angle about
-/// the line through the camera's target along world +y.
+/// The scene with every light (positions, directions, edges, and the surfaces of area lights) turned by that angle
+/// about the line through the camera's target along world +y.
 scene::Snapshot withLightsTurned(const scene::Snapshot& snapshot, double degrees);
 
 /// The camera turned about the same line.

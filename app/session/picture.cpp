@@ -47,7 +47,8 @@ image::Image PictureEncoder::encode(const Stage& stage, StageKind kind, float ex
     program_.set("minimum", static_cast<float>(stage.display.minimum));
     program_.set("maximum", static_cast<float>(stage.display.maximum));
     program_.set("palette", std::span<const vec4>(stops));
-    // A stage may have a size of its own (a shadow map's view of the scene): only those of the target's are supersampled.
+    // A stage may have a size of its own (a shadow map's view of the scene): only those of the target's are
+    // supersampled.
     return draw(stage.texture, supersample);
 }
 

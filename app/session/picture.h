@@ -33,7 +33,9 @@ struct VisibilityImage {
     [[nodiscard]] std::uint8_t alpha(int x, int y) const { return greyAlpha[2 * index(x, y) + 1]; }
 
 private:
-    [[nodiscard]] std::size_t index(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x); }
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
+    }
 };
 VisibilityImage readVisibility(const Stage& stage);
 

@@ -48,7 +48,8 @@ RenderedFrame Session::render(Slot& slot, const View& view, const FrameRequest& 
 
 const Stage& findStage(const RenderedFrame& rendered, const StageKey& key) {
     const auto found = std::ranges::find(rendered.result.stages, key, &Stage::key);
-    if (found == rendered.result.stages.end()) throw std::logic_error("stage '" + key.id + "' was asked for and not published");
+    if (found == rendered.result.stages.end())
+        throw std::logic_error("stage '" + key.id + "' was asked for and not published");
     return *found;
 }
 
@@ -63,7 +64,8 @@ void requirePassRan(const RenderedFrame& rendered, const StageKey& pass, const T
     std::string ran;
     for (const StageKey& key : rendered.result.passes)
         if (ran.find(key.id) == std::string::npos) ran += (ran.empty() ? "" : ", ") + key.id;
-    throw Error(ExitStatus::usage, "pass '" + pass.id + "' of '" + std::string(info.id) + "' does not run with these settings; passes that run: " + ran);
+    throw Error(ExitStatus::usage, "pass '" + pass.id + "' of '" + std::string(info.id) +
+                                       "' does not run with these settings; passes that run: " + ran);
 }
 
 int lightIndex(const scene::Scene& scene, std::string_view name) {
@@ -99,7 +101,8 @@ StageChoice parseStage(std::string_view text, const TechniqueInfo& info, const s
     if (!*perLight) {
         if (at != std::string_view::npos)
             throw Error(ExitStatus::usage, "stage '" + id + "' of '" + std::string(info.id) +
-                                               "' does not belong to one light; leave out '" + std::string(text.substr(at)) + "'");
+                                               "' does not belong to one light; leave out '" +
+                                               std::string(text.substr(at)) + "'");
         light = kNoLight;
     } else if (scene.lights.empty()) {
         throw Error(ExitStatus::usage, "stage '" + id + "' needs a light and scene '" + scene.name +

@@ -29,10 +29,12 @@ std::vector<std::string> nearestNames(std::string_view typed, std::span<const st
     const std::size_t reach = std::max<std::size_t>(2, typed.size() / 3);
     std::vector<std::pair<std::size_t, std::string>> near;
     for (const std::string& name : known)
-        if (const std::size_t distance = editDistance(typed, name); distance <= reach) near.emplace_back(distance, name);
+        if (const std::size_t distance = editDistance(typed, name); distance <= reach)
+            near.emplace_back(distance, name);
     std::ranges::sort(near);
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < near.size() && i < 3; ++i) names.push_back(near[i].second);
+    for (std::size_t i = 0; i < near.size() && i < 3; ++i)
+        names.push_back(near[i].second);
     return names;
 }
 
@@ -40,10 +42,12 @@ std::string suggestion(std::string_view typed, std::span<const std::string> know
     const std::vector<std::string> near = nearestNames(typed, known);
     std::string text;
     if (near.empty()) {
-        for (const std::string& name : known) text += (text.empty() ? "known: " : ", ") + name;
+        for (const std::string& name : known)
+            text += (text.empty() ? "known: " : ", ") + name;
         return text;
     }
-    for (const std::string& name : near) text += (text.empty() ? "did you mean \"" : " or \"") + name + "\"";
+    for (const std::string& name : near)
+        text += (text.empty() ? "did you mean \"" : " or \"") + name + "\"";
     return text + "?";
 }
 

@@ -49,7 +49,8 @@ dmat4 parallelProjection(const dvec3& lower, const dvec3& upper) {
 std::pair<double, double> distanceRange(const scene::Bounds& box, const dvec3& originWorld) {
     const dvec3 nearest = glm::clamp(originWorld, box.lowerWorld, box.upperWorld) - originWorld;
     double farthest = 0;
-    for (int i = 0; i < 8; ++i) farthest = std::max(farthest, glm::length(box.corner(i) - originWorld));
+    for (int i = 0; i < 8; ++i)
+        farthest = std::max(farthest, glm::length(box.corner(i) - originWorld));
     return {glm::length(nearest), farthest};
 }
 
@@ -57,7 +58,8 @@ std::pair<double, double> distanceRange(const scene::Bounds& box, const dvec3& o
 scene::Bounds boundsInView(std::span<const scene::Bounds> boxes, const dvec3& originWorld, const dmat4& lightView) {
     scene::Bounds range;
     for (const scene::Bounds& box : boxes)
-        for (int i = 0; i < 8; ++i) range.include(transformPoint(lightView, box.corner(i) - originWorld));
+        for (int i = 0; i < 8; ++i)
+            range.include(transformPoint(lightView, box.corner(i) - originWorld));
     return range;
 }
 
@@ -93,7 +95,8 @@ struct Aim {
 /// Looks at the middle of the casters. Nothing when they are all around, or spread wider than one map serves well.
 std::optional<Aim> aimAt(std::span<const scene::Bounds> casters, const dvec3& originWorld) {
     scene::Bounds together;
-    for (const scene::Bounds& box : casters) together.include(box);
+    for (const scene::Bounds& box : casters)
+        together.include(box);
     const dvec3 middle = 0.5 * (together.lowerWorld + together.upperWorld) - originWorld;
     if (!(glm::length(middle) > 0)) return std::nullopt;
     Aim aim{lookAlong(glm::normalize(middle)), 1e-6};
@@ -101,7 +104,8 @@ std::optional<Aim> aimAt(std::span<const scene::Bounds> casters, const dvec3& or
         for (int i = 0; i < 8; ++i) {
             const dvec3 cornerView = transformPoint(aim.lightView, box.corner(i) - originWorld);
             if (cornerView.z >= 0) return std::nullopt;
-            aim.tanHalf = std::max({aim.tanHalf, std::abs(cornerView.x / cornerView.z), std::abs(cornerView.y / cornerView.z)});
+            aim.tanHalf =
+                std::max({aim.tanHalf, std::abs(cornerView.x / cornerView.z), std::abs(cornerView.y / cornerView.z)});
         }
     const double widest = std::tan(kWidestSingleConeDegrees * glm::pi<double>() / 360.0);
     return aim.tanHalf <= widest ? std::optional(aim) : std::nullopt;
@@ -115,7 +119,8 @@ void fitPerspective(LightMaps& maps, const scene::Light& light, std::span<const 
         nearest = std::min(nearest, boxNearest);
         farthest = std::max(farthest, boxFarthest);
     }
-    // The distance along one of the six axes is at least 1/sqrt(3) of the distance itself; in a single wide picture, half.
+    // The distance along one of the six axes is at least 1/sqrt(3) of the distance itself; in a single wide picture,
+    // half.
     maps.farthest = std::max(1.001 * farthest, 1e-6);
     maps.nearest = std::max(0.49 * nearest, kLeastNearShare * maps.farthest);
 
@@ -129,7 +134,8 @@ void fitPerspective(LightMaps& maps, const scene::Light& light, std::span<const 
     } else if (const std::optional<Aim> aim = aimAt(casters, maps.originWorld)) {
         add(aim->lightView, aim->tanHalf);
     } else {
-        for (const dvec3& axis : {dvec3(1, 0, 0), dvec3(-1, 0, 0), dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(0, 0, 1), dvec3(0, 0, -1)})
+        for (const dvec3& axis :
+             {dvec3(1, 0, 0), dvec3(-1, 0, 0), dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(0, 0, 1), dvec3(0, 0, -1)})
             add(lookAlong(axis), 1.0);
     }
 }
@@ -144,7 +150,8 @@ LightMaps fitLightMaps(const scene::Scene& scene, const scene::Light& light, std
         all.push_back(scene::boundsWorld(object));
         whole.include(all.back());
     }
-    for (const std::size_t caster : casters) casterBounds.push_back(all[caster]);
+    for (const std::size_t caster : casters)
+        casterBounds.push_back(all[caster]);
     if (casterBounds.empty()) casterBounds = all; // an empty map, but a map
 
     LightMaps maps;

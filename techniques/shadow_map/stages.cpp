@@ -21,7 +21,8 @@ struct Sheet {
     ivec2 cells;
     int cellSize;
     Sheet(int layers, ivec2 within)
-        : cells(layers == 6 ? ivec2(3, 2) : ivec2(1)), cellSize(std::max(1, std::min(within.x / cells.x, within.y / cells.y))) {}
+        : cells(layers == 6 ? ivec2(3, 2) : ivec2(1)),
+          cellSize(std::max(1, std::min(within.x / cells.x, within.y / cells.y))) {}
     [[nodiscard]] ivec2 size() const { return cells * cellSize; }
     void setViewport(int layer) const {
         const int column = cells.x == 1 ? 0 : layer / 2, rowFromTop = cells.x == 1 ? 0 : layer % 2;
@@ -35,7 +36,8 @@ struct Sheet {
 } // namespace
 
 void ShadowMap::publishStages(Frame& frame, int light, const PreparedLight& prepared) {
-    if (frame.wants("light-depth", light) || frame.wants("depth-on-view", light) || frame.wants("distance-on-view", light))
+    if (frame.wants("light-depth", light) || frame.wants("depth-on-view", light) ||
+        frame.wants("distance-on-view", light))
         shownDistance_ = distanceRange(frame, light, prepared);
     if (frame.wants("light-view", light)) publishLightView(frame, light, prepared);
     if (frame.wants("light-depth", light)) publishLightDepth(frame, light, prepared);
@@ -136,13 +138,16 @@ Display ShadowMap::distanceRange(const Frame& frame, int light, const PreparedLi
     std::vector<float> seen;
     for (const vec4& texel : gl::readTexels(distances))
         if (texel.g > 0.5f) seen.push_back(texel.r);
-    const std::string unit = prepared.maps.parallel ? "m along the light, from the map's near side" : "m from the light";
+    const std::string unit =
+        prepared.maps.parallel ? "m along the light, from the map's near side" : "m from the light";
     Display range{.minimum = 0, .maximum = prepared.maps.farthest, .unit = unit, .key = {}};
     if (seen.empty()) return range;
-    // A horizon would stretch the scale until everything near is one colour: one pixel in fifty may lie beyond each end.
+    // A horizon would stretch the scale until everything near is one colour: one pixel in fifty may lie beyond each
+    // end.
     std::ranges::sort(seen);
     range.minimum = seen[seen.size() / 50];
-    range.maximum = std::max<double>(seen[seen.size() - 1 - seen.size() / 50], range.minimum + 1e-3 * prepared.maps.farthest);
+    range.maximum =
+        std::max<double>(seen[seen.size() - 1 - seen.size() / 50], range.minimum + 1e-3 * prepared.maps.farthest);
     return range;
 }
 
@@ -154,7 +159,8 @@ void ShadowMap::publishProjected(Frame& frame, int light, const PreparedLight& p
     map_.compare(false);
     const auto publish = [&](std::string_view stage, int mode, GLenum format, const Display& display) {
         if (frame.wants(stage, light))
-            frame.drawStage(stage, light, format, [&] { drawProjected(frame, light, prepared, mode); }, display);
+            frame.drawStage(
+                stage, light, format, [&] { drawProjected(frame, light, prepared, mode); }, display);
     };
     publish("depth-on-view", kMapDepth, GL_RG32F, shownDistance_);
     publish("distance-on-view", kPointDistance, GL_RG32F, shownDistance_);

@@ -32,21 +32,28 @@ const StageInfo kStages[] = {
 
 constexpr int kMapUnit = gl::kFirstFreeUnit;
 
-// Points are moved toward the light by this share of their distance (for a directional light: of the map's depth) before
-// the comparison. It covers the rounding of interpolated float positions, about 2^-21 here, twenty times over, and is a
-// thousandth of a texel at most.
+// Points are moved toward the light by this share of their distance (for a directional light: of the map's depth)
+// before the comparison. It covers the rounding of interpolated float positions, about 2^-21 here, twenty times over,
+// and is a thousandth of a texel at most.
 constexpr double kRoundingPull = 1e-5;
 
 } // namespace
 
 params::ParamList ShadowMap::params() {
     return {
-        params::integer("resolution", params_.resolution, 64, 8192, "texels", "Side of the square depth map; of each of six when casters surround the light."),
-        params::choice("filter", params_.filter, {"hard", "pcf"}, "hard: one comparison a pixel; pcf: the share of a square of comparisons that are lit."),
-        params::integer("pcf-radius", params_.pcfRadius, 0, 15, "texels", "PCF averages (2 r + 1) x (2 r + 1) comparisons."),
-        params::real("slope-bias", params_.slopeBias, 0, 16, "", "Depth offset in proportion to the slope; 1 is what the kernel needs on a plane, 0 shows acne (teaching)."),
-        params::real("constant-bias", params_.constantBias, 0, 1000, "", "Depth offset against rounding; 1 is what float positions and 24-bit depths need."),
-        params::boolean("cull", params_.cull, "Leave casters out that cannot shadow anything in a map; the picture is the same."),
+        params::integer("resolution", params_.resolution, 64, 8192, "texels",
+                        "Side of the square depth map; of each of six when casters surround the light."),
+        params::choice("filter", params_.filter, {"hard", "pcf"},
+                       "hard: one comparison a pixel; pcf: the share of a square of comparisons that are lit."),
+        params::integer("pcf-radius", params_.pcfRadius, 0, 15, "texels",
+                        "PCF averages (2 r + 1) x (2 r + 1) comparisons."),
+        params::real(
+            "slope-bias", params_.slopeBias, 0, 16, "",
+            "Depth offset in proportion to the slope; 1 is what the kernel needs on a plane, 0 shows acne (teaching)."),
+        params::real("constant-bias", params_.constantBias, 0, 1000, "",
+                     "Depth offset against rounding; 1 is what float positions and 24-bit depths need."),
+        params::boolean("cull", params_.cull,
+                        "Leave casters out that cannot shadow anything in a map; the picture is the same."),
     };
 }
 
@@ -57,7 +64,8 @@ Progress ShadowMap::prepare(const scene::Snapshot& snapshot, Deadline) {
     for (const scene::Light& light : snapshot->lights) {
         // The fit always uses the casters that matter, also when all are drawn: another map would be another picture.
         std::vector<std::size_t> useful = scene::usefulCasters(*snapshot, light);
-        prepared_.push_back({fitLightMaps(*snapshot, light, useful, params_.resolution, params_.kernelRadius()), {}, useful});
+        prepared_.push_back(
+            {fitLightMaps(*snapshot, light, useful, params_.resolution, params_.kernelRadius()), {}, useful});
     }
     preparedFor_ = snapshot;
     preparedSize_ = size;
@@ -76,11 +84,14 @@ Progress ShadowMap::render(Frame& frame) {
         chooseMap(frame, light, prepared);
         drawDepth(frame, light, prepared);
         publishStages(frame, light, prepared);
-        frame.pass(passInfo(kPasses, "light"), [&] {
-            glClear(GL_STENCIL_BUFFER_BIT);
-            gl::setAddLightState();
-            drawReceivers(frame, shade_, light, prepared);
-        }, light);
+        frame.pass(
+            passInfo(kPasses, "light"),
+            [&] {
+                glClear(GL_STENCIL_BUFFER_BIT);
+                gl::setAddLightState();
+                drawReceivers(frame, shade_, light, prepared);
+            },
+            light);
     }
     return {};
 }
@@ -98,51 +109,63 @@ void ShadowMap::choosePrograms() {
 void ShadowMap::chooseMap(Frame& frame, int light, PreparedLight& prepared) {
     const scene::Scene& scene = frame.scene();
     const std::vector<std::size_t> all = scene::allCasters(scene);
-    const bool shown = frame.wants("light-depth", light) || frame.wants("depth-on-view", light) || frame.wants("comparison", light);
+    const bool shown =
+        frame.wants("light-depth", light) || frame.wants("depth-on-view", light) || frame.wants("comparison", light);
     prepared.casters = params_.cull && !shown ? prepared.usefulCasters : all; // a lesson wants to see the floor, too
     if (map_.side() != params_.resolution || map_.layers() != prepared.maps.layers())
         map_ = gl::DepthTextureArray(GL_DEPTH_COMPONENT24, params_.resolution, prepared.maps.layers(), "shadow map");
     frame.count("casters", static_cast<double>(prepared.casters.size()), static_cast<double>(all.size()), "objects");
-    frame.count("map-texels", static_cast<double>(prepared.maps.layers()) * params_.resolution * params_.resolution, 0, "texels");
+    frame.count("map-texels", static_cast<double>(prepared.maps.layers()) * params_.resolution * params_.resolution, 0,
+                "texels");
 }
 
 void ShadowMap::drawDepth(Frame& frame, int light, const PreparedLight& prepared) {
-    frame.pass(passInfo(kPasses, "depth"), [&] {
-        glEnable(GL_DEPTH_CLAMP); // what stands nearer than the near plane still casts
-        glEnable(GL_POLYGON_OFFSET_FILL);
-        // Within a kernel of radius k a plane's depth varies by at most (k + 1/2)(|dz/du| + |dz/dv|) texels, which is at
-        // most (2 k + 1) times the larger of the two slopes: the slope that glPolygonOffset multiplies. The caster's slope
-        // guards concave corners, where the kernel meets a steeper neighbour; the receiver's (lookup.glsl) convex ones.
-        const double kernelWidth = 2.0 * params_.kernelRadius() + 1.0;
-        glPolygonOffset(static_cast<float>(params_.slopeBias * kernelWidth), static_cast<float>(2.0 * params_.constantBias));
-        depth_.use();
-        for (int layer = 0; layer < prepared.maps.layers(); ++layer) {
-            const gl::Framebuffer framebuffer(map_, layer, "shadow map layer");
-            framebuffer.bind();
-            glClear(GL_DEPTH_BUFFER_BIT);
-            for (const std::size_t caster : prepared.casters) {
-                const scene::Object& object = frame.scene().objects[caster];
-                depth_.set("clipFromMesh", mat4(prepared.maps.lightClipFromLightRelative(layer) * lightRelativeFromMesh(prepared.maps, object)));
-                frame.buffers().mesh(caster).draw(0, static_cast<std::uint32_t>(object.mesh->triangles.size()));
+    frame.pass(
+        passInfo(kPasses, "depth"),
+        [&] {
+            glEnable(GL_DEPTH_CLAMP); // what stands nearer than the near plane still casts
+            glEnable(GL_POLYGON_OFFSET_FILL);
+            // Within a kernel of radius k a plane's depth varies by at most (k + 1/2)(|dz/du| + |dz/dv|) texels, which
+            // is at most (2 k + 1) times the larger of the two slopes: the slope that glPolygonOffset multiplies. The
+            // caster's slope guards concave corners, where the kernel meets a steeper neighbour; the receiver's
+            // (lookup.glsl) convex ones.
+            const double kernelWidth = 2.0 * params_.kernelRadius() + 1.0;
+            glPolygonOffset(static_cast<float>(params_.slopeBias * kernelWidth),
+                            static_cast<float>(2.0 * params_.constantBias));
+            depth_.use();
+            for (int layer = 0; layer < prepared.maps.layers(); ++layer) {
+                const gl::Framebuffer framebuffer(map_, layer, "shadow map layer");
+                framebuffer.bind();
+                glClear(GL_DEPTH_BUFFER_BIT);
+                for (const std::size_t caster : prepared.casters) {
+                    const scene::Object& object = frame.scene().objects[caster];
+                    depth_.set("clipFromMesh", mat4(prepared.maps.lightClipFromLightRelative(layer) *
+                                                    lightRelativeFromMesh(prepared.maps, object)));
+                    frame.buffers().mesh(caster).draw(0, static_cast<std::uint32_t>(object.mesh->triangles.size()));
+                }
             }
-        }
-    }, light);
+        },
+        light);
 }
 
-void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light, const PreparedLight& prepared) const {
+void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light,
+                              const PreparedLight& prepared) const {
     const LightMaps& maps = prepared.maps;
     program.use();
     gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
     std::vector<mat4> lightClipFromLightRelative;
-    for (int layer = 0; layer < maps.layers(); ++layer) lightClipFromLightRelative.emplace_back(maps.lightClipFromLightRelative(layer));
+    for (int layer = 0; layer < maps.layers(); ++layer)
+        lightClipFromLightRelative.emplace_back(maps.lightClipFromLightRelative(layer));
     program.set("lightClipFromLightRelative", std::span<const mat4>(lightClipFromLightRelative));
     program.set("mapLayers", maps.layers());
     program.set("pcfRadius", params_.pcfRadius);
     const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
     const double pull = params_.constantBias * kRoundingPull;
     program.set("pullShare", static_cast<float>(maps.parallel ? 0.0 : pull));
-    program.set("pullLightRelative", maps.parallel ? vec3(-source.directionWorld * (pull * (maps.farthest - maps.nearest))) : vec3(0));
-    program.set("slopeTexels", static_cast<float>(params_.slopeBias * (params_.kernelRadius() + 0.5) / params_.resolution));
+    program.set("pullLightRelative",
+                maps.parallel ? vec3(-source.directionWorld * (pull * (maps.farthest - maps.nearest))) : vec3(0));
+    program.set("slopeTexels",
+                static_cast<float>(params_.slopeBias * (params_.kernelRadius() + 0.5) / params_.resolution));
     program.set("slopeStep", static_cast<float>(0.01 * (maps.farthest - maps.nearest)));
     map_.bind(kMapUnit);
     program.set("shadowMap", kMapUnit);
@@ -157,13 +180,17 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     const auto hit = trace::ExactVisibility(snapshot).eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
     if (!hit || light < 0 || light >= static_cast<int>(snapshot->lights.size())) return probe;
     const scene::Light& source = snapshot->lights[static_cast<std::size_t>(light)];
-    const LightMaps maps = fitLightMaps(*snapshot, source, scene::usefulCasters(*snapshot, source), params_.resolution, params_.kernelRadius());
+    const LightMaps maps = fitLightMaps(*snapshot, source, scene::usefulCasters(*snapshot, source), params_.resolution,
+                                        params_.kernelRadius());
     for (int layer = 0; layer < maps.layers(); ++layer) {
         const dvec4 clip = maps.lightClipFromLightRelative(layer) * dvec4(hit->positionWorld - maps.originWorld, 1.0);
         const dvec3 ndc = dvec3(clip) / clip.w;
         if (clip.w <= 0 || std::abs(ndc.x) > 1 || std::abs(ndc.y) > 1) continue;
         const dvec2 texel = (dvec2(ndc) * 0.5 + 0.5) * static_cast<double>(params_.resolution);
-        probe.facts.push_back({"map texel (layer, column, row)", std::to_string(layer) + ", " + std::to_string(static_cast<int>(texel.x)) + ", " + std::to_string(static_cast<int>(texel.y)), ""});
+        probe.facts.push_back({"map texel (layer, column, row)",
+                               std::to_string(layer) + ", " + std::to_string(static_cast<int>(texel.x)) + ", " +
+                                   std::to_string(static_cast<int>(texel.y)),
+                               ""});
         probe.facts.push_back({"depth of the point in the map z(u,v)", std::to_string(0.5 * ndc.z + 0.5), ""});
         break;
     }

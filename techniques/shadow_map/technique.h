@@ -48,7 +48,7 @@ private:
     scene::Snapshot preparedFor_;
     std::pair<int, int> preparedSize_; ///< resolution and kernel radius
     std::vector<PreparedLight> prepared_;
-    Display shownDistance_; ///< scale of the current light's depth pictures
+    Display shownDistance_;                               ///< scale of the current light's depth pictures
     std::optional<ShadowMapParams::Filter> chosenFilter_; ///< that shade_ and visibility_ were made for
     gl::DepthTextureArray map_;
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};

@@ -26,9 +26,15 @@ bool Casters::buildNext(const scene::Snapshot& snapshot) {
         const scene::Object& object = snapshot->objects[o];
         const SharedMesh& mesh = shared(object.mesh);
         const std::vector<std::int8_t> facing = scene::facingSigns(object, light);
-        CasterVolume caster{o, {}, silhouetteEdges(mesh.topology, facing), scene::boundsWorld(object),
-                            std::ranges::binary_search(useful, o), mesh.report, nullptr};
-        caster.volume = buildVolume(*object.mesh, facing, caster.silhouette, light.type == scene::LightType::directional);
+        CasterVolume caster{o,
+                            {},
+                            silhouetteEdges(mesh.topology, facing),
+                            scene::boundsWorld(object),
+                            std::ranges::binary_search(useful, o),
+                            mesh.report,
+                            nullptr};
+        caster.volume =
+            buildVolume(*object.mesh, facing, caster.silhouette, light.type == scene::LightType::directional);
         casters.push_back(std::move(caster));
     }
     perLight_.push_back(std::move(casters));

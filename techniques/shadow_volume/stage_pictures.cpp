@@ -40,14 +40,18 @@ void setExtrusion(const gl::Program& program, const Frame& frame, const CasterVo
 }
 
 void StagePictures::publishFacing(Frame& frame, int light) const {
-    frame.drawStage("facing", light, GL_RGBA16F, [&] {
-        glDepthFunc(GL_EQUAL);
-        facing_.use();
-        facing_.set("towardColor", look::kTowardLight);
-        facing_.set("awayColor", look::kAwayFromLight);
-        gl::setLight(facing_, frame.scene(), frame.buffers(), frame.eye(), light);
-        gl::drawSurfaces(facing_, frame.scene(), frame.buffers(), frame.eye());
-    }, {.unit = "", .key = {{look::kTowardLight, "N·L > 0: faces the light"}, {look::kAwayFromLight, "N·L ≤ 0: faces away"}}});
+    frame.drawStage(
+        "facing", light, GL_RGBA16F,
+        [&] {
+            glDepthFunc(GL_EQUAL);
+            facing_.use();
+            facing_.set("towardColor", look::kTowardLight);
+            facing_.set("awayColor", look::kAwayFromLight);
+            gl::setLight(facing_, frame.scene(), frame.buffers(), frame.eye(), light);
+            gl::drawSurfaces(facing_, frame.scene(), frame.buffers(), frame.eye());
+        },
+        {.unit = "",
+         .key = {{look::kTowardLight, "N·L > 0: faces the light"}, {look::kAwayFromLight, "N·L ≤ 0: faces away"}}});
 }
 
 void StagePictures::publishSilhouettes(Frame& frame, int light, std::span<const CasterVolume* const> casters) const {
@@ -64,18 +68,21 @@ void StagePictures::publishSilhouettes(Frame& frame, int light, std::span<const 
             }
         glViewport(0, 0, size.x, size.y);
     };
-    frame.drawOverTarget("silhouettes", light, true, [&] {
-        glDepthFunc(GL_LEQUAL);
-        glDepthMask(GL_FALSE);
-        edges_.use();
-        edges_.set("pullClip", static_cast<float>(2.0 * frame.camera().near * 0.003)); // 0.3 % nearer
-        for (const CasterVolume* caster : casters) {
-            edges_.set("clipFromMesh", mat4(frame.eye().clipFromMesh(frame.scene().objects[caster->object])));
-            drawThick(look::kSilhouette, [&] { caster->buffers->drawSilhouette(); });
-            drawThick(look::kBoundaryEdge, [&] { caster->buffers->drawBoundary(); });
-            drawThick(look::kMultipleEdge, [&] { caster->buffers->drawMultiple(); });
-        }
-    }, {.unit = "", .key = edgeKey(casters)});
+    frame.drawOverTarget(
+        "silhouettes", light, true,
+        [&] {
+            glDepthFunc(GL_LEQUAL);
+            glDepthMask(GL_FALSE);
+            edges_.use();
+            edges_.set("pullClip", static_cast<float>(2.0 * frame.camera().near * 0.003)); // 0.3 % nearer
+            for (const CasterVolume* caster : casters) {
+                edges_.set("clipFromMesh", mat4(frame.eye().clipFromMesh(frame.scene().objects[caster->object])));
+                drawThick(look::kSilhouette, [&] { caster->buffers->drawSilhouette(); });
+                drawThick(look::kBoundaryEdge, [&] { caster->buffers->drawBoundary(); });
+                drawThick(look::kMultipleEdge, [&] { caster->buffers->drawMultiple(); });
+            }
+        },
+        {.unit = "", .key = edgeKey(casters)});
 }
 
 void StagePictures::publishFaces(Frame& frame, int light, std::span<const CasterVolume* const> casters,
@@ -88,29 +95,33 @@ void StagePictures::publishFaces(Frame& frame, int light, std::span<const Caster
         faces_.set("frontColor", unexposed(frame, byPart ? partColor : plus, alpha));
         faces_.set("backColor", unexposed(frame, byPart ? partColor : minus, alpha));
     };
-    const std::vector<KeyEntry> parts = {{top, "top cap"}, {side, "side"}, {bottom, "bottom cap, at infinity behind everything"}};
-    const std::vector<KeyEntry> signs = {{plus, "faces the viewer (front)"}, {minus, "faces away from the viewer (back)"}};
-    frame.drawOverTarget(byPart ? "volume-parts" : "volume-signs", light, true, [&] {
-        glDepthFunc(GL_LEQUAL); // the top cap lies exactly on the caster's surface
-        glDepthMask(GL_FALSE);
-        glEnable(GL_DEPTH_CLAMP);
-        glEnable(GL_BLEND);
-        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-        faces_.use();
-        for (const CasterVolume* caster : casters) {
-            const scene::Object& object = frame.scene().objects[caster->object];
-            setExtrusion(faces_, frame, *caster, light);
-            setFrontFace(object, false);
-            choose(bottom, kCapAlpha);
-            caster->buffers->drawBottomCap();
-            choose(side, kSideAlpha);
-            caster->buffers->drawSides();
-            choose(top, kCapAlpha);
-            caster->buffers->drawTopCap();
-            setFrontFace(object, true);
-            caster->buffers->drawTopCapReversed();
-        }
-    }, {.unit = "", .key = byPart ? parts : signs});
+    const std::vector<KeyEntry> parts = {
+        {top, "top cap"}, {side, "side"}, {bottom, "bottom cap, at infinity behind everything"}};
+    const std::vector<KeyEntry> signs = {{plus, "faces the viewer (front)"},
+                                         {minus, "faces away from the viewer (back)"}};
+    frame.drawOverTarget(byPart ? "volume-parts" : "volume-signs", light, true,
+                         [&] {
+                             glDepthFunc(GL_LEQUAL); // the top cap lies exactly on the caster's surface
+                             glDepthMask(GL_FALSE);
+                             glEnable(GL_DEPTH_CLAMP);
+                             glEnable(GL_BLEND);
+                             glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+                             faces_.use();
+                             for (const CasterVolume* caster : casters) {
+                                 const scene::Object& object = frame.scene().objects[caster->object];
+                                 setExtrusion(faces_, frame, *caster, light);
+                                 setFrontFace(object, false);
+                                 choose(bottom, kCapAlpha);
+                                 caster->buffers->drawBottomCap();
+                                 choose(side, kSideAlpha);
+                                 caster->buffers->drawSides();
+                                 choose(top, kCapAlpha);
+                                 caster->buffers->drawTopCap();
+                                 setFrontFace(object, true);
+                                 caster->buffers->drawTopCapReversed();
+                             }
+                         },
+                         {.unit = "", .key = byPart ? parts : signs});
 }
 
 void StagePictures::publishCount(Frame& frame, std::string_view stage, int light, bool bothSigns) const {
@@ -132,7 +143,10 @@ void StagePictures::publishCount(Frame& frame, std::string_view stage, int light
     gl::Texture2D texture(GL_RG32F, size, stage);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RG, GL_FLOAT, counts.data());
     frame.publish(stage, light, std::move(texture),
-                  {.minimum = -static_cast<double>(largest), .maximum = static_cast<double>(largest), .unit = "faces counted", .key = {}});
+                  {.minimum = -static_cast<double>(largest),
+                   .maximum = static_cast<double>(largest),
+                   .unit = "faces counted",
+                   .key = {}});
 }
 
 } // namespace shadowlab::shadow_volume

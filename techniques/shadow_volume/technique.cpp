@@ -15,9 +15,12 @@ const PassInfo kPasses[] = {
      "depth test LESS, depth write on", false},
     {"clear-stencil", "Clear the stencil buffer", "Each light counts from zero.", "stencil write mask 0xff", true},
     {"volumes", "Count the volume faces behind each visible point",
-     "Back faces add one and front faces take one where they fail the depth test: what is left is not zero inside a volume.",
-     "colour and depth writes off, depth LESS, stencil depth-fail INCR_WRAP (back) and DECR_WRAP (front), depth clamp for "
-     "what reaches infinity", true},
+     "Back faces add one and front faces take one where they fail the depth test: what is left is not zero inside a "
+     "volume.",
+     "colour and depth writes off, depth LESS, stencil depth-fail INCR_WRAP (back) and DECR_WRAP (front), depth clamp "
+     "for "
+     "what reaches infinity",
+     true},
     {"volumes-back", "Render all volume faces that face away from the viewer",
      "The stencil goes up by one for each point that fails the depth test.",
      "colour and depth writes off, cull FRONT, depth LESS, stencil depth-fail INCR_WRAP", true},
@@ -60,9 +63,11 @@ void cullFace(GLenum face) {
 
 params::ParamList ZFail::params() {
     return {
-        params::boolean("two-sided", params_.twoSided,
-                        "Count back and front faces in one pass; false: the lecture's steps 4 and 5, one after the other."),
-        params::boolean("cull", params_.cull, "Skip volumes that cannot reach the view, or in which nothing lies; the picture is the same."),
+        params::boolean(
+            "two-sided", params_.twoSided,
+            "Count back and front faces in one pass; false: the lecture's steps 4 and 5, one after the other."),
+        params::boolean("cull", params_.cull,
+                        "Skip volumes that cannot reach the view, or in which nothing lies; the picture is the same."),
         params::boolean("wrap", params_.wrap,
                         "Let the stencil wrap around; false: it sticks at 0 and 255, and counts get lost (teaching)."),
         params::boolean("caps", params_.caps, "Close the volumes with caps; false: depth fail miscounts (teaching)."),
@@ -87,17 +92,22 @@ Progress ZFail::render(Frame& frame) {
         const std::vector<CasterVolume>& casters = casters_.upload(frame.snapshot(), light);
         drawn_.clear();
         for (const CasterVolume& caster : casters)
-            if (!params_.cull || (caster.useful && volumeMayBeInView(caster.bounds, scene.lights[static_cast<std::size_t>(light)], frame.eye())))
+            if (!params_.cull ||
+                (caster.useful &&
+                 volumeMayBeInView(caster.bounds, scene.lights[static_cast<std::size_t>(light)], frame.eye())))
                 drawn_.push_back(&caster);
         frame.count("volumes", static_cast<double>(drawn_.size()), static_cast<double>(casters.size()), "casters");
 
         publishVisibility(frame, light);
         publishStencilStages(frame, light);
         countVolumes(frame, light);
-        frame.pass(passInfo(kPasses, "light"), [&] {
-            gl::setAddLightState();
-            drawLit(frame, shade_, light);
-        }, light);
+        frame.pass(
+            passInfo(kPasses, "light"),
+            [&] {
+                gl::setAddLightState();
+                drawLit(frame, shade_, light);
+            },
+            light);
     }
 
     // Pictures over the finished image.
@@ -114,24 +124,34 @@ Progress ZFail::render(Frame& frame) {
 }
 
 void ZFail::countVolumes(Frame& frame, int light) {
-    frame.pass(passInfo(kPasses, "clear-stencil"), [] { glClear(GL_STENCIL_BUFFER_BIT); }, light);
+    frame.pass(
+        passInfo(kPasses, "clear-stencil"), [] { glClear(GL_STENCIL_BUFFER_BIT); }, light);
     if (params_.twoSided) {
-        frame.pass(passInfo(kPasses, "volumes"), [&] {
-            setCountState(params_);
-            drawVolumes(frame, light);
-        }, light);
+        frame.pass(
+            passInfo(kPasses, "volumes"),
+            [&] {
+                setCountState(params_);
+                drawVolumes(frame, light);
+            },
+            light);
         return;
     }
-    frame.pass(passInfo(kPasses, "volumes-back"), [&] {
-        setCountState(params_);
-        cullFace(GL_FRONT);
-        drawVolumes(frame, light);
-    }, light);
-    frame.pass(passInfo(kPasses, "volumes-front"), [&] {
-        setCountState(params_);
-        cullFace(GL_BACK);
-        drawVolumes(frame, light);
-    }, light);
+    frame.pass(
+        passInfo(kPasses, "volumes-back"),
+        [&] {
+            setCountState(params_);
+            cullFace(GL_FRONT);
+            drawVolumes(frame, light);
+        },
+        light);
+    frame.pass(
+        passInfo(kPasses, "volumes-front"),
+        [&] {
+            setCountState(params_);
+            cullFace(GL_BACK);
+            drawVolumes(frame, light);
+        },
+        light);
 }
 
 void ZFail::drawVolumes(const Frame& frame, int light) const {
@@ -163,7 +183,8 @@ void ZFail::drawLit(Frame& frame, const gl::Program& program, int light) const {
     program.use();
     gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [](const scene::Object& object) {
-        glStencilFunc(object.receivesShadow ? GL_EQUAL : GL_ALWAYS, 0, 0xff); // what receives no shadow ignores the count
+        glStencilFunc(object.receivesShadow ? GL_EQUAL : GL_ALWAYS, 0,
+                      0xff); // what receives no shadow ignores the count
         return true;
     });
 }
@@ -186,12 +207,15 @@ void ZFail::publishVisibility(Frame& frame, int light) {
 
 void ZFail::publishStencilStages(Frame& frame, int light) {
     if (frame.wants("stencil-back", light)) {
-        frame.pass(passInfo(kPasses, "volumes-back"), [&] {
-            glClear(GL_STENCIL_BUFFER_BIT);
-            setCountState(params_);
-            cullFace(GL_FRONT);
-            drawVolumes(frame, light);
-        }, light);
+        frame.pass(
+            passInfo(kPasses, "volumes-back"),
+            [&] {
+                glClear(GL_STENCIL_BUFFER_BIT);
+                setCountState(params_);
+                cullFace(GL_FRONT);
+                drawVolumes(frame, light);
+            },
+            light);
         pictures_.publishCount(frame, "stencil-back", light, false);
     }
     if (frame.wants("stencil", light)) {
@@ -212,8 +236,8 @@ Probe ZFail::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixe
 
 std::string ZFail::remark(const scene::MeshReport& report) const {
     if (report.isClosed()) return "closed: every silhouette edge separates two faces";
-    return "not closed (" + std::to_string(report.boundaryEdges) + " boundary, " + std::to_string(report.multipleEdges) +
-           " multiple, " + std::to_string(report.inconsistentEdges) +
+    return "not closed (" + std::to_string(report.boundaryEdges) + " boundary, " +
+           std::to_string(report.multipleEdges) + " multiple, " + std::to_string(report.inconsistentEdges) +
            " inconsistently wound edges): handled exactly by signed edge counts";
 }
 
@@ -224,7 +248,8 @@ std::span<const TechniqueInfo> techniques() {
         .title = "Shadow volume (z-fail)",
         .paper = "Crow 1977, Shadow Algorithms for Computer Graphics; Everitt and Kilgard 2002, Practical and Robust "
                  "Stenciled Shadow Volumes",
-        .getsWrong = "soft shadows (a light is a point); points behind exactly 256 casting triangles; isolated pixels at cracks",
+        .getsWrong =
+            "soft shadows (a light is a point); points behind exactly 256 casting triangles; isolated pixels at cracks",
         .order = 40,
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},

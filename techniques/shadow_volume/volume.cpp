@@ -25,8 +25,8 @@ Volume buildVolume(const scene::Mesh& mesh, std::span<const std::int8_t> facing,
     Volume volume;
     const auto atInfinity = static_cast<std::uint32_t>(mesh.positionsMesh.size());
 
-    // Caps. The top cap keeps the order in which the mesh itself is drawn: with another order the rasteriser's depth may
-    // differ in the last bit and the cap would fight with the very surface it lies on.
+    // Caps. The top cap keeps the order in which the mesh itself is drawn: with another order the rasteriser's depth
+    // may differ in the last bit and the cap would fight with the very surface it lies on.
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (facing[t] == 0) continue;
         const uvec3& corner = mesh.triangles[t];
@@ -35,7 +35,8 @@ Volume buildVolume(const scene::Mesh& mesh, std::span<const std::int8_t> facing,
         if (directional) continue;
         const std::uint32_t second = facing[t] > 0 ? corner.z : corner.y; // the bottom looks the other way
         const std::uint32_t third = facing[t] > 0 ? corner.y : corner.z;
-        volume.bottomCap.insert(volume.bottomCap.end(), {corner.x + atInfinity, second + atInfinity, third + atInfinity});
+        volume.bottomCap.insert(volume.bottomCap.end(),
+                                {corner.x + atInfinity, second + atInfinity, third + atInfinity});
     }
 
     // Sides. The cap runs a -> b, so the side that joins it there runs b -> a.

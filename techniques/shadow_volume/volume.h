@@ -1,11 +1,11 @@
 // The shadow volume of one caster for one light, as indices into two kinds of vertices. Knows no graphics API.
 //
 // Works for any set of triangles: closed, open, non-manifold, inconsistently wound. Every triangle is turned toward the
-// light; where the triangles at an edge do not cancel, the edge is extruded as often as they fail to. What is so bounded
-// is a cycle (the boundary of a boundary is nothing), so a stencil counts the triangles between a point and the light.
-// Sources: Crow, "Shadow Algorithms for Computer Graphics", 1977; Bergeron, "A General Version of Crow's Shadow Volumes",
-// 1986 (open meshes); Aldridge and Woods, "Robust, Geometry-Independent Shadow Volumes", 2004 (signed edge counts).
-// SPDX-License-Identifier: MIT
+// light; where the triangles at an edge do not cancel, the edge is extruded as often as they fail to. What is so
+// bounded is a cycle (the boundary of a boundary is nothing), so a stencil counts the triangles between a point and the
+// light. Sources: Crow, "Shadow Algorithms for Computer Graphics", 1977; Bergeron, "A General Version of Crow's Shadow
+// Volumes", 1986 (open meshes); Aldridge and Woods, "Robust, Geometry-Independent Shadow Volumes", 2004 (signed edge
+// counts). SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
 #include <span>

@@ -7,7 +7,8 @@ ExtrusionVertices::ExtrusionVertices(const scene::Mesh& mesh) {
     std::vector<vec4> vertices;
     vertices.reserve(2 * mesh.positionsMesh.size());
     for (const float extrudable : {0.0f, 1.0f})
-        for (const vec3& positionMesh : mesh.positionsMesh) vertices.emplace_back(positionMesh, extrudable);
+        for (const vec3& positionMesh : mesh.positionsMesh)
+            vertices.emplace_back(positionMesh, extrudable);
     vertices_ = gl::uploadBuffer(GL_ARRAY_BUFFER, vertices);
 }
 
@@ -16,7 +17,8 @@ void ExtrusionVertices::bindAttributes() const {
     glEnableVertexAttribArray(gl::kPositionMesh);
     glVertexAttribPointer(gl::kPositionMesh, 3, GL_FLOAT, GL_FALSE, sizeof(vec4), nullptr);
     glEnableVertexAttribArray(gl::kExtrudable);
-    glVertexAttribPointer(gl::kExtrudable, 1, GL_FLOAT, GL_FALSE, sizeof(vec4), reinterpret_cast<const void*>(sizeof(vec3)));
+    glVertexAttribPointer(gl::kExtrudable, 1, GL_FLOAT, GL_FALSE, sizeof(vec4),
+                          reinterpret_cast<const void*>(sizeof(vec3)));
 }
 
 void VolumeBuffers::Run::fill(const ExtrusionVertices& vertices, const std::vector<std::uint32_t>& data) {

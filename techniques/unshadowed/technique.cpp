@@ -1,8 +1,8 @@
 // No shadows at all: every surface that faces a light is lit by it, whatever stands between.
 //
-// The yardstick for the others: they add one question, "is anything in the way?", to this picture and change nothing else.
-// Blinn, "Models of Light Reflection for Computer Synthesized Pictures", 1977. Wrong on purpose: all cast shadows.
-// SPDX-License-Identifier: MIT
+// The yardstick for the others: they add one question, "is anything in the way?", to this picture and change nothing
+// else. Blinn, "Models of Light Reflection for Computer Synthesized Pictures", 1977. Wrong on purpose: all cast
+// shadows. SPDX-License-Identifier: MIT
 #include "techniques/frame.h"
 
 namespace shadowlab::unshadowed {
@@ -11,7 +11,8 @@ namespace {
 
 const PassInfo kPasses[] = {
     {"lights-off", "Render the scene with all light sources turned off",
-     "Emission and ambient light are counted once, however many lights follow; the depth buffer now knows what is visible.",
+     "Emission and ambient light are counted once, however many lights follow; the depth buffer now knows what is "
+     "visible.",
      "depth test LESS, depth write on", false},
     {"light", "Add one light",
      "Only surfaces that face the light receive it: N.L > 0. Nothing asks whether something else is in the way.",
@@ -37,11 +38,14 @@ public:
                     gl::setVisibilityState();
                     draw(frame, visibility_, light);
                 });
-            frame.pass(passInfo(kPasses, "light"), [&] {
-                glClear(GL_STENCIL_BUFFER_BIT);
-                gl::setAddLightState();
-                draw(frame, shade_, light);
-            }, light);
+            frame.pass(
+                passInfo(kPasses, "light"),
+                [&] {
+                    glClear(GL_STENCIL_BUFFER_BIT);
+                    gl::setAddLightState();
+                    draw(frame, shade_, light);
+                },
+                light);
         }
         return {};
     }
@@ -71,7 +75,7 @@ std::span<const TechniqueInfo> techniques() {
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
-        .make = [] () -> std::unique_ptr<Technique> { return std::make_unique<Unshadowed>(); },
+        .make = []() -> std::unique_ptr<Technique> { return std::make_unique<Unshadowed>(); },
     }};
     return info;
 }

@@ -21,7 +21,8 @@ constexpr ivec2 kSize{96, 64};
 
 std::vector<std::string> ids() {
     std::vector<std::string> all;
-    for (const RegisteredTechnique& technique : registeredTechniques()) all.emplace_back(technique.info->id);
+    for (const RegisteredTechnique& technique : registeredTechniques())
+        all.emplace_back(technique.info->id);
     return all;
 }
 
@@ -42,7 +43,8 @@ protected:
         std::vector<session::Slot> slots;
         slots.push_back(session::Session::makeSlot(GetParam()));
         std::vector<std::string> full;
-        for (const std::string& setting : settings) full.push_back(GetParam() + "." + setting);
+        for (const std::string& setting : settings)
+            full.push_back(GetParam() + "." + setting);
         session::applySettings(slots, full);
         return picture(session, slots[0], size);
     }
@@ -64,7 +66,8 @@ int differingPixels(const image::Image& a, const image::Image& b, int levels) {
     int count = 0;
     for (std::size_t p = 0; p < a.rgba.size(); p += 4) {
         int largest = 0;
-        for (std::size_t c = 0; c < 4; ++c) largest = std::max(largest, std::abs(a.rgba[p + c] - b.rgba[p + c]));
+        for (std::size_t c = 0; c < 4; ++c)
+            largest = std::max(largest, std::abs(a.rgba[p + c] - b.rgba[p + c]));
         count += largest > levels;
     }
     return count;
@@ -92,7 +95,8 @@ TEST_P(Contract, ResizingThereAndBackGivesTheFirstPicture) {
     session::Session session(testing::snapshot(twoLights()));
     session::Slot slot = session::Session::makeSlot(GetParam());
     const image::Image before = picture(session, slot);
-    for (const ivec2 size : {ivec2(1, 1), ivec2(17, 200), ivec2(301, 3)}) EXPECT_EQ(picture(session, slot, size).width, size.x);
+    for (const ivec2 size : {ivec2(1, 1), ivec2(17, 200), ivec2(301, 3)})
+        EXPECT_EQ(picture(session, slot, size).width, size.x);
     EXPECT_EQ(picture(session, slot), before);
 }
 
@@ -161,11 +165,14 @@ TEST_P(Contract, ParametersSurviveTheWayThroughText) {
 
 TEST_P(Contract, ParametersSurviveTheWayThroughJson) {
     session::Slot slot = session::Session::makeSlot(GetParam()), copy = session::Session::makeSlot(GetParam());
-    for (params::Param& param : slot.params) param.set(param.maximum);
+    for (params::Param& param : slot.params)
+        param.set(param.maximum);
     params::setFromJson(copy.params, params::toJson(slot.params), GetParam());
-    for (std::size_t i = 0; i < slot.params.size(); ++i) EXPECT_EQ(copy.params[i].get(), slot.params[i].get());
+    for (std::size_t i = 0; i < slot.params.size(); ++i)
+        EXPECT_EQ(copy.params[i].get(), slot.params[i].get());
     EXPECT_THROW(params::setFromJson(copy.params, {{"no-such-parameter", 1}}, GetParam()), Error);
-    for (std::size_t i = 0; i < slot.params.size(); ++i) EXPECT_EQ(copy.params[i].get(), slot.params[i].get());
+    for (std::size_t i = 0; i < slot.params.size(); ++i)
+        EXPECT_EQ(copy.params[i].get(), slot.params[i].get());
 }
 
 TEST_P(Contract, EveryChangeOfTheSceneIsSeen) {
@@ -176,12 +183,30 @@ TEST_P(Contract, EveryChangeOfTheSceneIsSeen) {
     // Each step changes one thing of the scene before it and says so; what is cached must not outlive it.
     scene::Scene scene = first;
     const std::vector<std::function<void()>> changes = {
-        [&] { scene.lights[0].positionWorld.x -= 3; scene.revisions.lights = scene::newRevision(); },
-        [&] { scene.lights[0].positionWorld.z -= 3; scene.revisions.lights = scene::newRevision(); },
-        [&] { scene.objects[3].worldFromObject[3].x -= 1; scene.revisions.transforms = scene::newRevision(); },
-        [&] { scene.objects.erase(scene.objects.begin() + 1); scene.revisions.geometry = scene::newRevision(); },
-        [&] { scene.lights.pop_back(); scene.revisions.lights = scene::newRevision(); },
-        [&] { scene = testing::floorScene(); scene.lights.push_back(testing::pointLight({1, 2, 3})); },
+        [&] {
+            scene.lights[0].positionWorld.x -= 3;
+            scene.revisions.lights = scene::newRevision();
+        },
+        [&] {
+            scene.lights[0].positionWorld.z -= 3;
+            scene.revisions.lights = scene::newRevision();
+        },
+        [&] {
+            scene.objects[3].worldFromObject[3].x -= 1;
+            scene.revisions.transforms = scene::newRevision();
+        },
+        [&] {
+            scene.objects.erase(scene.objects.begin() + 1);
+            scene.revisions.geometry = scene::newRevision();
+        },
+        [&] {
+            scene.lights.pop_back();
+            scene.revisions.lights = scene::newRevision();
+        },
+        [&] {
+            scene = testing::floorScene();
+            scene.lights.push_back(testing::pointLight({1, 2, 3}));
+        },
     };
     for (const auto& change : changes) {
         change();
@@ -193,7 +218,9 @@ TEST_P(Contract, EveryChangeOfTheSceneIsSeen) {
 TEST_P(Contract, DescriptionsAreCompleteAndUnique) {
     const TechniqueInfo& info = findTechnique(GetParam());
     const auto kebab = [](std::string_view id) {
-        return !id.empty() && std::ranges::all_of(id, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
+        return !id.empty() && std::ranges::all_of(id, [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+        });
     };
     EXPECT_TRUE(kebab(info.id));
     EXPECT_FALSE(info.title.empty() || info.paper.empty() || info.getsWrong.empty());
@@ -232,7 +259,8 @@ TEST_P(Contract, EveryStageIsPublishedWhenWantedAndOnlyThen) {
                 EXPECT_LT(published.display.minimum, published.display.maximum) << stage.id;
                 EXPECT_FALSE(published.display.unit.empty()) << stage.id;
             }
-            for (const vec4& texel : gl::readTexels(published.texture)) ASSERT_TRUE(std::isfinite(texel.r)) << stage.id;
+            for (const vec4& texel : gl::readTexels(published.texture))
+                ASSERT_TRUE(std::isfinite(texel.r)) << stage.id;
             // Looking on does not change the picture.
             EXPECT_EQ(session::PictureEncoder().encode(slot.target.color, snapshot->exposure), plain) << stage.id;
         }
@@ -247,7 +275,8 @@ TEST_P(Contract, StepModeStopsAfterEachPassThatRuns) {
     const std::vector<StageKey> passes = session.render(slot, viewOf(snapshot)).result.passes;
     ASSERT_FALSE(passes.empty());
     for (std::size_t i = 0; i < passes.size(); ++i) {
-        EXPECT_TRUE(std::ranges::any_of(info.passes, [&](const PassInfo& pass) { return pass.id == passes[i].id; })) << passes[i].id;
+        EXPECT_TRUE(std::ranges::any_of(info.passes, [&](const PassInfo& pass) { return pass.id == passes[i].id; }))
+            << passes[i].id;
         FrameRequest request;
         request.stopAfter = passes[i];
         const auto ran = session.render(slot, viewOf(snapshot), request).result.passes;
@@ -265,7 +294,8 @@ TEST_P(Contract, EveryTechniqueCoversTheSamePixels) {
         const auto frame = session.render(slot, viewOf(snapshot), request);
         const auto image = session::readVisibility(session::findStage(frame, request.stages[0]));
         std::vector<std::uint8_t> alpha;
-        for (std::size_t i = 1; i < image.greyAlpha.size(); i += 2) alpha.push_back(image.greyAlpha[i]);
+        for (std::size_t i = 1; i < image.greyAlpha.size(); i += 2)
+            alpha.push_back(image.greyAlpha[i]);
         return alpha;
     };
     const auto reference = coverage("unshadowed");
@@ -287,7 +317,8 @@ TEST_P(Contract, LightsAddUpAndAmbientIsCountedOnce) {
     };
     const auto sum = radiance(both), a = radiance(first), b = radiance(second), dark = radiance(none);
     // Half floats hold 11 bits: three roundings of values below 2 are at most 3/1024.
-    for (std::size_t i = 0; i < sum.size(); ++i) ASSERT_NEAR(sum[i].g, a[i].g + b[i].g - dark[i].g, 3.0 / 1024) << i;
+    for (std::size_t i = 0; i < sum.size(); ++i)
+        ASSERT_NEAR(sum[i].g, a[i].g + b[i].g - dark[i].g, 3.0 / 1024) << i;
 }
 
 TEST_P(Contract, CullingChangesNoByte) {
@@ -295,9 +326,9 @@ TEST_P(Contract, CullingChangesNoByte) {
     if (std::ranges::none_of(slot.params, [](const params::Param& p) { return p.id == "cull"; }))
         GTEST_SKIP() << GetParam() << " leaves nothing out";
     scene::Scene scene = twoLights();
-    testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({0, 50, 0}));   // shadows the floor
-    testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({0, 3, 200}));  // far behind the eye
-    testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({400, 3, 0}));  // far beside the view
+    testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({0, 50, 0}));  // shadows the floor
+    testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({0, 3, 200})); // far behind the eye
+    testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({400, 3, 0})); // far beside the view
     EXPECT_EQ(picture(scene, {"cull=true"}), picture(scene, {"cull=false"}));
 }
 
@@ -315,7 +346,8 @@ TEST_P(Contract, PrepareIsResumable) {
     const auto snapshot = testing::snapshot(twoLights());
     session::Slot slot = session::Session::makeSlot(GetParam());
     int calls = 1;
-    while (!slot.technique->prepare(snapshot, Deadline::min()).converged && calls < 1000) ++calls;
+    while (!slot.technique->prepare(snapshot, Deadline::min()).converged && calls < 1000)
+        ++calls;
     EXPECT_LT(calls, 1000) << "no progress under a deadline that has passed";
 }
 

@@ -17,10 +17,12 @@ using ShadowMapTest = testing::GlTest;
 constexpr ivec2 kSize{320, 240};
 const std::vector<std::string> kHard = {"filter=hard", "resolution=1024"};
 
-void expectOnlyEdgeErrors(const scene::Scene& scene, const std::vector<std::string>& settings, double texels, int resolution = 1024) {
+void expectOnlyEdgeErrors(const scene::Scene& scene, const std::vector<std::string>& settings, double texels,
+                          int resolution = 1024) {
     const auto snapshot = testing::snapshot(scene);
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
-        const TruthComparison sum = compareWithTruth(snapshot, "shadow-map", settings, kSize, light, testing::edgeReach(snapshot, light, resolution, kSize, texels));
+        const TruthComparison sum = compareWithTruth(snapshot, "shadow-map", settings, kSize, light,
+                                                     testing::edgeReach(snapshot, light, resolution, kSize, texels));
         std::cout << scene.lights[static_cast<std::size_t>(light)].name << ": " << sum << "\n";
         EXPECT_GT(sum.lit, 500);
         EXPECT_GT(sum.shadowed, 500);
@@ -68,7 +70,8 @@ TEST_F(ShadowMapTest, NothingShadowedMeansNoAcneAtAnyElevation) {
             scene::Scene scene = testing::floorScene();
             const double radians = elevation * M_PI / 180;
             scene.lights.push_back(testing::directionalLight({-std::cos(radians), -std::sin(radians), 0}));
-            const TruthComparison sum = compareWithTruth(testing::snapshot(scene), "shadow-map", {filter, "cull=false"}, kSize, 0, testing::kTiePx);
+            const TruthComparison sum = compareWithTruth(testing::snapshot(scene), "shadow-map", {filter, "cull=false"},
+                                                         kSize, 0, testing::kTiePx);
             EXPECT_GT(sum.lit, 20000);
             EXPECT_EQ(sum.falseShadow, 0) << elevation << " degrees, " << filter << ": " << sum;
         }
@@ -78,7 +81,8 @@ TEST_F(ShadowMapTest, WithoutSlopeBiasThereIsAcne) {
     scene::Scene scene = testing::floorScene();
     scene.lights.push_back(testing::directionalLight({-1, -0.5, 0.3}));
     const auto snapshot = testing::snapshot(scene);
-    const TruthComparison without = compareWithTruth(snapshot, "shadow-map", {"slope-bias=0", "constant-bias=0", "cull=false"}, kSize, 0, testing::kTiePx);
+    const TruthComparison without = compareWithTruth(
+        snapshot, "shadow-map", {"slope-bias=0", "constant-bias=0", "cull=false"}, kSize, 0, testing::kTiePx);
     EXPECT_GT(without.falseShadow, 2000) << without;
 }
 
@@ -87,7 +91,8 @@ TEST_F(ShadowMapTest, BehindASpotNothingIsMirrored) {
     scene.lights.push_back(spot({0, 1, 0}, {1, 0, 0}, 90));
     testing::addObject(scene, scene::makeBox({0.5, 0.5, 0.5}), testing::translation({2, 0.75, 0}));
     testing::addObject(scene, scene::makeBox({0.2, 2, 4}), testing::translation({-3, 1, 0}));
-    const TruthComparison sum = compareWithTruth(testing::snapshot(scene), "shadow-map", {"filter=hard"}, kSize, 0, 3.0);
+    const TruthComparison sum =
+        compareWithTruth(testing::snapshot(scene), "shadow-map", {"filter=hard"}, kSize, 0, 3.0);
     EXPECT_GT(sum.lit, 500);
     EXPECT_EQ(sum.wrong(), 0) << sum;
 }

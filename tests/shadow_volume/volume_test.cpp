@@ -26,12 +26,13 @@ Built build(const scene::Object& object, const scene::Light& light) {
     const auto topology = scene::buildTopology(*object.mesh);
     const auto facing = scene::facingSigns(object, light);
     Built built{shadow_volume::silhouetteEdges(topology, facing), {}};
-    built.volume = shadow_volume::buildVolume(*object.mesh, facing, built.silhouette, light.type == scene::LightType::directional);
+    built.volume =
+        shadow_volume::buildVolume(*object.mesh, facing, built.silhouette, light.type == scene::LightType::directional);
     return built;
 }
 
-/// How often each directed edge is left over once opposite ones have cancelled, with vertices named by position: nothing,
-/// for a surface without boundary.
+/// How often each directed edge is left over once opposite ones have cancelled, with vertices named by position:
+/// nothing, for a surface without boundary.
 int unmatchedEdges(const scene::Mesh& mesh, const Volume& volume, bool directional) {
     const auto n = static_cast<std::uint32_t>(mesh.positionsMesh.size());
     using Key = std::array<float, 4>;
@@ -55,7 +56,8 @@ int unmatchedEdges(const scene::Mesh& mesh, const Volume& volume, bool direction
     add(volume.sides, false);
     add(volume.bottomCap, false);
     int unmatched = 0;
-    for (const auto& [edge, sum] : count) unmatched += sum != 0;
+    for (const auto& [edge, sum] : count)
+        unmatched += sum != 0;
     return unmatched;
 }
 
@@ -64,7 +66,8 @@ TEST(Volume, ABoxLitFromACornerHasSixSilhouetteEdges) {
     const scene::Object& box = testing::addObject(scene, scene::makeBox({1, 1, 1}));
     const Built built = build(box, testing::directionalLight({-1, -1, -1}));
     EXPECT_EQ(built.silhouette.size(), 6u);
-    for (const SilhouetteEdge& edge : built.silhouette) EXPECT_EQ(edge.multiplicity, 2u); // front and back both count
+    for (const SilhouetteEdge& edge : built.silhouette)
+        EXPECT_EQ(edge.multiplicity, 2u); // front and back both count
     EXPECT_EQ(built.volume.topCap.size(), 6u * 3);
     EXPECT_EQ(built.volume.topCapReversed.size(), 6u * 3);
     EXPECT_EQ(built.volume.sides.size(), 12u * 3); // one triangle per edge: all meet at one point at infinity
@@ -87,7 +90,8 @@ TEST(Volume, ASheetHasItsBoundaryForSilhouette) {
     for (const double height : {3.0, -3.0}) { // from either side
         const Built built = build(sheet, testing::pointLight({0.25, height, 0.5}));
         EXPECT_EQ(built.silhouette.size(), 4u);
-        for (const SilhouetteEdge& edge : built.silhouette) EXPECT_EQ(edge.triangles, 1u);
+        for (const SilhouetteEdge& edge : built.silhouette)
+            EXPECT_EQ(edge.triangles, 1u);
         EXPECT_EQ(built.volume.sides.size(), 4u * 6);
         EXPECT_EQ(built.volume.bottomCap.size(), 2u * 3);
         EXPECT_EQ(unmatchedEdges(*sheet.mesh, built.volume, false), 0);
@@ -97,8 +101,8 @@ TEST(Volume, ASheetHasItsBoundaryForSilhouette) {
 TEST(Volume, ThreeSheetsOnOneEdgeExtrudeItOnceOrThrice) {
     scene::Scene scene;
     const dvec3 a(0, 1, 0), b(0, 1, 1);
-    const scene::Object& fan = testing::addObject(
-        scene, testing::triangleSoup({a, b, {1, 1, 0}, a, b, {1, 1.25, 0}, a, b, {1, 1.5, 0}}));
+    const scene::Object& fan =
+        testing::addObject(scene, testing::triangleSoup({a, b, {1, 1, 0}, a, b, {1, 1.25, 0}, a, b, {1, 1.5, 0}}));
     const Built built = build(fan, testing::pointLight({0.5, 5, 0.5}));
     const auto shared = std::ranges::find(built.silhouette, 3u, &SilhouetteEdge::triangles);
     ASSERT_NE(shared, built.silhouette.end());
@@ -115,7 +119,9 @@ TEST(Volume, IsClosedForEveryHardScene) {
                 const scene::Scene scene = testing::hardScene(hardClass, i, directional);
                 for (const scene::Object& object : scene.objects) {
                     const Built built = build(object, scene.lights[0]);
-                    EXPECT_EQ(unmatchedEdges(*object.mesh, built.volume, scene.lights[0].type == scene::LightType::directional), 0)
+                    EXPECT_EQ(unmatchedEdges(*object.mesh, built.volume,
+                                             scene.lights[0].type == scene::LightType::directional),
+                              0)
                         << toText(hardClass) << " " << i;
                     ++volumes;
                 }

@@ -1,16 +1,16 @@
-// Depth-fail shadow volumes against the exact judge, on scenes made to break them, and the naive variants that must fail.
-// SPDX-License-Identifier: MIT
+// Depth-fail shadow volumes against the exact judge, on scenes made to break them, and the naive variants that must
+// fail. SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/scenes.h"
 #include "tests/support/truth_comparison.h"
-#include "techniques/foundation/scene/shapes.h"
 
 namespace shadowlab {
 namespace {
 
-using testing::HardClass;
 using testing::compareWithTruth;
+using testing::HardClass;
 using testing::TruthComparison;
 using ZFailTest = testing::GlTest;
 
@@ -30,7 +30,8 @@ TruthComparison overClass(HardClass hardClass, bool directional, const std::vect
     for (int i = 0; i < scenes; ++i) {
         const auto scene = testing::snapshot(testing::hardScene(hardClass, static_cast<unsigned>(i), directional));
         const TruthComparison one = compareWithTruth(scene, "shadow-volume-zfail", settings, kSize, 0, kTiePx);
-        if (one.wrong() > 3 && settings.empty()) std::cout << toText(hardClass) << " scene " << i << ": " << one << "\n";
+        if (one.wrong() > 3 && settings.empty())
+            std::cout << toText(hardClass) << " scene " << i << ": " << one << "\n";
         sum += one;
     }
     return sum;
@@ -80,7 +81,8 @@ TEST_F(ZFailTest, EyeInsideAShadowVolume) {
     scene.camera.positionWorld = {0, 0.5, 0};
     scene.camera.targetWorld = {1, 0.25, -4};
     scene.lights.push_back(testing::pointLight({0, 5, 0}));
-    const TruthComparison sum = compareWithTruth(testing::snapshot(scene), "shadow-volume-zfail", {}, {320, 240}, 0, kTiePx);
+    const TruthComparison sum =
+        compareWithTruth(testing::snapshot(scene), "shadow-volume-zfail", {}, {320, 240}, 0, kTiePx);
     EXPECT_GT(sum.lit, 500);
     EXPECT_GT(sum.shadowed, 500);
     EXPECT_EQ(sum.wrong(), 0) << sum;
@@ -105,7 +107,8 @@ TEST_F(ZFailTest, MirroredAndScaledCasters) {
     testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({1.5, 0.5, 0.5}));
     scene.lights = {testing::pointLight({2, 5, 3}), testing::directionalLight({0.5, -1, 0.25})};
     for (const int light : {0, 1}) {
-        const TruthComparison sum = compareWithTruth(testing::snapshot(scene), "shadow-volume-zfail", {}, {320, 240}, light, kTiePx);
+        const TruthComparison sum =
+            compareWithTruth(testing::snapshot(scene), "shadow-volume-zfail", {}, {320, 240}, light, kTiePx);
         EXPECT_GT(sum.shadowed, 500);
         EXPECT_LE(sum.wrong(), 2) << sum;
     }
@@ -116,8 +119,9 @@ TEST_F(ZFailTest, WhatReceivesNoShadowIsLitAndWhatCastsNoneBlocksNothing) {
     scene.objects[0].receivesShadow = false;
     scene.objects[1].castsShadow = false; // the box, which the plate above it shadows
     testing::addObject(scene, scene::makeQuad({1.5, 1.5}), testing::translation({-0.75, 1.75, 0.5}));
-    const TruthComparison sum = compareWithTruth(testing::snapshot(scene), "shadow-volume-zfail", {}, {320, 240}, 0, kTiePx);
-    EXPECT_GT(sum.lit, 20000); // the floor
+    const TruthComparison sum =
+        compareWithTruth(testing::snapshot(scene), "shadow-volume-zfail", {}, {320, 240}, 0, kTiePx);
+    EXPECT_GT(sum.lit, 20000);    // the floor
     EXPECT_GT(sum.shadowed, 500); // the box
     EXPECT_LE(sum.wrong(), 2) << sum;
 }

@@ -32,7 +32,8 @@ public:
         case HardClass::eyeInSoup:
             soup();
             scene_.camera.positionWorld = point({-1, 1}, {0.5, 1.5}, {-1, 1});
-            scene_.camera.targetWorld = scene_.camera.positionWorld + point({-1, 1}, {-0.6, 0.1}, {-1, 1}) + dvec3(0.01);
+            scene_.camera.targetWorld =
+                scene_.camera.positionWorld + point({-1, 1}, {-0.6, 0.1}, {-1, 1}) + dvec3(0.01);
             break;
         }
         addObject(scene_, triangleSoup(corners_));
@@ -58,7 +59,8 @@ private:
             corners_.insert(corners_.end(), {a, b, c});
     }
     void soup() {
-        for (int i = whole(5, 34); i > 0; --i) triangle(nearby(), nearby(), nearby());
+        for (int i = whole(5, 34); i > 0; --i)
+            triangle(nearby(), nearby(), nearby());
     }
     void torus(const dvec3& centre, double major, double minor, bool holes) {
         constexpr int kAround = 10, kTube = 7;

@@ -9,9 +9,12 @@
 namespace shadowlab::testing {
 
 enum class HardClass { soup, torus, nonManifold, lightInMesh, lightOnVertexOrPlane, eyeInSoup };
-inline constexpr HardClass kHardClasses[] = {HardClass::soup,        HardClass::torus,
-                                             HardClass::nonManifold, HardClass::lightInMesh,
-                                             HardClass::lightOnVertexOrPlane, HardClass::eyeInSoup};
+inline constexpr HardClass kHardClasses[] = {HardClass::soup,
+                                             HardClass::torus,
+                                             HardClass::nonManifold,
+                                             HardClass::lightInMesh,
+                                             HardClass::lightOnVertexOrPlane,
+                                             HardClass::eyeInSoup};
 std::string toText(HardClass hardClass);
 
 /// The scene of that class and number: same number, same scene. `directional` turns the light into one at infinity.

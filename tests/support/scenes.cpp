@@ -72,8 +72,10 @@ scene::Scene moved(const scene::Scene& scene, const dvec3& offsetWorld) {
     scene::Scene result = scene;
     result.camera.positionWorld += offsetWorld;
     result.camera.targetWorld += offsetWorld;
-    for (scene::Light& light : result.lights) light.positionWorld += offsetWorld;
-    for (scene::Object& object : result.objects) object.worldFromObject[3] += dvec4(offsetWorld, 0);
+    for (scene::Light& light : result.lights)
+        light.positionWorld += offsetWorld;
+    for (scene::Object& object : result.objects)
+        object.worldFromObject[3] += dvec4(offsetWorld, 0);
     return result;
 }
 

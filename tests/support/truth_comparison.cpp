@@ -15,7 +15,8 @@ bool truthChangesWithin(const trace::ExactVisibility& judge, const scene::Camera
     for (int ring = 4; ring >= 1; --ring)
         for (int i = 0; i < 16; ++i) {
             const double angle = 2 * M_PI * i / 16, r = radius * ring / 4;
-            if (judge.at(camera, centre + r * dvec2(std::cos(angle), std::sin(angle)), size, light) != truth) return true;
+            if (judge.at(camera, centre + r * dvec2(std::cos(angle), std::sin(angle)), size, light) != truth)
+                return true;
         }
     return false;
 }
@@ -31,8 +32,8 @@ TruthComparison& TruthComparison::operator+=(const TruthComparison& other) {
 
 std::ostream& operator<<(std::ostream& stream, const TruthComparison& c) {
     return stream << c.compared << " compared: " << c.lit << " lit, " << c.shadowed << " shadowed, " << c.turnedAway
-                  << " turned away, " << c.background << " background; " << c.falseLit << " false lit, " << c.falseShadow
-                  << " false shadow, " << c.coverage << " wrong coverage, " << c.ties << " ties";
+                  << " turned away, " << c.background << " background; " << c.falseLit << " false lit, "
+                  << c.falseShadow << " false shadow, " << c.coverage << " wrong coverage, " << c.ties << " ties";
 }
 
 session::VisibilityImage renderVisibility(const scene::Snapshot& snapshot, const std::string& technique,
@@ -40,7 +41,8 @@ session::VisibilityImage renderVisibility(const scene::Snapshot& snapshot, const
     std::vector<session::Slot> slots;
     slots.push_back(session::Session::makeSlot(technique));
     std::vector<std::string> full;
-    for (const std::string& setting : settings) full.push_back(technique + "." + setting);
+    for (const std::string& setting : settings)
+        full.push_back(technique + "." + setting);
     session::applySettings(slots, full);
     session::Session session(snapshot);
     View view;

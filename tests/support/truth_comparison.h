@@ -24,7 +24,8 @@ std::ostream& operator<<(std::ostream& stream, const TruthComparison& comparison
 using TieRadius = std::function<double(const std::optional<trace::EyeHit>&)>;
 
 /// Renders the visibility stage through the session, in a fresh slot with settings "param=value", and compares.
-/// A pixel is excused when the truth is another one anywhere on circles of radius up to the tie radius around its centre.
+/// A pixel is excused when the truth is another one anywhere on circles of radius up to the tie radius around its
+/// centre.
 TruthComparison compareWithTruth(const scene::Snapshot& snapshot, const std::string& technique,
                                  const std::vector<std::string>& settings, ivec2 size, int light,
                                  const TieRadius& tieRadiusPx);

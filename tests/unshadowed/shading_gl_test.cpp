@@ -51,30 +51,33 @@ TEST_P(ShadingTest, EqualsItsTwin) {
             const scene::Mesh& mesh = *object.mesh;
             const uvec3 t = mesh.triangles[hit->triangle];
             const dvec3 weights = hit->barycentric;
-            dvec3 normal = glm::normalize(weights.x * dvec3(mesh.normalsMesh[t.x]) + weights.y * dvec3(mesh.normalsMesh[t.y]) +
-                                          weights.z * dvec3(mesh.normalsMesh[t.z]));
+            dvec3 normal =
+                glm::normalize(weights.x * dvec3(mesh.normalsMesh[t.x]) + weights.y * dvec3(mesh.normalsMesh[t.y]) +
+                               weights.z * dvec3(mesh.normalsMesh[t.z]));
             const dvec3 toEye = glm::normalize(scene.camera.positionWorld - hit->positionWorld);
             if (glm::dot(normal, toEye) < 0) normal = -normal;
             const scene::Material& material = scene.materials[0];
             dvec3 expected = dvec3(material.emission) + dvec3(scene.ambient) * dvec3(material.diffuse);
             // Unshadowed: the gates count, what stands in between does not.
             if (judge.visibility(*hit, scene.camera, 0) != trace::Visibility::turnedAway) {
-                expected += scene::irradiance(light, hit->positionWorld, normal) *
-                            scene::reflectance(material, normal, scene::towardLightWorld(light, hit->positionWorld), toEye);
+                expected +=
+                    scene::irradiance(light, hit->positionWorld, normal) *
+                    scene::reflectance(material, normal, scene::towardLightWorld(light, hit->positionWorld), toEye);
                 ++lit;
             }
             ++compared;
             const vec4 drawn = texels[static_cast<std::size_t>(y * size.x + x)];
             // A half float has 11 bits: 1/2048 of the value per addition, of which there are two, and float arithmetic.
-            for (int c = 0; c < 3; ++c) ASSERT_NEAR(drawn[c], expected[c], 1e-3 + 2e-3 * expected[c]) << x << "," << y;
+            for (int c = 0; c < 3; ++c)
+                ASSERT_NEAR(drawn[c], expected[c], 1e-3 + 2e-3 * expected[c]) << x << "," << y;
         }
     EXPECT_GT(compared, 3000);
     EXPECT_GT(lit, 500);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShadingTest,
-                         ::testing::Values(scene::LightType::point, scene::LightType::directional, scene::LightType::spot,
-                                           scene::LightType::rect, scene::LightType::sphere),
+                         ::testing::Values(scene::LightType::point, scene::LightType::directional,
+                                           scene::LightType::spot, scene::LightType::rect, scene::LightType::sphere),
                          [](const auto& info) { return std::string(scene::toText(info.param)); });
 
 } // namespace

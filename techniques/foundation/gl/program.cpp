@@ -70,7 +70,8 @@ void Program::link() const {
     glGetProgramiv(handle.id(), GL_LINK_STATUS, &linked);
     const std::string name = vertexFile_ + " + " + fragmentFile_;
     if (!linked)
-        throw Error(ExitStatus::badInput, name + ": " + firstError(infoLog(handle.id(), glGetProgramiv, glGetProgramInfoLog)) +
+        throw Error(ExitStatus::badInput, name + ": " +
+                                              firstError(infoLog(handle.id(), glGetProgramiv, glGetProgramInfoLog)) +
                                               "; mend the shaders");
     label(GL_PROGRAM, handle.id(), name);
     handle_ = std::move(handle);
@@ -94,7 +95,8 @@ void Program::set(std::string_view name, const mat4& value) const {
     glUniformMatrix4fv(location(name), 1, GL_FALSE, &value[0][0]);
 }
 void Program::set(std::string_view name, std::span<const mat4> values) const {
-    if (!values.empty()) glUniformMatrix4fv(location(name), static_cast<GLsizei>(values.size()), GL_FALSE, &values[0][0][0]);
+    if (!values.empty())
+        glUniformMatrix4fv(location(name), static_cast<GLsizei>(values.size()), GL_FALSE, &values[0][0][0]);
 }
 void Program::set(std::string_view name, std::span<const vec4> values) const {
     if (!values.empty()) glUniform4fv(location(name), static_cast<GLsizei>(values.size()), &values[0][0]);

@@ -9,8 +9,8 @@
 
 namespace shadowlab::gl {
 
-/// Four channels a pixel, row 0 on top. GL counts rows from the bottom and pictures from the top: this is the only place
-/// that turns them over. `type` is the GL type of Texel's components.
+/// Four channels a pixel, row 0 on top. GL counts rows from the bottom and pictures from the top: this is the only
+/// place that turns them over. `type` is the GL type of Texel's components.
 template <typename Texel>
 std::vector<Texel> readRows(const Texture2D& texture, GLenum type) {
     const ivec2 size = texture.size();

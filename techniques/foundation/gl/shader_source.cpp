@@ -74,7 +74,8 @@ ShaderSource shaderSource(std::string_view name, std::span<const std::string> de
         // The #version line must stay first; definitions follow it and the count resumes at line 2.
         const std::size_t afterVersion = resolver.result.text.find('\n') + 1;
         std::string block;
-        for (const std::string& define : defines) block += "#define " + define + "\n";
+        for (const std::string& define : defines)
+            block += "#define " + define + "\n";
         resolver.result.text.insert(afterVersion, block + "#line 2\n");
     }
     return std::move(resolver.result);
@@ -89,7 +90,8 @@ std::string withFileNames(std::string_view log, const ShaderSource& source) {
         if (std::regex_search(line, match, place)) {
             const unsigned long at = std::stoul(match[2]), number = at / ShaderSource::kLinesPerFile;
             if (number < source.files.size())
-                line = source.files[number] + ":" + std::to_string(at % ShaderSource::kLinesPerFile) + ": " + match.suffix().str();
+                line = source.files[number] + ":" + std::to_string(at % ShaderSource::kLinesPerFile) + ": " +
+                       match.suffix().str();
         }
         text += line + "\n";
     }

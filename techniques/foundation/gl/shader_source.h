@@ -29,9 +29,9 @@ struct ShaderSource {
 
 /// Text of `name` with `#include "other.glsl"` resolved (each file once), `defines` ("NAME value") placed after the
 /// #version line, and `substitutions` (include name -> the file to use instead) applied: that is how one file is chosen
-/// among several filters without a ladder of #ifs. When the environment variable SHADOWLAB_SHADERS names a folder, files
-/// found there replace the embedded ones.
-/// Throws Error (badInput): `FILE:LINE: includes "x", which does not exist; ...`.
+/// among several filters without a ladder of #ifs. When the environment variable SHADOWLAB_SHADERS names a folder,
+/// files found there replace the embedded ones. Throws Error (badInput): `FILE:LINE: includes "x", which does not
+/// exist; ...`.
 struct Substitution {
     std::string includeName, file;
 };

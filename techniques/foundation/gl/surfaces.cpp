@@ -47,8 +47,9 @@ void drawSurfaces(const Program& program, const scene::Scene& scene, const Scene
         const scene::Object& object = scene.objects[i];
         if (setup && !setup(object)) continue;
         const dmat4 viewFromMesh = eye.viewFromWorld * scene::worldFromMesh(object);
-        const bool rectSurface = object.emitterOfLight >= 0 &&
-                                 scene.lights[static_cast<std::size_t>(object.emitterOfLight)].type == scene::LightType::rect;
+        const bool rectSurface =
+            object.emitterOfLight >= 0 &&
+            scene.lights[static_cast<std::size_t>(object.emitterOfLight)].type == scene::LightType::rect;
         program.set("clipFromMesh", mat4(eye.clipFromView * viewFromMesh));
         program.set("viewFromMesh", mat4(viewFromMesh));
         program.set("normalViewFromMesh", mat3(glm::transpose(glm::inverse(dmat3(viewFromMesh)))));

@@ -1,7 +1,7 @@
 // Drawing the scene's surfaces as the eye sees them: the matrices, the lights-off pass, and one light at a time.
 //
-// Every technique shades through these functions and the same GLSL (shaders/shade_light.frag), so that the images of two
-// techniques differ in their shadows alone. A technique's own part is one GLSL function, shadowVisibility().
+// Every technique shades through these functions and the same GLSL (shaders/shade_light.frag), so that the images of
+// two techniques differ in their shadows alone. A technique's own part is one GLSL function, shadowVisibility().
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>

@@ -76,8 +76,8 @@ DepthTextureArray::DepthTextureArray(GLenum internalFormat, int side, int layers
     compare(true);
     label(GL_TEXTURE, handle_.id(), name);
     if (glGetError() == GL_OUT_OF_MEMORY)
-        throw Error(ExitStatus::overLimit, std::string(name) + ": no memory for " + std::to_string(layers) + " layers of " +
-                                               std::to_string(side) + " x " + std::to_string(side) +
+        throw Error(ExitStatus::overLimit, std::string(name) + ": no memory for " + std::to_string(layers) +
+                                               " layers of " + std::to_string(side) + " x " + std::to_string(side) +
                                                " texels; choose a smaller resolution");
 }
 

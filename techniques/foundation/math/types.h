@@ -23,7 +23,9 @@ using glm::vec3;
 using glm::vec4;
 
 /// bFromA applied to a point (affine matrices only: no division by w).
-inline dvec3 transformPoint(const dmat4& bFromA, const dvec3& positionA) { return dvec3(bFromA * dvec4(positionA, 1.0)); }
+inline dvec3 transformPoint(const dmat4& bFromA, const dvec3& positionA) {
+    return dvec3(bFromA * dvec4(positionA, 1.0));
+}
 
 /// bFromA applied to a direction: the translation does not act.
 inline dvec3 transformDirection(const dmat4& bFromA, const dvec3& directionA) {

@@ -32,16 +32,27 @@ std::string textOf(const Param& param, double value) {
 } // namespace
 
 Param boolean(std::string id, bool& field, std::string help) {
-    Param param{.id = std::move(id), .help = std::move(help), .unit = "", .kind = Kind::boolean, .minimum = 0,
-                .maximum = 1, .choices = {"false", "true"}, .get = [&field] { return field ? 1.0 : 0.0; },
+    Param param{.id = std::move(id),
+                .help = std::move(help),
+                .unit = "",
+                .kind = Kind::boolean,
+                .minimum = 0,
+                .maximum = 1,
+                .choices = {"false", "true"},
+                .get = [&field] { return field ? 1.0 : 0.0; },
                 .set = [&field](double value) { field = value != 0; }};
     param.initial = param.get();
     return param;
 }
 
 Param integer(std::string id, int& field, int minimum, int maximum, std::string unit, std::string help) {
-    Param param{.id = std::move(id), .help = std::move(help), .unit = std::move(unit), .kind = Kind::integer,
-                .minimum = static_cast<double>(minimum), .maximum = static_cast<double>(maximum), .choices = {},
+    Param param{.id = std::move(id),
+                .help = std::move(help),
+                .unit = std::move(unit),
+                .kind = Kind::integer,
+                .minimum = static_cast<double>(minimum),
+                .maximum = static_cast<double>(maximum),
+                .choices = {},
                 .get = [&field] { return static_cast<double>(field); },
                 .set = [&field](double value) { field = static_cast<int>(value); }};
     param.initial = param.get();
@@ -49,8 +60,14 @@ Param integer(std::string id, int& field, int minimum, int maximum, std::string 
 }
 
 Param real(std::string id, double& field, double minimum, double maximum, std::string unit, std::string help) {
-    Param param{.id = std::move(id), .help = std::move(help), .unit = std::move(unit), .kind = Kind::real,
-                .minimum = minimum, .maximum = maximum, .choices = {}, .get = [&field] { return field; },
+    Param param{.id = std::move(id),
+                .help = std::move(help),
+                .unit = std::move(unit),
+                .kind = Kind::real,
+                .minimum = minimum,
+                .maximum = maximum,
+                .choices = {},
+                .get = [&field] { return field; },
                 .set = [&field](double value) { field = value; }};
     param.initial = param.get();
     return param;
@@ -63,14 +80,15 @@ std::string rangeText(const Param& param) {
     if (param.kind == Kind::integer || param.kind == Kind::real)
         return numberText(param.minimum) + ".." + numberText(param.maximum);
     std::string text;
-    for (const std::string& choice : param.choices) text += (text.empty() ? "" : "|") + choice;
+    for (const std::string& choice : param.choices)
+        text += (text.empty() ? "" : "|") + choice;
     return text;
 }
 
 void setFromText(Param& param, std::string_view text, std::string_view owner) {
     const auto refuse = [&](const std::string& why, const std::string& mend) {
-        throw Error(ExitStatus::usage, "parameter '" + std::string(owner) + "." + param.id + "': '" + std::string(text) +
-                                           "' " + why + "; " + mend);
+        throw Error(ExitStatus::usage, "parameter '" + std::string(owner) + "." + param.id + "': '" +
+                                           std::string(text) + "' " + why + "; " + mend);
     };
     if (param.kind == Kind::boolean || param.kind == Kind::choice) {
         const auto found = std::ranges::find(param.choices, text);
@@ -93,7 +111,8 @@ Param& find(ParamList& list, std::string_view id, std::string_view owner) {
     const auto found = std::ranges::find(list, id, &Param::id);
     if (found != list.end()) return *found;
     std::vector<std::string> known;
-    for (const Param& param : list) known.push_back(param.id);
+    for (const Param& param : list)
+        known.push_back(param.id);
     throw Error(ExitStatus::usage, "'" + std::string(owner) + "' has no parameter '" + std::string(id) + "'; " +
                                        (known.empty() ? "it has none" : suggestion(id, known)));
 }

@@ -1,7 +1,8 @@
 // A knob, described once: the ImGui panel, --set, JSON, `list parameters` and the docs table all walk the same list.
 //
 //     struct Params { int resolution = 1024; Filter filter = Filter::pcf; };
-//     ParamList list() { return { integer("resolution", params_.resolution, 64, 8192, "texels", "Side of the map."), ... }; }
+//     ParamList list() { return { integer("resolution", params_.resolution, 64, 8192, "texels", "Side of the map."),
+//     ... }; }
 //
 // A description refers to the field, so the list lives as long as the object that owns the fields.
 // SPDX-License-Identifier: MIT
@@ -35,8 +36,8 @@ Param real(std::string id, double& field, double minimum, double maximum, std::s
 
 /// `Enum` counts from 0 in the order of `choices`.
 template <typename Enum>
-    requires std::is_enum_v<Enum>
-Param choice(std::string id, Enum& field, std::vector<std::string> choices, std::string help) {
+requires std::is_enum_v<Enum> Param choice(std::string id, Enum& field, std::vector<std::string> choices,
+                                           std::string help) {
     Param param;
     param.id = std::move(id);
     param.help = std::move(help);

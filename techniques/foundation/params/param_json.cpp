@@ -20,15 +20,18 @@ nlohmann::ordered_json toJson(const ParamList& list) {
 
 void setFromJson(ParamList& list, const nlohmann::ordered_json& object, std::string_view owner) {
     if (!object.is_object())
-        throw Error(ExitStatus::usage, "parameters of '" + std::string(owner) + "' are not an object; write {\"name\": value}");
+        throw Error(ExitStatus::usage,
+                    "parameters of '" + std::string(owner) + "' are not an object; write {\"name\": value}");
     std::vector<double> before;
-    for (const Param& param : list) before.push_back(param.get());
+    for (const Param& param : list)
+        before.push_back(param.get());
     try {
         for (const auto& [id, value] : object.items())
             // Numbers, booleans and choices all have the text that setFromText reads; anything else it refuses.
             setFromText(find(list, id, owner), value.is_string() ? value.get<std::string>() : value.dump(), owner);
     } catch (const Error&) {
-        for (std::size_t i = 0; i < list.size(); ++i) list[i].set(before[i]);
+        for (std::size_t i = 0; i < list.size(); ++i)
+            list[i].set(before[i]);
         throw;
     }
 }

@@ -11,8 +11,8 @@ namespace shadowlab::params {
 /// The current values, in the list's order.
 nlohmann::ordered_json toJson(const ParamList& list);
 
-/// Sets what the object names and leaves the rest. Throws Error (usage) for an unknown name, a wrong type or a value out of
-/// range, and then has changed nothing.
+/// Sets what the object names and leaves the rest. Throws Error (usage) for an unknown name, a wrong type or a value
+/// out of range, and then has changed nothing.
 void setFromJson(ParamList& list, const nlohmann::ordered_json& object, std::string_view owner);
 
 } // namespace shadowlab::params

@@ -13,7 +13,8 @@ struct Camera {
     dvec3 upWorld{0.0, 1.0, 0.0};
     double fovYDegrees = 45.0; ///< full vertical angle
     double near = 0.1;         ///< metres; nothing nearer is seen
-    double far = std::numeric_limits<double>::infinity(); ///< metres; a hint for depth fitting, never a clip of the picture
+    double far =
+        std::numeric_limits<double>::infinity(); ///< metres; a hint for depth fitting, never a clip of the picture
 };
 
 /// View space: origin at the eye, camera looks down -z, +y up in the picture.

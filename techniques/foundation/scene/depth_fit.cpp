@@ -14,7 +14,8 @@ namespace {
 // Meshes with few triangles (floors, walls, boxes) are looked at themselves, larger ones by the box around them.
 constexpr std::size_t kFewTriangles = 64;
 
-// The plane stays this much before the nearest surface, far more than rounding and far less than precision would notice.
+// The plane stays this much before the nearest surface, far more than rounding and far less than precision would
+// notice.
 constexpr double kClearance = 0.99;
 
 /// The part of a convex polygon, in clip coordinates, on the inner side of a plane (Sutherland and Hodgman, 1974).
@@ -32,21 +33,28 @@ std::vector<dvec4> clipped(const std::vector<dvec4>& polygon, const dvec4& plane
 /// View depth of the nearest point of a polygon within the sides and the near plane of the view; infinite if outside.
 double nearestDepth(std::vector<dvec4> polygonClip) {
     // Left, right, bottom, top, near. In clip coordinates of a perspective projection w is the view depth.
-    static constexpr std::array planes = {std::array{1.0, 0.0, 0.0}, std::array{-1.0, 0.0, 0.0}, std::array{0.0, 1.0, 0.0},
-                                          std::array{0.0, -1.0, 0.0}, std::array{0.0, 0.0, 1.0}};
-    for (const auto& p : planes) polygonClip = clipped(polygonClip, dvec4(p[0], p[1], p[2], 1.0));
+    static constexpr std::array planes = {std::array{1.0, 0.0, 0.0}, std::array{-1.0, 0.0, 0.0},
+                                          std::array{0.0, 1.0, 0.0}, std::array{0.0, -1.0, 0.0},
+                                          std::array{0.0, 0.0, 1.0}};
+    for (const auto& p : planes)
+        polygonClip = clipped(polygonClip, dvec4(p[0], p[1], p[2], 1.0));
     double nearest = std::numeric_limits<double>::infinity();
-    for (const dvec4& corner : polygonClip) nearest = std::min(nearest, corner.w);
+    for (const dvec4& corner : polygonClip)
+        nearest = std::min(nearest, corner.w);
     return nearest;
 }
 
 double nearestOfBox(const Bounds& box, const dmat4& clipFromWorld, const dvec3& eyeWorld) {
-    if (glm::all(glm::greaterThanEqual(eyeWorld, box.lowerWorld)) && glm::all(glm::lessThanEqual(eyeWorld, box.upperWorld))) return 0;
-    static constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+    if (glm::all(glm::greaterThanEqual(eyeWorld, box.lowerWorld)) &&
+        glm::all(glm::lessThanEqual(eyeWorld, box.upperWorld)))
+        return 0;
+    static constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                        {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& face : faces) {
         std::vector<dvec4> polygon;
-        for (const int corner : face) polygon.push_back(clipFromWorld * dvec4(box.corner(corner), 1.0));
+        for (const int corner : face)
+            polygon.push_back(clipFromWorld * dvec4(box.corner(corner), 1.0));
         nearest = std::min(nearest, nearestDepth(std::move(polygon)));
     }
     return nearest;
@@ -57,7 +65,8 @@ double nearestOfTriangles(const Object& object, const dmat4& clipFromWorld) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const uvec3& t : object.mesh->triangles) {
         std::vector<dvec4> polygon;
-        for (const std::uint32_t v : {t.x, t.y, t.z}) polygon.push_back(clipFromMesh * dvec4(dvec3(object.mesh->positionsMesh[v]), 1.0));
+        for (const std::uint32_t v : {t.x, t.y, t.z})
+            polygon.push_back(clipFromMesh * dvec4(dvec3(object.mesh->positionsMesh[v]), 1.0));
         nearest = std::min(nearest, nearestDepth(std::move(polygon)));
     }
     return nearest;

@@ -1,9 +1,8 @@
 // A nearer plane as far away as the picture allows: depth precision for nothing.
 //
 // With the far plane at infinity a depth buffer's step at distance z is z^2 / (near 2^bits): every doubling of `near`
-// halves it, and with it the number of pixels in which two surfaces, or a surface and the side of a shadow volume, cannot
-// be told apart.
-// SPDX-License-Identifier: MIT
+// halves it, and with it the number of pixels in which two surfaces, or a surface and the side of a shadow volume,
+// cannot be told apart. SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/scene/scene.h"
 

@@ -1,8 +1,8 @@
 // Which side of each triangle a light is on: decided once per triangle and light, in double, and stored.
 //
-// Everything that depends on it reads the stored sign: the facing gate of visibility, and both the caps and the sides of
-// a shadow volume. A volume is watertight because of that single decision, whatever it is for a triangle seen edge-on.
-// SPDX-License-Identifier: MIT
+// Everything that depends on it reads the stored sign: the facing gate of visibility, and both the caps and the sides
+// of a shadow volume. A volume is watertight because of that single decision, whatever it is for a triangle seen
+// edge-on. SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
 #include <vector>

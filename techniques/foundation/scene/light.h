@@ -16,15 +16,15 @@ std::string_view toText(LightType type);
 struct Light {
     std::string name;
     LightType type = LightType::point;
-    dvec3 positionWorld{0.0};              ///< point, spot, rect (its centre), sphere (its centre)
-    dvec3 directionWorld{0.0, -1.0, 0.0};  ///< unit; the way the light travels (directional, spot)
-    dvec3 edgeUWorld{1.0, 0.0, 0.0};       ///< rect: full edge
-    dvec3 edgeVWorld{0.0, 0.0, 1.0};       ///< rect: full edge; it shines to the side of cross(edgeU, edgeV)
-    double radius = 0.5;                   ///< sphere
-    double coneDegrees = 60.0;             ///< spot: full apex angle
-    double edgeDegrees = 0.0;              ///< spot: smooth band inside the cone
-    vec3 color{1.0f};                      ///< linear RGB
-    double intensity = 1.0; ///< point, spot: W/sr-like; directional: irradiance; rect, sphere: radiance
+    dvec3 positionWorld{0.0};             ///< point, spot, rect (its centre), sphere (its centre)
+    dvec3 directionWorld{0.0, -1.0, 0.0}; ///< unit; the way the light travels (directional, spot)
+    dvec3 edgeUWorld{1.0, 0.0, 0.0};      ///< rect: full edge
+    dvec3 edgeVWorld{0.0, 0.0, 1.0};      ///< rect: full edge; it shines to the side of cross(edgeU, edgeV)
+    double radius = 0.5;                  ///< sphere
+    double coneDegrees = 60.0;            ///< spot: full apex angle
+    double edgeDegrees = 0.0;             ///< spot: smooth band inside the cone
+    vec3 color{1.0f};                     ///< linear RGB
+    double intensity = 1.0;               ///< point, spot: W/sr-like; directional: irradiance; rect, sphere: radiance
 };
 
 /// The light as a homogeneous point: w = 1 at its centre, or w = 0 toward the light for a directional one.

@@ -26,8 +26,8 @@ struct Limits {
 };
 
 struct LoadOptions {
-    std::filesystem::path assetsRoot;              ///< built-in scenes are assetsRoot/scenes/NAME.json
-    std::vector<std::filesystem::path> allowed;    ///< further folders a scene may take meshes from
+    std::filesystem::path assetsRoot;           ///< built-in scenes are assetsRoot/scenes/NAME.json
+    std::vector<std::filesystem::path> allowed; ///< further folders a scene may take meshes from
     Limits limits;
 };
 

@@ -18,15 +18,15 @@ struct MeshPart {
 
 /// Immutable once built and shared between the objects that show it.
 ///
-/// Positions are stored in *mesh space*: object space minus `originObject`, rounded to float once, when the mesh is made.
-/// A file whose coordinates lie far from zero so keeps its detail. These floats *are* the surface: the exact judge and
-/// the graphics card work on the same triangles.
+/// Positions are stored in *mesh space*: object space minus `originObject`, rounded to float once, when the mesh is
+/// made. A file whose coordinates lie far from zero so keeps its detail. These floats *are* the surface: the exact
+/// judge and the graphics card work on the same triangles.
 struct Mesh {
-    dvec3 originObject{0.0};           ///< positionObject = originObject + positionMesh
-    std::vector<vec3> positionsMesh;   ///< one per vertex; equal positions have equal bits
-    std::vector<vec3> normalsMesh;     ///< shading normals, unit, one per vertex
-    std::vector<uvec3> triangles;      ///< vertex indices, counter-clockwise seen from the front
-    std::vector<MeshPart> parts;       ///< in order, covering all triangles
+    dvec3 originObject{0.0};            ///< positionObject = originObject + positionMesh
+    std::vector<vec3> positionsMesh;    ///< one per vertex; equal positions have equal bits
+    std::vector<vec3> normalsMesh;      ///< shading normals, unit, one per vertex
+    std::vector<uvec3> triangles;       ///< vertex indices, counter-clockwise seen from the front
+    std::vector<MeshPart> parts;        ///< in order, covering all triangles
     std::uint32_t droppedTriangles = 0; ///< degenerate triangles of the source that were left out
 };
 

@@ -49,7 +49,8 @@ MeshTopology buildTopology(const Mesh& mesh) {
         }
     }
     std::ranges::sort(sides, [](const Side& x, const Side& y) {
-        return std::tie(x.a, x.b, x.use.triangle, x.use.direction) < std::tie(y.a, y.b, y.use.triangle, y.use.direction);
+        return std::tie(x.a, x.b, x.use.triangle, x.use.direction) <
+               std::tie(y.a, y.b, y.use.triangle, y.use.direction);
     });
 
     MeshTopology topology;

@@ -26,7 +26,8 @@ Bounds boundsWorld(const Object& object) {
 
 std::uint64_t triangleCount(const Scene& scene) {
     std::uint64_t count = 0;
-    for (const Object& object : scene.objects) count += object.mesh->triangles.size();
+    for (const Object& object : scene.objects)
+        count += object.mesh->triangles.size();
     return count;
 }
 

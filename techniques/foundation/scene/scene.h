@@ -69,8 +69,8 @@ Bounds boundsWorld(const Object& object);
 /// A number nobody else has: what gets it differs from everything before.
 std::uint64_t newRevision();
 
-/// What changed since a cached result was made: equal numbers mean equal content, in whatever scene they stand. A copy of
-/// a scene keeps them; whoever changes a part of the copy gives that part a new one.
+/// What changed since a cached result was made: equal numbers mean equal content, in whatever scene they stand. A copy
+/// of a scene keeps them; whoever changes a part of the copy gives that part a new one.
 struct Revisions {
     std::uint64_t geometry = newRevision();   ///< meshes, and which objects exist
     std::uint64_t transforms = newRevision(); ///< where objects are

@@ -14,8 +14,8 @@ namespace {
 // Triangles per box: enough to skip most of a mesh with one test, few enough that a box stays tight.
 constexpr std::uint32_t kRunLength = 32;
 
-// A crossing nearer than this share of the distance to the light is contact, not a crossing: the hit point itself is only
-// known to about 2^-50 of the coordinates, and coplanar neighbours would otherwise shadow each other by rounding.
+// A crossing nearer than this share of the distance to the light is contact, not a crossing: the hit point itself is
+// only known to about 2^-50 of the coordinates, and coplanar neighbours would otherwise shadow each other by rounding.
 constexpr double kContact = 1e-10;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -44,7 +44,8 @@ std::optional<RayTriangle> intersect(const dvec3& origin, const dvec3& direction
 bool touches(const scene::Bounds& bounds, const dvec3& origin, const dvec3& direction, double length) {
     double enter = 0, leave = length;
     for (int axis = 0; axis < 3; ++axis) {
-        const double margin = 1e-12 * (std::abs(origin[axis]) + std::abs(bounds.lowerWorld[axis]) + std::abs(bounds.upperWorld[axis]));
+        const double margin =
+            1e-12 * (std::abs(origin[axis]) + std::abs(bounds.lowerWorld[axis]) + std::abs(bounds.upperWorld[axis]));
         const double lower = bounds.lowerWorld[axis] - margin - origin[axis];
         const double upper = bounds.upperWorld[axis] + margin - origin[axis];
         if (direction[axis] == 0) {
@@ -79,7 +80,8 @@ ExactVisibility::ExactVisibility(scene::Snapshot snapshot) : snapshot_(std::move
                 runs_.back().bounds.include(p);
         }
     }
-    for (const scene::Light& light : snapshot_->lights) facing_.push_back(scene::facingSigns(*snapshot_, light));
+    for (const scene::Light& light : snapshot_->lights)
+        facing_.push_back(scene::facingSigns(*snapshot_, light));
 }
 
 template <typename OnHit>
@@ -120,8 +122,8 @@ Visibility ExactVisibility::visibility(const EyeHit& hit, const scene::Camera& c
     const std::uint32_t index = firstTriangle_[hit.object] + hit.triangle;
     const Triangle& t = triangles_[index];
 
-    // The facing gate: eye and light on one side of the triangle. The stored sign counts in mesh space, where a mirrored
-    // object's winding is the other way round.
+    // The facing gate: eye and light on one side of the triangle. The stored sign counts in mesh space, where a
+    // mirrored object's winding is the other way round.
     const bool mirrored = glm::determinant(dmat3(object.worldFromObject)) < 0;
     const double eyeSide = glm::dot(glm::cross(t.b - t.a, t.c - t.a), camera.positionWorld - t.a) * (mirrored ? -1 : 1);
     const int lightSide = facing_[static_cast<std::size_t>(light)][index];
@@ -158,13 +160,14 @@ void ExactVisibility::forEachBlocker(const EyeHit& hit, int light, const OnBlock
     const double length = directional ? kInfinity : glm::length(offset);
     // Toward the sun there is no distance to take a share of: the size of the coordinates stands in for it.
     const double contact = kContact * (directional ? 1e-2 * (1.0 + glm::length(hit.positionWorld)) : length);
-    forEachHit(hit.positionWorld, toward, length, [&](std::uint32_t object, std::uint32_t triangle, const RayTriangle& crossing) {
-        const bool itself = object == hit.object && triangle == hit.triangle;
-        // A triangle whose plane holds the light is only ever touched, at the light itself, never crossed.
-        const bool edgeOn = facing[firstTriangle_[object] + triangle] == 0;
-        const bool between = crossing.distance > contact && crossing.distance < length;
-        return !itself && !edgeOn && between && snapshot_->objects[object].castsShadow && onBlocker();
-    });
+    forEachHit(hit.positionWorld, toward, length,
+               [&](std::uint32_t object, std::uint32_t triangle, const RayTriangle& crossing) {
+                   const bool itself = object == hit.object && triangle == hit.triangle;
+                   // A triangle whose plane holds the light is only ever touched, at the light itself, never crossed.
+                   const bool edgeOn = facing[firstTriangle_[object] + triangle] == 0;
+                   const bool between = crossing.distance > contact && crossing.distance < length;
+                   return !itself && !edgeOn && between && snapshot_->objects[object].castsShadow && onBlocker();
+               });
 }
 
 } // namespace shadowlab::trace

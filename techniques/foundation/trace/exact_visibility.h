@@ -1,9 +1,8 @@
 // A small exact judge: which surface a pixel shows and whether a light sees it, in double, by trying every triangle.
 //
-// Slow and plain on purpose: it is what the techniques are tested against. Boxes around runs of triangles only save time.
-// Definitions: DESIGN of visibility in docs/conventions.md. Every triangle of a casting object blocks light from both
-// sides; the triangle on which the point lies does not shadow itself.
-// SPDX-License-Identifier: MIT
+// Slow and plain on purpose: it is what the techniques are tested against. Boxes around runs of triangles only save
+// time. Definitions: DESIGN of visibility in docs/conventions.md. Every triangle of a casting object blocks light from
+// both sides; the triangle on which the point lies does not shadow itself. SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -32,8 +31,8 @@ public:
     /// centre of pixel (x, y), rows from the top); of triangles at one distance the first wins.
     [[nodiscard]] std::optional<EyeHit> eyeHit(const scene::Camera& camera, dvec2 pixel, ivec2 size) const;
 
-    /// Visibility of the light's centre at a hit. Never noSurface. `receivesShadow: false` and the gates of facing, cone
-    /// and rect included.
+    /// Visibility of the light's centre at a hit. Never noSurface. `receivesShadow: false` and the gates of facing,
+    /// cone and rect included.
     [[nodiscard]] Visibility visibility(const EyeHit& hit, const scene::Camera& camera, int light) const;
 
     /// Both at once.
@@ -57,7 +56,7 @@ private:
     void forEachBlocker(const EyeHit& hit, int light, const OnBlocker& onBlocker) const;
 
     scene::Snapshot snapshot_;
-    std::vector<Triangle> triangles_;         ///< of all objects
+    std::vector<Triangle> triangles_;          ///< of all objects
     std::vector<std::uint32_t> firstTriangle_; ///< per object
     std::vector<Run> runs_;
     std::vector<std::vector<std::int8_t>> facing_; ///< per light, all triangles

@@ -18,7 +18,8 @@ using ShaderSourceTest = testing::GlTest;
 /// A folder of shaders that SHADOWLAB_SHADERS points to for the length of a test.
 class ShaderFolder {
 public:
-    ShaderFolder() : path_(std::filesystem::temp_directory_path() / ("shadowlab-shaders-" + std::to_string(::getpid()))) {
+    ShaderFolder()
+        : path_(std::filesystem::temp_directory_path() / ("shadowlab-shaders-" + std::to_string(::getpid()))) {
         std::filesystem::create_directories(path_);
         ::setenv("SHADOWLAB_SHADERS", path_.c_str(), 1);
     }
@@ -45,15 +46,19 @@ std::string errorOf(const gl::Program& program) {
 
 TEST_F(ShaderSourceTest, ErrorsNameTheIncludedFileAndItsLine) {
     const ShaderFolder folder;
-    folder.write("part.glsl", "// first line\nfloat half_() { return 0.5; }\nfloat broken() { return undefinedName; }\n");
-    folder.write("main.frag", "#version 330 core\n#include \"part.glsl\"\nout vec4 c;\nvoid main() { c = vec4(broken()); }\n");
-    EXPECT_TRUE(errorOf({"fullscreen.vert", "main.frag"}).starts_with("part.glsl:3: ")) << errorOf({"fullscreen.vert", "main.frag"});
+    folder.write("part.glsl",
+                 "// first line\nfloat half_() { return 0.5; }\nfloat broken() { return undefinedName; }\n");
+    folder.write("main.frag",
+                 "#version 330 core\n#include \"part.glsl\"\nout vec4 c;\nvoid main() { c = vec4(broken()); }\n");
+    EXPECT_TRUE(errorOf({"fullscreen.vert", "main.frag"}).starts_with("part.glsl:3: "))
+        << errorOf({"fullscreen.vert", "main.frag"});
 }
 
 TEST_F(ShaderSourceTest, ErrorsAfterAnIncludeKeepTheirLine) {
     const ShaderFolder folder;
     folder.write("part.glsl", "\n\n\n\n\nfloat half_() { return 0.5; }\n");
-    folder.write("main.frag", "#version 330 core\n#include \"part.glsl\"\nout vec4 c;\nvoid main() { c = vec4(nonsense); }\n");
+    folder.write("main.frag",
+                 "#version 330 core\n#include \"part.glsl\"\nout vec4 c;\nvoid main() { c = vec4(nonsense); }\n");
     EXPECT_TRUE(errorOf({"fullscreen.vert", "main.frag", {"A 1", "B 2"}}).starts_with("main.frag:4: "));
 }
 

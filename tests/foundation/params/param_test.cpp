@@ -17,8 +17,8 @@ struct Params {
     Filter filter = Filter::pcf;
 };
 ParamList describe(Params& p) {
-    return {boolean("on", p.on, "h"), integer("count", p.count, 1, 9, "texels", "h"), real("share", p.share, 0, 1, "", "h"),
-            choice("filter", p.filter, {"hard", "pcf"}, "h")};
+    return {boolean("on", p.on, "h"), integer("count", p.count, 1, 9, "texels", "h"),
+            real("share", p.share, 0, 1, "", "h"), choice("filter", p.filter, {"hard", "pcf"}, "h")};
 }
 
 std::string refusal(const std::string& id, const std::string& text) {
@@ -39,7 +39,8 @@ TEST(Param, ReadsAndWritesEveryKind) {
     Params values;
     ParamList list = describe(values);
     EXPECT_EQ(valueText(list[0]) + valueText(list[1]) + valueText(list[2]) + valueText(list[3]), "true30.1pcf");
-    EXPECT_EQ(rangeText(list[0]) + rangeText(list[1]) + rangeText(list[2]) + rangeText(list[3]), "false|true1..90..1hard|pcf");
+    EXPECT_EQ(rangeText(list[0]) + rangeText(list[1]) + rangeText(list[2]) + rangeText(list[3]),
+              "false|true1..90..1hard|pcf");
     setFromText(list[0], "false", "t");
     setFromText(list[1], "9", "t");
     setFromText(list[2], "2.5e-1", "t");

@@ -47,8 +47,8 @@ TEST(ExactVisibility, ASquareParallelToTheFloorThrowsASquare) {
     EXPECT_GT(compared - shadowed, 50000);
 }
 
-// CASES C.1: the shadow of a sphere on a plane is a conic. The mesh is inscribed, so its shadow lies inside the ellipse by
-// at most r (1 - cos(pi / N)), magnified.
+// CASES C.1: the shadow of a sphere on a plane is a conic. The mesh is inscribed, so its shadow lies inside the ellipse
+// by at most r (1 - cos(pi / N)), magnified.
 TEST(ExactVisibility, ASphereThrowsAnEllipse) {
     scene::Scene scene = fromAbove();
     testing::addObject(scene, scene::makeSphere(0.5, 256), testing::translation({0, 1, 0}));

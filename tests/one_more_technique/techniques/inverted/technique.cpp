@@ -7,7 +7,8 @@ namespace shadowlab::inverted {
 
 namespace {
 
-const PassInfo kPasses[] = {{"paint", "Paint every surface", "The smallest technique there can be.", "depth test LESS", false}};
+const PassInfo kPasses[] = {
+    {"paint", "Paint every surface", "The smallest technique there can be.", "depth test LESS", false}};
 const StageInfo kStages[] = {{"visibility", "Nothing is lit", StageKind::visibility, true}};
 
 class Inverted final : public Technique {
