@@ -1,5 +1,6 @@
 // Whole scenes against the exact judge: every built-in one, and any that SHADOWLAB_TRUTH_SCENES names (paths separated
-// by colons: .json or .obj), each from its own camera and from others around it. SPDX-License-Identifier: MIT
+// by colons: .json or .obj), each from its own camera and from others around it.
+// SPDX-License-Identifier: MIT
 #include <sstream>
 
 #include "app/session/assets.h"

@@ -1,5 +1,6 @@
 // CLI11 splits the words into options and arguments and writes the help; what is wrong is said in our own words,
-// because every refusal is one line with a mend. SPDX-License-Identifier: MIT
+// because every refusal is one line with a mend.
+// SPDX-License-Identifier: MIT
 #include "app/commands/command_line.h"
 
 #include <algorithm>

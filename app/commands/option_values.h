@@ -1,5 +1,6 @@
 // From the words of the command line to checked values. Every refusal is an Error (usage) that names the option and
-// what it takes. SPDX-License-Identifier: MIT
+// what it takes.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
 #include <string_view>

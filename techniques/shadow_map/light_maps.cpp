@@ -27,22 +27,22 @@ dmat4 lookAlong(const dvec3& forward) {
 }
 
 dmat4 perspective(double tanHalf, double near, double far) {
-    dmat4 m(0.0);
-    m[0][0] = m[1][1] = 1.0 / tanHalf;
-    m[2][2] = -(far + near) / (far - near);
-    m[2][3] = -1.0;
-    m[3][2] = -2.0 * far * near / (far - near);
-    return m;
+    dmat4 clipFromView(0.0);
+    clipFromView[0][0] = clipFromView[1][1] = 1.0 / tanHalf;
+    clipFromView[2][2] = -(far + near) / (far - near);
+    clipFromView[2][3] = -1.0;
+    clipFromView[3][2] = -2.0 * far * near / (far - near);
+    return clipFromView;
 }
 
 dmat4 parallelProjection(const dvec3& lower, const dvec3& upper) {
-    dmat4 m(1.0);
+    dmat4 clipFromView(1.0);
     const dvec3 extent = upper - lower;
-    m[0][0] = 2.0 / extent.x;
-    m[1][1] = 2.0 / extent.y;
-    m[2][2] = -2.0 / extent.z;
-    m[3] = dvec4(-(lower.x + upper.x) / extent.x, -(lower.y + upper.y) / extent.y, (lower.z + upper.z) / extent.z, 1.0);
-    return m;
+    clipFromView[0][0] = 2.0 / extent.x;
+    clipFromView[1][1] = 2.0 / extent.y;
+    clipFromView[2][2] = -2.0 / extent.z;
+    clipFromView[3] = dvec4(-(lower.x + upper.x) / extent.x, -(lower.y + upper.y) / extent.y, (lower.z + upper.z) / extent.z, 1.0);
+    return clipFromView;
 }
 
 /// Nearest point of the box to the origin of light-relative space, and its farthest corner, as distances.
@@ -55,19 +55,19 @@ std::pair<double, double> distanceRange(const scene::Bounds& box, const dvec3& o
 }
 
 /// Range of the boxes' corners in the light's view space.
-scene::Bounds boundsInView(std::span<const scene::Bounds> boxes, const dvec3& originWorld, const dmat4& lightView) {
+scene::Bounds boundsInView(std::span<const scene::Bounds> boxes, const dvec3& originWorld, const dmat4& lightViewFromLightRelative) {
     scene::Bounds range;
     for (const scene::Bounds& box : boxes)
         for (int i = 0; i < 8; ++i)
-            range.include(transformPoint(lightView, box.corner(i) - originWorld));
+            range.include(transformPoint(lightViewFromLightRelative, box.corner(i) - originWorld));
     return range;
 }
 
 void fitParallel(LightMaps& maps, const scene::Light& light, std::span<const scene::Bounds> casters,
                  std::span<const scene::Bounds> all, int resolution, int guardTexels) {
-    const dmat4 lightView = lookAlong(light.directionWorld);
-    scene::Bounds range = boundsInView(casters, maps.originWorld, lightView);
-    const scene::Bounds whole = boundsInView(all, maps.originWorld, lightView);
+    const dmat4 lightViewFromLightRelative = lookAlong(light.directionWorld);
+    scene::Bounds range = boundsInView(casters, maps.originWorld, lightViewFromLightRelative);
+    const scene::Bounds whole = boundsInView(all, maps.originWorld, lightViewFromLightRelative);
     range.lowerWorld.z = whole.lowerWorld.z;
     range.upperWorld.z = whole.upperWorld.z;
     // The guard band, and half a texel against rounding; never empty, even for a caster seen edge-on.
@@ -82,13 +82,13 @@ void fitParallel(LightMaps& maps, const scene::Light& light, std::span<const sce
     maps.parallel = true;
     maps.nearest = -range.upperWorld.z;
     maps.farthest = -range.lowerWorld.z;
-    maps.lightViewFromLightRelative = {lightView};
+    maps.lightViewFromLightRelative = {lightViewFromLightRelative};
     maps.lightClipFromLightView = {parallelProjection(range.lowerWorld, range.upperWorld)};
 }
 
 /// The camera that sees all casters in one square picture: where it looks, and half its width at distance 1.
 struct Aim {
-    dmat4 lightView;
+    dmat4 lightViewFromLightRelative;
     double tanHalf;
 };
 
@@ -102,7 +102,7 @@ std::optional<Aim> aimAt(std::span<const scene::Bounds> casters, const dvec3& or
     Aim aim{lookAlong(glm::normalize(middle)), 1e-6};
     for (const scene::Bounds& box : casters)
         for (int i = 0; i < 8; ++i) {
-            const dvec3 cornerView = transformPoint(aim.lightView, box.corner(i) - originWorld);
+            const dvec3 cornerView = transformPoint(aim.lightViewFromLightRelative, box.corner(i) - originWorld);
             if (cornerView.z >= 0) return std::nullopt;
             aim.tanHalf =
                 std::max({aim.tanHalf, std::abs(cornerView.x / cornerView.z), std::abs(cornerView.y / cornerView.z)});
@@ -125,14 +125,14 @@ void fitPerspective(LightMaps& maps, const scene::Light& light, std::span<const 
     maps.nearest = std::max(0.49 * nearest, kLeastNearShare * maps.farthest);
 
     const double guard = 1.0 + 2.0 * (guardTexels + 1) / std::max(1, resolution - 2 * guardTexels - 2);
-    const auto add = [&](const dmat4& lightView, double tanHalf) {
-        maps.lightViewFromLightRelative.push_back(lightView);
+    const auto add = [&](const dmat4& lightViewFromLightRelative, double tanHalf) {
+        maps.lightViewFromLightRelative.push_back(lightViewFromLightRelative);
         maps.lightClipFromLightView.push_back(perspective(tanHalf * guard, maps.nearest, maps.farthest));
     };
     if (light.type == scene::LightType::spot && light.coneDegrees <= kWidestSingleConeDegrees) {
         add(lookAlong(light.directionWorld), std::tan(light.coneDegrees * glm::pi<double>() / 360.0));
     } else if (const std::optional<Aim> aim = aimAt(casters, maps.originWorld)) {
-        add(aim->lightView, aim->tanHalf);
+        add(aim->lightViewFromLightRelative, aim->tanHalf);
     } else {
         for (const dvec3& axis :
              {dvec3(1, 0, 0), dvec3(-1, 0, 0), dvec3(0, 1, 0), dvec3(0, -1, 0), dvec3(0, 0, 1), dvec3(0, 0, -1)})
@@ -167,9 +167,9 @@ LightMaps fitLightMaps(const scene::Scene& scene, const scene::Light& light, std
 }
 
 dmat4 lightRelativeFromMesh(const LightMaps& maps, const scene::Object& object) {
-    dmat4 matrix = scene::worldFromMesh(object);
-    matrix[3] -= dvec4(maps.originWorld, 0.0);
-    return matrix;
+    dmat4 relativeFromMesh = scene::worldFromMesh(object);
+    relativeFromMesh[3] -= dvec4(maps.originWorld, 0.0);
+    return relativeFromMesh;
 }
 
 } // namespace shadowlab::shadow_map

@@ -4,7 +4,8 @@
 // perspective when all casters lie to one side of it, and six square ones, one per axis, when it stands among them. The
 // six are a little wider than 90 degrees, so that a filter's kernel never leaves its own map and no seam shows.
 // Everything is relative to the light (world axes, origin at the light), so that nothing is lost far from the world's
-// origin. Williams, "Casting Curved Shadows on Curved Surfaces", 1978. SPDX-License-Identifier: MIT
+// origin. Williams, "Casting Curved Shadows on Curved Surfaces", 1978.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
 #include <vector>

@@ -18,8 +18,7 @@ const PassInfo kPasses[] = {
      "Back faces add one and front faces take one where they fail the depth test: what is left is not zero inside a "
      "volume.",
      "colour and depth writes off, depth LESS, stencil depth-fail INCR_WRAP (back) and DECR_WRAP (front), depth clamp "
-     "for "
-     "what reaches infinity",
+     "for what reaches infinity",
      true},
     {"volumes-back", "Render all volume faces that face away from the viewer",
      "The stencil goes up by one for each point that fails the depth test.",

@@ -5,7 +5,8 @@
 // bounded is a cycle (the boundary of a boundary is nothing), so a stencil counts the triangles between a point and the
 // light. Sources: Crow, "Shadow Algorithms for Computer Graphics", 1977; Bergeron, "A General Version of Crow's Shadow
 // Volumes", 1986 (open meshes); Aldridge and Woods, "Robust, Geometry-Independent Shadow Volumes", 2004 (signed edge
-// counts). SPDX-License-Identifier: MIT
+// counts).
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
 #include <span>

@@ -2,7 +2,8 @@
 //
 // The yardstick for the others: they add one question, "is anything in the way?", to this picture and change nothing
 // else. Blinn, "Models of Light Reflection for Computer Synthesized Pictures", 1977. Wrong on purpose: all cast
-// shadows. SPDX-License-Identifier: MIT
+// shadows.
+// SPDX-License-Identifier: MIT
 #include "techniques/frame.h"
 
 namespace shadowlab::unshadowed {

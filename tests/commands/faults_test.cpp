@@ -1,5 +1,6 @@
 // The world around a capture fails: disks, folders, graphics, signals. One line, the documented status, nothing
-// half-done. SPDX-License-Identifier: MIT
+// half-done.
+// SPDX-License-Identifier: MIT
 #include <grp.h>
 #include <sys/resource.h>
 #include <unistd.h>

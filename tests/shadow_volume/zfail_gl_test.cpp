@@ -1,5 +1,6 @@
 // Depth-fail shadow volumes against the exact judge, on scenes made to break them, and the naive variants that must
-// fail. SPDX-License-Identifier: MIT
+// fail.
+// SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/hard_scenes.h"
@@ -19,8 +20,8 @@ constexpr ivec2 kSize{160, 120};
 using testing::kTiePx;
 
 // Isolated pixels at cracks between side faces whose far vertices are at infinity: the rasteriser's clipping rounds.
-// About 2e-6 of the
-// pixels here; other rasterisers clip a little worse.
+// About 2e-6 of
+// the pixels here; other rasterisers clip a little worse.
 constexpr double kCrackShare = 3e-5;
 
 int scenesPerClass() { return std::getenv("SHADOWLAB_LONG") ? 200 : 12; }

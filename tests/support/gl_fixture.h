@@ -1,5 +1,6 @@
 // A graphics context for the tests of one file: EGL, else OSMesa. No test draws without one; none is skipped for lack
-// of it. SPDX-License-Identifier: MIT
+// of it.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <gtest/gtest.h>
 

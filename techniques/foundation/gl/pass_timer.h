@@ -2,7 +2,8 @@
 //
 // GL's own timer queries are no help here: a software renderer such as llvmpipe collects the commands of several passes
 // and draws them together, so its timestamps put all the work into whichever pass made it flush. Waiting costs a
-// graphics card some overlap between passes; nobody waits unless times were asked for. SPDX-License-Identifier: MIT
+// graphics card some overlap between passes; nobody waits unless times were asked for.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <glad/gl.h>
 

@@ -1,5 +1,6 @@
 // The sentences for failed writes. Written out here for the usual reasons: the system's own texts depend on the
-// language of the machine and never say what to do. SPDX-License-Identifier: MIT
+// language of the machine and never say what to do.
+// SPDX-License-Identifier: MIT
 #include "techniques/foundation/image/output_error.h"
 
 #include <cerrno>

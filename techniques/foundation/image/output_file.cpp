@@ -2,7 +2,8 @@
 //
 // A run that is killed outright cannot clean up. Its temporary is swept by the next run that writes the same name:
 // every writer holds a lock (flock) on its temporary, so one that nobody has locked belongs to nobody. The process
-// number in the name is for people; it could be reused, or belong to another container. SPDX-License-Identifier: MIT
+// number in the name is for people; it could be reused, or belong to another container.
+// SPDX-License-Identifier: MIT
 #include "techniques/foundation/image/output_file.h"
 
 #include <fcntl.h>

@@ -1,5 +1,6 @@
 // Text layout and rendering with FreeType. Left to right, one glyph per code point, pair kerning: enough for captions
-// in European languages and mathematical signs; no ligatures and no right-to-left scripts. SPDX-License-Identifier: MIT
+// in European languages and mathematical signs; no ligatures and no right-to-left scripts.
+// SPDX-License-Identifier: MIT
 #include "techniques/foundation/image/text.h"
 
 #include <ft2build.h>

@@ -22,20 +22,20 @@ dmat3 worldFromViewRotation(const Camera& camera) {
 
 dmat4 viewFromWorld(const Camera& camera) {
     const dmat3 viewFromWorldRotation = glm::transpose(worldFromViewRotation(camera));
-    dmat4 matrix(viewFromWorldRotation);
-    matrix[3] = dvec4(-(viewFromWorldRotation * camera.positionWorld), 1.0);
-    return matrix;
+    dmat4 viewFromWorld(viewFromWorldRotation);
+    viewFromWorld[3] = dvec4(-(viewFromWorldRotation * camera.positionWorld), 1.0);
+    return viewFromWorld;
 }
 
 dmat4 clipFromView(const Camera& camera, double aspect) {
     const double scaleY = 1.0 / tanHalfFovY(camera);
-    dmat4 matrix(0.0);
-    matrix[0][0] = scaleY / aspect;
-    matrix[1][1] = scaleY;
-    matrix[2][2] = -1.0;
-    matrix[2][3] = -1.0;
-    matrix[3][2] = -2.0 * camera.near;
-    return matrix;
+    dmat4 clipFromView(0.0);
+    clipFromView[0][0] = scaleY / aspect;
+    clipFromView[1][1] = scaleY;
+    clipFromView[2][2] = -1.0;
+    clipFromView[2][3] = -1.0;
+    clipFromView[3][2] = -2.0 * camera.near;
+    return clipFromView;
 }
 
 dvec3 rayDirectionWorld(const Camera& camera, dvec2 pixel, ivec2 size) {

@@ -17,8 +17,8 @@ constexpr double kResting = 1e-9;
 /// The plane dot(normal, p) + distance = 0 that all vertices of the object lie on, if there is one.
 std::optional<dvec4> commonPlaneWorld(const Object& object) {
     if (object.mesh->triangles.empty() || object.mesh->triangles.size() > kFlatTriangles) return std::nullopt;
-    const dmat4 matrix = worldFromMesh(object);
-    const auto world = [&](std::uint32_t v) { return transformPoint(matrix, dvec3(object.mesh->positionsMesh[v])); };
+    const dmat4 worldFromMesh = scene::worldFromMesh(object);
+    const auto world = [&](std::uint32_t v) { return transformPoint(worldFromMesh, dvec3(object.mesh->positionsMesh[v])); };
     const uvec3 first = object.mesh->triangles.front();
     const dvec3 a = world(first.x);
     const dvec3 normal = glm::normalize(glm::cross(world(first.y) - a, world(first.z) - a));

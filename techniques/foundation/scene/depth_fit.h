@@ -2,7 +2,8 @@
 //
 // With the far plane at infinity a depth buffer's step at distance z is z^2 / (near 2^bits): every doubling of `near`
 // halves it, and with it the number of pixels in which two surfaces, or a surface and the side of a shadow volume,
-// cannot be told apart. SPDX-License-Identifier: MIT
+// cannot be told apart.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/scene/scene.h"
 

@@ -25,10 +25,10 @@ std::int8_t facingSign(const dvec3& a, const dvec3& b, const dvec3& c, const dve
 
 dvec4 lightMesh(const Object& object, const Light& light) {
     // Relative to the mesh first: far from the world's origin the difference keeps its digits, a product would not.
-    const dmat4 matrix = worldFromMesh(object);
+    const dmat4 worldFromMesh = scene::worldFromMesh(object);
     const dvec4 lightWorld = homogeneousPositionWorld(light);
-    const dvec3 relativeWorld = dvec3(lightWorld) - dvec3(matrix[3]) * lightWorld.w;
-    return {glm::inverse(dmat3(matrix)) * relativeWorld, lightWorld.w};
+    const dvec3 relativeWorld = dvec3(lightWorld) - dvec3(worldFromMesh[3]) * lightWorld.w;
+    return {glm::inverse(dmat3(worldFromMesh)) * relativeWorld, lightWorld.w};
 }
 
 std::vector<std::int8_t> facingSigns(const Object& object, const Light& light) {

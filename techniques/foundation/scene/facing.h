@@ -2,7 +2,8 @@
 //
 // Everything that depends on it reads the stored sign: the facing gate of visibility, and both the caps and the sides
 // of a shadow volume. A volume is watertight because of that single decision, whatever it is for a triangle seen
-// edge-on. SPDX-License-Identifier: MIT
+// edge-on.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
 #include <vector>

@@ -11,16 +11,16 @@ std::uint64_t newRevision() {
 }
 
 dmat4 worldFromMesh(const Object& object) {
-    dmat4 matrix = object.worldFromObject;
-    matrix[3] = object.worldFromObject * dvec4(object.mesh->originObject, 1.0);
-    return matrix;
+    dmat4 worldFromMesh = object.worldFromObject;
+    worldFromMesh[3] = object.worldFromObject * dvec4(object.mesh->originObject, 1.0);
+    return worldFromMesh;
 }
 
 Bounds boundsWorld(const Object& object) {
-    const dmat4 matrix = worldFromMesh(object);
+    const dmat4 worldFromMesh = scene::worldFromMesh(object);
     Bounds bounds;
     for (const vec3& positionMesh : object.mesh->positionsMesh)
-        bounds.include(transformPoint(matrix, dvec3(positionMesh)));
+        bounds.include(transformPoint(worldFromMesh, dvec3(positionMesh)));
     return bounds;
 }
 

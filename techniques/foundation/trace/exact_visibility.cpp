@@ -66,10 +66,10 @@ bool touches(const scene::Bounds& bounds, const dvec3& origin, const dvec3& dire
 ExactVisibility::ExactVisibility(scene::Snapshot snapshot) : snapshot_(std::move(snapshot)) {
     for (std::uint32_t o = 0; o < snapshot_->objects.size(); ++o) {
         const scene::Object& object = snapshot_->objects[o];
-        const dmat4 matrix = scene::worldFromMesh(object);
+        const dmat4 worldFromMesh = scene::worldFromMesh(object);
         firstTriangle_.push_back(static_cast<std::uint32_t>(triangles_.size()));
         const auto corner = [&](std::uint32_t vertex) {
-            return transformPoint(matrix, dvec3(object.mesh->positionsMesh[vertex]));
+            return transformPoint(worldFromMesh, dvec3(object.mesh->positionsMesh[vertex]));
         };
         for (const uvec3& t : object.mesh->triangles) {
             const auto within = static_cast<std::uint32_t>(triangles_.size()) - firstTriangle_.back();

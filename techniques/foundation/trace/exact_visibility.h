@@ -2,7 +2,8 @@
 //
 // Slow and plain on purpose: it is what the techniques are tested against. Boxes around runs of triangles only save
 // time. Definitions: DESIGN of visibility in docs/conventions.md. Every triangle of a casting object blocks light from
-// both sides; the triangle on which the point lies does not shadow itself. SPDX-License-Identifier: MIT
+// both sides; the triangle on which the point lies does not shadow itself.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -1,5 +1,6 @@
 // Text: the ink lies in the measured box, every script the captions use has glyphs, and lines fit where they are told
-// to. SPDX-License-Identifier: MIT
+// to.
+// SPDX-License-Identifier: MIT
 #include "techniques/foundation/image/text.h"
 
 #include <gtest/gtest.h>
