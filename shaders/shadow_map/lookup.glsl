@@ -4,7 +4,7 @@ uniform mat4 lightClipFromLightRelative[6];
 uniform int mapLayers;
 uniform float pullShare;        // share of the distance, and
 uniform vec3 pullLightRelative; // offset, by which a point is moved toward the light against rounding
-uniform float slopeTexels;      // half the kernel's width, in units of the whole map: how far a lookup is off the point
+uniform float halfTexel;        // in units of the whole map: how far the texel's centre is off the point; 0: no slope bias
 uniform float slopeStep;        // metres: length of the steps along the surface that its slope is taken from
 
 // Of the six maps around a light, the one that looks along the largest component.
@@ -19,6 +19,7 @@ int mapLayer(vec3 toPoint) {
 struct MapPlace {
     vec3 shadowUv; // u, v and the depth to compare with, each 0..1 inside the map
     float depth;   // of the point itself
+    vec2 slope;    // of its plane: dz/du and dz/dv
     int layer;
     bool behind;   // on the far side of a spot's apex: the projection would mirror it
 };
@@ -28,16 +29,16 @@ vec3 shadowUvOf(vec3 point, int layer) {
     return lightClip.xyz / lightClip.w * 0.5 + 0.5;
 }
 
-// |dz/du| + |dz/dv| of the receiver's plane: how much depth varies across the map. A plane stays a plane in (u, v, z), so
-// two steps along it tell, however long. After Isidoro, "Shadow Mapping: GPU-based Tips and Techniques", 2006.
-float receiverSlope(vec3 point, vec3 shadowUv, int layer) {
+// (dz/du, dz/dv) of the receiver's plane: how depth varies across the map. A plane stays a plane in (u, v, z), so two
+// steps along it tell, however long. After Isidoro, "Shadow Mapping: GPU-based Tips and Techniques", 2006.
+vec2 receiverSlope(vec3 point, vec3 shadowUv, int layer) {
     vec3 alongX = dFdx(positionLightRelative), alongY = dFdy(positionLightRelative);
     vec3 stepX = shadowUvOf(point + slopeStep * normalize(alongX), layer) - shadowUv;
     vec3 stepY = shadowUvOf(point + slopeStep * normalize(alongY), layer) - shadowUv;
     float area = stepX.x * stepY.y - stepX.y * stepY.x;
     vec2 slope = vec2(stepX.z * stepY.y - stepY.z * stepX.y, stepY.z * stepX.x - stepX.z * stepY.x) / area;
-    float sum = abs(slope.x) + abs(slope.y);
-    return sum >= 0.0 ? min(sum, 1e4) : 0.0; // not a number where eye or light see the plane exactly edge-on
+    bool known = abs(slope.x) + abs(slope.y) >= 0.0; // not where eye or light see the plane exactly edge-on
+    return known ? clamp(slope, -1e4, 1e4) : vec2(0.0);
 }
 
 MapPlace mapPlace() {
@@ -45,7 +46,8 @@ MapPlace mapPlace() {
     int layer = mapLayer(point);
     vec4 lightClip = lightClipFromLightRelative[layer] * vec4(point, 1.0);
     vec3 shadowUv = lightClip.xyz / lightClip.w * 0.5 + 0.5;
+    vec2 slope = receiverSlope(point, shadowUv, layer);
     float depth = shadowUv.z;
-    shadowUv.z -= slopeTexels * receiverSlope(point, shadowUv, layer);
-    return MapPlace(shadowUv, depth, layer, lightClip.w <= 0.0);
+    shadowUv.z -= halfTexel * (abs(slope.x) + abs(slope.y)); // the texel's centre may be that far off
+    return MapPlace(shadowUv, depth, slope, layer, lightClip.w <= 0.0);
 }

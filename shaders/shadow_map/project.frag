@@ -1,27 +1,30 @@
 #version 330 core
-// The map projected onto what the eye sees: its depth d(u,v), the point's own distance z(u,v), or the two compared.
+// The map projected onto what the eye sees: its depth d(u,v), the point's own distance z(u,v), the two compared, or where
+// the points are.
 #include "light.glsl"
 #include "facing.glsl"
 #include "shadow_map/lookup.glsl"
 #include "shadow_map/linear_depth.glsl"
 in vec3 positionView;
 uniform sampler2DArray shadowMap;
-uniform int mode; // 0 depth in the map, 1 distance of the point, 2 comparison
-uniform vec3 equalColor, occludedColor, noAnswerColor;
+uniform int mode; // 0 depth in the map, 1 distance of the point, 2 comparison, 3 position relative to the light
+uniform vec3 equalColor, occludedColor, nothingStoredColor, notAskedColor;
 out vec4 result;
+
+vec3 comparison(MapPlace place, float stored, bool inside) {
+    float distanceSquared;
+    bool asked = eyeSideFacesLight() && lightShinesTo(towardLight(positionView, distanceSquared));
+    if (!asked) return notAskedColor;
+    if (!inside || stored == 1.0) return nothingStoredColor;
+    return stored < place.shadowUv.z ? occludedColor : equalColor;
+}
 
 void main() {
     MapPlace place = mapPlace();
     float stored = texture(shadowMap, vec3(place.shadowUv.xy, float(place.layer))).r;
     bool inside = !place.behind && all(lessThan(abs(place.shadowUv.xy - 0.5), vec2(0.5)));
-    if (mode == 0) {
-        result = vec4(distanceOfDepth(stored), inside && stored < 1.0 ? 1.0 : 0.0, 0.0, 1.0);
-    } else if (mode == 1) {
-        result = vec4(distanceOfDepth(place.depth), place.behind ? 0.0 : 1.0, 0.0, 1.0);
-    } else {
-        float distanceSquared;
-        bool asked = eyeSideFacesLight() && lightShinesTo(towardLight(positionView, distanceSquared));
-        bool occluded = inside && stored < clamp(place.shadowUv.z, 0.0, 1.0);
-        result = vec4(!asked ? noAnswerColor : occluded ? occludedColor : equalColor, 1.0);
-    }
+    if (mode == 0) result = vec4(distanceOfDepth(stored), inside && stored < 1.0 ? 1.0 : 0.0, 0.0, 1.0);
+    if (mode == 1) result = vec4(distanceOfDepth(place.depth), place.behind ? 0.0 : 1.0, 0.0, 1.0);
+    if (mode == 2) result = vec4(comparison(place, stored, inside), 1.0);
+    if (mode == 3) result = vec4(positionLightRelative, 1.0);
 }

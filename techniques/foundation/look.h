@@ -25,10 +25,11 @@ inline const vec3 kSilhouette = linearFromSrgb8(0xD5, 0x5E, 0x00);
 inline const vec3 kBoundaryEdge = linearFromSrgb8(0x00, 0x9E, 0x73);
 inline const vec3 kMultipleEdge = linearFromSrgb8(0xCC, 0x79, 0xA7);
 
-// The comparison of a shadow map: equal depths, an occluder in between, no answer.
+// The comparison of a shadow map: equal depths, an occluder in between, nothing stored, not asked.
 inline const vec3 kEqualDepth = linearFromSrgb8(0x00, 0x9E, 0x73);
 inline const vec3 kOccluded = linearFromSrgb8(0xD5, 0x5E, 0x00);
-inline const vec3 kNoAnswer = linearFromSrgb8(0x60, 0x60, 0x60);
+inline const vec3 kNothingStored = linearFromSrgb8(0x56, 0xB4, 0xE9);
+inline const vec3 kNotAsked = linearFromSrgb8(0x60, 0x60, 0x60);
 
 /// A palette: evenly spaced stops, linear RGB.
 using Palette = std::array<vec3, 9>;

@@ -143,7 +143,7 @@ void fitPerspective(LightMaps& maps, const scene::Light& light, std::span<const 
 } // namespace
 
 LightMaps fitLightMaps(const scene::Scene& scene, const scene::Light& light, std::span<const std::size_t> casters,
-                       int resolution, int guardTexels) {
+                       int resolution, int guardTexels, const scene::Bounds& region) {
     std::vector<scene::Bounds> all, casterBounds;
     scene::Bounds whole;
     for (const scene::Object& object : scene.objects) {
@@ -152,6 +152,7 @@ LightMaps fitLightMaps(const scene::Scene& scene, const scene::Light& light, std
     }
     for (const std::size_t caster : casters)
         casterBounds.push_back(all[caster]);
+    if (!region.isEmpty()) casterBounds.push_back(region);
     if (casterBounds.empty()) casterBounds = all; // an empty map, but a map
 
     LightMaps maps;

@@ -27,10 +27,11 @@ struct LightMaps {
     }
 };
 
-/// Fits the maps sideways to the casters (indices into the scene's objects), in depth to the whole scene. `guardTexels`
-/// of a map of `resolution` texels lie outside what a receiver looks up, for the filter's kernel.
+/// Fits the maps sideways to the casters (indices into the scene's objects) and, when given, to a region of the world; in
+/// depth to the whole scene. `guardTexels` of a map of `resolution` texels lie outside what a receiver looks up, for the
+/// filter's kernel.
 LightMaps fitLightMaps(const scene::Scene& scene, const scene::Light& light, std::span<const std::size_t> casters,
-                       int resolution, int guardTexels);
+                       int resolution, int guardTexels, const scene::Bounds& region = {});
 
 /// World to light-relative for one object's mesh, composed in double.
 dmat4 lightRelativeFromMesh(const LightMaps& maps, const scene::Object& object);

@@ -5,6 +5,7 @@
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/look.h"
+#include "techniques/foundation/scene/casters.h"
 #include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {
@@ -14,7 +15,7 @@ namespace {
 constexpr int kMapUnit = gl::kFirstFreeUnit;
 
 // Modes of shaders/shadow_map/project.frag.
-constexpr int kMapDepth = 0, kPointDistance = 1, kComparison = 2;
+constexpr int kMapDepth = 0, kPointDistance = 1, kComparison = 2, kPosition = 3;
 
 /// The six maps around a light are shown as a 3 x 2 sheet: +x +y +z above -x -y -z.
 struct Sheet {
@@ -35,19 +36,51 @@ struct Sheet {
 
 } // namespace
 
-void ShadowMap::publishStages(Frame& frame, int light, const PreparedLight& prepared) {
-    if (frame.wants("light-depth", light) || frame.wants("depth-on-view", light) ||
-        frame.wants("distance-on-view", light))
-        shownDistance_ = distanceRange(frame, light, prepared);
-    if (frame.wants("light-view", light)) publishLightView(frame, light, prepared);
-    if (frame.wants("light-depth", light)) publishLightDepth(frame, light, prepared);
-    publishProjected(frame, light, prepared);
+void ShadowMap::publishStages(Frame& frame, int light, const DrawnMap& map) {
     if (frame.wants("visibility", light))
         frame.drawStage("visibility", light, GL_RG32F, [&] {
             glClear(GL_STENCIL_BUFFER_BIT);
             gl::setVisibilityState();
-            drawReceivers(frame, visibility_, light, prepared);
+            drawReceivers(frame, visibility_, light, map);
         });
+    const std::string_view lessons[] = {"light-view", "light-depth", "depth-on-view", "distance-on-view", "comparison"};
+    if (std::ranges::none_of(lessons, [&](std::string_view stage) { return frame.wants(stage, light); })) return;
+    gl::DepthTextureArray depth;
+    const DrawnMap lesson = lessonMap(frame, light, map, depth);
+    const Display range = distanceRange(frame, light, lesson);
+    if (frame.wants("light-view", light)) publishLightView(frame, light, lesson);
+    if (frame.wants("light-depth", light)) publishLightDepth(frame, light, lesson, range);
+    publishProjected(frame, light, lesson, range);
+}
+
+// The map that is used is cut close around the casters that matter, and a floor that shadows nothing is not in it. The
+// map that is shown covers what the eye sees, and every caster: the lesson is the same, and the floor has a depth.
+DrawnMap ShadowMap::lessonMap(const Frame& frame, int light, const DrawnMap& map, gl::DepthTextureArray& depth) const {
+    std::vector<double> seen[3];
+    for (const vec4& texel : projectedTexels(frame, light, map, kPosition))
+        if (texel.a > 0.5f)
+            for (int axis = 0; axis < 3; ++axis) seen[axis].push_back(texel[axis]);
+    scene::Bounds region;
+    if (!seen[0].empty()) {
+        // Without the outermost fiftieth: a horizon would make everything near tiny.
+        dvec3 lower(0.0), upper(0.0);
+        for (int axis = 0; axis < 3; ++axis) {
+            std::ranges::sort(seen[axis]);
+            const std::size_t cut = seen[axis].size() / 50;
+            lower[axis] = seen[axis][cut];
+            upper[axis] = seen[axis][seen[axis].size() - 1 - cut];
+        }
+        region.include(map.maps.originWorld + lower);
+        region.include(map.maps.originWorld + upper);
+    }
+    const std::size_t index = static_cast<std::size_t>(light);
+    DrawnMap lesson{fitLightMaps(frame.scene(), frame.scene().lights[index], prepared_[index].usefulCasters,
+                                 params_.resolution, params_.kernelRadius(), region),
+                    scene::allCasters(frame.scene()), &depth};
+    depth = gl::DepthTextureArray(GL_DEPTH_COMPONENT24, params_.resolution, lesson.maps.layers(), "shadow map shown");
+    gl::setBaselineState();
+    drawDepth(frame, lesson);
+    return lesson;
 }
 
 void ShadowMap::publishWithoutShadows(Frame& frame) const {
@@ -62,9 +95,16 @@ void ShadowMap::publishWithoutShadows(Frame& frame) const {
     });
 }
 
-void ShadowMap::publishLightView(Frame& frame, int light, const PreparedLight& prepared) const {
-    const LightMaps& maps = prepared.maps;
+void ShadowMap::publishLightView(Frame& frame, int light, const DrawnMap& map) const {
+    const LightMaps& maps = map.maps;
     const Sheet sheet(maps.layers(), frame.view().size);
+    // A flame around its light blocks nothing, and would hide everything from the light's eye.
+    const auto isSeen = [&](const scene::Object& object) {
+        const scene::Bounds bounds = scene::boundsWorld(object);
+        const bool around = glm::all(glm::lessThan(bounds.lowerWorld, maps.originWorld)) &&
+                            glm::all(glm::greaterThan(bounds.upperWorld, maps.originWorld));
+        return object.castsShadow || maps.parallel || !around;
+    };
     gl::Target target(sheet.size(), "light-view");
     gl::setBaselineState();
     target.framebuffer.bind();
@@ -79,26 +119,26 @@ void ShadowMap::publishLightView(Frame& frame, int light, const PreparedLight& p
         gl::setBaselineState();
         glEnable(GL_DEPTH_CLAMP);
         sheet.setViewport(layer);
-        gl::drawLightsOff(lightsOff_, frame.scene(), frame.buffers(), lightEye);
+        gl::drawLightsOff(lightsOff_, frame.scene(), frame.buffers(), lightEye, isSeen);
         gl::setAddLightState();
         unshadowed_.use();
         gl::setLight(unshadowed_, frame.scene(), frame.buffers(), lightEye, light);
-        gl::drawSurfaces(unshadowed_, frame.scene(), frame.buffers(), lightEye);
+        gl::drawSurfaces(unshadowed_, frame.scene(), frame.buffers(), lightEye, isSeen);
     }
     frame.publish("light-view", light, std::move(target.color));
 }
 
-void ShadowMap::publishLightDepth(Frame& frame, int light, const PreparedLight& prepared) const {
-    const LightMaps& maps = prepared.maps;
+void ShadowMap::publishLightDepth(Frame& frame, int light, const DrawnMap& map, const Display& range) const {
+    const LightMaps& maps = map.maps;
     const Sheet sheet(maps.layers(), frame.view().size);
     gl::Texture2D picture(GL_RG32F, sheet.size(), "light-depth");
     const gl::Framebuffer framebuffer(&picture, nullptr, "light-depth");
     gl::setBaselineState();
     glDisable(GL_DEPTH_TEST);
     framebuffer.bind();
-    map_.compare(false);
+    map.depth->compare(false);
     showDepth_.use();
-    map_.bind(kMapUnit);
+    map.depth->bind(kMapUnit);
     showDepth_.set("shadowMap", kMapUnit);
     showDepth_.set("parallel", maps.parallel ? 1 : 0);
     showDepth_.set("nearest", static_cast<float>(maps.nearest));
@@ -109,63 +149,67 @@ void ShadowMap::publishLightDepth(Frame& frame, int light, const PreparedLight& 
         showDepth_.set("layer", layer);
         gl::drawFullscreenTriangle();
     }
-    map_.compare(true);
-    frame.publish("light-depth", light, std::move(picture), shownDistance_);
+    Display display = range;
+    if (maps.layers() == 6) display.unit += "; above +x +y +z, below -x -y -z";
+    frame.publish("light-depth", light, std::move(picture), display);
 }
 
-void ShadowMap::drawProjected(const Frame& frame, int light, const PreparedLight& prepared, int mode) const {
-    const LightMaps& maps = prepared.maps;
+void ShadowMap::drawProjected(const Frame& frame, int light, const DrawnMap& map, int mode) const {
     glDepthFunc(GL_EQUAL);
+    map.depth->compare(false);
     project_.use();
     project_.set("mode", mode);
-    project_.set("parallel", maps.parallel ? 1 : 0);
-    project_.set("nearest", static_cast<float>(maps.nearest));
-    project_.set("farthest", static_cast<float>(maps.farthest));
+    project_.set("parallel", map.maps.parallel ? 1 : 0);
+    project_.set("nearest", static_cast<float>(map.maps.nearest));
+    project_.set("farthest", static_cast<float>(map.maps.farthest));
     project_.set("equalColor", look::kEqualDepth);
     project_.set("occludedColor", look::kOccluded);
-    project_.set("noAnswerColor", look::kNoAnswer);
-    drawReceivers(frame, project_, light, prepared);
+    project_.set("nothingStoredColor", look::kNothingStored);
+    project_.set("notAskedColor", look::kNotAsked);
+    drawReceivers(frame, project_, light, map);
+    map.depth->compare(true);
 }
 
-// One scale for all pictures of depth, so that they can be compared: the distances of what the eye sees.
-Display ShadowMap::distanceRange(const Frame& frame, int light, const PreparedLight& prepared) const {
-    gl::Texture2D distances(GL_RG32F, frame.target().size(), "distance range");
-    const gl::Framebuffer framebuffer(&distances, &frame.target().depthStencil, "distance range");
+std::vector<vec4> ShadowMap::projectedTexels(const Frame& frame, int light, const DrawnMap& map, int mode) const {
+    gl::Texture2D texture(GL_RGBA32F, frame.target().size(), "projected texels");
+    const gl::Framebuffer framebuffer(&texture, &frame.target().depthStencil, "projected texels");
     gl::setBaselineState();
     framebuffer.bind();
     glClear(GL_COLOR_BUFFER_BIT);
-    drawProjected(frame, light, prepared, kPointDistance);
+    drawProjected(frame, light, map, mode);
+    return gl::readTexels(texture);
+}
+
+// One scale for all pictures of depth, so that they can be compared: the distances of what the eye sees.
+Display ShadowMap::distanceRange(const Frame& frame, int light, const DrawnMap& map) const {
     std::vector<float> seen;
-    for (const vec4& texel : gl::readTexels(distances))
+    for (const vec4& texel : projectedTexels(frame, light, map, kPointDistance))
         if (texel.g > 0.5f) seen.push_back(texel.r);
-    const std::string unit =
-        prepared.maps.parallel ? "m along the light, from the map's near side" : "m from the light";
-    Display range{.minimum = 0, .maximum = prepared.maps.farthest, .unit = unit, .key = {}};
+    Display range{.minimum = 0,
+                  .maximum = map.maps.farthest,
+                  .unit = map.maps.parallel ? "m along the light, from the map's near side" : "m from the light",
+                  .key = {}};
     if (seen.empty()) return range;
-    // A horizon would stretch the scale until everything near is one colour: one pixel in fifty may lie beyond each
-    // end.
     std::ranges::sort(seen);
-    range.minimum = seen[seen.size() / 50];
-    range.maximum =
-        std::max<double>(seen[seen.size() - 1 - seen.size() / 50], range.minimum + 1e-3 * prepared.maps.farthest);
+    const std::size_t cut = seen.size() / 50; // as in lessonMap
+    range.minimum = seen[cut];
+    range.maximum = std::max<double>(seen[seen.size() - 1 - cut], range.minimum + 1e-3 * map.maps.farthest);
     return range;
 }
 
-void ShadowMap::publishProjected(Frame& frame, int light, const PreparedLight& prepared) const {
+void ShadowMap::publishProjected(Frame& frame, int light, const DrawnMap& map, const Display& range) const {
     const Display comparison = {.unit = "",
-                                .key = {{look::kEqualDepth, "d = z: equal, nothing nearer: lit"},
+                                .key = {{look::kEqualDepth, "d = z: equal, lit"},
                                         {look::kOccluded, "d < z: something is nearer, in shadow"},
-                                        {look::kNoAnswer, "faces away or outside the light: not asked"}}};
-    map_.compare(false);
+                                        {look::kNothingStored, "no d here: nothing in the way, lit"},
+                                        {look::kNotAsked, "faces away or outside the light: not asked"}}};
     const auto publish = [&](std::string_view stage, int mode, GLenum format, const Display& display) {
         if (frame.wants(stage, light))
-            frame.drawStage(
-                stage, light, format, [&] { drawProjected(frame, light, prepared, mode); }, display);
+            frame.drawStage(stage, light, format, [&] { drawProjected(frame, light, map, mode); }, display);
     };
-    publish("depth-on-view", kMapDepth, GL_RG32F, shownDistance_);
-    publish("distance-on-view", kPointDistance, GL_RG32F, shownDistance_);
+    publish("depth-on-view", kMapDepth, GL_RG32F, range);
+    publish("distance-on-view", kPointDistance, GL_RG32F, range);
     publish("comparison", kComparison, GL_RGBA16F, comparison);
-    map_.compare(true);
 }
 
 } // namespace shadowlab::shadow_map

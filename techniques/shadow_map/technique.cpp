@@ -65,7 +65,7 @@ Progress ShadowMap::prepare(const scene::Snapshot& snapshot, Deadline) {
         // The fit always uses the casters that matter, also when all are drawn: another map would be another picture.
         std::vector<std::size_t> useful = scene::usefulCasters(*snapshot, light);
         prepared_.push_back(
-            {fitLightMaps(*snapshot, light, useful, params_.resolution, params_.kernelRadius()), {}, useful});
+            {fitLightMaps(*snapshot, light, useful, params_.resolution, params_.kernelRadius()), useful});
     }
     preparedFor_ = snapshot;
     preparedSize_ = size;
@@ -80,16 +80,15 @@ Progress ShadowMap::render(Frame& frame) {
     if (frame.wants("without-shadows")) publishWithoutShadows(frame);
 
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
-        PreparedLight& prepared = prepared_[static_cast<std::size_t>(light)];
-        chooseMap(frame, light, prepared);
-        drawDepth(frame, light, prepared);
-        publishStages(frame, light, prepared);
+        const DrawnMap map = chooseMap(frame, light);
+        frame.pass(passInfo(kPasses, "depth"), [&] { drawDepth(frame, map); }, light);
+        publishStages(frame, light, map);
         frame.pass(
             passInfo(kPasses, "light"),
             [&] {
                 glClear(GL_STENCIL_BUFFER_BIT);
                 gl::setAddLightState();
-                drawReceivers(frame, shade_, light, prepared);
+                drawReceivers(frame, shade_, light, map);
             },
             light);
     }
@@ -106,51 +105,44 @@ void ShadowMap::choosePrograms() {
     chosenFilter_ = params_.filter;
 }
 
-void ShadowMap::chooseMap(Frame& frame, int light, PreparedLight& prepared) {
-    const scene::Scene& scene = frame.scene();
-    const std::vector<std::size_t> all = scene::allCasters(scene);
-    const bool shown =
-        frame.wants("light-depth", light) || frame.wants("depth-on-view", light) || frame.wants("comparison", light);
-    prepared.casters = params_.cull && !shown ? prepared.usefulCasters : all; // a lesson wants to see the floor, too
+DrawnMap ShadowMap::chooseMap(Frame& frame, int light) {
+    const PreparedLight& prepared = prepared_[static_cast<std::size_t>(light)];
+    const std::vector<std::size_t> all = scene::allCasters(frame.scene());
     if (map_.side() != params_.resolution || map_.layers() != prepared.maps.layers())
         map_ = gl::DepthTextureArray(GL_DEPTH_COMPONENT24, params_.resolution, prepared.maps.layers(), "shadow map");
-    frame.count("casters", static_cast<double>(prepared.casters.size()), static_cast<double>(all.size()), "objects");
-    frame.count("map-texels", static_cast<double>(prepared.maps.layers()) * params_.resolution * params_.resolution, 0,
+    const DrawnMap map{prepared.maps, params_.cull ? prepared.usefulCasters : all, &map_};
+    frame.count("casters", static_cast<double>(map.casters.size()), static_cast<double>(all.size()), "objects");
+    frame.count("map-texels", static_cast<double>(map.maps.layers()) * params_.resolution * params_.resolution, 0,
                 "texels");
+    return map;
 }
 
-void ShadowMap::drawDepth(Frame& frame, int light, const PreparedLight& prepared) {
-    frame.pass(
-        passInfo(kPasses, "depth"),
-        [&] {
-            glEnable(GL_DEPTH_CLAMP); // what stands nearer than the near plane still casts
-            glEnable(GL_POLYGON_OFFSET_FILL);
-            // Within a kernel of radius k a plane's depth varies by at most (k + 1/2)(|dz/du| + |dz/dv|) texels, which
-            // is at most (2 k + 1) times the larger of the two slopes: the slope that glPolygonOffset multiplies. The
-            // caster's slope guards concave corners, where the kernel meets a steeper neighbour; the receiver's
-            // (lookup.glsl) convex ones.
-            const double kernelWidth = 2.0 * params_.kernelRadius() + 1.0;
-            glPolygonOffset(static_cast<float>(params_.slopeBias * kernelWidth),
-                            static_cast<float>(2.0 * params_.constantBias));
-            depth_.use();
-            for (int layer = 0; layer < prepared.maps.layers(); ++layer) {
-                const gl::Framebuffer framebuffer(map_, layer, "shadow map layer");
-                framebuffer.bind();
-                glClear(GL_DEPTH_BUFFER_BIT);
-                for (const std::size_t caster : prepared.casters) {
-                    const scene::Object& object = frame.scene().objects[caster];
-                    depth_.set("clipFromMesh", mat4(prepared.maps.lightClipFromLightRelative(layer) *
-                                                    lightRelativeFromMesh(prepared.maps, object)));
-                    frame.buffers().mesh(caster).draw(0, static_cast<std::uint32_t>(object.mesh->triangles.size()));
-                }
-            }
-        },
-        light);
+void ShadowMap::drawDepth(const Frame& frame, const DrawnMap& map) const {
+    glDisable(GL_SCISSOR_TEST); // the map is whole, whatever part of the picture is drawn
+    glEnable(GL_DEPTH_CLAMP);   // what stands nearer than the near plane still casts
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    // The receiver's slope (lookup.glsl) covers its own plane and convex corners. In a concave corner the kernel also meets
+    // a steeper neighbour: its depths are pushed back by its slope, one texel for a single comparison and one more for
+    // each texel of the kernel's radius.
+    glPolygonOffset(static_cast<float>(params_.slopeBias * (1 + params_.kernelRadius())),
+                    static_cast<float>(2.0 * params_.constantBias));
+    depth_.use();
+    for (int layer = 0; layer < map.maps.layers(); ++layer) {
+        const gl::Framebuffer framebuffer(*map.depth, layer, "shadow map layer");
+        framebuffer.bind();
+        glClear(GL_DEPTH_BUFFER_BIT);
+        for (const std::size_t caster : map.casters) {
+            const scene::Object& object = frame.scene().objects[caster];
+            depth_.set("clipFromMesh",
+                       mat4(map.maps.lightClipFromLightRelative(layer) * lightRelativeFromMesh(map.maps, object)));
+            frame.buffers().mesh(caster).draw(0, static_cast<std::uint32_t>(object.mesh->triangles.size()));
+        }
+    }
 }
 
 void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light,
-                              const PreparedLight& prepared) const {
-    const LightMaps& maps = prepared.maps;
+                              const DrawnMap& map) const {
+    const LightMaps& maps = map.maps;
     program.use();
     gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
     std::vector<mat4> lightClipFromLightRelative;
@@ -164,10 +156,9 @@ void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, in
     program.set("pullShare", static_cast<float>(maps.parallel ? 0.0 : pull));
     program.set("pullLightRelative",
                 maps.parallel ? vec3(-source.directionWorld * (pull * (maps.farthest - maps.nearest))) : vec3(0));
-    program.set("slopeTexels",
-                static_cast<float>(params_.slopeBias * (params_.kernelRadius() + 0.5) / params_.resolution));
+    program.set("halfTexel", static_cast<float>(params_.slopeBias * 0.5 / params_.resolution));
     program.set("slopeStep", static_cast<float>(0.01 * (maps.farthest - maps.nearest)));
-    map_.bind(kMapUnit);
+    map.depth->bind(kMapUnit);
     program.set("shadowMap", kMapUnit);
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
         program.set("lightRelativeFromMesh", mat4(lightRelativeFromMesh(maps, object)));

@@ -16,10 +16,16 @@ struct ShadowMapParams {
     [[nodiscard]] int kernelRadius() const { return filter == Filter::pcf ? pcfRadius : 0; }
 };
 
+/// One light's map: its cameras, what is drawn into it, and the depths themselves.
+struct DrawnMap {
+    LightMaps maps;
+    std::vector<std::size_t> casters;
+    const gl::DepthTextureArray* depth = nullptr;
+};
+
 /// What one light needs, as long as neither the scene nor the map's size changes.
 struct PreparedLight {
     LightMaps maps;
-    std::vector<std::size_t> casters;       ///< drawn into the maps
     std::vector<std::size_t> usefulCasters; ///< those whose shadow can fall on something
 };
 
@@ -33,16 +39,20 @@ public:
 
 private:
     void choosePrograms();
-    void chooseMap(Frame& frame, int light, PreparedLight& prepared);
-    void drawDepth(Frame& frame, int light, const PreparedLight& prepared);
-    void drawReceivers(const Frame& frame, const gl::Program& program, int light, const PreparedLight& prepared) const;
-    void publishStages(Frame& frame, int light, const PreparedLight& prepared);
+    DrawnMap chooseMap(Frame& frame, int light);
+    void drawDepth(const Frame& frame, const DrawnMap& map) const;
+    void drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const;
+
+    // stages.cpp
+    void publishStages(Frame& frame, int light, const DrawnMap& map);
     void publishWithoutShadows(Frame& frame) const;
-    void publishLightView(Frame& frame, int light, const PreparedLight& prepared) const;
-    void publishLightDepth(Frame& frame, int light, const PreparedLight& prepared) const;
-    void drawProjected(const Frame& frame, int light, const PreparedLight& prepared, int mode) const;
-    Display distanceRange(const Frame& frame, int light, const PreparedLight& prepared) const;
-    void publishProjected(Frame& frame, int light, const PreparedLight& prepared) const;
+    DrawnMap lessonMap(const Frame& frame, int light, const DrawnMap& map, gl::DepthTextureArray& depth) const;
+    void publishLightView(Frame& frame, int light, const DrawnMap& map) const;
+    void publishLightDepth(Frame& frame, int light, const DrawnMap& map, const Display& range) const;
+    void publishProjected(Frame& frame, int light, const DrawnMap& map, const Display& range) const;
+    void drawProjected(const Frame& frame, int light, const DrawnMap& map, int mode) const;
+    std::vector<vec4> projectedTexels(const Frame& frame, int light, const DrawnMap& map, int mode) const;
+    Display distanceRange(const Frame& frame, int light, const DrawnMap& map) const;
 
     ShadowMapParams params_;
     scene::Snapshot preparedFor_;

@@ -78,12 +78,12 @@ void setLight(const Program& program, const scene::Scene& scene, const SceneBuff
 }
 
 void drawLightsOff(const Program& lightsOff, const scene::Scene& scene, const SceneBuffers& buffers,
-                   const EyeMatrices& eye) {
+                   const EyeMatrices& eye, const ObjectSetup& setup) {
     glClearColor(scene.background.r, scene.background.g, scene.background.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     lightsOff.use();
     lightsOff.set("ambient", scene.ambient);
-    drawSurfaces(lightsOff, scene, buffers, eye);
+    drawSurfaces(lightsOff, scene, buffers, eye, setup);
 }
 
 void setAddLightState() {

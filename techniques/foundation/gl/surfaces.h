@@ -42,7 +42,7 @@ void setLight(const Program& program, const scene::Scene& scene, const SceneBuff
 
 /// Clears colour to the background, depth and stencil, and draws emission + ambient with depth: all lights off.
 void drawLightsOff(const Program& lightsOff, const scene::Scene& scene, const SceneBuffers& buffers,
-                   const EyeMatrices& eye);
+                   const EyeMatrices& eye, const ObjectSetup& setup = {});
 
 /// GL state for adding one light to what drawLightsOff has drawn: depth GL_EQUAL, no depth writes, additive blending,
 /// and a stencil that lets each pixel be lit once (of two surfaces at one depth the first drawn is the visible one).

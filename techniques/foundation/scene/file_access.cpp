@@ -55,9 +55,10 @@ std::string faultSentence(const std::string& fault) {
     return fault.starts_with("is ") ? fault : "cannot be read: " + fault;
 }
 
+/// A folder lies inside itself: that it is none of the files in it is for whoever reads it to say.
 bool isInside(const std::filesystem::path& file, const std::filesystem::path& folder) {
-    const auto [folderRest, fileRest] = std::ranges::mismatch(folder, file);
-    return folderRest == folder.end() && fileRest != file.end();
+    const auto [folderRest, ignored] = std::ranges::mismatch(folder, file);
+    return folderRest == folder.end();
 }
 
 } // namespace

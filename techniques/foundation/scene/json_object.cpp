@@ -26,11 +26,7 @@ std::string echo(const JsonValue& value) {
 } // namespace
 
 std::string Range::text() const {
-    constexpr double kPractically = 1e15; // bounds this large are only there to keep numbers finite
-    const bool open = high >= kPractically;
-    if (low <= -kPractically && open) return "from " + numberText(low) + " to " + numberText(high);
-    const std::string from = (lowIncluded ? (open ? "at least " : "from ") : "above ") + numberText(low);
-    if (open) return from;
+    const std::string from = (lowIncluded ? "from " : "above ") + numberText(low);
     if (lowIncluded && highIncluded) return from + " to " + numberText(high);
     return from + (highIncluded ? " and at most " : " and below ") + numberText(high);
 }

@@ -23,7 +23,7 @@ struct Range {
     [[nodiscard]] bool contains(double value) const {
         return (lowIncluded ? value >= low : value > low) && (highIncluded ? value <= high : value < high);
     }
-    [[nodiscard]] std::string text() const; ///< "above 0 and below 180", "from 0 to 1" ...
+    [[nodiscard]] std::string text() const; ///< "above 0 and below 180", "from 0 to 1e+15" ...
 
     static Range any(double limit) { return {-limit, limit}; }
     static Range between(double low, double high) { return {low, high}; }

@@ -28,6 +28,14 @@ constexpr std::array kStatements{
     NumberStatement{"Ni", 1, 0.1, 10.0}, // as for ior in scene files
     NumberStatement{"d", 1, 0.0, 1.0},   NumberStatement{"Tr", 1, 0.0, 1.0}};
 
+/// map_Kd, map_Ks ...: pictures in place of numbers that are read.
+bool isMapOfNumbers(std::string_view keyword) {
+    constexpr std::string_view kPrefix = "map_";
+    return keyword.starts_with(kPrefix) && keyword != "map_d" &&
+           std::ranges::find(kStatements, keyword.substr(kPrefix.size()), &NumberStatement::keyword) !=
+               kStatements.end();
+}
+
 class Cleaner {
 public:
     Cleaner(std::string_view text, const std::filesystem::path& file, const Limits& limits)
@@ -39,8 +47,10 @@ public:
             const auto statement = std::ranges::find(kStatements, keyword, &NumberStatement::keyword);
             if (keyword == "newmtl")
                 newMaterial();
-            else if (!inMaterial_)
-                continue; // values without a material to belong to
+            else if (isMapOfNumbers(keyword))
+                ignore(keyword + " is not supported and ignored");
+            else if (!inMaterial_ && (statement != kStatements.end() || keyword == "map_d"))
+                ignore(keyword + " stands before the first newmtl and is ignored");
             else if (statement != kStatements.end())
                 numbers(*statement);
             else if (keyword == "map_d")
@@ -49,6 +59,9 @@ public:
         if (clamped_ > 0)
             notes.push_back(lines_.place(firstClampedLine_) + ": " + firstClamped_ +
                             (clamped_ > 1 ? " (and " + counted(clamped_ - 1, "more value") + ")" : ""));
+        for (const Ignored& ignored : ignored_)
+            notes.push_back(lines_.place(ignored.firstLine) + ": " + ignored.what +
+                            (ignored.count > 1 ? " (and " + counted(ignored.count - 1, "more time") + ")" : ""));
         if (!repeated_.empty())
             notes.push_back(lines_.place(repeatedLine_) + ": material '" + shown(repeated_) +
                             "' is defined twice; the first definition is used");
@@ -56,6 +69,20 @@ public:
     }
 
 private:
+    /// Statements of one kind that change nothing here: one note tells of them all.
+    struct Ignored {
+        std::string what;
+        std::size_t firstLine, count;
+    };
+
+    void ignore(const std::string& what) {
+        const auto known = std::ranges::find(ignored_, what, &Ignored::what);
+        if (known == ignored_.end())
+            ignored_.push_back({what, lines_.line(), 1});
+        else
+            ++known->count;
+    }
+
     void newMaterial() {
         const std::string name(lines_.restOfLine());
         if (name.empty()) lines_.fail("newmtl without a name; write one after it");
@@ -72,7 +99,9 @@ private:
         std::array<double, 3> values{};
         std::size_t count = 0;
         while (const auto token = lines_.nextToken()) {
-            if (count == 0 && (*token == "spectral" || *token == "xyz" || *token == "-halo")) return; // other forms
+            if (count == 0 && (*token == "spectral" || *token == "xyz" || *token == "-halo")) // other forms
+                return ignore(std::string(statement.keyword) + " " + std::string(*token) +
+                              " is not supported and ignored");
             if (count == statement.count) break;
             const auto value = readNumber(*token);
             if (!value || !std::isfinite(*value))
@@ -106,6 +135,7 @@ private:
     std::set<std::string> names_;
     std::size_t clamped_ = 0, firstClampedLine_ = 0, repeatedLine_ = 0;
     std::string firstClamped_, repeated_;
+    std::vector<Ignored> ignored_;
 };
 
 } // namespace

@@ -11,7 +11,8 @@
 
 namespace shadowlab::scene {
 
-/// Throws Error "FILE:LINE: ..." where a value is no finite number; values out of range are clamped with one note.
+/// Throws Error "FILE:LINE: ..." where a value is no finite number; values out of range are clamped with one note,
+/// and each kind of statement that would have changed the look but is ignored gets one.
 /// A material without Kd gets the default grey.
 std::string cleanMtl(std::string_view text, const std::filesystem::path& file, const Limits& limits,
                      std::vector<std::string>& notes);

@@ -35,12 +35,17 @@ public:
         const ObjReference& library = scan_.libraries.at(std::stoul(number));
         bool found = false;
         for (const std::string& name : candidates(library)) {
-            const std::filesystem::path path = resolved(name, library);
-            if (std::error_code ignored; !std::filesystem::exists(std::filesystem::symlink_status(path, ignored))) {
+            const std::filesystem::path path = allowed(name, library);
+            std::error_code ignored;
+            const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+            if (!std::filesystem::exists(status)) {
                 notes_.push_back(place(library) + ": material file \"" + shown(name) +
                                  "\" is missing; its materials are drawn in the default grey");
                 continue;
             }
+            if (std::filesystem::is_directory(status))
+                throw Error(ExitStatus::badInput, place(library) + ": material file \"" + shown(name) +
+                                                      "\" is a folder; name a file in it");
             const std::string text = readFile(path, std::min(kMtlBytes, options_.limits.fileBytes));
             std::istringstream clean(cleanMtl(text, path, options_.limits, notes_));
             tinyobj::LoadMtl(materialIndex, materials, &clean, warning, error);
@@ -63,8 +68,9 @@ private:
         return names;
     }
 
-    [[nodiscard]] std::filesystem::path resolved(const std::string& name, const ObjReference& library) const {
-        if (const auto path = folders_.resolve(name)) return *path;
+    /// The file as the OBJ file's path and the name in it give it, to open and to name in messages.
+    [[nodiscard]] std::filesystem::path allowed(const std::string& name, const ObjReference& library) const {
+        if (folders_.resolve(name)) return file_.parent_path() / name;
         throw Error(ExitStatus::badInput,
                     place(library) + ": material file \"" + shown(name) + "\" " + std::string(kOutsideMessage));
     }

@@ -33,6 +33,8 @@ ReferredFile readReference(const SceneReading& reading, const JsonObject& object
     const auto canonical = reading.folders.resolve(reference);
     if (!canonical) object.fail(key, named + std::string(kOutsideMessage));
     std::filesystem::path path = reading.file.parent_path() / reference;
+    if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
+        object.fail(key, named + "is a folder; name a file in it");
     if (const std::string fault = whyUnreadable(path); !fault.empty())
         object.fail(key,
                     named + fault + " (" + shownPath(path) + "); correct the path, it is relative to the scene file");

@@ -40,7 +40,6 @@ Object placedMesh(ObjFile& obj, Stage& stage) {
 Object floorUnder(const Stage& stage) {
     Object floor;
     floor.name = "floor";
-    floor.castsShadow = false;               // nothing lies under it
     const double extent = 40.0 * stage.size; // reaches the horizon of this camera
     floor.mesh = std::make_shared<const Mesh>(makeQuad({extent, extent}));
     floor.worldFromObject[3] = dvec4(0.0, stage.floorWorld, 0.0, 1.0);

@@ -58,6 +58,37 @@ TEST(Mtl, AMaterialWithoutKdIsTheDefaultGrey) {
     EXPECT_EQ(obj.materials[0].transparency, 0.0);
 }
 
+TEST(Mtl, WhatIsIgnoredAndWouldChangeTheLookIsOneNotePerKind) {
+    const TempFolder folder;
+    const std::string mtl = folder
+                                .write("m.mtl", "# head\nKd 1 0 0\nKd 1 0 0\nillum 2\nnewmtl a\nKa 1 1 1\nKd xyz 1 1 1\n"
+                                                "Ks spectral a.rfl\nmap_Kd wood.png\nd -halo 0.5\nmap_Kd wood.png\n"
+                                                "map_Kd wood.png\nbump wood.png\n")
+                                .string();
+    const ObjFile obj =
+        loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {});
+    EXPECT_EQ(obj.notes, (std::vector<std::string>{
+                             mtl + ":2: Kd stands before the first newmtl and is ignored (and 1 more time)",
+                             mtl + ":7: Kd xyz is not supported and ignored",
+                             mtl + ":8: Ks spectral is not supported and ignored",
+                             mtl + ":9: map_Kd is not supported and ignored (and 2 more times)",
+                             mtl + ":10: d -halo is not supported and ignored"}));
+}
+
+TEST(Mtl, FilesAreNamedAsGiven) {
+    const TempFolder folder;
+    folder.write("in/m.mtl", "newmtl a\nKd 2 0 0\n");
+    folder.write("in/bad.mtl", "newmtl a\nKd red\n");
+    folder.write("in/m.obj", "mtllib ./m.mtl\n" + kTriangles + "f 1 2 3\n");
+    folder.write("in/bad.obj", "mtllib bad.mtl\n" + kTriangles + "f 1 2 3\n");
+    const std::filesystem::path given = std::filesystem::relative(folder.path() / "in");
+    const ObjFile obj = loadObj(given / "m.obj", NormalMode::file, {});
+    ASSERT_EQ(obj.notes.size(), 1u);
+    EXPECT_TRUE(obj.notes[0].starts_with((given / "./m.mtl").string() + ":2: ")) << obj.notes[0];
+    const std::string message = errorOf([&] { (void)loadObj(given / "bad.obj", NormalMode::file, {}); }).what();
+    EXPECT_TRUE(message.starts_with((given / "bad.mtl").string() + ":2: ")) << message;
+}
+
 TEST(Mtl, NumbersThatAreNoneAreErrorsOfTheMtlFile) {
     const TempFolder folder;
     const auto file = folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "f 1 2 3\n");
@@ -105,11 +136,14 @@ TEST(Mtl, AFifoADeviceOrAFolderDoesNotHang) {
     const TempFolder folder;
     ASSERT_EQ(::mkfifo((folder.path() / "pipe.mtl").c_str(), 0600), 0);
     std::filesystem::create_directory(folder.path() / "folder.mtl");
-    for (const std::string& name : {std::string("pipe.mtl"), std::string("folder.mtl")}) {
-        const auto file = folder.write("m.obj", "mtllib " + name + "\n" + kTriangles + "f 1 2 3\n");
+    for (const auto& [name, message] :
+         {std::pair{"pipe.mtl", "pipe.mtl: is not a regular file"},
+          std::pair{"folder.mtl", "m.obj:1: material file \"folder.mtl\" is a folder; name a file in it"},
+          std::pair{".", "m.obj:1: material file \".\" is a folder; name a file in it"}}) {
+        const auto file = folder.write("m.obj", "mtllib " + std::string(name) + "\n" + kTriangles + "f 1 2 3\n");
         const Error error = errorOf([&] { (void)loadObj(file, NormalMode::file, {}); });
         EXPECT_EQ(error.status(), ExitStatus::badInput);
-        EXPECT_TRUE(contains(error.what(), name)) << error.what();
+        EXPECT_TRUE(contains(error.what(), message)) << error.what();
     }
 }
 

@@ -96,7 +96,9 @@ INSTANTIATE_TEST_SUITE_P(
                  "must be a number"},
         BadScene{"TooFarAway", "{\"camera\": {\"position\": [0,\n 1e16, 2], \"target\": [0,0,0]}}", "2:2", "1e+15"},
         BadScene{"ExposureZero", "{CAMERA,\n \"exposure\": 0}", "2:14", "above 0"},
-        BadScene{"AmbientNegative", "{CAMERA,\n \"ambient\": [0,-1,0]}", "2:16", "at least 0"},
+        BadScene{"ExposureTooLarge", "{CAMERA,\n \"exposure\": 1e300}", "2:14",
+                 "is 1e+300; it must be a number above 0 and at most 1e+15"},
+        BadScene{"AmbientNegative", "{CAMERA,\n \"ambient\": [0,-1,0]}", "2:16", "from 0 to 1e+15"},
         BadScene{"BackgroundNumber", "{CAMERA,\n \"background\": 1}", "2:16", "an array of 3 numbers"}),
     nameOf);
 
@@ -124,9 +126,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"EdgesParallel", LIGHT("\"type\": \"rect\", \"position\": [0,1,0], \"edgeV\": [-2,0,0]"), "2:48",
                  "parallel to edgeU"},
         BadScene{"IntensityNegative", LIGHT("\"type\": \"point\", \"position\": [0,1,0], \"intensity\": -1"), "2:53",
-                 "at least 0"},
+                 "from 0 to 1e+15"},
+        BadScene{"IntensityTooLarge", LIGHT("\"type\": \"point\", \"position\": [0,1,0], \"intensity\": 1e300"),
+                 "2:53", "is 1e+300; it must be a number from 0 to 1e+15"},
         BadScene{"ColorNegative", LIGHT("\"type\": \"point\", \"position\": [0,1,0], \"color\": [1,1,-1]"), "2:54",
-                 "at least 0"},
+                 "from 0 to 1e+15"},
         BadScene{"NameEmpty", LIGHT("\"name\": \"\", \"type\": \"point\", \"position\": [0,1,0]"), "2:10", "is empty"},
         BadScene{"NameWithNewline", LIGHT("\"name\": \"a\\nb\", \"type\": \"point\", \"position\": [0,1,0]"), "2:10",
                  "control character"},
@@ -154,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadScene{"IorZero", MATERIAL("\"ior\": 0"), "2:8", "from 0.1 to 10"},
                     BadScene{"PriorityNotWhole", MATERIAL("\"priority\": 1.5"), "2:13", "whole number"},
                     BadScene{"GlossTooWide", MATERIAL("\"glossDegrees\": 91"), "2:17", "from 0 to 90"},
-                    BadScene{"EmissionNegative", MATERIAL("\"emission\": [0,0,-1]"), "2:18", "at least 0"},
+                    BadScene{"EmissionNegative", MATERIAL("\"emission\": [0,0,-1]"), "2:18", "from 0 to 1e+15"},
                     BadScene{"AlphaMapMissing", MATERIAL("\"alphaMap\": \"none.png\""), "2:13", "No such file"},
                     BadScene{"AlphaMapOutside", MATERIAL("\"alphaMap\": \"/etc/passwd\""), "2:13", "--allow DIR"}),
     nameOf);
@@ -202,6 +206,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadScene{"MeshMissing", OBJECT("\"mesh\": \"none.obj\""), "2:10", "No such file or directory"},
         BadScene{"MeshOutside", OBJECT("\"mesh\": \"/etc/passwd\""), "2:10", "--allow DIR"},
         BadScene{"MeshAbove", OBJECT("\"mesh\": \"../../../../../../etc/passwd\""), "2:10", "outside the folders"},
+        BadScene{"MeshOwnFolder", OBJECT("\"mesh\": \".\""), "2:10", "\".\" is a folder; name a file in it"},
         BadScene{"MeshEmpty", OBJECT("\"mesh\": \"\""), "2:10", "is empty"},
         BadScene{"MeshNumber", OBJECT("\"mesh\": 7"), "2:10", "must be a string"}),
     nameOf);
