@@ -24,15 +24,19 @@ use_debian_tools() {
 
 say() { printf '%s\n' "$*" >&2; }
 
+# One line on what stands in the way from the beginning, and how to go on.
+refuse() {
+    say "$(basename "$0"): $*"
+    exit 1
+}
+
 # One line on what failed, and how to go on. The log's last lines come first: they usually say why.
 fail() {
     if [[ -s ${log:-} ]]; then
         tail -n 25 "$log" >&2
-        say "$(basename "$0"): $* (log: $log)"
-    else
-        say "$(basename "$0"): $*"
+        refuse "$* (log: $log)"
     fi
-    exit 1
+    refuse "$*"
 }
 
 # install_missing PACKAGE...: installs with apt what is not there yet, and says so before.
@@ -92,13 +96,16 @@ build() {
     if [[ -t 2 ]]; then printf '\r\033[K' >&2; fi
 }
 
-# Two runs at a time would build into one folder: the second waits for the first.
+# Two runs at a time would build into one folder: the second waits for the first, and then begins the log.
 lock_build_folder() {
-    mkdir -p "$root/build" || fail "$root/build cannot be made; check the permissions of the checkout"
-    exec {lock_fd}>"$root/build/.lock" || fail "$root/build cannot be written; check the permissions of the checkout"
+    local mend="use a checkout of your own, or mend the permissions of this one"
+    mkdir -p "$root/build" 2>/dev/null || refuse "$root/build cannot be made; $mend"
+    # What bash itself has to say stays unheard: it comes to the same.
+    { exec {lock_fd}>"$root/build/.lock"; } 2>/dev/null || refuse "$root/build/.lock cannot be written; $mend"
     if ! flock -n "$lock_fd"; then
         say "Waiting for another run in the same checkout ..."
         flock "$lock_fd"
     fi
+    { : >"$log"; } 2>/dev/null || refuse "$log cannot be written; $mend"
 }
 unlock_build_folder() { exec {lock_fd}>&-; }

@@ -3,7 +3,8 @@
 
 generate.py              rewrites what stands between `<!-- generated: NAME -->` and `<!-- end generated -->`, and makes a
                          page, to be filled in, for every technique that has none
-generate.py --check      writes nothing; exits with 1 when a part is out of date, a page or a picture is missing, a link is dead
+generate.py --check      writes nothing; exits with 1 when a part is out of date, a page or a picture is missing, a link is dead,
+                         or git does not track a picture
 generate.py --pictures   draws the pictures as well, with `shadowlab capture`:
                          `<!-- picture NAME: ARGUMENTS -->` asks for docs/images/NAME.png wherever it stands, and
                          `<!-- gallery: ARGUMENTS -->` on a technique's page for a picture of each of its stages
@@ -13,6 +14,7 @@ generate.py --pictures   draws the pictures as well, with `shadowlab capture`:
 import argparse
 import json
 import math
+import os
 import re
 import shlex
 import subprocess
@@ -202,13 +204,30 @@ def draw_pictures(program):
     print(f"{len(pictures)} pictures, {total // 1000} kB, in {IMAGES}", file=sys.stderr)
 
 
-def complaints_about(path, text):
+def tracked_files():
+    """The paths that git tracks, None where git is not in use."""
+    if not (ROOT / ".git").exists():
+        return None
+    command = ["git", "-c", "safe.directory=*", "-C", str(ROOT), "ls-files", "-z"]
+    try:
+        return set(subprocess.run(command, capture_output=True, text=True, check=True).stdout.split("\0"))
+    except (OSError, subprocess.CalledProcessError):
+        return None
+
+
+def complaints_about(path, text, tracked):
     name = path.relative_to(ROOT)
     if UNWRITTEN in text and path.name != "adding_a_technique.md":
         yield f"{name}: a part is still {UNWRITTEN}; write it"
     for match in LINK.finditer(re.sub(r"```.*?```", "", text, flags=re.DOTALL)):
         target = match.group(1) or match.group(2)
-        if re.match(r"[a-z]+:", target) or (path.parent / target).exists():
+        if re.match(r"[a-z]+:", target):
+            continue
+        if (path.parent / target).exists():
+            picture = os.path.relpath(path.parent / target, ROOT)
+            if picture.endswith(".png") and tracked is not None and picture not in tracked:
+                yield (f"{name}: git does not track {picture}, so a fresh clone would lack it; "
+                       f"`git add` it (`git check-ignore -v` says whether .gitignore is in the way)")
             continue
         mend = "draw it with docs/generate.py --pictures" if target.endswith(".png") else "mend the link"
         yield f"{name}: there is no {target}; {mend}"
@@ -223,6 +242,7 @@ def main():
     program = Program(options.program)
 
     complaints = []
+    tracked = tracked_files() if options.check else None
     for technique in program.techniques:
         page = DOCS / f"{technique['id']}.md"
         if page.is_file():
@@ -241,7 +261,7 @@ def main():
             path.write_text(new, encoding="utf-8")
             print(f"{path.relative_to(ROOT)}: brought up to date", file=sys.stderr)
         if options.check:
-            complaints += complaints_about(path, new)
+            complaints += complaints_about(path, new, tracked)
     if options.pictures and not options.check:
         draw_pictures(program)
     print("".join(complaint + "\n" for complaint in complaints), end="")

@@ -24,6 +24,7 @@ void Frame::pass(const PassInfo& info, const std::function<void()>& draw, int li
         const gl::DebugGroup group(info.title);
         gl::setBaselineState();
         target_.framebuffer.bind();
+        scissorToRegion();
         if (request_.timePasses)
             timer_.time(key.id, draw);
         else
@@ -31,6 +32,13 @@ void Frame::pass(const PassInfo& info, const std::function<void()>& draw, int li
     }
     gl::check(info.id);
     stopped_ = request_.stopAfter == key;
+}
+
+void Frame::scissorToRegion() const {
+    const Region& region = view_.region;
+    if (region.size.x <= 0 || region.size.y <= 0) return;
+    glEnable(GL_SCISSOR_TEST); // GL counts rows from below
+    glScissor(region.corner.x, view_.size.y - region.corner.y - region.size.y, region.size.x, region.size.y);
 }
 
 bool Frame::wants(std::string_view stage, int light) const {
@@ -91,6 +99,7 @@ void Frame::drawInto(gl::Texture2D& texture, std::string_view stage, bool clear,
     gl::setBaselineState();
     framebuffer.bind();
     if (clear) glClear(GL_COLOR_BUFFER_BIT);
+    scissorToRegion();
     draw();
 }
 

@@ -88,6 +88,7 @@ public:
     Result takeResult();
 
 private:
+    void scissorToRegion() const;
     gl::Texture2D copyOfTarget(std::string_view name) const;
     gl::Texture2D greyedTarget(std::string_view name) const;
     void drawInto(gl::Texture2D& texture, std::string_view stage, bool clear, const std::function<void()>& draw) const;

@@ -61,10 +61,16 @@ struct Display {
     std::vector<KeyEntry> key; ///< swatches
 };
 
+/// A rectangle of a picture, in pixels from its upper left corner.
+struct Region {
+    ivec2 corner{0}, size{0};
+};
+
 /// One question to a technique: this eye, this many pixels, this sample of a progressive sequence.
 struct View {
     scene::Camera camera;
     ivec2 size{1280, 720};
+    Region region; ///< the part that is wanted; empty: all of it. What lies outside need not be drawn.
     std::uint32_t sample = 0;
     std::uint32_t seed = 0;
 };

@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
-"""Shows that include_check.py and house_check.py bite: a made-up tree with each violation must be flagged at the very line, and
-a clean tree that comes close to each rule must pass."""
+"""Shows that include_check.py, house_check.py and docs/generate.py --check bite: a made-up tree with each violation must be
+flagged at the very line, and a clean tree that comes close to each rule must pass. What they ask git is tried where there is git."""
 # SPDX-License-Identifier: MIT
+import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -20,11 +22,29 @@ CLEAN = {
     "techniques/foundation/gl/program.h": SPDX + '#include <glad/gl.h>\n#include "techniques/foundation/scene/scene.h"\n',
     "techniques/planar/technique.cpp": SPDX + '#include "techniques/planar/matrix.h"\n#include "techniques/technique.h"\n#include <glad/gl.h>\n',
     "techniques/planar/matrix.h": SPDX + '#include "../foundation/scene/scene.h"\n',
-    "app/main.cpp": SPDX + '#include "techniques/planar/matrix.h"\n#include "app/ui/panel.h"\n#include <GLFW/glfw3.h>\n',
-    "app/ui/panel.h": SPDX + "#include <imgui.h>\n",
+    "techniques/foundation/image/image.h": SPDX + '#include "techniques/foundation/math/types.h"\n',
+    "techniques/foundation/math/types.h": SPDX + "#include <glm/glm.hpp>\n",
+    "techniques/foundation/trace/bvh.h": SPDX + '#include "../scene/scene.h"\n#include "../image/image.h"\n',
+    "app/main.cpp": SPDX + '#include "techniques/technique.h"\n#include "app/commands/list.h"\n#include "app/context/signals.h"\n',
+    "app/commands/list.h": SPDX + '#include "app/ui/panel.h"\n#include "app/measure/time.h"\n#include "../session/session.h"\n',
+    "app/ui/panel.h": SPDX + '#include <imgui.h>\n#include "app/session/session.h"\n',
+    "app/measure/time.h": SPDX + '#include "app/session/session.h"\n',
+    "app/session/session.h": SPDX + '#include "app/context/signals.h"\n#include "app/session/orbit.h"\n',
+    "app/context/signals.h": SPDX + '#include "signals_of_windows.h"\n#include <GLFW/glfw3.h>\n',
+    "app/context/signals_of_windows.h": "/* SPDX-License-Identifier: MIT */\n",
     "tests/planar/matrix_test.cpp": SPDX + '#include "techniques/planar/matrix.h"\n#include "app/main.cpp"\n#include <glad/gl.h>\n',
     "shaders/light.glsl": "float one() { return 1.0; }\n",
     "shaders/planar/flat.frag": '#version 330 core\n#include "light.glsl"\n#include "planar/flat.glsl"\n',
+    ".ci/run": "# SPDX-License-Identifier: MIT\n",
+    ".clang-format": "BasedOnStyle: LLVM\n",
+    ".clang-tidy": "Checks: -*\n",
+    ".gitignore": "/build/\n",
+    "CMakePresets.json": "{}\n",
+    "LICENSE": "MIT\n",
+    "README.md": "An SPDX-License-Identifier: line stands in every source file.\n",
+    "assets/models/make.py": "print()\n",
+    "check": "# SPDX-License-Identifier: MIT\n",
+    "demo": "# SPDX-License-Identifier: MIT\n",
     "docs/tour.md": "Run `/usr/bin/glad`, or build/home/x.\n",
 }
 
@@ -50,6 +70,23 @@ BROKEN = [
     ("include", "app/session/a.cpp", 2, SPDX + "#include <GL/gl.h>\n"),
     ("include", "app/session/b.cpp", 2, SPDX + "#include <imgui_internal.h>\n"),
     ("include", "app/session/c.cpp", 2, SPDX + '#include "tests/planar/matrix_test.cpp"\n'),
+    ("include", "app/session/d.cpp", 2, SPDX + '#include "techniques/planar/matrix.h"\n'),
+    ("include", "app/session/e.cpp", 2, SPDX + '#include "app/commands/list.h"\n'),
+    ("include", "app/session/f.cpp", 2, SPDX + '#include "../ui/panel.h"\n'),
+    ("include", "app/session/g.cpp", 2, SPDX + '#include "app/measure/time.h"\n'),
+    ("include", "app/context/a.cpp", 2, SPDX + '#include "app/session/session.h"\n'),
+    ("include", "app/context/b.cpp", 2, SPDX + '#include "app/commands/list.h"\n'),
+    ("include", "app/ui/a.cpp", 2, SPDX + '#include "app/commands/list.h"\n'),
+    ("include", "app/ui/b.cpp", 2, SPDX + '#include "app/measure/time.h"\n'),
+    ("include", "app/measure/a.cpp", 2, SPDX + '#include "app/commands/list.h"\n'),
+    ("include", "app/measure/b.cpp", 2, SPDX + '#include "app/ui/panel.h"\n'),
+    ("include", "app/commands/a.cpp", 2, SPDX + '#include "app/main.cpp"\n'),
+    ("include", "app/commands/b.cpp", 2, SPDX + '#include "app/more/c.cpp"\n'),
+    ("include", "app/more/c.cpp", 2, SPDX + '#include "app/session/session.h"\n'),
+    *(("include", f"techniques/foundation/math/{other}.h", 2, SPDX + f'#include "techniques/foundation/{other}/x.h"\n')
+      for other in ("scene", "image", "params", "trace", "gl")),
+    ("include", "techniques/foundation/image/bmp.cpp", 2, SPDX + '#include "techniques/foundation/scene/scene.h"\n'),
+    ("include", "techniques/foundation/params/param.h", 2, SPDX + '#include "../scene/scene.h"\n'),
     ("include", "tests/a_test.cpp", 2, SPDX + "#include <GL/osmesa.h>\n"),
     ("include", "shaders/planar/a.frag", 2, '#version 330 core\n#include "shadow_map/lookup.glsl"\n'),
     ("include", "shaders/b.glsl", 1, '#include "planar/flat.frag"\n'),
@@ -62,6 +99,9 @@ BROKEN = [
     ("house", "shaders/d.glsl", 2, "float x;\n// FIX" + "ME\n"),
     ("house", "docs/e.md", 1, "cd /ho" + "me/someone/shadowlab\n"),
     ("house", "docs/f.py", 1, "print()\n"),
+    ("house", "app/g.cpp", 1, "// The program. SPDX-License-Identifier: MIT\n"),
+    ("house", "app/h.h", 2, "// The program's own header.\n// SPDX-License-Identifier: MIT. Includes nothing.\n"),
+    ("house", "shaders/i.glsl", 1, "float one; // SPDX-License-Identifier: MIT\n"),
 ]
 
 
@@ -78,8 +118,59 @@ def run(check, root):
     return result.returncode, result.stdout.splitlines(), result.stderr
 
 
+def git(root, *arguments):
+    subprocess.run(["git", "-C", str(root), *arguments], capture_output=True, check=True)
+
+
+def top_level_complaints():
+    """A file that is tracked at the top level without a reason is flagged; one that only lies there is not."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = Path(folder)
+        write(root, CLEAN)
+        git(root, "init")
+        git(root, "add", "--all")
+        write(root, {"only-here.png": ""})
+        results = [run("house", root)]
+        write(root, {"b.png": ""})
+        git(root, "add", "b.png")
+        results.append(run("house", root))
+    if [(status, [line.split(":")[0] for line in lines]) for status, lines, _ in results] != [(0, []), (1, ["b.png"])]:
+        yield f"house_check: of files at the top level it says {results}"
+
+
+def picture_complaints():
+    """A picture that a page shows and git does not track is missing in every clone."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = Path(folder)
+        write(root, {"README.md": "![a](docs/images/a.png)\n", "docs/tour.md": "# Tour\n\n<img src=\"images/b.png\">\n",
+                     "docs/images/a.png": "", "docs/images/b.png": "", ".gitignore": "b.png\n",
+                     "program": '#!/bin/sh\necho "{\\"$2\\": []}"\n'})
+        (root / "program").chmod(0o755)
+        shutil.copy(TESTS.parent / "docs/generate.py", root / "docs")
+        command = [sys.executable, str(root / "docs/generate.py"), "--check", "--program", str(root / "program")]
+
+        def said():
+            result = subprocess.run(command, capture_output=True, text=True, check=False)
+            return result.returncode, [line.split(",")[0] for line in result.stdout.splitlines()], result.stderr
+
+        without_git = said()
+        git(root, "init")
+        git(root, "add", "--all")
+        ignored = said()
+        git(root, "add", "--force", "docs/images/b.png")
+        results = [without_git, ignored, said()]
+    if results != [(0, [], ""), (1, ["docs/tour.md: git does not track docs/images/b.png"], ""), (0, [], "")]:
+        yield f"docs/generate.py --check: of pictures that git does not track it says {results}"
+
+
 def main():
+    for name in [name for name in os.environ if name.startswith("GIT_")]:
+        del os.environ[name]  # in a hook they name the repository of the hook
     complaints = []
+    if shutil.which("git"):
+        complaints += [*top_level_complaints(), *picture_complaints()]
+    else:
+        print("there is no git: what the checks ask it is not tried")
     for check in ("include", "house"):
         with tempfile.TemporaryDirectory() as folder:
             root = Path(folder)

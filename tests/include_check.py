@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""The arrows between the layers, checked: app -> techniques/<x> -> techniques/foundation -> libraries.
+"""The arrows between the layers, checked: app -> the contract (techniques/*.h) <- techniques/<x>, and from all of them to
+techniques/foundation and the libraries; within app/: main -> commands -> ui, measure -> session -> context.
 
 include_check.py [ROOT] reads every C++ file, shader and CMake file of a checkout, prints FILE:LINE: WHAT for each arrow that
 points the wrong way, and exits with 1 if there is one. The rules are the functions whose names begin with `rule_`.
@@ -12,6 +13,18 @@ from pathlib import Path, PurePosixPath
 
 CPP_ENDINGS = {".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".inl", ".in"}
 SHADER_ENDINGS = {".glsl", ".vert", ".frag", ".geom"}
+# Which folders of app/ a folder of app/ includes, itself aside. "main" is main.cpp, and includes any; nothing includes it.
+APP_INCLUDES = {
+    "main": {"commands", "ui", "measure", "session", "context"},
+    "commands": {"ui", "measure", "session", "context"},
+    "ui": {"session", "context"},
+    "measure": {"session", "context"},
+    "session": {"context"},
+    "context": set(),
+}
+# What the lower folders of the foundation leave alone, of its other folders.
+FOUNDATION_WITHOUT = {"math": {"scene", "image", "params", "trace", "gl"}, "image": {"scene"}, "params": {"scene"}}
+
 FOLDERS = ("app", "techniques", "shaders", "tests")
 
 INCLUDE = re.compile(r'^[ \t]*(?:#|%:)[ \t]*(?:include|include_next|import)\b[ \t]*(.*)$', re.MULTILINE)
@@ -66,6 +79,9 @@ def rule_foundation(include):
         return "the foundation includes only the foundation and libraries"
     if layer(include.file) == "foundation" and include.targets("techniques/foundation/gl"):
         return "of the foundation, only techniques/foundation/gl touches GL"
+    folder = PurePosixPath(include.file).parts[2]
+    if include.targets(*(f"techniques/foundation/{other}" for other in FOUNDATION_WITHOUT.get(folder, ()))):
+        return f"techniques/foundation/{folder} lies below techniques/foundation/{include.target.parts[2]}"
     return None
 
 
@@ -86,8 +102,30 @@ def rule_technique(include):
 
 
 def rule_app_knows_contracts_only(include):
-    if layer(include.file) == "app" and include.targets("tests"):
+    if layer(include.file) != "app":
+        return None
+    if include.targets("tests"):
         return "the program does not include its tests"
+    if include.targets("techniques") and layer(include.target) == "technique":
+        return "the program knows techniques by their contract only: the files directly under techniques/"
+    return None
+
+
+def app_folder(path):
+    """session for app/session/x.h, main for the files directly in app/."""
+    parts = PurePosixPath(path).parts
+    return parts[1] if len(parts) > 2 else "main"
+
+
+def rule_order_within_app(include):
+    if layer(include.file) != "app" or not include.targets("app"):
+        return None
+    user, used = app_folder(include.file), app_folder(include.target)
+    for folder in (user, used):
+        if folder not in APP_INCLUDES:
+            return f"app/{folder} has no place in the order within app/; give it one in APP_INCLUDES"
+    if user != used and used not in APP_INCLUDES[user]:
+        return f"within app/: main -> commands -> ui, measure -> session -> context, so {user} does not include {used}"
     return None
 
 

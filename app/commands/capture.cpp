@@ -142,6 +142,8 @@ private:
         for (std::size_t i = 0; i < slots_.size(); ++i) {
             session::Slot& slot = slots_[i];
             view.size = cells[i].pictureSize * options_.supersample;
+            view.region = {ivec2(cells[i].cropX, 0) * options_.supersample,
+                           ivec2(cells[i].width, cells[i].height) * options_.supersample};
             FrameRequest request;
             request.timePasses = !options_.stats.empty();
             if (!stages_.empty() && stages_[i].isPass) request.stopAfter = stages_[i].key;

@@ -33,15 +33,20 @@ RenderedFrame Session::render(Slot& slot, const View& view, const FrameRequest& 
 
     RenderedFrame rendered;
     const Clock::time_point start = Clock::now();
-    while (!slot.technique->prepare(snapshot_, request.deadline).converged && Clock::now() < request.deadline) {
-    }
-    rendered.prepareMs = elapsedMs(start);
     do {
-        Frame frame(snapshot_, view, buffers_, slot.target, request);
+        rendered.converged = slot.technique->prepare(snapshot_, request.deadline).converged;
+    } while (!rendered.converged && Clock::now() < request.deadline);
+    rendered.prepareMs = elapsedMs(start);
+    if (!rendered.converged) return rendered; // nothing to draw yet: the target keeps what it showed
+
+    View sampled = view; // a progressive technique gets one sample after the other
+    do {
+        Frame frame(snapshot_, sampled, buffers_, slot.target, request);
         rendered.converged = slot.technique->render(frame).converged;
         glFinish();
         rendered.frameMs = elapsedMs(start);
         rendered.result = frame.takeResult();
+        ++sampled.sample;
     } while (!rendered.converged && Clock::now() < request.deadline);
     return rendered;
 }

@@ -38,7 +38,8 @@ public:
     /// A slot that is not yet part of any layout. Throws Error (usage) for an unknown id.
     static Slot makeSlot(std::string_view techniqueId);
 
-    /// Prepares and renders until the technique has converged (or the deadline of the request has passed).
+    /// Prepares and renders until the technique has converged, or the deadline of the request has passed: then the result
+    /// says so, and the target holds the last picture there was. Call again to go on.
     /// Throws Error (badInput) for a requested stage that the technique does not have.
     RenderedFrame render(Slot& slot, const View& view, const FrameRequest& request = {});
 

@@ -1,6 +1,7 @@
 // What every registered technique must do, whatever it is. A new technique is held to this by existing.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -349,6 +350,43 @@ TEST_P(Contract, PrepareIsResumable) {
     while (!slot.technique->prepare(snapshot, Deadline::min()).converged && calls < 1000)
         ++calls;
     EXPECT_LT(calls, 1000) << "no progress under a deadline that has passed";
+}
+
+TEST_P(Contract, AnInterruptedFrameIsTakenUpAgain) {
+    session::Session session(testing::snapshot(twoLights()));
+    session::Slot slot = session::Session::makeSlot(GetParam());
+    FrameRequest request;
+    request.deadline = std::chrono::steady_clock::now();
+    for (int i = 0; i < 1000 && !session.render(slot, viewOf(session.snapshot()), request).converged; ++i) {
+    }
+    const image::Image interrupted = session::PictureEncoder().encode(slot.target.color, 1);
+    EXPECT_EQ(interrupted, picture(twoLights()));
+}
+
+TEST_P(Contract, ARegionIsTheSamePictureThere) {
+    const auto snapshot = testing::snapshot(twoLights());
+    const image::Image whole = picture(twoLights());
+    View view = viewOf(snapshot);
+    view.region = {{17, 9}, {40, 31}};
+    session::Session session(snapshot);
+    session::Slot slot = session::Session::makeSlot(GetParam());
+    session.render(slot, view);
+    const image::Image part = session::PictureEncoder().encode(slot.target.color, 1);
+    for (int y = 9; y < 9 + 31; ++y)
+        for (int x = 17; x < 17 + 40; ++x) ASSERT_EQ(part.at(x, y), whole.at(x, y)) << x << "," << y;
+}
+
+TEST_P(Contract, TheProbesShadowRayPointsToTheLight) {
+    const auto snapshot = testing::snapshot(twoLights());
+    session::Slot slot = session::Session::makeSlot(GetParam());
+    for (const int light : {0, 1}) {
+        const Probe probe = slot.technique->probe(snapshot, viewOf(snapshot), {kSize.x / 2, kSize.y * 3 / 4}, light);
+        const auto ray = std::ranges::find(probe.geometry, "shadow ray", &Probe::Segment::label);
+        ASSERT_NE(ray, probe.geometry.end());
+        const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->lights[static_cast<std::size_t>(light)]);
+        const dvec3 toLight = glm::normalize(dvec3(lightWorld) - ray->fromWorld * lightWorld.w);
+        EXPECT_GT(glm::dot(glm::normalize(ray->toWorld - ray->fromWorld), toLight), 1 - 1e-12);
+    }
 }
 
 TEST_P(Contract, ProbeTellsSomethingOnEveryKindOfPixel) {

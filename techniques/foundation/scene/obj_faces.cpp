@@ -44,8 +44,8 @@ public:
                 continue;
             }
             if (std::filesystem::is_directory(status))
-                throw Error(ExitStatus::badInput, place(library) + ": material file \"" + shown(name) +
-                                                      "\" is a folder; name a file in it");
+                throw Error(ExitStatus::badInput,
+                            place(library) + ": material file \"" + shown(name) + "\" is a folder; name a file in it");
             const std::string text = readFile(path, std::min(kMtlBytes, options_.limits.fileBytes));
             std::istringstream clean(cleanMtl(text, path, options_.limits, notes_));
             tinyobj::LoadMtl(materialIndex, materials, &clean, warning, error);

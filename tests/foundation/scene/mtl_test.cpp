@@ -60,19 +60,18 @@ TEST(Mtl, AMaterialWithoutKdIsTheDefaultGrey) {
 
 TEST(Mtl, WhatIsIgnoredAndWouldChangeTheLookIsOneNotePerKind) {
     const TempFolder folder;
-    const std::string mtl = folder
-                                .write("m.mtl", "# head\nKd 1 0 0\nKd 1 0 0\nillum 2\nnewmtl a\nKa 1 1 1\nKd xyz 1 1 1\n"
-                                                "Ks spectral a.rfl\nmap_Kd wood.png\nd -halo 0.5\nmap_Kd wood.png\n"
-                                                "map_Kd wood.png\nbump wood.png\n")
-                                .string();
+    const std::string text =
+        "# head\nKd 1 0 0\nKd 1 0 0\nillum 2\nnewmtl a\nKa 1 1 1\nKd xyz 1 1 1\nKs spectral a.rfl\n"
+        "map_Kd wood.png\nd -halo 0.5\nmap_Kd wood.png\nmap_Kd wood.png\nbump wood.png\n";
+    const std::string mtl = folder.write("m.mtl", text).string();
     const ObjFile obj =
         loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {});
-    EXPECT_EQ(obj.notes, (std::vector<std::string>{
-                             mtl + ":2: Kd stands before the first newmtl and is ignored (and 1 more time)",
-                             mtl + ":7: Kd xyz is not supported and ignored",
-                             mtl + ":8: Ks spectral is not supported and ignored",
-                             mtl + ":9: map_Kd is not supported and ignored (and 2 more times)",
-                             mtl + ":10: d -halo is not supported and ignored"}));
+    EXPECT_EQ(obj.notes,
+              (std::vector<std::string>{mtl + ":2: Kd stands before the first newmtl and is ignored (and 1 more time)",
+                                        mtl + ":7: Kd xyz is not supported and ignored",
+                                        mtl + ":8: Ks spectral is not supported and ignored",
+                                        mtl + ":9: map_Kd is not supported and ignored (and 2 more times)",
+                                        mtl + ":10: d -halo is not supported and ignored"}));
 }
 
 TEST(Mtl, FilesAreNamedAsGiven) {

@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+"""./demo and ./check in a checkout that cannot be written say so in one line, and repeat neither bash nor a log of long ago."""
+# SPDX-License-Identifier: MIT
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+# What is in the way. Permissions would not stop root, a folder in place of a file stops everybody.
+def build_is_a_file(build, script):
+    build.write_text("")
+    return build
+
+
+def lock_is_a_folder(build, script):
+    (build / ".lock").mkdir(parents=True)
+    (build / f"{script}.log").write_text("ninja: no work to do.\n")
+    return build / ".lock"
+
+
+def log_is_a_folder(build, script):
+    (build / f"{script}.log").mkdir(parents=True)
+    return build / f"{script}.log"
+
+
+def build_belongs_to_another(build, script):
+    build.mkdir()
+    (build / f"{script}.log").write_text("ninja: no work to do.\n")
+    build.chmod(0o555)
+    return build / ".lock"
+
+
+def complaints_about(script, obstacle):
+    with tempfile.TemporaryDirectory() as folder:
+        root = Path(folder).resolve()
+        shutil.copytree(ROOT / ".ci", root / ".ci")
+        shutil.copy(ROOT / script, root / script)
+        place = obstacle(root / "build", script)
+        result = subprocess.run([root / script], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+        lines = (result.stdout + result.stderr).splitlines()
+        if (root / "build").is_dir():
+            (root / "build").chmod(0o755)
+        if result.returncode != 1 or len(lines) != 1 or not lines[0].startswith(f"{script}: {place} cannot be "):
+            yield f"./{script}, {obstacle.__name__}: exit status {result.returncode}, {lines}"
+
+
+def main():
+    obstacles = [build_is_a_file, lock_is_a_folder, log_is_a_folder]
+    if os.geteuid() != 0:
+        obstacles.append(build_belongs_to_another)
+    complaints = [c for script in ("demo", "check") for obstacle in obstacles for c in complaints_about(script, obstacle)]
+    print("\n".join(complaints) or f"{len(obstacles)} obstacles, each told in one line")
+    sys.exit(1 if complaints else 0)
+
+
+if __name__ == "__main__":
+    main()
