@@ -210,7 +210,8 @@ def tracked_files():
         return None
     command = ["git", "-c", "safe.directory=*", "-C", str(ROOT), "ls-files", "-z"]
     try:
-        return set(subprocess.run(command, capture_output=True, text=True, check=True).stdout.split("\0"))
+        listed = subprocess.run(command, capture_output=True, text=True, errors="replace", check=True).stdout
+        return set(listed.split("\0"))
     except (OSError, subprocess.CalledProcessError):
         return None
 

@@ -52,7 +52,7 @@ def strangers(root):
         return []
     command = ["git", "-c", "safe.directory=*", "-C", str(root), "ls-files", "-z"]
     try:
-        tracked = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+        tracked = subprocess.run(command, capture_output=True, text=True, errors="replace", check=True).stdout
     except (OSError, subprocess.CalledProcessError):
         return []
     return sorted({path.split("/")[0] for path in tracked.split("\0") if path} - TOP_LEVEL)

@@ -14,6 +14,16 @@ namespace {
 /// A display colour as the radiance that exposure turns into it.
 vec4 unexposed(const Frame& frame, const vec3& color, float alpha) { return {color / frame.scene().exposure, alpha}; }
 
+/// How far a caster's volume reaches in a picture: a good half of the caster's own size, so that the bottom cap lies apart
+/// from it and still in view. In units of shaders/shadow_volume/extrude_shown.vert.
+double shownStretch(const CasterVolume& caster, const scene::Light& light) {
+    constexpr double kOfSize = 0.6;
+    const double size = glm::length(caster.bounds.upperWorld - caster.bounds.lowerWorld);
+    if (light.type == scene::LightType::directional) return kOfSize * size;
+    const dvec3 middle = 0.5 * (caster.bounds.lowerWorld + caster.bounds.upperWorld);
+    return kOfSize * size / std::max(glm::length(middle - light.positionWorld), 0.1 * size); // the light may be inside
+}
+
 /// Names the kinds of edges that occur.
 std::vector<KeyEntry> edgeKey(std::span<const CasterVolume* const> casters) {
     bool ordinary = false, boundary = false, multiple = false;
@@ -87,40 +97,56 @@ void StagePictures::publishSilhouettes(Frame& frame, int light, std::span<const 
 
 void StagePictures::publishFaces(Frame& frame, int light, std::span<const CasterVolume* const> casters,
                                  bool byPart) const {
-    constexpr float kSideAlpha = 0.3f; // two or three layers stay distinguishable
-    constexpr float kCapAlpha = 0.2f;  // a cap lies on the caster's own surface, which should still be recognised
+    constexpr float kSideAlpha = 0.3f;   // two or three layers stay distinguishable
+    constexpr float kCapAlpha = 0.2f;    // a cap lies on the caster's own surface, which should still be recognised
+    constexpr float kHiddenShare = 0.4f; // what lies behind a surface shows through, fainter
     const vec3 plus = look::diverging()[6], minus = look::diverging()[2];
     const vec3 top = look::kTowardLight, side = look::kSilhouette, bottom = look::kMultipleEdge;
-    const auto choose = [&](const vec3& partColor, float alpha) {
-        faces_.set("frontColor", unexposed(frame, byPart ? partColor : plus, alpha));
-        faces_.set("backColor", unexposed(frame, byPart ? partColor : minus, alpha));
-    };
     const std::vector<KeyEntry> parts = {
-        {top, "top cap"}, {side, "side"}, {bottom, "bottom cap, at infinity behind everything"}};
+        {top, "top cap"}, {side, "side"}, {bottom, "bottom cap (drawn near; it is at infinity)"}};
     const std::vector<KeyEntry> signs = {{plus, "faces the viewer (front)"},
                                          {minus, "faces away from the viewer (back)"}};
-    frame.drawOverTarget(byPart ? "volume-parts" : "volume-signs", light, true,
-                         [&] {
-                             glDepthFunc(GL_LEQUAL); // the top cap lies exactly on the caster's surface
-                             glDepthMask(GL_FALSE);
-                             glEnable(GL_DEPTH_CLAMP);
-                             glEnable(GL_BLEND);
-                             glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-                             faces_.use();
-                             for (const CasterVolume* caster : casters) {
-                                 const scene::Object& object = frame.scene().objects[caster->object];
-                                 setExtrusion(faces_, frame, *caster, light);
-                                 setFrontFace(object, false);
-                                 choose(bottom, kCapAlpha);
-                                 caster->buffers->drawBottomCap();
-                                 choose(side, kSideAlpha);
-                                 caster->buffers->drawSides();
-                                 choose(top, kCapAlpha);
-                                 caster->buffers->drawTopCap();
-                                 setFrontFace(object, true);
-                                 caster->buffers->drawTopCapReversed();
-                             }
-                         },
+
+    const auto drawCaster = [&](const CasterVolume& caster, float share) {
+        const scene::Object& object = frame.scene().objects[caster.object];
+        const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
+        // The volume that is counted ends at infinity, toward the sun in one point; the one shown gets a bottom cap in
+        // any case.
+        std::vector<std::int8_t> facing = scene::facingSigns(object, source);
+        // Of a closed mesh only the lit side, as the lecture draws it: the other half would double every face.
+        if (caster.report.isClosed()) std::ranges::replace(facing, std::int8_t{-1}, std::int8_t{0});
+        const auto silhouette = silhouetteEdges(scene::buildTopology(*object.mesh), facing);
+        const ExtrusionVertices vertices(*object.mesh);
+        const VolumeBuffers buffers(buildVolume(*object.mesh, facing, silhouette, /*directional=*/false), silhouette,
+                                    vertices);
+        setExtrusion(faces_, frame, caster, light);
+        faces_.set("shownStretch", static_cast<float>(shownStretch(caster, source)));
+        const auto choose = [&](const vec3& partColor, float alpha) {
+            faces_.set("frontColor", unexposed(frame, byPart ? partColor : plus, alpha * share));
+            faces_.set("backColor", unexposed(frame, byPart ? partColor : minus, alpha * share));
+        };
+        setFrontFace(object, false);
+        choose(bottom, kSideAlpha);
+        buffers.drawBottomCap();
+        choose(side, kSideAlpha);
+        buffers.drawSides();
+        choose(top, kCapAlpha);
+        buffers.drawTopCap();
+        setFrontFace(object, true);
+        buffers.drawTopCapReversed();
+    };
+    const auto draw = [&] {
+        glDepthMask(GL_FALSE);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        faces_.use();
+        for (const bool hidden : {true, false}) {
+            glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL); // the top cap lies exactly on the caster's surface
+            for (const CasterVolume* caster : casters)
+                drawCaster(*caster, hidden ? kHiddenShare : 1.0f);
+        }
+    };
+    frame.drawOverTarget(byPart ? "volume-parts" : "volume-signs", light, true, draw,
                          {.unit = "", .key = byPart ? parts : signs});
 }
 
