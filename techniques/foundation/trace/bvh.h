@@ -1,0 +1,59 @@
+// A bounding volume hierarchy: boxes in boxes, triangles in the smallest. A ray looks only into boxes it touches.
+//
+// A node has up to four children, whose boxes are tested together; a leaf has up to four triangles, likewise. Built by
+// BvhBuilder, asked with bvh_traverse.h; both are iterative, and the depth is bounded.
+// Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986; four-wide nodes after Dammertz, Hanika and Keller,
+// "Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays", EGSR 2008.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "techniques/foundation/trace/ray_box.h"
+#include "techniques/foundation/trace/triangle_filter.h"
+
+namespace shadowlab::trace {
+
+/// What a child index of a node means.
+class BvhChild {
+public:
+    BvhChild() = default;
+    static BvhChild node(std::uint32_t index) { return BvhChild(static_cast<std::int32_t>(index)); }
+    static BvhChild leaf(std::uint32_t index) { return BvhChild(~static_cast<std::int32_t>(index)); }
+    [[nodiscard]] bool isLeaf() const { return code_ < 0; }
+    [[nodiscard]] std::uint32_t index() const { return static_cast<std::uint32_t>(isLeaf() ? ~code_ : code_); }
+
+private:
+    explicit BvhChild(std::int32_t code) : code_(code) {}
+    std::int32_t code_ = 0;
+};
+
+struct BvhNode {
+    FourBoxes boxes; ///< of children that are not there: inside out, never touched
+    std::array<BvhChild, 4> children;
+};
+
+struct Bvh {
+    /// No branch is longer than this, whatever the triangles: a stack of fixed size is enough (R15 of the test cases:
+    /// thousands of equal triangles).
+    static constexpr int kMostDepth = 64;
+
+    std::vector<BvhNode> nodes; ///< the first is the root; none at all without triangles
+    std::vector<FourTriangles> leaves;
+    std::vector<Triangle> triangles; ///< as given: a primitive's id is its index
+    int depth = 0;
+
+    /// The nearest hit; of equally near ones that of the lowest primitive, so that no answer depends on how the tree
+    /// was built. `accept(primitive)`: may this one be hit?
+    template <typename Accept>
+    [[nodiscard]] RayHit closest(const Ray& ray, const Accept& accept) const;
+    [[nodiscard]] RayHit closest(const Ray& ray) const;
+
+    /// Some hit before ray.farthest, or kNoPrimitive: stops at the first it finds.
+    template <typename Accept>
+    [[nodiscard]] std::uint32_t any(const Ray& ray, const Accept& accept) const;
+};
+
+} // namespace shadowlab::trace
