@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <stdexcept>
+#include <vector>
+
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/trace/parallel.h"
+
+namespace shadowlab::trace {
+namespace {
+
+TEST(ParallelTest, EveryPieceIsDoneOnce) {
+    for (const int threads : {1, 2, 7, 64})
+        for (const std::size_t count : {std::size_t{0}, std::size_t{1}, std::size_t{5}, std::size_t{10'000}}) {
+            std::vector<std::atomic<int>> done(count);
+            parallelFor(
+                count, [&](std::size_t i) { ++done[i]; }, threads);
+            for (const auto& times : done)
+                ASSERT_EQ(times, 1);
+        }
+}
+
+TEST(ParallelTest, AnExceptionReachesTheCaller) {
+    for (const int threads : {1, 4})
+        EXPECT_THROW(parallelFor(
+                         100,
+                         [](std::size_t i) {
+                             if (i == 37) throw std::runtime_error("thirty-seven");
+                         },
+                         threads),
+                     std::runtime_error);
+}
+
+TEST(ParallelTest, TheNumberOfThreadsCanBeSet) {
+    const char* const before = std::getenv("SHADOWLAB_THREADS");
+    const std::string kept = before ? before : "";
+    ::setenv("SHADOWLAB_THREADS", "3", 1);
+    EXPECT_EQ(threadCount(), 3);
+    for (const char* wrong : {"0", "-1", "three", "3x", "99999999999"}) {
+        ::setenv("SHADOWLAB_THREADS", wrong, 1);
+        EXPECT_THROW((void)threadCount(), Error) << wrong;
+    }
+    ::unsetenv("SHADOWLAB_THREADS");
+    EXPECT_GE(threadCount(), 1);
+    if (before) ::setenv("SHADOWLAB_THREADS", kept.c_str(), 1);
+}
+
+} // namespace
+} // namespace shadowlab::trace

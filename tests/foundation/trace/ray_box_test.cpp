@@ -1,0 +1,86 @@
+// Rays along axes, with every sign of zero, from on, in and outside the planes of a box. SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "techniques/foundation/trace/bvh_build.h"
+#include "techniques/foundation/trace/bvh_traverse.h"
+#include "tests/foundation/trace/ray_meshes.h"
+
+namespace shadowlab::trace {
+namespace {
+
+/// The slabs without a division: where a direction has no part along an axis, the origin must lie between the planes.
+bool touchesExactly(const Ray& ray, double lower, double upper) {
+    double enter = 0, leave = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double o = ray.originCentred[axis], d = ray.directionCentred[axis];
+        if (d == 0) {
+            if (o < lower || o > upper) return false;
+            continue;
+        }
+        enter = std::max(enter, std::min((lower - o) / d, (upper - o) / d)); // small integers: exact
+        leave = std::min(leave, std::max((lower - o) / d, (upper - o) / d));
+    }
+    return enter <= leave;
+}
+
+TEST(RayBoxTest, TableOfDirectionsAndOrigins) {
+    FourBoxes boxes{};
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i < 4; ++i) {
+            boxes.planes[axis][0][i] = i == 3 ? std::numeric_limits<float>::infinity() : -1.0f;
+            boxes.planes[axis][1][i] = i == 3 ? -std::numeric_limits<float>::infinity() : 1.0f;
+        }
+    const double directions[] = {0.0, -0.0, 1.0, -1.0}, origins[] = {-1, 1, 0, 2, -2};
+    int compared = 0, touched = 0;
+    for (int d = 0; d < 64; ++d)
+        for (int o = 0; o < 125; ++o) {
+            const Ray ray{{origins[o % 5], origins[o / 5 % 5], origins[o / 25]},
+                          {directions[d % 4], directions[d / 4 % 4], directions[d / 16]}};
+            if (!isUsable(ray)) continue;
+            const ShearedRay sheared(ray);
+            Float4 enter{};
+            const int mask = SlabRay(ray, sheared).touched(boxes, std::numeric_limits<float>::infinity(), enter);
+            const bool expected = touchesExactly(ray, -1, 1);
+            EXPECT_EQ(mask, expected ? 7 : 0) << "direction " << d << ", origin " << o; // the fourth is no box
+            ++compared;
+            touched += expected;
+        }
+    EXPECT_EQ(compared, 56 * 125);
+    EXPECT_GT(touched, 1000);
+}
+
+// Straight down onto the vertices and edges of a level grid, whose boxes are flat: each must be hit.
+TEST(RayBoxTest, AxisParallelRaysHitFlatThingsInTheTree) {
+    for (int axis = 0; axis < 3; ++axis) {
+        constexpr int kSide = 20;
+        testing::Triangles triangles;
+        const auto at = [&](double u, double v) {
+            dvec3 p(0);
+            p[(axis + 1) % 3] = u * 0.1; // no round numbers
+            p[(axis + 2) % 3] = v * 0.1;
+            return p;
+        };
+        for (int i = 0; i < kSide; ++i)
+            for (int j = 0; j < kSide; ++j) {
+                triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+                triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+            }
+        const Bvh bvh = buildBvh(triangles);
+        for (int i = 0; i <= 2 * kSide; ++i)
+            for (int j = 0; j <= 2 * kSide; ++j)
+                for (const double zero : {0.0, -0.0})
+                    for (const double along : {1.0, -1.0}) {
+                        const bool vertex = i % 2 == 0 && j % 2 == 0;
+                        if (!vertex && (i == 0 || j == 0 || i == 2 * kSide || j == 2 * kSide)) continue;
+                        Ray ray{at(i / 2.0, j / 2.0), dvec3(zero)};
+                        ray.originCentred[axis] = -along;
+                        ray.directionCentred[axis] = along;
+                        const RayHit hit = bvh.closest(ray);
+                        EXPECT_TRUE(hit) << i << ", " << j << " along " << axis;
+                        EXPECT_EQ(hit.t, 1.0);
+                    }
+    }
+}
+
+} // namespace
+} // namespace shadowlab::trace
