@@ -1,0 +1,199 @@
+// Ray tracing, in its simplest form: from the eye through every pixel, and from what is seen there to every light.
+//
+// Appel, "Some Techniques for Shading Machine Renderings of Solids", 1968, sent the first rays from a point on paper
+// through the holes of a plotter; Whitted, "An Improved Illumination Model for Shaded Display", 1980, made a recursion
+// of it. Here the recursion ends at once: no mirrors, no glass. What is asked is the definition of a shadow itself, "is
+// anything between this point and the light?", so nothing is approximated: no map with texels, no count in a stencil.
+// Left out on purpose: soft shadows (a light is a point). SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "techniques/foundation/look.h"
+#include "techniques/frame.h"
+#include "techniques/ray_tracing/picture.h"
+#include "techniques/ray_tracing/upload.h"
+
+namespace shadowlab::ray_tracing {
+
+namespace {
+
+const PassInfo kPasses[] = {
+    {"trace", "Send a ray from the eye through the centre of every pixel",
+     "The nearest triangle that it hits is what the pixel shows. Emission and ambient light are counted here, once.",
+     "none: the processor traces, on all cores; the picture is uploaded", false},
+    {"visibility", "Send a ray from every visible point to the light",
+     "If it hits anything on its way, whatever that is and however far, the point is in shadow. The first hit is "
+     "enough.",
+     "none: the processor traces", true},
+    {"light", "Add the light where its ray has arrived",
+     "The same shading as in every other technique; only the question who is in shadow is answered in another way.",
+     "none: the processor shades; the picture is uploaded", true},
+};
+
+const StageInfo kStages[] = {
+    {"primary-hits", "Where eye rays end: distance from the eye", StageKind::scalar, false},
+    {"lights-off", "Scene with lights off", StageKind::radiance, false},
+    {"shadow-rays", "What came of the shadow rays", StageKind::swatches, true},
+    {"visibility", "Visibility of the light", StageKind::visibility, true},
+};
+
+constexpr trace::Visibility kLit = trace::Visibility::lit;
+
+class RayTraced final : public Technique {
+public:
+    Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
+        if (tracer_.advance(snapshot, deadline)) return {};
+        return {tracer_.done(), false};
+    }
+
+    Progress render(Frame& frame) override {
+        frame.pass(passInfo(kPasses, "trace"), [&] {
+            picture_.traceEyeRays(tracer_, frame.view().camera, frame.view().size);
+            picture_.shadeLightsOff(tracer_);
+            glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+            show(frame);
+            countEyeRays(frame);
+        });
+        if (frame.wants("primary-hits")) publishDistances(frame);
+        if (frame.wants("lights-off")) frame.publishTarget("lights-off");
+
+        for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
+            frame.pass(
+                passInfo(kPasses, "visibility"),
+                [&] {
+                    picture_.traceShadowRays(tracer_, light);
+                    countShadowRays(frame);
+                },
+                light);
+            if (frame.wants("shadow-rays", light)) publishShadowRays(frame, light);
+            if (frame.wants("visibility", light)) publishVisibility(frame, light);
+            frame.pass(
+                passInfo(kPasses, "light"),
+                [&] {
+                    picture_.shadeLight(tracer_, light);
+                    show(frame);
+                },
+                light);
+        }
+        return {};
+    }
+
+    Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
+
+private:
+    void show(const Frame& frame) const {
+        upload(frame.target().color, picture_.radiance(), picture_.size(),
+               [](const vec3& radiance) { return vec4(radiance, 1.0f); });
+    }
+
+    void countEyeRays(Frame& frame) const {
+        std::size_t hits = 0;
+        for (const trace::SurfacePoint& point : picture_.points())
+            hits += point ? 1 : 0;
+        frame.count("eye-rays", static_cast<double>(hits), static_cast<double>(picture_.points().size()), "hits");
+    }
+
+    void countShadowRays(Frame& frame) const {
+        std::size_t asked = 0, blocked = 0;
+        for (const ShadowAnswer& answer : picture_.answers()) {
+            asked += answer.asked ? 1 : 0;
+            blocked += answer.visibility == trace::Visibility::shadowed ? 1 : 0;
+        }
+        frame.count("shadow-rays", static_cast<double>(blocked), static_cast<double>(asked), "blocked");
+    }
+
+    void publishDistances(Frame& frame) const {
+        Display display{.minimum = 0, .maximum = 1, .unit = "m from the eye", .key = {}};
+        // One pixel in fifty may lie beyond each end of the scale, or a horizon would make everything near one colour.
+        std::vector<double> distances;
+        for (const trace::SurfacePoint& point : picture_.points())
+            if (point) distances.push_back(point.distance);
+        if (!distances.empty()) {
+            std::ranges::sort(distances);
+            display.minimum = distances[distances.size() / 50];
+            display.maximum = std::max(distances[distances.size() - 1 - distances.size() / 50],
+                                       display.minimum + 1e-3 * distances.back());
+        }
+        gl::Texture2D texture(GL_RG32F, picture_.size(), "primary-hits");
+        upload(texture, picture_.points(), picture_.size(), [](const trace::SurfacePoint& point) {
+            return vec2(static_cast<float>(point.distance), point ? 1.0f : 0.0f);
+        });
+        frame.publish("primary-hits", kNoLight, std::move(texture), display);
+    }
+
+    void publishShadowRays(Frame& frame, int light) const {
+        const Display display{.unit = "",
+                              .key = {{look::kEqualDepth, "the ray arrives: lit"},
+                                      {look::kOccluded, "something is in its way: in shadow"},
+                                      {look::kNoAnswer, "faces away or outside the light: no ray sent"}}};
+        gl::Texture2D texture(GL_RGBA16F, picture_.size(), "shadow-rays");
+        const vec3 background = frame.scene().background;
+        upload(texture, picture_.answers(), picture_.size(), [&](const ShadowAnswer& answer) {
+            using enum trace::Visibility;
+            switch (answer.visibility) {
+            case noSurface: return vec4(background, 1.0f);
+            case turnedAway: return vec4(look::kNoAnswer, 1.0f);
+            case shadowed: return vec4(look::kOccluded, 1.0f);
+            case lit: return vec4(look::kEqualDepth, 1.0f);
+            }
+            return vec4(0.0f);
+        });
+        frame.publish("shadow-rays", light, std::move(texture), display);
+    }
+
+    void publishVisibility(Frame& frame, int light) const {
+        gl::Texture2D texture(GL_RG32F, picture_.size(), "visibility");
+        upload(texture, picture_.answers(), picture_.size(), [](const ShadowAnswer& answer) {
+            return vec2(answer.visibility == kLit ? 1.0f : 0.0f,
+                        answer.visibility == trace::Visibility::noSurface ? 0.0f : 1.0f);
+        });
+        frame.publish("visibility", light, std::move(texture));
+    }
+
+    trace::SceneTracer tracer_;
+    Picture picture_;
+};
+
+/// The rays of one pixel, as a tree: the eye ray, and below it a shadow ray for every light.
+Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
+    Probe probe = Technique::probe(snapshot, view, pixel, light);
+    trace::SceneTracer tracer;
+    tracer.advance(snapshot, Deadline::max());
+    const trace::SurfacePoint point = tracer.eyePoint(tracer.eyeRays(view.camera, view.size), dvec2(pixel) + 0.5);
+    if (!point) return probe;
+    const std::string object = tracer.objectOf(point).name;
+    probe.tree.push_back({-1, "eye ray", {{"hits", object, ""}, {"after", std::to_string(point.distance), "m"}}});
+    for (int l = 0; l < static_cast<int>(snapshot->lights.size()); ++l) {
+        const std::string label = "shadow ray to " + snapshot->lights[static_cast<std::size_t>(l)].name;
+        std::string answer = "arrives";
+        if (!tracer.facesLight(point, l)) {
+            answer = "not sent: faces away, or outside the light";
+        } else if (!tracer.objectOf(point).receivesShadow) {
+            answer = "not sent: receives no shadow";
+        } else if (const std::uint32_t blocker = tracer.blocker(point, l); blocker != trace::kNoPrimitive) {
+            answer = "blocked by " + snapshot->objects[tracer.world().objects[blocker]].name;
+        }
+        probe.tree.push_back({0, label, {{"result", answer, ""}}});
+    }
+    return probe;
+}
+
+} // namespace
+
+std::span<const TechniqueInfo> techniques() {
+    using enum scene::LightType;
+    static const TechniqueInfo info[] = {{
+        .id = "ray-traced",
+        .title = "Ray tracing",
+        .paper = "Appel 1968, Some Techniques for Shading Machine Renderings of Solids; Whitted 1980, An Improved "
+                 "Illumination Model for Shaded Display",
+        .getsWrong = "soft shadows (a light is a point); mirrors and glass are not followed",
+        .order = 60,
+        .lightTypes = {point, directional, spot, rect, sphere},
+        .passes = {std::begin(kPasses), std::end(kPasses)},
+        .stages = {std::begin(kStages), std::end(kStages)},
+        .make = []() -> std::unique_ptr<Technique> { return std::make_unique<RayTraced>(); },
+    }};
+    return info;
+}
+
+} // namespace shadowlab::ray_tracing
