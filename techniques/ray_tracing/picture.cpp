@@ -69,10 +69,10 @@ void Picture::traceEyeRays(const trace::SceneTracer& tracer, const scene::Camera
                  [&](int x, int y, std::size_t i) { points_[i] = tracer.eyePoint(rays, dvec2(x + 0.5, y + 0.5)); });
 }
 
-void Picture::traceShadowRays(const trace::SceneTracer& tracer, int light) {
+void Picture::traceShadowRays(const trace::SceneTracer& tracer, int light, trace::ShadowStart start) {
     forEachPixel(size_, [&](int, int, std::size_t i) {
         const trace::SurfacePoint& point = points_[i];
-        const trace::Visibility visibility = tracer.visibility(point, light);
+        const trace::Visibility visibility = tracer.visibility(point, light, start);
         answers_[i] = {visibility, visibility >= trace::Visibility::shadowed && tracer.objectOf(point).receivesShadow};
     });
 }

@@ -24,7 +24,7 @@ public:
     /// One eye ray through the centre of every pixel (Appel, 1968).
     void traceEyeRays(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size);
     /// One shadow ray from every point that faces the light (Whitted, 1980).
-    void traceShadowRays(const trace::SceneTracer& tracer, int light);
+    void traceShadowRays(const trace::SceneTracer& tracer, int light, trace::ShadowStart start);
 
     /// Fills the radiance with what is seen with all lights off.
     void shadeLightsOff(const trace::SceneTracer& tracer);

@@ -38,14 +38,25 @@ const StageInfo kStages[] = {
 
 constexpr trace::Visibility kLit = trace::Visibility::lit;
 
+struct RayTracedParams {
+    bool excludeSource = true;
+};
+
 class RayTraced final : public Technique {
 public:
+    params::ParamList params() override {
+        return {
+            params::boolean("exclude-source", params_.excludeSource,
+                            "A shadow ray leaves out the triangle it starts on; false: it starts from a point rounded "
+                            "to float, and meets that triangle every now and then (teaching).")};
+    }
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
         if (tracer_.advance(snapshot, deadline)) return {};
         return {tracer_.done(), false};
     }
 
     Progress render(Frame& frame) override {
+        const auto start = params_.excludeSource ? trace::ShadowStart::exact : trace::ShadowStart::naive;
         frame.pass(passInfo(kPasses, "trace"), [&] {
             picture_.traceEyeRays(tracer_, frame.view().camera, frame.view().size);
             picture_.shadeLightsOff(tracer_);
@@ -60,7 +71,7 @@ public:
             frame.pass(
                 passInfo(kPasses, "visibility"),
                 [&] {
-                    picture_.traceShadowRays(tracer_, light);
+                    picture_.traceShadowRays(tracer_, light, start);
                     countShadowRays(frame);
                 },
                 light);
@@ -149,6 +160,7 @@ private:
         frame.publish("visibility", light, std::move(texture));
     }
 
+    RayTracedParams params_;
     trace::SceneTracer tracer_;
     Picture picture_;
 };

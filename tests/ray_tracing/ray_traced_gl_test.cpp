@@ -195,6 +195,13 @@ TEST_F(RayTracedTest, SameBytesForAnyNumberOfThreads) {
     EXPECT_EQ(visibility[0], visibility[2]);
 }
 
+// The comparison must see the classical fault, or it proves nothing.
+TEST_F(RayTracedTest, WithoutExcludingTheSourceThereIsAcne) {
+    const auto scene = testing::snapshot(testing::simpleScene());
+    const TruthComparison sum = compareWithTruth(scene, "ray-traced", {"exclude-source=false"}, {160, 120}, 0, kTiePx);
+    EXPECT_GT(sum.falseShadow, 200) << sum;
+}
+
 TEST_F(RayTracedTest, ProbeNamesWhatIsInTheWay) {
     scene::Scene scene = testing::floorScene();
     testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({0, 1.5, 0})).name = "crate";

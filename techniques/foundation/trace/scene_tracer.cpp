@@ -79,11 +79,13 @@ bool SceneTracer::facesLight(const SurfacePoint& point, int light) const {
     return scene::lightShinesTo(snapshot_->lights[l], positionWorld(point));
 }
 
-std::uint32_t SceneTracer::blocker(const SurfacePoint& point, int light) const {
+std::uint32_t SceneTracer::blocker(const SurfacePoint& point, int light, ShadowStart start) const {
     const scene::Light& source = snapshot_->lights[static_cast<std::size_t>(light)];
     const std::vector<std::uint8_t>& blocks = lights_[static_cast<std::size_t>(light)].blocks;
     Ray ray;
     ray.originCentred = positionCentred(point);
+    const bool naive = start == ShadowStart::naive;
+    if (naive) ray.originCentred = dvec3(vec3(ray.originCentred));
     if (source.type == scene::LightType::directional) {
         ray.directionCentred = -source.directionWorld;
         ray.nearest = kContactPerMetre * (1.0 + glm::length(ray.originCentred));
@@ -92,14 +94,16 @@ std::uint32_t SceneTracer::blocker(const SurfacePoint& point, int light) const {
         ray.nearest = kContact;
         ray.farthest = 1.0; // the light
     }
-    return bvh_.any(ray, [&](std::uint32_t primitive) { return primitive != point.primitive && blocks[primitive]; });
+    if (naive) ray.nearest = 0;
+    const std::uint32_t itself = naive ? kNoPrimitive : point.primitive;
+    return bvh_.any(ray, [&](std::uint32_t primitive) { return primitive != itself && blocks[primitive]; });
 }
 
-Visibility SceneTracer::visibility(const SurfacePoint& point, int light) const {
+Visibility SceneTracer::visibility(const SurfacePoint& point, int light, ShadowStart start) const {
     if (!point) return Visibility::noSurface;
     if (!facesLight(point, light)) return Visibility::turnedAway;
     if (!objectOf(point).receivesShadow) return Visibility::lit;
-    return blocker(point, light) == kNoPrimitive ? Visibility::lit : Visibility::shadowed;
+    return blocker(point, light, start) == kNoPrimitive ? Visibility::lit : Visibility::shadowed;
 }
 
 } // namespace shadowlab::trace

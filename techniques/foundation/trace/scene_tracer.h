@@ -25,6 +25,12 @@ struct SurfacePoint {
     [[nodiscard]] dvec3 barycentric() const { return {weights, 1.0 - weights.x - weights.y}; }
 };
 
+/// How a shadow ray begins.
+enum class ShadowStart {
+    exact, ///< on the surface in double, its own triangle left out
+    naive, ///< at the point rounded to float, nothing left out: the classical fault, for teaching
+};
+
 class SceneTracer {
 public:
     /// Makes ready for a scene: does what its revisions demand. False when the time came before it was done.
@@ -53,9 +59,11 @@ public:
     /// Does the side that the eye sees face the light, within its cone? Only then a shadow ray is worth sending.
     [[nodiscard]] bool facesLight(const SurfacePoint& point, int light) const;
     /// The triangle that stands between the point and the light's centre, or kNoPrimitive: the first that is found.
-    [[nodiscard]] std::uint32_t blocker(const SurfacePoint& point, int light) const;
+    [[nodiscard]] std::uint32_t blocker(const SurfacePoint& point, int light,
+                                        ShadowStart start = ShadowStart::exact) const;
     /// Both, and whether the surface receives shadows at all.
-    [[nodiscard]] Visibility visibility(const SurfacePoint& point, int light) const;
+    [[nodiscard]] Visibility visibility(const SurfacePoint& point, int light,
+                                        ShadowStart start = ShadowStart::exact) const;
 
 private:
     void lookAtLights();
