@@ -27,12 +27,12 @@ public:
 
 private:
     explicit BvhChild(std::int32_t code) : code_(code) {}
-    std::int32_t code_ = 0;
+    std::int32_t code_; ///< not set by default: the stack of a traversal is made for every ray, and zeroing it shows
 };
 
 struct BvhNode {
     FourBoxes boxes; ///< of children that are not there: inside out, never touched
-    std::array<BvhChild, 4> children;
+    std::array<BvhChild, 4> children{};
 };
 
 struct Bvh {

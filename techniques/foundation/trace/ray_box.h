@@ -10,7 +10,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "techniques/foundation/trace/float4.h"
@@ -23,13 +25,21 @@ struct alignas(16) FourBoxes {
     float planes[3][2][4];
 };
 
+/// The float before and after a number (std::nextafter is a call into a library; this is made for every ray).
+inline float justBelow(float f) {
+    if (f == 0) return -std::numeric_limits<float>::denorm_min();
+    const auto bits = std::bit_cast<std::uint32_t>(f);
+    return std::bit_cast<float>(f > 0 ? bits - 1 : bits + 1);
+}
+inline float justAbove(float f) { return -justBelow(-f); }
+
 inline float roundedDown(double x) {
     const float f = static_cast<float>(x);
-    return static_cast<double>(f) > x ? std::nextafter(f, -std::numeric_limits<float>::infinity()) : f;
+    return static_cast<double>(f) > x ? justBelow(f) : f;
 }
 inline float roundedUp(double x) {
     const float f = static_cast<float>(x);
-    return static_cast<double>(f) < x ? std::nextafter(f, std::numeric_limits<float>::infinity()) : f;
+    return static_cast<double>(f) < x ? justAbove(f) : f;
 }
 
 /// A ray made ready for many boxes. Distances are in units of reach, as in ShearedRay.
