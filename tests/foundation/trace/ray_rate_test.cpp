@@ -10,6 +10,7 @@
 
 #include "techniques/foundation/scene/shapes.h"
 #include "techniques/foundation/trace/bvh_traverse.h"
+#include "techniques/foundation/trace/engine.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "tests/foundation/trace/ray_meshes.h"
@@ -67,6 +68,17 @@ TEST(RayRate, OfAMeshOfSixtyThousandTriangles) {
                 blocked[i] = tracer.visibility(points[i], 0) == Visibility::shadowed ? 1 : 0;
         });
     });
+    // Embree answering the same eye rays, one at a time, through the common interface.
+    const auto embree = makeEmbreeEngine(tracer.world().triangles);
+    std::atomic<long> embreeHits = 0;
+    const double embreeMs = !embree ? 0 : medianMs([&] {
+        parallelFor(rows, [&](std::size_t y) {
+            long found = 0;
+            for (std::size_t x = 0; x < columns; ++x)
+                found += bool(embree->closest(rays.through(dvec2(x, y) + 0.5)));
+            embreeHits += found;
+        });
+    });
     constexpr std::size_t kPieces = 100, kPerPiece = 10'000;
     std::atomic<long> hits = 0;
     const double randomMs = medianMs([&] {
@@ -88,6 +100,8 @@ TEST(RayRate, OfAMeshOfSixtyThousandTriangles) {
     std::cout << triangleCount(*snapshot) << " triangles, " << threadCount() << " threads, tree built in " << buildMs
               << " ms, depth " << tracer.bvh().depth << "\n"
               << "eye rays    " << eyeMs << " ms, " << rate(static_cast<double>(points.size()), eyeMs) << " Mrays/s\n"
+              << "  by Embree " << embreeMs << " ms, " << rate(static_cast<double>(points.size()), embreeMs)
+              << " Mrays/s\n"
               << "shadow rays " << shadowMs << " ms, " << rate(sent, shadowMs) << " Mrays/s\n"
               << "random rays " << randomMs << " ms, " << rate(kPieces * kPerPiece, randomMs) << " Mrays/s\n";
 }
