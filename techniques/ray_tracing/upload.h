@@ -5,7 +5,7 @@
 
 namespace shadowlab::ray_tracing {
 
-/// Writes one pixel of `channels` floats for each value: toTexel(value) gives a vec2 or a vec4. GL counts rows from the
+/// Writes one texel for each value: toTexel(value) gives a vec2 or a vec4. GL counts rows from the
 /// bottom and the picture from the top: this is where they are turned over.
 template <typename Value, typename ToTexel>
 void upload(const gl::Texture2D& texture, const Grid<Value>& grid, ivec2 size, const ToTexel& toTexel) {

@@ -36,8 +36,8 @@ struct BvhNode {
 };
 
 struct Bvh {
-    /// No branch is longer than this, whatever the triangles: a stack of fixed size is enough (R15 of the test cases:
-    /// thousands of equal triangles).
+    /// No branch is longer than this, whatever the triangles (a hundred thousand equal ones, say): a stack of fixed
+    /// size is enough.
     static constexpr int kMostDepth = 64;
 
     std::vector<BvhNode> nodes; ///< the first is the root; none at all without triangles

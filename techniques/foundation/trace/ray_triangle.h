@@ -57,8 +57,8 @@ struct TriangleHit {
     dvec3 barycentric;
 };
 
-/// The hit between nearest and `farthest`, both ends excluded from below and included at the top: the caller decides
-/// about equal distances. Edges and vertices belong to all triangles that share them; edge-on triangles are not hit.
+/// A hit beyond ray.nearest and not beyond `farthest`; at `farthest` itself the caller decides whom it belongs to.
+/// Edges and vertices belong to all triangles that share them; edge-on triangles are not hit.
 inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Triangle& triangle, double farthest) {
     const dvec3 a = triangle.a - ray.originCentred, b = triangle.b - ray.originCentred,
                 c = triangle.c - ray.originCentred;
