@@ -1,7 +1,8 @@
 // A picture made of rays, on the processor: what each pixel sees, which light reaches it, and what that looks like.
 //
 // No GL here. Every function works through the picture in tiles, on all cores; a tile's pixels depend on nothing but
-// the scene, so the bytes are the same for any number of threads. Rows count from the top. SPDX-License-Identifier: MIT
+// the scene, so the bytes are the same for any number of threads. Rows count from the top.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>
 

@@ -4,7 +4,8 @@
 // through the holes of a plotter; Whitted, "An Improved Illumination Model for Shaded Display", 1980, made a recursion
 // of it. Here the recursion ends at once: no mirrors, no glass. What is asked is the definition of a shadow itself, "is
 // anything between this point and the light?", so nothing is approximated: no map with texels, no count in a stencil.
-// Left out on purpose: soft shadows (a light is a point). SPDX-License-Identifier: MIT
+// Left out on purpose: soft shadows (a light is a point).
+// SPDX-License-Identifier: MIT
 #include <algorithm>
 
 #include "techniques/foundation/look.h"
@@ -135,14 +136,14 @@ private:
         const Display display{.unit = "",
                               .key = {{look::kEqualDepth, "the ray arrives: lit"},
                                       {look::kOccluded, "something is in its way: in shadow"},
-                                      {look::kNoAnswer, "faces away or outside the light: no ray sent"}}};
+                                      {look::kNotAsked, "faces away or outside the light: no ray sent"}}};
         gl::Texture2D texture(GL_RGBA16F, picture_.size(), "shadow-rays");
         const vec3 background = frame.scene().background;
         upload(texture, picture_.answers(), picture_.size(), [&](const ShadowAnswer& answer) {
             using enum trace::Visibility;
             switch (answer.visibility) {
             case noSurface: return vec4(background, 1.0f);
-            case turnedAway: return vec4(look::kNoAnswer, 1.0f);
+            case turnedAway: return vec4(look::kNotAsked, 1.0f);
             case shadowed: return vec4(look::kOccluded, 1.0f);
             case lit: return vec4(look::kEqualDepth, 1.0f);
             }

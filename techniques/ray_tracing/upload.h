@@ -1,4 +1,5 @@
-// From a picture on the processor to a texture. SPDX-License-Identifier: MIT
+// From a picture on the processor to a texture.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/gl/texture.h"
 #include "techniques/ray_tracing/picture.h"

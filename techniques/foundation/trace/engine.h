@@ -2,7 +2,8 @@
 //
 // Our own tree answers exactly, in double. Embree (Wald and others, "Embree: A Kernel Framework for Efficient CPU Ray
 // Tracing", SIGGRAPH 2014) answers in float and is built in only where it is installed: a second opinion that shares no
-// line with ours, and a measure of speed. SPDX-License-Identifier: MIT
+// line with ours, and a measure of speed.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
 #include <span>

@@ -1,4 +1,5 @@
-// The rays from the eye through the points of a picture. SPDX-License-Identifier: MIT
+// The rays from the eye through the points of a picture.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <glm/gtc/constants.hpp>
 

@@ -1,5 +1,6 @@
 // Four floats at once: four boxes, or four triangles, tested by one instruction where the processor can (SSE), and by
-// four where it cannot, with the same bits. SPDX-License-Identifier: MIT
+// four where it cannot, with the same bits.
+// SPDX-License-Identifier: MIT
 #pragma once
 #if defined(__SSE2__)
 #include <emmintrin.h>

@@ -1,5 +1,6 @@
 // Work split into fixed pieces over all cores. Which thread does a piece is left open, what a piece is never depends on
-// the number of threads: same bytes for any of them. SPDX-License-Identifier: MIT
+// the number of threads: same bytes for any of them.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
 #include <functional>

@@ -8,7 +8,8 @@
 // exactly on a surface wants the digits, and most triangles never come here, because a float filter (triangle_filter.h)
 // has thrown them out. What float is to double there, an exact product is to double here: two rounded products that
 // differ have the order of the true ones, since rounding is monotone; two that are equal are told apart by their
-// rounding errors, which a fused multiply-add yields exactly. SPDX-License-Identifier: MIT
+// rounding errors, which a fused multiply-add yields exactly.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <cmath>
 #include <optional>

@@ -4,7 +4,8 @@
 // No epsilon anywhere: a shadow ray starts on the surface itself and leaves out the triangle it starts on, by number.
 // An offset along the normal would have to grow with the distance from the origin, and push the ray through thin walls.
 // What "in shadow" means is said in docs/conventions.md, and judged by exact_visibility.h, which shares no code with
-// this. SPDX-License-Identifier: MIT
+// this.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
 

@@ -1,7 +1,8 @@
 // Four triangles at once, in float: which of them can the ray certainly not hit? What is left is asked again in double.
 //
 // The same sheared 2D test as in ray_triangle.h. All it needs besides is a bound for what float gets wrong, so that a
-// triangle is thrown out only when two sides have certainly opposite signs. SPDX-License-Identifier: MIT
+// triangle is thrown out only when two sides have certainly opposite signs.
+// SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>
 #include <span>

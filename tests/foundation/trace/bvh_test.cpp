@@ -1,5 +1,6 @@
 // The tree against trying every triangle: same primitive, same distance, whatever the mesh. And trees of meshes that
-// cannot be cut well. SPDX-License-Identifier: MIT
+// cannot be cut well.
+// SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
 #include <atomic>

@@ -1,4 +1,5 @@
-// Rays along axes, with every sign of zero, from on, in and outside the planes of a box. SPDX-License-Identifier: MIT
+// Rays along axes, with every sign of zero, from on, in and outside the planes of a box.
+// SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
 #include "techniques/foundation/trace/bvh_build.h"

@@ -1,5 +1,6 @@
 // From inside a closed mesh no ray gets out: not at a vertex, not at an edge, near the origin or a million metres away,
-// in any size. SPDX-License-Identifier: MIT
+// in any size.
+// SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
 #include <atomic>
