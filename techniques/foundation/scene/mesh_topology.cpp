@@ -27,10 +27,51 @@ std::vector<std::uint32_t> weld(const std::vector<vec3>& positions) {
     return representative;
 }
 
+/// Triangles that repeat an earlier one. Each is counted at one edge only: that of its two lowest vertices.
+std::uint64_t duplicateTriangles(const Mesh& mesh, const MeshTopology& topology) {
+    std::uint64_t count = 0;
+    std::vector<std::uint32_t> highest; // the third vertices at one edge
+    for (const Edge& edge : topology.edges) {
+        if (edge.useCount < 2) continue;
+        highest.clear();
+        for (std::uint32_t i = 0; i < edge.useCount; ++i) {
+            const uvec3& corners = mesh.triangles[topology.uses[edge.firstUse + i].triangle];
+            for (int corner = 0; corner < 3; ++corner)
+                if (topology.welded[corners[corner]] > edge.b) highest.push_back(topology.welded[corners[corner]]);
+        }
+        std::ranges::sort(highest);
+        for (std::size_t i = 1; i < highest.size(); ++i)
+            if (highest[i] == highest[i - 1]) ++count;
+    }
+    return count;
+}
+
+/// Pieces of triangles that hang together by edges: each edge joins its triangles (union-find).
+std::uint64_t components(const Mesh& mesh, const MeshTopology& topology) {
+    std::vector<std::uint32_t> parent(mesh.triangles.size());
+    std::iota(parent.begin(), parent.end(), 0u);
+    const auto root = [&](std::uint32_t t) {
+        while (parent[t] != t)
+            t = parent[t] = parent[parent[t]];
+        return t;
+    };
+    std::uint64_t count = parent.size();
+    for (const Edge& edge : topology.edges)
+        for (std::uint32_t i = 1; i < edge.useCount; ++i) {
+            const std::uint32_t a = root(topology.uses[edge.firstUse].triangle);
+            const std::uint32_t b = root(topology.uses[edge.firstUse + i].triangle);
+            if (a == b) continue;
+            parent[std::max(a, b)] = std::min(a, b);
+            --count;
+        }
+    return count;
+}
+
 } // namespace
 
 MeshTopology buildTopology(const Mesh& mesh) {
-    const std::vector<std::uint32_t> welded = weld(mesh.positionsMesh);
+    MeshTopology topology;
+    topology.welded = weld(mesh.positionsMesh);
 
     // One record per triangle side, named by its undirected edge; sorting brings the sides of one edge together.
     struct Side {
@@ -41,8 +82,8 @@ MeshTopology buildTopology(const Mesh& mesh) {
     sides.reserve(3 * mesh.triangles.size());
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
         for (int corner = 0; corner < 3; ++corner) {
-            const std::uint32_t from = welded[mesh.triangles[t][corner]];
-            const std::uint32_t to = welded[mesh.triangles[t][(corner + 1) % 3]];
+            const std::uint32_t from = topology.welded[mesh.triangles[t][corner]];
+            const std::uint32_t to = topology.welded[mesh.triangles[t][(corner + 1) % 3]];
             if (from == to) continue; // a side without length bounds nothing
             const bool forward = from < to;
             sides.push_back({std::min(from, to), std::max(from, to), {t, static_cast<std::int8_t>(forward ? 1 : -1)}});
@@ -53,7 +94,6 @@ MeshTopology buildTopology(const Mesh& mesh) {
                std::tie(y.a, y.b, y.use.triangle, y.use.direction);
     });
 
-    MeshTopology topology;
     topology.uses.reserve(sides.size());
     for (const Side& side : sides) {
         if (topology.edges.empty() || topology.edges.back().a != side.a || topology.edges.back().b != side.b)
@@ -67,6 +107,10 @@ MeshTopology buildTopology(const Mesh& mesh) {
 MeshReport reportMesh(const Mesh& mesh, const MeshTopology& topology) {
     MeshReport report;
     report.triangles = mesh.triangles.size();
+    report.droppedTriangles = mesh.droppedTriangles;
+    report.duplicateTriangles = duplicateTriangles(mesh, topology);
+    report.vertices = mesh.positionsMesh.size();
+    report.components = components(mesh, topology);
     report.edges = topology.edges.size();
     std::unordered_set<std::uint32_t> vertices;
     for (const Edge& edge : topology.edges) {

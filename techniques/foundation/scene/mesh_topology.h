@@ -22,7 +22,8 @@ struct EdgeUse {
 
 struct MeshTopology {
     std::vector<Edge> edges;
-    std::vector<EdgeUse> uses; ///< those of edge e: uses[e.firstUse] ... e.useCount of them
+    std::vector<EdgeUse> uses;         ///< those of edge e: uses[e.firstUse] ... e.useCount of them
+    std::vector<std::uint32_t> welded; ///< of each vertex, the vertex that stands for it
 };
 
 /// Welds vertices by exact position and collects every edge with all its triangles. O(n log n).
@@ -30,10 +31,15 @@ MeshTopology buildTopology(const Mesh& mesh);
 
 /// What a mesh is made of.
 struct MeshReport {
-    std::uint64_t triangles = 0, weldedVertices = 0, edges = 0;
+    std::uint64_t triangles = 0;
+    std::uint64_t droppedTriangles = 0;   ///< degenerate ones of the source, left out when it was loaded
+    std::uint64_t duplicateTriangles = 0; ///< those with the same three welded vertices as an earlier one, in any order
+    std::uint64_t vertices = 0;           ///< of the buffers; several may lie at one place, with different normals
+    std::uint64_t weldedVertices = 0, edges = 0;
     std::uint64_t boundaryEdges = 0;     ///< one triangle: the mesh is open there
     std::uint64_t multipleEdges = 0;     ///< more than two triangles
     std::uint64_t inconsistentEdges = 0; ///< two triangles that run the same way: windings disagree
+    std::uint64_t components = 0;        ///< pieces that hang together by edges (touching in a point is not enough)
     [[nodiscard]] bool isClosed() const { return boundaryEdges == 0 && multipleEdges == 0 && inconsistentEdges == 0; }
 };
 MeshReport reportMesh(const Mesh& mesh, const MeshTopology& topology);
