@@ -90,6 +90,9 @@ public:
     }
 
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
+    std::string remark(const scene::MeshReport&) const override {
+        return "any triangles will do, closed or not, in any winding: rays meet them from both sides";
+    }
 
 private:
     void show(const Frame& frame) const {
