@@ -77,6 +77,15 @@ CLI::App* addCommand(CLI::App& app, const char* name, const char* what) {
     return command;
 }
 
+InspectOptions inspectOptions(const CLI::App& command) {
+    const GivenOptions given(command);
+    InspectOptions options{
+        given.required("FILE", "for example shadowlab inspect bunny.obj"), command.count("--json") > 0, {}};
+    for (const std::string& folder : given.texts("--allow"))
+        options.allowed.emplace_back(folder);
+    return options;
+}
+
 } // namespace
 
 int run(int argc, char** argv) {
@@ -99,6 +108,13 @@ int run(int argc, char** argv) {
         addCommand(app, "list", "What there is: techniques, parameters, stages, scenes, backends, limits");
     addOption(*listCommand, "WHAT", "", "techniques, parameters, stages, scenes, decks, lessons, backends or limits");
     listCommand->add_flag("--json")->description("one JSON object instead of lines with tabs");
+
+    CLI::App* inspectCommand =
+        addCommand(app, "inspect", "What a mesh or a scene is made of, and what that means for each technique");
+    addOption(*inspectCommand, "FILE", "", "an .obj mesh, a .json scene or a built-in name (`list scenes`)");
+    inspectCommand->add_flag("--json")->description("one JSON object instead of a table");
+    addOption(*inspectCommand, "--allow", "DIR",
+              "a further folder that the scene may take meshes from; may be repeated");
 
     // After the commands, which would inherit it.
     app.footer(
@@ -130,6 +146,7 @@ int run(int argc, char** argv) {
     if (listCommand->parsed())
         return list({GivenOptions(*listCommand).required("WHAT", "for example shadowlab list techniques"),
                      listCommand->count("--json") > 0});
+    if (inspectCommand->parsed()) return inspect(inspectOptions(*inspectCommand));
     if (demoCommand->parsed()) return demo(GivenOptions(*demoCommand).text("SCENE", kDemoScene));
     return runWithoutCommand(app);
 }

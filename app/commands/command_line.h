@@ -1,7 +1,9 @@
 // The command line: one function per subcommand.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/commands/capture_options.h"
 
@@ -14,6 +16,13 @@ struct ListOptions {
     bool json = false;
 };
 int list(const ListOptions& options);
+
+struct InspectOptions {
+    std::string file; ///< an .obj, a .json or the name of a built-in scene
+    bool json = false;
+    std::vector<std::filesystem::path> allowed; ///< further folders a scene may take meshes from
+};
+int inspect(const InspectOptions& options);
 
 /// Writes NAME-comparison.png into the current folder and its path to standard output.
 int demo(const std::string& sceneNameOrPath);

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/inspection.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "app/session/assets.h"
+#include "techniques/foundation/scene/load.h"
+#include "techniques/registry.h"
+
+namespace shadowlab::commands {
+
+namespace {
+
+double largest(const dvec3& size) { return glm::max(size.x, glm::max(size.y, size.z)); }
+
+/// Size of a mesh of its own, or of an object in the world.
+dvec3 sizeOf(const scene::Object& object) {
+    const scene::Bounds bounds = scene::boundsWorld(object);
+    return bounds.isEmpty() ? dvec3(0.0) : bounds.upperWorld - bounds.lowerWorld;
+}
+
+Scale scaleOf(double metres) {
+    if (metres < kTinyMetres) return Scale::tiny;
+    return metres > kHugeMetres ? Scale::huge : Scale::ordinary;
+}
+
+InspectedMesh inspectMesh(const std::string& name, const std::shared_ptr<const scene::Mesh>& mesh) {
+    InspectedMesh inspected;
+    inspected.name = name;
+    inspected.report = scene::reportMesh(*mesh, scene::buildTopology(*mesh));
+    scene::Object unmoved;
+    unmoved.mesh = mesh;
+    inspected.sizeMetres = sizeOf(unmoved);
+    inspected.originOffset = mesh->originObject;
+    return inspected;
+}
+
+void addObjects(Inspection& inspection, const std::vector<scene::Object>& objects) {
+    std::unordered_map<const scene::Mesh*, std::size_t> known;
+    for (const scene::Object& object : objects) {
+        if (object.emitterOfLight >= 0) continue; // not the user's, and no technique's concern
+        const auto [entry, isNew] = known.try_emplace(object.mesh.get(), inspection.meshes.size());
+        if (isNew) inspection.meshes.push_back(inspectMesh(object.name, object.mesh));
+        InspectedMesh& mesh = inspection.meshes[entry->second];
+        mesh.objects.push_back(object.name);
+        mesh.largestInWorld = glm::max(mesh.largestInWorld, largest(sizeOf(object)));
+        mesh.scale = scaleOf(mesh.largestInWorld);
+        inspection.triangles += object.mesh->triangles.size();
+    }
+}
+
+SceneContent contentOf(const scene::Scene& scene) {
+    SceneContent content;
+    for (const scene::Object& object : scene.objects) {
+        if (object.emitterOfLight >= 0) continue;
+        ++content.objects;
+        if (!object.castsShadow) content.castNoShadow.push_back(object.name);
+        if (!object.receivesShadow) content.receiveNoShadow.push_back(object.name);
+    }
+    using enum scene::LightType;
+    for (const scene::LightType type : {point, directional, spot, rect, sphere})
+        content.lights[std::string(toText(type))] = 0;
+    for (const scene::Light& light : scene.lights)
+        ++content.lights[std::string(toText(light.type))];
+    return content;
+}
+
+/// Equal sentences of one technique become one remark on several meshes.
+std::vector<Remark> remarksOn(const std::vector<InspectedMesh>& meshes) {
+    std::vector<Remark> remarks;
+    for (const RegisteredTechnique& registered : registeredTechniques()) {
+        const auto technique = registered.info->make();
+        std::unordered_map<std::string, std::size_t> known;
+        for (std::size_t i = 0; i < meshes.size(); ++i) {
+            const std::string sentence = technique->remark(meshes[i].report);
+            if (sentence.empty()) continue;
+            const auto [entry, isNew] = known.try_emplace(sentence, remarks.size());
+            if (isNew) remarks.push_back({std::string(registered.info->id), sentence, {}});
+            remarks[entry->second].meshes.push_back(i);
+        }
+    }
+    return remarks;
+}
+
+bool isMeshFile(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    for (char& c : ending)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return ending == ".obj";
+}
+
+} // namespace
+
+Inspection inspectFile(const InspectOptions& options) {
+    const scene::LoadOptions loading{.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = {}};
+    Inspection inspection;
+    inspection.file = options.file;
+    std::vector<scene::Material> materials;
+    if (isMeshFile(options.file)) { // itself, not staged: floor and light are not its own
+        scene::ObjFile obj = scene::loadObj(options.file, scene::NormalMode::file, loading);
+        inspection.name = std::filesystem::path(options.file).stem().string();
+        inspection.notes = std::move(obj.notes);
+        materials = std::move(obj.materials);
+        scene::Object object;
+        object.name = inspection.name;
+        object.mesh = std::make_shared<const scene::Mesh>(std::move(obj.mesh));
+        addObjects(inspection, {object});
+    } else {
+        const auto scene = scene::loadScene(options.file, loading);
+        inspection.name = scene->name;
+        inspection.notes = scene->notes;
+        inspection.scene = contentOf(*scene);
+        materials = scene->materials;
+        addObjects(inspection, scene->objects);
+    }
+    for (const scene::Material& material : materials)
+        inspection.materials.push_back(material.name);
+    inspection.remarks = remarksOn(inspection.meshes);
+    return inspection;
+}
+
+} // namespace shadowlab::commands
