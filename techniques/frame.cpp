@@ -12,8 +12,8 @@ namespace shadowlab {
 
 Frame::Frame(const scene::Snapshot& snapshot, const View& view, const gl::SceneBuffers& buffers,
              const gl::Target& target, FrameRequest request)
-    : snapshot_(snapshot), view_(view),
-      camera_(scene::withTightNear(view.camera, *snapshot, static_cast<double>(view.size.x) / view.size.y)),
+    : snapshot_(snapshot), view_(view), camera_(scene::withTightNear(view.camera, *snapshot, buffers.bounds(),
+                                                                     static_cast<double>(view.size.x) / view.size.y)),
       eye_(gl::eyeMatrices(camera_, view.size)), buffers_(buffers), target_(target), request_(std::move(request)) {}
 
 void Frame::pass(const PassInfo& info, const std::function<void()>& draw, int light) {

@@ -11,11 +11,6 @@ namespace shadowlab::look {
 /// sRGB 0..255 to the linear light that pictures are computed in.
 vec3 linearFromSrgb8(int r, int g, int b);
 
-// Error pictures.
-inline const vec3 kFalseLit = linearFromSrgb8(0xE6, 0x9F, 0x00);
-inline const vec3 kFalseShadow = linearFromSrgb8(0x00, 0x72, 0xB2);
-inline const vec3 kTie = linearFromSrgb8(0x80, 0x80, 0x80);
-
 // Which side of a triangle faces the light (sign of N.L).
 inline const vec3 kTowardLight = linearFromSrgb8(0xF0, 0xE4, 0x42);
 inline const vec3 kAwayFromLight = linearFromSrgb8(0x56, 0xB4, 0xE9);

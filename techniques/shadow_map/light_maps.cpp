@@ -41,7 +41,8 @@ dmat4 parallelProjection(const dvec3& lower, const dvec3& upper) {
     clipFromView[0][0] = 2.0 / extent.x;
     clipFromView[1][1] = 2.0 / extent.y;
     clipFromView[2][2] = -2.0 / extent.z;
-    clipFromView[3] = dvec4(-(lower.x + upper.x) / extent.x, -(lower.y + upper.y) / extent.y, (lower.z + upper.z) / extent.z, 1.0);
+    clipFromView[3] =
+        dvec4(-(lower.x + upper.x) / extent.x, -(lower.y + upper.y) / extent.y, (lower.z + upper.z) / extent.z, 1.0);
     return clipFromView;
 }
 
@@ -55,7 +56,8 @@ std::pair<double, double> distanceRange(const scene::Bounds& box, const dvec3& o
 }
 
 /// Range of the boxes' corners in the light's view space.
-scene::Bounds boundsInView(std::span<const scene::Bounds> boxes, const dvec3& originWorld, const dmat4& lightViewFromLightRelative) {
+scene::Bounds boundsInView(std::span<const scene::Bounds> boxes, const dvec3& originWorld,
+                           const dmat4& lightViewFromLightRelative) {
     scene::Bounds range;
     for (const scene::Bounds& box : boxes)
         for (int i = 0; i < 8; ++i)
@@ -144,12 +146,10 @@ void fitPerspective(LightMaps& maps, const scene::Light& light, std::span<const 
 
 LightMaps fitLightMaps(const scene::Scene& scene, const scene::Light& light, std::span<const std::size_t> casters,
                        int resolution, int guardTexels, const scene::Bounds& region) {
-    std::vector<scene::Bounds> all, casterBounds;
+    std::vector<scene::Bounds> all = scene::objectBounds(scene), casterBounds;
     scene::Bounds whole;
-    for (const scene::Object& object : scene.objects) {
-        all.push_back(scene::boundsWorld(object));
-        whole.include(all.back());
-    }
+    for (const scene::Bounds& box : all)
+        whole.include(box);
     for (const std::size_t caster : casters)
         casterBounds.push_back(all[caster]);
     if (!region.isEmpty()) casterBounds.push_back(region);

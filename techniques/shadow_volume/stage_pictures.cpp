@@ -40,7 +40,7 @@ std::vector<KeyEntry> edgeKey(std::span<const CasterVolume* const> casters) {
 } // namespace
 
 void setFrontFace(const scene::Object& object, bool clockwise) {
-    glFrontFace(gl::isMirrored(object) != clockwise ? GL_CW : GL_CCW);
+    glFrontFace(scene::isMirrored(object) != clockwise ? GL_CW : GL_CCW);
 }
 
 void setExtrusion(const gl::Program& program, const Frame& frame, const CasterVolume& caster, int light) {

@@ -30,6 +30,7 @@ void SceneBuffers::update(const scene::Snapshot& snapshot) {
     const bool sameGeometry = snapshot_ && snapshot_->revisions.geometry == snapshot->revisions.geometry;
     const bool samePlaces = sameGeometry && snapshot_->revisions.transforms == snapshot->revisions.transforms;
     if (!samePlaces || snapshot_->revisions.lights != snapshot->revisions.lights) facing_.clear();
+    if (!samePlaces) bounds_ = scene::objectBounds(*snapshot);
     // The previous snapshot keeps its meshes alive until the new ones have been matched by address.
     const scene::Snapshot previous = std::exchange(snapshot_, snapshot);
     std::unordered_map<const scene::Mesh*, std::unique_ptr<MeshBuffers>> known = std::exchange(meshes_, {});

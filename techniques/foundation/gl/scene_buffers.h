@@ -36,6 +36,8 @@ public:
     [[nodiscard]] const MeshBuffers& mesh(std::size_t object) const { return *objectMeshes_[object]; }
     /// Number of triangles in the objects before this one: triangle t of it has the scene-wide index base + t.
     [[nodiscard]] int triangleBase(std::size_t object) const { return triangleBases_[object]; }
+    /// Boxes around the objects (scene::objectBounds), made when the scene changes.
+    [[nodiscard]] const std::vector<scene::Bounds>& bounds() const { return bounds_; }
     /// The stored facing signs (scene/facing.h) of all triangles for one light; made when first asked for.
     [[nodiscard]] const ByteBufferTexture& facing(int light) const;
 
@@ -44,6 +46,7 @@ private:
     std::unordered_map<const scene::Mesh*, std::unique_ptr<MeshBuffers>> meshes_;
     std::vector<const MeshBuffers*> objectMeshes_;
     std::vector<int> triangleBases_;
+    std::vector<scene::Bounds> bounds_;
     mutable std::map<int, ByteBufferTexture> facing_;
 };
 

@@ -39,8 +39,6 @@ EyeMatrices eyeMatrices(const scene::Camera& camera, ivec2 size) {
     return {scene::viewFromWorld(camera), scene::clipFromView(camera, static_cast<double>(size.x) / size.y)};
 }
 
-bool isMirrored(const scene::Object& object) { return glm::determinant(dmat3(object.worldFromObject)) < 0; }
-
 void drawSurfaces(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
                   const EyeMatrices& eye, const ObjectSetup& setup) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -53,7 +51,7 @@ void drawSurfaces(const Program& program, const scene::Scene& scene, const Scene
         program.set("clipFromMesh", mat4(eye.clipFromView * viewFromMesh));
         program.set("viewFromMesh", mat4(viewFromMesh));
         program.set("normalViewFromMesh", mat3(glm::transpose(glm::inverse(dmat3(viewFromMesh)))));
-        program.set("mirrored", isMirrored(object) ? 1 : 0);
+        program.set("mirrored", scene::isMirrored(object) ? 1 : 0);
         program.set("receivesShadow", object.receivesShadow ? 1 : 0);
         program.set("emitsFromFrontOnly", rectSurface ? 1 : 0);
         drawParts(program, scene, buffers, i);

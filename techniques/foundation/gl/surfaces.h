@@ -25,9 +25,6 @@ EyeMatrices eyeMatrices(const scene::Camera& camera, ivec2 size);
 constexpr int kFacingUnit = 0;
 constexpr int kFirstFreeUnit = 1;
 
-/// True where an object's mesh-to-world matrix turns it inside out (a negative determinant).
-bool isMirrored(const scene::Object& object);
-
 /// Called for each object with the program in use, before its parts are drawn; false leaves the object out.
 using ObjectSetup = std::function<bool(const scene::Object&)>;
 

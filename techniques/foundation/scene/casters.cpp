@@ -18,7 +18,9 @@ constexpr double kResting = 1e-9;
 std::optional<dvec4> commonPlaneWorld(const Object& object) {
     if (object.mesh->triangles.empty() || object.mesh->triangles.size() > kFlatTriangles) return std::nullopt;
     const dmat4 worldFromMesh = scene::worldFromMesh(object);
-    const auto world = [&](std::uint32_t v) { return transformPoint(worldFromMesh, dvec3(object.mesh->positionsMesh[v])); };
+    const auto world = [&](std::uint32_t v) {
+        return transformPoint(worldFromMesh, dvec3(object.mesh->positionsMesh[v]));
+    };
     const uvec3 first = object.mesh->triangles.front();
     const dvec3 a = world(first.x);
     const dvec3 normal = glm::normalize(glm::cross(world(first.y) - a, world(first.z) - a));
@@ -39,12 +41,10 @@ std::vector<std::size_t> allCasters(const Scene& scene) {
 }
 
 std::vector<std::size_t> usefulCasters(const Scene& scene, const Light& light) {
-    std::vector<Bounds> bounds;
+    const std::vector<Bounds> bounds = objectBounds(scene);
     Bounds all;
-    for (const Object& object : scene.objects) {
-        bounds.push_back(boundsWorld(object));
-        all.include(bounds.back());
-    }
+    for (const Bounds& box : bounds)
+        all.include(box);
     const double slack = kResting * (all.isEmpty() ? 1.0 : glm::length(all.upperWorld - all.lowerWorld));
     const dvec4 lightWorld = homogeneousPositionWorld(light);
 

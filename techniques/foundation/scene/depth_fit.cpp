@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <span>
 #include <vector>
 
 namespace shadowlab::scene {
@@ -74,13 +73,13 @@ double nearestOfTriangles(const Object& object, const dmat4& clipFromWorld) {
 
 } // namespace
 
-Camera withTightNear(const Camera& camera, const Scene& scene, double aspect) {
+Camera withTightNear(const Camera& camera, const Scene& scene, std::span<const Bounds> bounds, double aspect) {
     const dmat4 clipFromWorld = clipFromView(camera, aspect) * viewFromWorld(camera);
     double nearest = std::numeric_limits<double>::infinity();
-    for (const Object& object : scene.objects)
-        nearest = std::min(nearest, object.mesh->triangles.size() <= kFewTriangles
-                                        ? nearestOfTriangles(object, clipFromWorld)
-                                        : nearestOfBox(boundsWorld(object), clipFromWorld, camera.positionWorld));
+    for (std::size_t o = 0; o < scene.objects.size(); ++o)
+        nearest = std::min(nearest, scene.objects[o].mesh->triangles.size() <= kFewTriangles
+                                        ? nearestOfTriangles(scene.objects[o], clipFromWorld)
+                                        : nearestOfBox(bounds[o], clipFromWorld, camera.positionWorld));
     Camera tight = camera;
     if (nearest < std::numeric_limits<double>::infinity()) tight.near = std::max(camera.near, kClearance * nearest);
     return tight;

@@ -5,12 +5,14 @@
 // cannot be told apart.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <span>
+
 #include "techniques/foundation/scene/scene.h"
 
 namespace shadowlab::scene {
 
 /// The camera with its near plane moved out to just before the nearest thing in view; never nearer than it was. Nothing
-/// that could be seen before is cut off. `aspect` is width over height.
-Camera withTightNear(const Camera& camera, const Scene& scene, double aspect);
+/// that could be seen before is cut off. `bounds` are the scene's objectBounds, `aspect` is width over height.
+Camera withTightNear(const Camera& camera, const Scene& scene, std::span<const Bounds> bounds, double aspect);
 
 } // namespace shadowlab::scene

@@ -24,6 +24,16 @@ Bounds boundsWorld(const Object& object) {
     return bounds;
 }
 
+std::vector<Bounds> objectBounds(const Scene& scene) {
+    std::vector<Bounds> bounds;
+    bounds.reserve(scene.objects.size());
+    for (const Object& object : scene.objects)
+        bounds.push_back(boundsWorld(object));
+    return bounds;
+}
+
+bool isMirrored(const Object& object) { return glm::determinant(dmat3(object.worldFromObject)) < 0; }
+
 std::uint64_t triangleCount(const Scene& scene) {
     std::uint64_t count = 0;
     for (const Object& object : scene.objects)

@@ -29,6 +29,8 @@ struct Material {
     std::string alphaMap; ///< resolved path of the image that cuts holes; empty: none
 };
 
+struct Scene;
+
 /// One thing in the scene.
 struct Object {
     std::string name;
@@ -43,6 +45,9 @@ struct Object {
 
 /// Mesh space (what the vertex buffers hold) to world space.
 dmat4 worldFromMesh(const Object& object);
+
+/// True where an object's matrix turns it inside out (a negative determinant): what was counter-clockwise is clockwise.
+bool isMirrored(const Object& object);
 
 /// Axis-aligned box in world space; empty when lower > upper.
 struct Bounds {
@@ -65,6 +70,9 @@ struct Bounds {
 
 /// Box around every vertex of the object (exact, not the box of a box).
 Bounds boundsWorld(const Object& object);
+
+/// The boxes of all objects, in their order. Looks at every vertex: once per change of the scene, not per frame.
+std::vector<Bounds> objectBounds(const Scene& scene);
 
 /// A number nobody else has: what gets it differs from everything before.
 std::uint64_t newRevision();

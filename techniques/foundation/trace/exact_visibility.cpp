@@ -124,7 +124,7 @@ Visibility ExactVisibility::visibility(const EyeHit& hit, const scene::Camera& c
 
     // The facing gate: eye and light on one side of the triangle. The stored sign counts in mesh space, where a
     // mirrored object's winding is the other way round.
-    const bool mirrored = glm::determinant(dmat3(object.worldFromObject)) < 0;
+    const bool mirrored = scene::isMirrored(object);
     const double eyeSide = glm::dot(glm::cross(t.b - t.a, t.c - t.a), camera.positionWorld - t.a) * (mirrored ? -1 : 1);
     const int lightSide = facing_[static_cast<std::size_t>(light)][index];
     if (eyeSide > 0 ? lightSide <= 0 : lightSide >= 0) return Visibility::turnedAway;

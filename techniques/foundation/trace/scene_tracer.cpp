@@ -43,7 +43,7 @@ bool SceneTracer::advance(const scene::Snapshot& snapshot, std::chrono::steady_c
 void SceneTracer::lookAtLights() {
     mirrored_.clear();
     for (const scene::Object& object : snapshot_->objects)
-        mirrored_.push_back(glm::determinant(dmat3(object.worldFromObject)) < 0);
+        mirrored_.push_back(scene::isMirrored(object));
     lights_.clear();
     for (const scene::Light& light : snapshot_->lights) {
         LightView view{scene::facingSigns(*snapshot_, light), {}};

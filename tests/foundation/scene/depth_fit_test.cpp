@@ -24,29 +24,34 @@ scene::Scene oneBox(const dvec3& position) {
     return scene;
 }
 
+scene::Camera tight(const scene::Scene& scene) {
+    return scene::withTightNear(scene.camera, scene, scene::objectBounds(scene), kAspect);
+}
+
 TEST(DepthFit, StopsJustBeforeTheNearestFace) {
     const scene::Scene scene = oneBox({0, 0, 0});
-    EXPECT_NEAR(scene::withTightNear(scene.camera, scene, kAspect).near, 9 * 0.99, 1e-12);
+    EXPECT_NEAR(tight(scene).near, 9 * 0.99, 1e-12);
 }
 
 TEST(DepthFit, IgnoresWhatIsBesideOrBehindTheView) {
     scene::Scene scene = oneBox({0, 0, 0});
     testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({20, 0, 9}));
     testing::addObject(scene, scene::makeSphere(1, 32), testing::translation({0, 0, 15}));
-    EXPECT_NEAR(scene::withTightNear(scene.camera, scene, kAspect).near, 9 * 0.99, 1e-12);
+    EXPECT_NEAR(tight(scene).near, 9 * 0.99, 1e-12);
 }
 
 TEST(DepthFit, StaysWhereItWasWhenSomethingReachesThrough) {
     const scene::Scene around = oneBox({0, 0, 10}); // the camera is inside the box
-    EXPECT_NEAR(scene::withTightNear(around.camera, around, kAspect).near, 0.99, 1e-12); // its walls are 1 m away
+    EXPECT_NEAR(tight(around).near, 0.99, 1e-12);   // its walls are 1 m away
     scene::Scene through = oneBox({0, 0, 0});
-    testing::addObject(through, scene::makeBox({0.02, 0.02, 2}), testing::translation({0, 0, 9.5})); // a pole from the eye
-    EXPECT_EQ(scene::withTightNear(through.camera, through, kAspect).near, through.camera.near);
+    testing::addObject(through, scene::makeBox({0.02, 0.02, 2}),
+                       testing::translation({0, 0, 9.5})); // a pole from the eye
+    EXPECT_EQ(tight(through).near, through.camera.near);
 }
 
 TEST(DepthFit, WithoutAnythingInViewNothingChanges) {
     const scene::Scene scene = oneBox({0, 0, 50});
-    EXPECT_EQ(scene::withTightNear(scene.camera, scene, kAspect).near, scene.camera.near);
+    EXPECT_EQ(tight(scene).near, scene.camera.near);
 }
 
 // What the eye sees lies behind the new plane: nearest hits over many scenes, seen from inside soups as well.
@@ -55,15 +60,15 @@ TEST(DepthFit, CutsNothingOff) {
     for (const testing::HardClass hardClass : testing::kHardClasses)
         for (unsigned number = 0; number < 5; ++number) {
             const scene::Scene scene = testing::hardScene(hardClass, number, false);
-            const scene::Camera tight = scene::withTightNear(scene.camera, scene, kAspect);
-            EXPECT_GE(tight.near, scene.camera.near);
-            moved += tight.near > scene.camera.near;
+            const scene::Camera fitted = tight(scene);
+            EXPECT_GE(fitted.near, scene.camera.near);
+            moved += fitted.near > scene.camera.near;
             const trace::ExactVisibility judge(testing::snapshot(scene));
             const dvec3 forward = glm::normalize(scene.camera.targetWorld - scene.camera.positionWorld);
             for (int y = 0; y < kSize.y; ++y)
                 for (int x = 0; x < kSize.x; ++x)
                     if (const auto hit = judge.eyeHit(scene.camera, dvec2(x, y) + 0.5, kSize)) {
-                        EXPECT_GT(glm::dot(hit->positionWorld - scene.camera.positionWorld, forward), tight.near);
+                        EXPECT_GT(glm::dot(hit->positionWorld - scene.camera.positionWorld, forward), fitted.near);
                         ++pixels;
                     }
         }
