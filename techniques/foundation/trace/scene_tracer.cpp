@@ -106,4 +106,16 @@ Visibility SceneTracer::visibility(const SurfacePoint& point, int light, ShadowS
     return blocker(point, light, start) == kNoPrimitive ? Visibility::lit : Visibility::shadowed;
 }
 
+void SceneTracer::eyePoints(const EyeRays& rays, ivec2 corner, ivec2 blockSize, dvec2 within,
+                            std::span<SurfacePoint> points) const {
+    for (int y = 0, i = 0; y < blockSize.y; ++y)
+        for (int x = 0; x < blockSize.x; ++x, ++i)
+            points[static_cast<std::size_t>(i)] = eyePoint(rays, dvec2(corner + ivec2(x, y)) + within);
+}
+
+void SceneTracer::visibilities(std::span<const SurfacePoint> points, int light, std::span<Visibility> answers) const {
+    for (std::size_t i = 0; i < points.size(); ++i)
+        answers[i] = visibility(points[i], light);
+}
+
 } // namespace shadowlab::trace

@@ -8,6 +8,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
+#include <span>
 
 #include "techniques/foundation/trace/bvh_build.h"
 #include "techniques/foundation/trace/exact_visibility.h"
@@ -65,6 +66,17 @@ public:
     /// Both, and whether the surface receives shadows at all.
     [[nodiscard]] Visibility visibility(const SurfacePoint& point, int light,
                                         ShadowStart start = ShadowStart::exact) const;
+
+    // The same answers for neighbouring pixels at a time, which is quicker.
+
+    /// Where the eye rays end that go through one point of each pixel of a block: `within` counts from the pixel's upper
+    /// left corner, (0.5, 0.5) is its centre. `points` holds the block's rows one after the other. Any block size is
+    /// right; kBlock on a side is quickest.
+    void eyePoints(const EyeRays& rays, ivec2 corner, ivec2 blockSize, dvec2 within,
+                   std::span<SurfacePoint> points) const;
+    /// visibility() of each point, from an exact start.
+    void visibilities(std::span<const SurfacePoint> points, int light, std::span<Visibility> answers) const;
+    static constexpr int kBlock = 8;
 
 private:
     void lookAtLights();
