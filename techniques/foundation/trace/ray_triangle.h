@@ -2,19 +2,21 @@
 // fan, no ray slips.
 //
 // Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013: shear space so that the ray becomes
-// an axis, drop that axis, and ask on which side of each edge the origin of the plane lies. A vertex then is *one* 2D
-// point whatever triangle it is asked for, and if the sides are decided without error, the 2D drawing of a mesh has no
-// cracks. The paper works in float and repeats a zero in double. Here everything is double: a shadow ray that starts
-// exactly on a surface wants the digits, and most triangles never come here, because a float filter (triangle_filter.h)
-// has thrown them out. What float is to double there, an exact product is to double here: two rounded products that
-// differ have the order of the true ones, since rounding is monotone; two that are equal are told apart by their
-// rounding errors, which a fused multiply-add yields exactly.
+// an axis, drop that axis, and ask on which side of each edge the origin of the plane lies. The paper works in float,
+// where the two triangles of an edge compute the very same number, and repeats a zero in double. Here everything is
+// double: a shadow ray that starts exactly on a surface wants the digits, and most triangles never come here, because a
+// float filter (triangle_filter.h) has thrown them out. Where rounding leaves double undecided, the sign is computed
+// exactly, from the coordinates as they were given (exact_sign.h). So it is the sign of the real ray and the real edge,
+// not only one that all triangles agree on.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
+#include "techniques/foundation/trace/exact_sign.h"
 #include "techniques/foundation/trace/ray.h"
 
 namespace shadowlab::trace {
@@ -26,7 +28,7 @@ struct Triangle {
 /// A ray made ready for many triangles. Distances are counted along the axis in which the ray goes farthest ("reach"):
 /// the length of the direction so is of no account, and equal for every triangle.
 struct ShearedRay {
-    explicit ShearedRay(const Ray& ray) : originCentred(ray.originCentred) {
+    explicit ShearedRay(const Ray& ray) : originCentred(ray.originCentred), directionCentred(ray.directionCentred) {
         const dvec3 d = glm::abs(ray.directionCentred);
         kz = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
         kx = (kz + 1) % 3;
@@ -40,18 +42,28 @@ struct ShearedRay {
         nearest = ray.nearest * reachPerT;
         farthest = ray.farthest * reachPerT;
     }
-    dvec3 originCentred;
+    dvec3 originCentred, directionCentred;
     int kx, ky, kz;
     double shearX, shearY, sign, reachPerT;
     double nearest, farthest; ///< in units of reach
 };
 
-/// Sign-exact a.x * b.y - a.y * b.x: zero only if it is zero.
-inline double side(const dvec2& a, const dvec2& b) {
-    const double p = a.x * b.y, q = a.y * b.x;
-    if (p != q) return p - q;
-    return std::fma(a.x, b.y, -p) - std::fma(a.y, b.x, -q);
+/// Twice the area spanned by two sheared corners: positive when the origin is to the left of the way from a to b.
+inline double side(const dvec2& a, const dvec2& b) { return a.x * b.y - a.y * b.x; }
+
+/// The same for the corners b and c as they are given, its sign beyond doubt: `value` is kept where it is farther from
+/// zero than `bound`. Otherwise it gets the right sign; how small it is then does not matter.
+inline double certainSide(double value, double bound, const ShearedRay& ray, const dvec3& b, const dvec3& c) {
+    if (std::abs(value) > bound) return value;
+    const int sign = exactTripleSign(ray.directionCentred, ray.originCentred, b, c);
+    return sign == 0 ? 0.0 : std::copysign(std::max(std::abs(value), std::numeric_limits<double>::min()), sign);
 }
+
+/// Largest error of side(). With M the largest coordinate of the corners as seen from the ray's origin and e = 2^-53: a
+/// corner is subtracted (e M), its depth sheared (3 e M, the shear being at most 1) and taken off (e 2 M), so a sheared
+/// coordinate, at most 2 M, is wrong by 6 e M. A product of two is wrong by 2 * 2 M * 6 e M and, rounded, e 4 M^2 more;
+/// the difference of two such by 56 e M^2 + e 8 M^2. Six more make up for the squares of e and for rounding this bound.
+inline double sideBound(double largest) { return 70 * 0x1p-53 * largest * largest; }
 
 struct TriangleHit {
     double reach;
@@ -66,7 +78,13 @@ inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Triangl
     const dvec2 a2(a[ray.kx] - ray.shearX * a[ray.kz], a[ray.ky] - ray.shearY * a[ray.kz]);
     const dvec2 b2(b[ray.kx] - ray.shearX * b[ray.kz], b[ray.ky] - ray.shearY * b[ray.kz]);
     const dvec2 c2(c[ray.kx] - ray.shearX * c[ray.kz], c[ray.ky] - ray.shearY * c[ray.kz]);
-    const double u = side(c2, b2), v = side(a2, c2), w = side(b2, a2);
+    double u = side(c2, b2), v = side(a2, c2), w = side(b2, a2);
+    const dvec3 most = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
+    const double bound = sideBound(std::max(most.x, std::max(most.y, most.z)));
+    if (std::min(u, std::min(v, w)) < -bound && std::max(u, std::max(v, w)) > bound) return std::nullopt;
+    u = certainSide(u, bound, ray, triangle.c, triangle.b);
+    v = certainSide(v, bound, ray, triangle.a, triangle.c);
+    w = certainSide(w, bound, ray, triangle.b, triangle.a);
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return std::nullopt;
     const double sum = u + v + w;
     if (!(sum != 0)) return std::nullopt; // seen edge-on

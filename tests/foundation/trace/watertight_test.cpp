@@ -122,24 +122,5 @@ TEST(WatertightTest, TheNaiveTestLeaks) {
     EXPECT_GT(found, 40);
 }
 
-TEST(WatertightTest, SidesAreDecidedWithoutError) {
-    EXPECT_EQ(side({1, 2}, {2, 4}), 0);
-    // 0.1 * 0.3 and 0.3 * 0.1 are one number; neighbours of 0.1 in double make products that round alike.
-    const double a = 0.1, b = std::nextafter(0.1, 1.0);
-    Random random(3);
-    int undecided = 0;
-    for (int i = 0; i < 100'000; ++i) {
-        const double x = number(random, 1, 2), y = number(random, 1, 2);
-        undecided += x * (a * y) == y * (a * x);
-        const double nearly = side({x, y}, {x, y});
-        EXPECT_EQ(nearly, 0);
-        // (x, y) against itself turned by less than rounding: the exact sign is that of x * (b - a) > 0.
-        const dvec2 p(x * 0x1p-30, a), q(x * 0x1p-30, b);
-        EXPECT_GT(side(p, q), 0);
-        EXPECT_LT(side(q, p), 0);
-    }
-    EXPECT_GT(undecided, 0);
-}
-
 } // namespace
 } // namespace shadowlab::trace

@@ -1,0 +1,17 @@
+// On which side of a ray does an edge pass? The sign of a determinant, without any rounding.
+//
+// After Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997: what double
+// leaves undecided is computed again with numbers kept as unevaluated sums of doubles. His middle stages are left out:
+// the filter before it (ray_triangle.h) lets so few cases come here that one slow and certain stage is enough.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/foundation/math/types.h"
+
+namespace shadowlab::trace {
+
+/// Sign (-1, 0, 1) of direction . ((b - origin) x (c - origin)) for the doubles as they are given: positive when the
+/// edge from b to c goes around the ray by the right hand. Exact as long as no product of three of the numbers leaves
+/// the range 1e-250 .. 1e+300.
+int exactTripleSign(const dvec3& direction, const dvec3& origin, const dvec3& b, const dvec3& c);
+
+} // namespace shadowlab::trace
