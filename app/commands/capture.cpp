@@ -10,7 +10,7 @@
 #include "app/commands/messages.h"
 #include "app/context/signals.h"
 #include "app/session/assets.h"
-#include "app/session/orbit.h"
+#include "app/session/motion.h"
 #include "app/session/picture.h"
 #include "app/session/session.h"
 #include "app/session/settings.h"
@@ -62,6 +62,8 @@ public:
         session::applySettings(slots_, options_.settings);
         checkOutputs();
         loadScene();
+        motion_ = motionOf(options_.motion, *base_);
+        requirePlaceForNumbers(options_, motion_.frames);
         for (const session::Slot& slot : slots_)
             if (!options_.stage.empty())
                 stages_.push_back(session::parseStage(options_.stage, *slot.info, *base_, defaultLight_));
@@ -72,7 +74,7 @@ public:
         session_ = std::make_unique<session::Session>(base_);
         encoder_ = std::make_unique<session::PictureEncoder>();
         stats_ = std::make_unique<CaptureStats>(*base_, options_, *context_, slots_);
-        for (int frame = 0; frame < options_.frames; ++frame) {
+        for (int frame = 0; frame < motion_.frames; ++frame) {
             context::throwIfInterrupted();
             renderFrame(frame);
         }
@@ -127,13 +129,10 @@ private:
     }
 
     void renderFrame(int frame) {
-        const double share = static_cast<double>(frame) / options_.frames;
-        session_->setScene(scene::Snapshot(options_.orbitLightDegrees
-                                               ? session::withLightsTurned(base_, share * *options_.orbitLightDegrees)
-                                               : base_));
+        const session::Moment moment = session::momentAt(motion_, base_, frame);
+        session_->setScene(moment.snapshot);
         View view;
-        view.camera = options_.orbitCameraDegrees ? session::turned(base_->camera, share * *options_.orbitCameraDegrees)
-                                                  : base_->camera;
+        view.camera = moment.camera;
 
         const std::vector<session::Cell> cells =
             session::layoutCells(options_.layout, static_cast<int>(slots_.size()), options_.size);
@@ -194,6 +193,7 @@ private:
     const CaptureOptions& options_;
     const bool exactVisibility_; ///< the output is the visibility image itself, not a figure of it
     scene::Snapshot base_;
+    session::Motion motion_;
     int defaultLight_ = kNoLight;
     std::unique_ptr<context::Context> context_; ///< before all that lives in it, so that it is destroyed after them
     std::unique_ptr<session::Session> session_;

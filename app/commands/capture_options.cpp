@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/commands/option_values.h"
 #include "techniques/foundation/error.h"
 
 namespace shadowlab::commands {
@@ -36,17 +35,13 @@ session::Layout layoutFor(const GivenOptions& given, std::size_t slots) {
     return layout;
 }
 
-void checkFrames(const CaptureOptions& options) {
-    const bool turns = options.orbitLightDegrees || options.orbitCameraDegrees;
-    if (options.frames == 1 && turns)
-        refuseUsage(std::string(options.orbitLightDegrees ? "--orbit-light" : "--orbit-camera") +
-                    " turns from frame to frame, and there is only one; add --frames N");
-    if (options.frames > 1 && options.output.filename().string().find('#') == std::string::npos)
-        refuseUsage("--frames " + std::to_string(options.frames) +
-                    ": the frames need a place for their number in -o; " + "write for example name_####.png");
-}
-
 } // namespace
+
+void requirePlaceForNumbers(const CaptureOptions& options, int frames) {
+    if (frames > 1 && options.output.filename().string().find('#') == std::string::npos)
+        refuseUsage("-o: '" + options.output.string() + "' has no place for the numbers of " + std::to_string(frames) +
+                    " frames; write for example name_####.png");
+}
 
 void describeCapture(CLI::App& command) {
     const auto add = [&](const char* names, const char* value, const char* help) {
@@ -65,9 +60,7 @@ void describeCapture(CLI::App& command) {
     add("--light", "NAME", "the light that the stage is about (default: the first)");
     add("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
     add("--stats", "FILE.json", "writes times in milliseconds, counters and settings");
-    add("--frames", "N", "number of pictures (default 1)");
-    add("--orbit-light", "DEGREES", "turns the lights that far about the camera's target over all frames");
-    add("--orbit-camera", "DEGREES", "turns the camera that far about its target over all frames");
+    describeMotion(command);
     add("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     command.footer(
         "Examples:\n"
@@ -96,14 +89,10 @@ CaptureOptions captureOptions(const CLI::App& command) {
     options.backend = context::backendFromName(given.text("--backend", "auto"));
     options.stats = given.text("--stats");
     if (!options.stats.empty()) requireEnding("--stats", options.stats, ".json");
-    options.frames = countFrom("--frames", given.text("--frames", "1"), kMostFrames);
-    if (given.has("--orbit-light"))
-        options.orbitLightDegrees = degreesFrom("--orbit-light", given.text("--orbit-light"));
-    if (given.has("--orbit-camera"))
-        options.orbitCameraDegrees = degreesFrom("--orbit-camera", given.text("--orbit-camera"));
+    options.motion = motionOptions(given);
     for (const std::string& folder : given.texts("--allow"))
         options.allowed.emplace_back(folder);
-    checkFrames(options);
+    requirePlaceForNumbers(options, options.motion.frames.value_or(1));
     requireDrawable(options);
     return options;
 }

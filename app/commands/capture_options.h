@@ -3,10 +3,10 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/commands/motion_options.h"
 #include "app/context/context.h"
 #include "app/session/figure.h"
 #include "techniques/foundation/math/types.h"
@@ -17,11 +17,10 @@ class App;
 
 namespace shadowlab::commands {
 
-// What a capture refuses to go beyond (exit status 6, except for the two counts: 2), shown by `list limits`.
+// What a capture refuses to go beyond (exit status 6, except for the count: 2), shown by `list limits`.
 constexpr int kLongestSide = 16384;              ///< pixels of the picture, and samples of one panel, on a side
 constexpr std::int64_t kMostSamples = 1ll << 27; ///< of all panels together: 12 bytes each on the graphics card
 constexpr int kMostSupersample = 16;
-constexpr int kMostFrames = 100000;
 
 struct CaptureOptions {
     std::string scene;
@@ -36,8 +35,7 @@ struct CaptureOptions {
     std::string light;                 ///< empty: the first
     context::Backend backend = context::Backend::automatic;
     std::filesystem::path stats; ///< empty: none
-    int frames = 1;
-    std::optional<double> orbitLightDegrees, orbitCameraDegrees;
+    MotionOptions motion;
     std::vector<std::filesystem::path> allowed;
 };
 
@@ -46,6 +44,9 @@ void describeCapture(CLI::App& command);
 /// From what was written to what is meant. Throws Error (usage, overLimit) for what is wrong in itself; what depends on
 /// the scene, or on the graphics card, is seen later.
 CaptureOptions captureOptions(const CLI::App& command);
+
+/// Throws Error (usage) when several pictures would have one name.
+void requirePlaceForNumbers(const CaptureOptions& options, int frames);
 
 /// Samples of the largest panel on a side. Throws Error when the panels are too small to be drawn (usage) or all
 /// together too large (overLimit).

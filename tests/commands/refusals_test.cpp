@@ -73,7 +73,7 @@ const std::vector<Refusal> kUsage = {
      {"single shows one technique, 2 are given", "side, split or grid"}},
     {"Labels", kCapture + std::vector<std::string>{"--labels", "yes"}, 2, {"--labels: 'yes'", "true", "false"}},
     {"Backend", kCapture + std::vector<std::string>{"--backend", "vulkan"}, 2, {"vulkan", "auto, egl, osmesa, window"}},
-    {"FramesWithoutHashes", kCapture + std::vector<std::string>{"--frames", "3"}, 2, {"--frames 3", "name_####.png"}},
+    {"FramesWithoutHashes", kCapture + std::vector<std::string>{"--frames", "3"}, 2, {"numbers of 3 frames", "name_####.png"}},
     {"FramesZero", kCapture + std::vector<std::string>{"--frames", "0"}, 2, {"from 1 to 100000"}},
     {"OrbitOfOneFrame",
      kCapture + std::vector<std::string>{"--orbit-light", "90"},
