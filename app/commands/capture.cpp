@@ -10,6 +10,7 @@
 #include "app/commands/messages.h"
 #include "app/context/signals.h"
 #include "app/session/assets.h"
+#include "app/session/derived_stages.h"
 #include "app/session/motion.h"
 #include "app/session/picture.h"
 #include "app/session/session.h"
@@ -146,7 +147,7 @@ private:
             FrameRequest request;
             request.timePasses = !options_.stats.empty();
             if (!stages_.empty() && stages_[i].isPass) request.stopAfter = stages_[i].key;
-            if (!stages_.empty() && !stages_[i].isPass) request.stages = {stages_[i].key};
+            if (!stages_.empty() && !stages_[i].isPass) request.stages = session::neededFor(stages_[i].key);
             const session::RenderedFrame rendered = session_->render(slot, view, request);
             stats_->add(i, rendered);
 
@@ -157,23 +158,37 @@ private:
                                                                visibility.greyAlpha, stats_->pngText()));
                 return;
             }
-            panels.push_back(panel(i, rendered, cells[i]));
+            panels.push_back(panel(i, rendered, view, cells[i]));
         }
         const bool needsFont = std::ranges::any_of(
             panels, [](const session::Panel& p) { return !p.title.empty() || session::hasLegend(p); });
-        if (needsFont && !font_)
-            font_ = std::make_unique<image::Font>(session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
-        const session::Figure figure = session::composeFigure(cells, panels, options_.size, font_.get());
+        const session::Figure figure =
+            session::composeFigure(cells, panels, options_.size, needsFont ? &font() : nullptr);
         if (frame == 0)
             for (const std::string& remark : figure.notes)
                 note(remark);
         image::writeWhole(path, image::encodePng(figure.picture, {.opaque = true, .text = stats_->pngText()}));
     }
 
-    session::Panel panel(std::size_t i, const session::RenderedFrame& rendered, const session::Cell& cell) const {
+    const image::Font& font() {
+        if (!font_) font_ = std::make_unique<image::Font>(session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+        return *font_;
+    }
+
+    session::Panel panel(std::size_t i, const session::RenderedFrame& rendered, const View& view,
+                         const session::Cell& cell) {
+        session::Panel panel = pictureOf(i, rendered, view, cell);
+        if (options_.labels && slots_.size() > 1) panel.title = slots_[i].info->title;
+        return panel;
+    }
+
+    session::Panel pictureOf(std::size_t i, const session::RenderedFrame& rendered, const View& view,
+                             const session::Cell& cell) {
         const session::Slot& slot = slots_[i];
         session::Panel panel;
-        if (options_.labels && slots_.size() > 1) panel.title = slot.info->title;
+        if (!stages_.empty() && !stages_[i].isPass && session::isDerived(stages_[i].key.id))
+            return session::derivedPanel(*session_, slot, rendered, *encoder_,
+                                         {stages_[i].key, view, options_.row, &font()});
         if (stages_.empty() || stages_[i].isPass) {
             if (!stages_.empty()) session::requirePassRan(rendered, stages_[i].key, *slot.info);
             panel.picture = encoder_->encode(slot.target.color, base_->exposure, options_.supersample);

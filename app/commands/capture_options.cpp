@@ -2,9 +2,11 @@
 #include "app/commands/capture_options.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include <CLI/CLI.hpp>
 
+#include "app/session/derived_stages.h"
 #include "techniques/foundation/error.h"
 
 namespace shadowlab::commands {
@@ -35,6 +37,17 @@ session::Layout layoutFor(const GivenOptions& given, std::size_t slots) {
     return layout;
 }
 
+int rowFor(const GivenOptions& given, const std::string& stage, ivec2 size) {
+    if (stage != "scanline") refuseUsage("--row: only the stage scanline is about one row; add --stage scanline");
+    const std::string text = given.text("--row");
+    int row = -1;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), row);
+    if (error != std::errc{} || end != text.data() + text.size() || row < 0 || row >= size.y)
+        refuseUsage("--row: '" + text + "' is not a row of the picture; write a whole number from 0 to " +
+                    std::to_string(size.y - 1));
+    return row;
+}
+
 } // namespace
 
 void requirePlaceForNumbers(const CaptureOptions& options, int frames) {
@@ -53,9 +66,10 @@ void describeCapture(CLI::App& command) {
     add("--layout", "LAYOUT", "single, side, split or grid (default: single for one technique, else side)");
     add("--labels", "true|false", "titles on the pictures of several techniques (default true)");
     add("--stage", "STAGE", "an intermediate picture: STAGE, STAGE@LIGHT or pass:ID (`list stages`)");
+    add("--row", "Y", "the row of the stage scanline, from the top (default: the one with most wrong pixels)");
     add("--size", "WxH", "width and height of the whole picture in pixels (default 1280x720)");
     add("--supersample", "N",
-        "average N x N samples a pixel in linear light (default 1; never for the stage visibility)");
+        "average N x N samples a pixel in linear light (default 1; never for stages about visibility)");
     add("--set", "[SLOT:]ID.PARAM=VALUE", "a parameter (`list parameters`), of all slots or of one; may be repeated");
     add("--light", "NAME", "the light that the stage is about (default: the first)");
     add("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
@@ -82,8 +96,10 @@ CaptureOptions captureOptions(const CLI::App& command) {
     options.stage = given.text("--stage");
     options.size = sizeFrom("--size", given.text("--size", "1280x720"), kLongestSide);
     options.supersample = countFrom("--supersample", given.text("--supersample", "1"), kMostSupersample);
-    // A visibility image holds the answers at the pixels' centres, not an average.
-    if (options.stage.substr(0, options.stage.find('@')) == "visibility") options.supersample = 1;
+    // A visibility image, and what is derived from one, holds the answers at the pixels' centres, not an average.
+    const std::string stage = options.stage.substr(0, options.stage.find('@'));
+    if (stage == "visibility" || session::isDerived(stage)) options.supersample = 1;
+    if (given.has("--row")) options.row = rowFor(given, stage, options.size);
     options.settings = given.texts("--set");
     options.light = given.text("--light");
     options.backend = context::backendFromName(given.text("--backend", "auto"));

@@ -28,7 +28,8 @@ struct CaptureOptions {
     std::vector<std::string> techniques{"shadow-volume-zfail"};
     session::Layout layout = session::Layout::single;
     bool labels = true;
-    std::string stage; ///< empty: the picture
+    std::string stage;      ///< empty: the picture
+    std::optional<int> row; ///< of stage `scanline`
     ivec2 size{1280, 720};
     int supersample = 1;
     std::vector<std::string> settings; ///< [SLOT:]ID.PARAM=VALUE

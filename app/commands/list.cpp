@@ -10,6 +10,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/messages.h"
 #include "app/session/assets.h"
+#include "app/session/derived_stages.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/load.h"
@@ -48,7 +49,7 @@ Table stagesTable() {
     Table table{{"technique", "stage", "perLight", "caption", "why", "glState"}, {}};
     for (const RegisteredTechnique& technique : registeredTechniques()) {
         const std::string id(technique.info->id);
-        for (const StageInfo& stage : technique.info->stages)
+        for (const StageInfo& stage : session::stagesOf(*technique.info))
             table.rows.push_back(
                 {id, std::string(stage.id), stage.perLight ? "true" : "false", std::string(stage.caption), "", ""});
         for (const PassInfo& pass : technique.info->passes)

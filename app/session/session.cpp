@@ -5,6 +5,7 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "app/session/derived_stages.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/nearest_names.h"
 
@@ -49,6 +50,11 @@ RenderedFrame Session::render(Slot& slot, const View& view, const FrameRequest& 
         ++sampled.sample;
     } while (!rendered.converged && Clock::now() < request.deadline);
     return rendered;
+}
+
+const measure::Truth& Session::truth(const View& view, int light) {
+    buffers_.update(snapshot_);
+    return exact_.truth(snapshot_, buffers_, view, light);
 }
 
 const Stage& findStage(const RenderedFrame& rendered, const StageKey& key) {
@@ -96,7 +102,7 @@ StageChoice parseStage(std::string_view text, const TechniqueInfo& info, const s
         known.push_back("pass:" + std::string(pass.id));
         if (isPass && pass.id == id) perLight = pass.perLight;
     }
-    for (const StageInfo& stage : info.stages) {
+    for (const StageInfo& stage : stagesOf(info)) {
         known.emplace_back(stage.id);
         if (!isPass && stage.id == id) perLight = stage.perLight;
     }

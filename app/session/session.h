@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/session/exact_view.h"
 #include "techniques/frame.h"
 #include "techniques/registry.h"
 
@@ -43,9 +44,15 @@ public:
     /// Throws Error (badInput) for a requested stage that the technique does not have.
     RenderedFrame render(Slot& slot, const View& view, const FrameRequest& request = {});
 
+    /// The truth of what the view shows of one light, with its ties. Valid until the next call.
+    const measure::Truth& truth(const View& view, int light);
+    /// The same without ties, for what follows a sequence.
+    measure::Truth truthAtCentres(const View& view, int light) { return exact_.truthAtCentres(snapshot_, view, light); }
+
 private:
     scene::Snapshot snapshot_;
     gl::SceneBuffers buffers_;
+    ExactView exact_;
 };
 
 /// `STAGE`, `STAGE@LIGHT` or `pass:ID[@LIGHT]` as the command line writes it; a stage of one light without a name takes

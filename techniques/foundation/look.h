@@ -26,6 +26,18 @@ inline const vec3 kOccluded = linearFromSrgb8(0xD5, 0x5E, 0x00);
 inline const vec3 kNothingStored = linearFromSrgb8(0x56, 0xB4, 0xE9);
 inline const vec3 kNotAsked = linearFromSrgb8(0x60, 0x60, 0x60);
 
+// A technique's visibility against the truth; what is right is the picture without its colours.
+inline const vec3 kFalseLit = linearFromSrgb8(0xE6, 0x9F, 0x00);
+inline const vec3 kFalseShadow = linearFromSrgb8(0x00, 0x72, 0xB2);
+inline const vec3 kTie = linearFromSrgb8(0x99, 0x99, 0x99);
+inline const vec3 kStray = linearFromSrgb8(0xCC, 0x79, 0xA7);
+
+// The truth itself.
+inline const vec3 kLit = linearFromSrgb8(0xF2, 0xF2, 0xF2);
+inline const vec3 kShadowed = linearFromSrgb8(0x38, 0x38, 0x3C);
+inline const vec3 kTurnedAway = linearFromSrgb8(0x56, 0x6B, 0x8C);
+inline const vec3 kNoSurface = linearFromSrgb8(0x0C, 0x0C, 0x0E);
+
 /// A palette: evenly spaced stops, linear RGB.
 using Palette = std::array<vec3, 9>;
 

@@ -15,6 +15,7 @@ struct Camera {
     double near = 0.1;         ///< metres; nothing nearer is seen
     double far =
         std::numeric_limits<double>::infinity(); ///< metres; a hint for depth fitting, never a clip of the picture
+    friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 /// View space: origin at the eye, camera looks down -z, +y up in the picture.

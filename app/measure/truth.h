@@ -1,0 +1,45 @@
+// The truth of a picture: for each pixel, what the light's visibility is by definition, and whether it is a tie.
+//
+// An eye ray and a shadow ray through the pixel's centre, on the triangles that the techniques draw; no rasteriser has
+// a say in it. Definitions: docs/conventions.md. What a rasteriser drew is asked for one thing only: where it shows
+// another triangle than the eye ray found, and that triangle's answer differs, neither is wrong, and the pixel is a tie.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "techniques/foundation/scene/camera.h"
+#include "techniques/foundation/trace/scene_tracer.h"
+
+namespace shadowlab::measure {
+
+/// How the rasteriser sees the picture.
+struct Rasterised {
+    double tieRadiusPx = 1.0 / 64.0;       ///< see tieRadius()
+    std::vector<std::uint32_t> primitives; ///< drawn per pixel (gl::IdBuffer), rows from the top; empty: not asked
+};
+
+/// Nearer than this to an edge, in pixels, no rasteriser promises on which side a pixel's centre falls: two steps of
+/// the grid that vertices are rounded to (GL_SUBPIXEL_BITS), and no less than 1/64.
+double tieRadius(int subpixelBits);
+
+/// One entry per pixel, rows from the top.
+struct Truth {
+    ivec2 size{0};
+    std::vector<trace::Visibility> visibility;
+    std::vector<std::uint32_t> objects; ///< index of the object that is seen; ~0u: none
+    std::vector<std::uint8_t> ties;     ///< 1: the truth changes within the tie radius
+
+    [[nodiscard]] std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
+    }
+};
+
+/// What the pixel centres see, without ties: enough to tell what changes from frame to frame.
+Truth truthAtCentres(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light);
+
+/// With ties: sixteen points around each centre are asked as well.
+Truth exactTruth(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light,
+                 const Rasterised& rasterised);
+
+} // namespace shadowlab::measure
