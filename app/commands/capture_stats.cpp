@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/capture_stats.h"
 
-#include <algorithm>
-
 namespace shadowlab::commands {
 
-namespace {
-
-double median(std::vector<double> values) {
-    if (values.empty()) return 0;
-    std::ranges::sort(values);
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+nlohmann::ordered_json timesJson(const measure::FrameTimes& times) {
+    nlohmann::ordered_json ms;
+    ms["frame"] = times.frameMs();
+    ms["prepare"] = times.prepareMs();
+    ms["passes"] = nlohmann::ordered_json::object();
+    for (const gl::PassTimer::Result& pass : times.passMs())
+        ms["passes"][pass.name] = pass.elapsedMs;
+    return ms;
 }
 
-} // namespace
+nlohmann::ordered_json countersJson(const std::vector<Counter>& counters) {
+    nlohmann::ordered_json entries = nlohmann::ordered_json::object();
+    for (const Counter& counter : counters) {
+        entries[counter.id]["built"] = counter.built;
+        if (counter.of > 0) entries[counter.id]["of"] = counter.of;
+        if (!counter.unit.empty()) entries[counter.id]["unit"] = counter.unit;
+    }
+    return entries;
+}
 
 CaptureStats::CaptureStats(const scene::Scene& scene, const CaptureOptions& options, const context::Context& context,
                            const std::vector<session::Slot>& slots)
@@ -22,7 +29,7 @@ CaptureStats::CaptureStats(const scene::Scene& scene, const CaptureOptions& opti
       size_(options.size) {
     std::string techniques, settings;
     for (const session::Slot& slot : slots) {
-        SlotStats stats{std::string(slot.info->id), params::toJson(slot.params), {}, {}, {}, {}};
+        SlotStats stats{std::string(slot.info->id), params::toJson(slot.params), {}, {}};
         // As --set takes them: of several slots, each with its number.
         const std::string prefix = slots.size() > 1 ? std::to_string(slots_.size() + 1) + ":" : "";
         for (const params::Param& param : slot.params)
@@ -38,15 +45,8 @@ CaptureStats::CaptureStats(const scene::Scene& scene, const CaptureOptions& opti
 
 void CaptureStats::add(std::size_t slot, const session::RenderedFrame& rendered) {
     SlotStats& stats = slots_[slot];
-    stats.frameMs.push_back(rendered.frameMs);
-    stats.prepareMs.push_back(rendered.prepareMs);
-    for (const gl::PassTimer::Result& pass : rendered.result.passMs) {
-        const auto known = std::ranges::find(stats.passMs, pass.name, [](const auto& entry) { return entry.first; });
-        if (known != stats.passMs.end())
-            known->second.push_back(pass.elapsedMs);
-        else
-            stats.passMs.push_back({pass.name, {pass.elapsedMs}});
-    }
+    stats.times.addFrame(rendered.frameMs, rendered.prepareMs);
+    stats.times.addPasses(rendered.result.passMs);
     stats.counters = rendered.result.counters;
 }
 
@@ -62,18 +62,9 @@ std::string CaptureStats::json() const {
         nlohmann::ordered_json entry;
         entry["technique"] = slot.technique;
         entry["parameters"] = slot.parameters;
-        entry["frames"] = slot.frameMs.size();
-        entry["ms"]["frame"] = median(slot.frameMs);
-        entry["ms"]["prepare"] = median(slot.prepareMs);
-        entry["ms"]["passes"] = nlohmann::ordered_json::object();
-        for (const auto& [name, times] : slot.passMs)
-            entry["ms"]["passes"][name] = median(times);
-        entry["counters"] = nlohmann::ordered_json::object();
-        for (const Counter& counter : slot.counters) {
-            entry["counters"][counter.id]["built"] = counter.built;
-            if (counter.of > 0) entry["counters"][counter.id]["of"] = counter.of;
-            if (!counter.unit.empty()) entry["counters"][counter.id]["unit"] = counter.unit;
-        }
+        entry["frames"] = slot.times.frames();
+        entry["ms"] = timesJson(slot.times);
+        entry["counters"] = countersJson(slot.counters);
         root["results"].push_back(std::move(entry));
     }
     // A file's name may hold bytes that are no UTF-8; JSON may not.

@@ -5,11 +5,17 @@
 #include <vector>
 
 #include "app/commands/capture_options.h"
+#include "app/measure/frame_times.h"
 #include "app/session/session.h"
 #include "techniques/foundation/image/png.h"
 #include "techniques/foundation/params/param_json.h"
 
 namespace shadowlab::commands {
+
+/// {"frame", "prepare", "passes": {...}}, in milliseconds.
+nlohmann::ordered_json timesJson(const measure::FrameTimes& times);
+/// {"casters": {"built", "of", "unit"}, ...}
+nlohmann::ordered_json countersJson(const std::vector<Counter>& counters);
 
 class CaptureStats {
 public:
@@ -29,8 +35,7 @@ private:
     struct SlotStats {
         std::string technique;
         nlohmann::ordered_json parameters;
-        std::vector<double> frameMs, prepareMs;
-        std::vector<std::pair<std::string, std::vector<double>>> passMs;
+        measure::FrameTimes times;
         std::vector<Counter> counters; ///< of the last frame
     };
     std::string scene_, renderer_, version_, backend_;

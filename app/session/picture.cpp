@@ -26,6 +26,13 @@ int mode(StageKind kind) {
     return 0;
 }
 
+image::Image readPicture(const gl::Texture2D& encoded) {
+    const std::vector<glm::u8vec4> texels = gl::readRows<glm::u8vec4>(encoded, GL_UNSIGNED_BYTE);
+    image::Image picture(encoded.size().x, encoded.size().y);
+    std::memcpy(picture.rgba.data(), texels.data(), texels.size() * 4);
+    return picture;
+}
+
 } // namespace
 
 PictureEncoder::PictureEncoder() : program_("fullscreen.vert", "session/encode.frag") {}
@@ -34,7 +41,14 @@ image::Image PictureEncoder::encode(const gl::Texture2D& radiance, float exposur
     program_.use();
     program_.set("mode", mode(StageKind::radiance));
     program_.set("exposure", exposure);
-    return draw(radiance, supersample);
+    return readPicture(draw(radiance, supersample));
+}
+
+gl::Texture2D PictureEncoder::encodeInPlace(const gl::Texture2D& radiance, float exposure) const {
+    program_.use();
+    program_.set("mode", mode(StageKind::radiance));
+    program_.set("exposure", exposure);
+    return draw(radiance, 1);
 }
 
 image::Image PictureEncoder::encode(const Stage& stage, StageKind kind, float exposure, int supersample) const {
@@ -49,12 +63,12 @@ image::Image PictureEncoder::encode(const Stage& stage, StageKind kind, float ex
     program_.set("palette", std::span<const vec4>(stops));
     // A stage may have a size of its own (a shadow map's view of the scene): only those of the target's are
     // supersampled.
-    return draw(stage.texture, supersample);
+    return readPicture(draw(stage.texture, supersample));
 }
 
-image::Image PictureEncoder::draw(const gl::Texture2D& source, int supersample) const {
+gl::Texture2D PictureEncoder::draw(const gl::Texture2D& source, int supersample) const {
     const ivec2 size = source.size() / supersample;
-    const gl::Texture2D encoded(GL_RGBA8, size, "encoded picture");
+    gl::Texture2D encoded(GL_RGBA8, size, "encoded picture");
     const gl::Framebuffer framebuffer(&encoded, nullptr, "encoded picture");
     gl::setBaselineState();
     glDisable(GL_DEPTH_TEST);
@@ -64,10 +78,7 @@ image::Image PictureEncoder::draw(const gl::Texture2D& source, int supersample) 
     source.bind(0);
     gl::drawFullscreenTriangle();
     gl::check("encode");
-    const std::vector<glm::u8vec4> texels = gl::readRows<glm::u8vec4>(encoded, GL_UNSIGNED_BYTE);
-    image::Image picture(size.x, size.y);
-    std::memcpy(picture.rgba.data(), texels.data(), texels.size() * 4);
-    return picture;
+    return encoded;
 }
 
 VisibilityImage readVisibility(const Stage& stage) {

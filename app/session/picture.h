@@ -16,12 +16,14 @@ public:
 
     /// The radiance in a target: exposure, clamp, sRGB. `supersample` N averages N x N texels in linear light first.
     [[nodiscard]] image::Image encode(const gl::Texture2D& radiance, float exposure, int supersample = 1) const;
+    /// The same, left on the graphics card: what a frame costs when somebody only looks at it.
+    [[nodiscard]] gl::Texture2D encodeInPlace(const gl::Texture2D& radiance, float exposure) const;
 
     /// A stage as its kind asks: exposure, a palette, or the colours as they are.
     [[nodiscard]] image::Image encode(const Stage& stage, StageKind kind, float exposure, int supersample = 1) const;
 
 private:
-    [[nodiscard]] image::Image draw(const gl::Texture2D& source, int supersample) const;
+    [[nodiscard]] gl::Texture2D draw(const gl::Texture2D& source, int supersample) const;
     gl::Program program_;
 };
 
