@@ -1,0 +1,39 @@
+// What `measure` is asked to do: its options, described and checked.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/context/context.h"
+#include "app/session/motion.h"
+#include "techniques/foundation/math/types.h"
+
+namespace CLI {
+class App;
+}
+
+namespace shadowlab::commands {
+
+// What a measurement refuses to go beyond (exit status 6), shown by `list limits`. Truth, verdicts and the comparisons
+// of pictures keep about 200 bytes a pixel.
+constexpr int kLongestMeasuredSide = 8192;
+
+struct MeasureOptions {
+    std::string scene;
+    std::vector<std::string> techniques{"shadow-volume-zfail"};
+    ivec2 size{1280, 720};
+    std::vector<std::string> settings; ///< [SLOT:]ID.PARAM=VALUE
+    std::string light;                 ///< empty: the first
+    context::Backend backend = context::Backend::automatic;
+    session::Motion motion;
+    bool json = false;
+    std::vector<std::filesystem::path> allowed;
+};
+
+void describeMeasure(CLI::App& command);
+
+/// From what was written to what is meant. Throws Error (usage, overLimit).
+MeasureOptions measureOptions(const CLI::App& command);
+
+} // namespace shadowlab::commands

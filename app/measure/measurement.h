@@ -1,0 +1,80 @@
+// Measuring: every technique draws the same frames, and each of its pixels is held against the truth.
+//
+// A frame is drawn twice. Once as if somebody only looked at it: that is the time of the frame. And once with a clock
+// around every pass and with its visibility kept, which costs a little more and is not counted. Techniques take turns
+// frame by frame, so that whatever else the machine does meets all of them alike.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/measure/boundary.h"
+#include "app/measure/flips.h"
+#include "app/measure/frame_times.h"
+#include "app/measure/verdict.h"
+#include "app/session/motion.h"
+#include "app/session/picture.h"
+#include "app/session/session.h"
+
+namespace shadowlab::measure {
+
+/// A picture against the one that `ray-traced` draws.
+struct PictureErrors {
+    double psnr = 0; ///< dB, of linear light; infinite for equal pictures
+    double ssim = 1; ///< of the encoded pictures
+    double flip = 0; ///< mean over the picture
+};
+
+/// What is known of one technique, for one light.
+struct Result {
+    std::string technique;
+    Counts counts;
+    double served = 1; ///< share of the pixels with a surface that the technique can serve at all
+    int coreErrors = 0;
+    std::optional<double> edgeErrorPx;      ///< none: the truth has no boundary
+    std::optional<Displacement> boundaryPx; ///< none: the truth, or the technique, has no boundary
+    PictureErrors picture;
+    std::optional<double> excessFlipRate; ///< none: a single frame, or no boundary
+    bool converged = true;
+    double firstPrepareMs = 0; ///< from nothing: trees, silhouettes; later frames only do what changed
+    FrameTimes times;
+    std::vector<Counter> counters; ///< of the first frame
+};
+
+class Measurement {
+public:
+    /// All of them must live as long as the measurement. Needs a current GL context.
+    Measurement(session::Session& session, std::vector<session::Slot>& slots, int light, ivec2 size);
+
+    /// The next frame of the sequence. The first one is judged, and drawn once before it counts: what the driver
+    /// compiles on first use is no part of the technique.
+    void addFrame(const session::Moment& moment);
+
+    [[nodiscard]] std::vector<Result> results() const;
+
+private:
+    struct Slot {
+        session::Slot* slot;
+        Result result;
+        ExcessFlips flips;
+    };
+    /// One picture of the first frame, as linear light and as it is shown.
+    struct Shown {
+        std::vector<float> linear;
+        image::Image encoded;
+    };
+    void judgeFirst(Slot& measured, const session::RenderedFrame& rendered, const session::VisibilityImage& visibility,
+                    const View& view, const Shown& reference);
+    Shown shown(const session::Slot& slot) const;
+    Shown referencePicture(const View& view);
+
+    session::Session& session_;
+    std::vector<Slot> slots_;
+    session::PictureEncoder encoder_;
+    int light_;
+    ivec2 size_;
+    bool first_ = true;
+};
+
+} // namespace shadowlab::measure
