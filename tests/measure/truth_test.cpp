@@ -69,8 +69,9 @@ scene::Snapshot lidScene(double edge, ivec2 size) {
     const double edgeX = (edge - size.x / 2.0) / 100.0;
     // The lid itself is out of view: above the camera.
     const double left = -3;
-    testing::addObject(scene, testing::triangleSoup({{left, 12, -3}, {edgeX, 12, 3}, {edgeX, 12, -3},
-                                                     {left, 12, -3}, {left, 12, 3}, {edgeX, 12, 3}}));
+    testing::addObject(
+        scene, testing::triangleSoup(
+                   {{left, 12, -3}, {edgeX, 12, 3}, {edgeX, 12, -3}, {left, 12, -3}, {left, 12, 3}, {edgeX, 12, 3}}));
     scene.lights.push_back(testing::directionalLight({0, -1, 0}));
     return testing::snapshot(scene);
 }
