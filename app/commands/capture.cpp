@@ -1,7 +1,5 @@
 // `shadowlab capture`: one picture, or a sequence, of one or several techniques.
 // SPDX-License-Identifier: MIT
-#include <glad/gl.h>
-
 #include <algorithm>
 #include <memory>
 
@@ -118,10 +116,7 @@ private:
     /// What this driver can draw, asked before it is given anything to allocate.
     void checkGlLimits() const {
         const int needed = requireDrawable(options_);
-        GLint texture = 0, viewport[2] = {0, 0};
-        glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
-        glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
-        const int limit = std::min({texture, viewport[0], viewport[1]});
+        const int limit = context::largestSide();
         if (needed > limit)
             throw Error(ExitStatus::overLimit, "the picture needs " + std::to_string(needed) +
                                                    " samples on a side, this OpenGL driver draws " +

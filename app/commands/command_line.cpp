@@ -99,6 +99,10 @@ int run(int argc, char** argv) {
     CLI::App* captureCommand = addCommand(app, "capture", "Renders a scene to a PNG without a window");
     describeCapture(*captureCommand);
 
+    CLI::App* measureCommand = addCommand(
+        app, "measure", "What techniques get wrong, pixel by pixel against the exact answer, and what they cost");
+    describeMeasure(*measureCommand);
+
     CLI::App* demoCommand =
         addCommand(app, "demo", "Shadow map and shadow volume side by side, as a picture in the current folder");
     addOption(*demoCommand, "SCENE", "",
@@ -143,6 +147,7 @@ int run(int argc, char** argv) {
         refuseLeftOver(app); // words before the command
     }
     if (captureCommand->parsed()) return capture(captureOptions(*captureCommand));
+    if (measureCommand->parsed()) return measure(measureOptions(*measureCommand));
     if (listCommand->parsed())
         return list({GivenOptions(*listCommand).required("WHAT", "for example shadowlab list techniques"),
                      listCommand->count("--json") > 0});

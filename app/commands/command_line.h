@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "app/commands/capture_options.h"
+#include "app/commands/measure_options.h"
 
 namespace shadowlab::commands {
 
 int capture(const CaptureOptions& options);
+
+/// Prints what was measured to standard output.
+int measure(const MeasureOptions& options);
 
 struct ListOptions {
     std::string what;

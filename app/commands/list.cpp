@@ -116,6 +116,7 @@ Table limitsTable() {
                  {"coordinate", number(limits.coordinate), "m"},
                  {"picture-side", number(kLongestSide), "pixels"},
                  {"picture-samples", number(kMostSamples), "samples"},
+                 {"measured-side", number(kLongestMeasuredSide), "pixels"},
                  {"supersample", number(kMostSupersample), "samples on a side"},
                  {"frames", number(kMostFrames), ""}}};
     addDriverLimits(table);

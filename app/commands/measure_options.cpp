@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/commands/motion_options.h"
 #include "app/commands/option_values.h"
 #include "techniques/registry.h"
 
@@ -55,7 +54,7 @@ MeasureOptions measureOptions(const CLI::App& command) {
     options.settings = given.texts("--set");
     options.light = given.text("--light");
     options.backend = context::backendFromName(given.text("--backend", "auto"));
-    options.motion = motionFrom(given);
+    options.motion = motionOptions(given);
     options.json = command.count("--json") > 0;
     for (const std::string& folder : given.texts("--allow"))
         options.allowed.emplace_back(folder);

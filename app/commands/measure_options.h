@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/motion_options.h"
 #include "app/context/context.h"
-#include "app/session/motion.h"
 #include "techniques/foundation/math/types.h"
 
 namespace CLI {
@@ -26,7 +26,7 @@ struct MeasureOptions {
     std::vector<std::string> settings; ///< [SLOT:]ID.PARAM=VALUE
     std::string light;                 ///< empty: the first
     context::Backend backend = context::Backend::automatic;
-    session::Motion motion;
+    MotionOptions motion;
     bool json = false;
     std::vector<std::filesystem::path> allowed;
 };

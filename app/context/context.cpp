@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/context/context.h"
 
+#include <algorithm>
 #include <glad/gl.h>
 
 #include <array>
@@ -95,6 +96,13 @@ Backend backendFromName(std::string_view name) {
 
 std::string glVersion() { return glString(GL_VERSION); }
 std::string glRenderer() { return glString(GL_RENDERER); }
+
+int largestSide() {
+    GLint texture = 0, viewport[2] = {0, 0};
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+    return std::min({texture, viewport[0], viewport[1]});
+}
 
 std::vector<BackendReport> probeBackends() {
     Context* const before = TrackedContext::current();

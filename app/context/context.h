@@ -35,6 +35,8 @@ Backend backendFromName(std::string_view name);
 /// GL_VERSION and GL_RENDERER of the current context.
 std::string glVersion();
 std::string glRenderer();
+/// Pixels on a side of the largest picture that the current context draws.
+int largestSide();
 
 /// One line of `list backends`. The context that was current before is current again afterwards.
 struct BackendReport {

@@ -65,7 +65,8 @@ private:
         image::Image encoded;
     };
     void judgeFirst(Slot& measured, const session::RenderedFrame& rendered, const session::VisibilityImage& visibility,
-                    const View& view, const Shown& reference);
+                    const Truth& truth, const Shown& reference);
+    std::optional<Grid<float>> texelSizes(const Slot& measured, const session::RenderedFrame& rendered) const;
     Shown shown(const session::Slot& slot) const;
     Shown referencePicture(const View& view);
 

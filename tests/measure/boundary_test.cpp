@@ -108,8 +108,8 @@ TEST(Boundary, CoreErrorsLieFartherThanAliasingReaches) {
     const auto coreIn = [&](int column, double texelPx) {
         Grid<std::uint8_t> wrong(size.x, size.y);
         wrong.at(column, 5) = 1;
-        return coreErrors(wrong, distances, texelPx > 0 ? std::optional(Grid<float>(size.x, size.y, float(texelPx)))
-                                                        : std::nullopt);
+        return coreErrors(wrong, distances,
+                          texelPx > 0 ? std::optional(Grid<float>(size.x, size.y, float(texelPx))) : std::nullopt);
     };
     EXPECT_EQ(coreIn(20, 0), 0); // 0.5 px from the boundary
     EXPECT_EQ(coreIn(21, 0), 0); // 1.5 px: not farther than that

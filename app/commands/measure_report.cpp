@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/measure_report.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "app/commands/capture_stats.h"
+#include "app/commands/text_table.h"
+
+namespace shadowlab::commands {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using measure::Result;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+Json resultJson(const Measured& measured, const Result& result) {
+    const measure::Counts& counts = result.counts;
+    Json entry;
+    entry["technique"] = result.technique;
+    entry["light"] = measured.light;
+    entry["pixels"] = counts.pixels;
+    entry["lit"] = counts.lit;
+    entry["shadowed"] = counts.shadowed;
+    entry["turnedAway"] = counts.turnedAway;
+    entry["ties"] = counts.ties;
+    entry["served"] = result.served;
+    entry["falseLit"] = counts.falseLit;
+    entry["falseShadow"] = counts.falseShadow;
+    entry["coreErrors"] = result.coreErrors;
+    entry["stray"] = counts.stray;
+    entry["edgeErrorPx"] = number(result.edgeErrorPx);
+    entry["boundaryPx"] = nullptr;
+    if (result.boundaryPx)
+        entry["boundaryPx"] = {
+            {"mean", result.boundaryPx->mean}, {"p95", result.boundaryPx->p95}, {"max", result.boundaryPx->max}};
+    entry["rmse"] = counts.rmse;
+    entry["psnr"] = number(result.picture.psnr);
+    entry["ssim"] = number(result.picture.ssim);
+    entry["flip"] = number(result.picture.flip);
+    entry["excessFlipRate"] = number(result.excessFlipRate);
+    entry["converged"] = result.converged;
+    entry["ms"] = timesJson(result.times);
+    entry["ms"]["firstPrepare"] = result.firstPrepareMs;
+    entry["counters"] = countersJson(result.counters);
+    return entry;
+}
+
+std::string fixed(double value, int decimals) {
+    std::array<char, 64> buffer{};
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+    return error == std::errc{} ? std::string(buffer.data(), end) : std::string("?");
+}
+
+std::string fixed(const std::optional<double>& value, int decimals) { return value ? fixed(*value, decimals) : "-"; }
+
+std::string percent(int part, int whole) { return whole > 0 ? fixed(100.0 * part / whole, 2) + " %" : "-"; }
+
+Rows errorRows(const Measured& measured) {
+    Rows rows{{"errors", "false lit", "false shadow", "core", "edge error px", "boundary px mean", "p95", "max", "RMSE",
+               "served", measured.frames > 1 ? "excess flips" : ""}};
+    for (const Result& result : measured.results) {
+        const auto& boundary = result.boundaryPx;
+        rows.push_back({result.technique, std::to_string(result.counts.falseLit),
+                        std::to_string(result.counts.falseShadow), std::to_string(result.coreErrors),
+                        fixed(result.edgeErrorPx, 4), boundary ? fixed(boundary->mean, 3) : "-",
+                        boundary ? fixed(boundary->p95, 2) : "-", boundary ? fixed(boundary->max, 2) : "-",
+                        fixed(result.counts.rmse, 4), fixed(100 * result.served, 1) + " %",
+                        measured.frames > 1 ? fixed(result.excessFlipRate, 4) : ""});
+    }
+    return rows;
+}
+
+Rows pictureRows(const Measured& measured) {
+    Rows rows{{"picture against ray-traced", "PSNR dB", "SSIM", "FLIP", ""}};
+    for (const Result& result : measured.results)
+        rows.push_back({result.technique, std::isfinite(result.picture.psnr) ? fixed(result.picture.psnr, 2) : "equal",
+                        fixed(result.picture.ssim, 5), fixed(result.picture.flip, 5), ""});
+    return rows;
+}
+
+Rows timeRows(const Measured& measured) {
+    Rows rows{{"ms", "frame", "prepare", "first prepare", "passes"}};
+    for (const Result& result : measured.results) {
+        std::string passes;
+        for (const gl::PassTimer::Result& pass : result.times.passMs())
+            passes += (passes.empty() ? "" : ", ") + pass.name + " " + fixed(pass.elapsedMs, 1);
+        rows.push_back({result.technique, fixed(result.times.frameMs(), 1), fixed(result.times.prepareMs(), 1),
+                        fixed(result.firstPrepareMs, 1), passes});
+    }
+    return rows;
+}
+
+Rows counterRows(const Measured& measured) {
+    Rows rows{{"counters", ""}};
+    for (const Result& result : measured.results) {
+        std::string counters;
+        for (const Counter& counter : result.counters) {
+            counters += (counters.empty() ? "" : ", ") + counter.id + " " + fixed(counter.built, 0);
+            if (counter.of > 0) counters += " of " + fixed(counter.of, 0);
+            if (!counter.unit.empty()) counters += " " + counter.unit;
+        }
+        rows.push_back({result.technique, counters});
+    }
+    return rows;
+}
+
+} // namespace
+
+std::string measureJson(const Measured& measured) {
+    Json root;
+    root["scene"] = measured.scene;
+    root["size"] = {measured.size.x, measured.size.y};
+    root["backend"] = measured.backend;
+    root["renderer"] = measured.renderer;
+    root["frames"] = measured.frames;
+    root["results"] = Json::array();
+    for (const Result& result : measured.results)
+        root["results"].push_back(resultJson(measured, result));
+    // A file's name may hold bytes that are no UTF-8; JSON may not.
+    return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string measureTable(const Measured& measured) {
+    const measure::Counts& truth = measured.results.front().counts;
+    std::string text = measured.scene + ", light '" + measured.light + "', " + std::to_string(measured.size.x) + "x" +
+                       std::to_string(measured.size.y) + ", " + std::to_string(measured.frames) +
+                       (measured.frames == 1 ? " frame" : " frames") + ", " + measured.renderer + "\n\n";
+    text += aligned({{"truth", "pixels", "share", ""},
+                     {"lit", std::to_string(truth.lit), percent(truth.lit, truth.pixels), ""},
+                     {"in shadow", std::to_string(truth.shadowed), percent(truth.shadowed, truth.pixels), ""},
+                     {"turned away", std::to_string(truth.turnedAway), percent(truth.turnedAway, truth.pixels), ""},
+                     {"ties", std::to_string(truth.ties), percent(truth.ties, truth.pixels), ""},
+                     {"with a surface", std::to_string(truth.pixels), "", ""}});
+    for (const Rows& rows : {errorRows(measured), pictureRows(measured), timeRows(measured), counterRows(measured)})
+        text += "\n" + aligned(rows);
+    return text;
+}
+
+} // namespace shadowlab::commands

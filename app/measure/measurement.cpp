@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "app/measure/measurement.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "app/measure/flip.h"
+#include "app/measure/image_metrics.h"
+#include "techniques/foundation/gl/read_back.h"
+
+namespace shadowlab::measure {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using trace::Visibility;
+
+double elapsedMs(Clock::time_point since) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
+}
+
+bool publishes(const TechniqueInfo& info, std::string_view stage) {
+    return std::ranges::find(info.stages, stage, &StageInfo::id) != info.stages.end();
+}
+
+Shade shadeOf(Visibility visibility) {
+    switch (visibility) {
+    case Visibility::noSurface: return Shade::outside;
+    case Visibility::turnedAway: return Shade::turnedAway;
+    case Visibility::shadowed: return Shade::shadowed;
+    case Visibility::lit: return Shade::lit;
+    }
+    return Shade::outside;
+}
+
+Grid<Shade> shadesOf(const Truth& truth) {
+    Grid<Shade> shades(truth.size.x, truth.size.y);
+    std::ranges::transform(truth.visibility, shades.values.begin(), shadeOf);
+    return shades;
+}
+
+Grid<std::uint32_t> receiversOf(const Truth& truth) {
+    Grid<std::uint32_t> receivers(truth.size.x, truth.size.y);
+    receivers.values = truth.objects;
+    return receivers;
+}
+
+/// The technique's answers, cut at one half; turned away is what the truth says is turned away.
+Grid<Shade> shadesOf(const session::VisibilityImage& visibility, const Truth& truth) {
+    Grid<Shade> shades(truth.size.x, truth.size.y);
+    for (std::size_t i = 0; i < shades.values.size(); ++i) {
+        const bool covered = visibility.greyAlpha[2 * i + 1] == 255, lit = visibility.greyAlpha[2 * i] > 127;
+        const Shade exact = shadeOf(truth.visibility[i]);
+        const bool compared = exact == Shade::lit || exact == Shade::shadowed;
+        shades.values[i] = !covered ? Shade::outside : !compared ? exact : lit ? Shade::lit : Shade::shadowed;
+    }
+    return shades;
+}
+
+/// Is each pixel lit? Turned away and empty pixels are not.
+std::vector<std::uint8_t> litMask(const session::VisibilityImage& visibility) {
+    std::vector<std::uint8_t> lit(visibility.greyAlpha.size() / 2);
+    for (std::size_t i = 0; i < lit.size(); ++i)
+        lit[i] = visibility.greyAlpha[2 * i + 1] == 255 && visibility.greyAlpha[2 * i] > 127 ? 1 : 0;
+    return lit;
+}
+std::vector<std::uint8_t> litMask(const Truth& truth) {
+    std::vector<std::uint8_t> lit(truth.visibility.size());
+    std::ranges::transform(truth.visibility, lit.begin(), [](Visibility v) { return v == Visibility::lit ? 1 : 0; });
+    return lit;
+}
+
+} // namespace
+
+Measurement::Measurement(session::Session& session, std::vector<session::Slot>& slots, int light, ivec2 size)
+    : session_(session), light_(light), size_(size) {
+    for (session::Slot& slot : slots) {
+        slots_.push_back({&slot, {}, {}});
+        slots_.back().result.technique = slot.info->id;
+    }
+}
+
+void Measurement::addFrame(const session::Moment& moment) {
+    session_.setScene(moment.snapshot);
+    View view;
+    view.camera = moment.camera;
+    view.size = size_;
+    const Truth truth = first_ ? session_.truth(view, light_) : session_.truthAtCentres(view, light_);
+    const double boundaryLength = lengthPx(boundaryEdges(shadesOf(truth), receiversOf(truth)));
+    std::optional<Shown> reference;
+    if (first_) reference = referencePicture(view);
+
+    for (Slot& measured : slots_) {
+        session::Slot& slot = *measured.slot;
+        if (first_) measured.result.firstPrepareMs = session_.render(slot, view).prepareMs;
+
+        const Clock::time_point start = Clock::now();
+        const session::RenderedFrame looked = session_.render(slot, view);
+        const gl::Texture2D encoded = encoder_.encodeInPlace(slot.target.color, moment.snapshot->exposure);
+        glFinish();
+        measured.result.times.addFrame(elapsedMs(start), looked.prepareMs);
+
+        FrameRequest request;
+        request.timePasses = true;
+        request.stages = {{"visibility", light_}};
+        if (publishes(*slot.info, "texel-size")) request.stages.push_back({"texel-size", light_});
+        const session::RenderedFrame rendered = session_.render(slot, view, request);
+        measured.result.times.addPasses(rendered.result.passMs);
+        const session::VisibilityImage visibility =
+            session::readVisibility(session::findStage(rendered, {"visibility", light_}));
+        measured.flips.addFrame(litMask(visibility), litMask(truth), boundaryLength);
+        if (first_) judgeFirst(measured, rendered, visibility, truth, *reference);
+    }
+    first_ = false;
+}
+
+void Measurement::judgeFirst(Slot& measured, const session::RenderedFrame& rendered,
+                             const session::VisibilityImage& visibility, const Truth& truth, const Shown& reference) {
+    Result& result = measured.result;
+    const Judgement judgement = judge(truth, visibility.greyAlpha);
+    result.counts = judgement.counts;
+    result.converged = rendered.converged;
+    result.counters = rendered.result.counters;
+    for (const Counter& counter : result.counters)
+        if (counter.id == "served" && counter.of > 0) result.served = counter.built / counter.of;
+
+    const Grid<Shade> exact = shadesOf(truth), drawn = shadesOf(visibility, truth);
+    const Grid<std::uint32_t> receivers = receiversOf(truth);
+    const std::vector<BoundaryEdge> boundary = boundaryEdges(exact, receivers);
+    if (!boundary.empty()) result.edgeErrorPx = result.counts.wrong() / lengthPx(boundary);
+    result.boundaryPx = displacement(boundary, boundaryEdges(drawn, receivers), size_);
+
+    Grid<std::uint8_t> wrong(size_.x, size_.y);
+    std::ranges::transform(judgement.verdicts, wrong.values.begin(), [](Verdict verdict) {
+        return verdict == Verdict::falseLit || verdict == Verdict::falseShadow ? 1 : 0;
+    });
+    result.coreErrors = coreErrors(wrong, distanceToBoundary(boundary, size_), texelSizes(measured, rendered));
+
+    const Shown picture = shown(*measured.slot);
+    result.picture = {psnr(picture.linear, reference.linear), ssim(picture.encoded, reference.encoded),
+                      flip(picture.encoded, reference.encoded).mean};
+}
+
+/// How large a texel of a shadow map lies on screen, where a technique says so.
+std::optional<Grid<float>> Measurement::texelSizes(const Slot& measured, const session::RenderedFrame& rendered) const {
+    if (!publishes(*measured.slot->info, "texel-size")) return std::nullopt;
+    Grid<float> sizes(size_.x, size_.y);
+    const std::vector<vec4> texels = gl::readTexels(session::findStage(rendered, {"texel-size", light_}).texture);
+    std::ranges::transform(texels, sizes.values.begin(),
+                           [](const vec4& texel) { return texel.g > 0.5f ? texel.r : 0.0f; });
+    return sizes;
+}
+
+/// The picture in a slot's target: linear light as it is shown, that is exposed and clamped, and the encoded bytes.
+Measurement::Shown Measurement::shown(const session::Slot& slot) const {
+    const float exposure = session_.snapshot()->exposure;
+    Shown picture{{}, encoder_.encode(slot.target.color, exposure)};
+    for (const vec4& texel : gl::readTexels(slot.target.color))
+        for (int channel = 0; channel < 3; ++channel)
+            picture.linear.push_back(std::clamp(exposure * texel[channel], 0.0f, 1.0f));
+    return picture;
+}
+
+Measurement::Shown Measurement::referencePicture(const View& view) {
+    session::Slot slot = session::Session::makeSlot("ray-traced");
+    session_.render(slot, view);
+    return shown(slot);
+}
+
+std::vector<Result> Measurement::results() const {
+    std::vector<Result> results;
+    for (const Slot& measured : slots_) {
+        results.push_back(measured.result);
+        results.back().excessFlipRate = measured.flips.rate();
+    }
+    return results;
+}
+
+} // namespace shadowlab::measure
