@@ -62,7 +62,7 @@ int measure(const MeasureOptions& options) {
         throw Error(ExitStatus::overLimit, "this OpenGL driver draws pictures of up to " + std::to_string(limit) +
                                                " pixels on a side; choose a smaller --size");
     session::Session session(base);
-    measure::Measurement measurement(session, slots, light, options.size);
+    session::Measurement measurement(session, slots, light, options.size);
     Progress progress("frame", motion.frames);
     for (int frame = 0; frame < motion.frames; ++frame) {
         context::throwIfInterrupted();

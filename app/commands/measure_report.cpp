@@ -14,7 +14,7 @@ namespace shadowlab::commands {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using measure::Result;
+using Result = session::TechniqueErrors;
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/measure/measurement.h"
+#include "app/session/measurement.h"
 
 namespace shadowlab::commands {
 
@@ -13,7 +13,7 @@ struct Measured {
     std::string scene, light, backend, renderer;
     ivec2 size{0};
     int frames = 1;
-    std::vector<measure::Result> results;
+    std::vector<session::TechniqueErrors> results;
 };
 
 /// One JSON object; a number that does not exist (a distance without boundaries, the PSNR of equal pictures) is null.

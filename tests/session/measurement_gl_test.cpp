@@ -1,7 +1,7 @@
 // Measuring techniques whose errors are known beforehand: one that paints the truth with so many pixels turned over,
 // one that forgets a caster, and every technique of the registry with its faults switched on.
 // SPDX-License-Identifier: MIT
-#include "app/measure/measurement.h"
+#include "app/session/measurement.h"
 
 #include <cmath>
 
@@ -12,29 +12,30 @@
 #include "tests/support/hard_scenes.h"
 #include "tests/support/scenes.h"
 
-namespace shadowlab::measure {
+namespace shadowlab::session {
 namespace {
 
+using measure::Counts, measure::Judgement, measure::judge, measure::Truth, measure::Verdict;
+using Result = TechniqueErrors;
 using trace::Visibility;
 
 constexpr ivec2 kSize{320, 240};
 
 class MeasurementTest : public testing::GlTest {
 protected:
-    static std::vector<session::Slot> slots(const std::vector<std::string>& ids,
-                                            const std::vector<std::string>& settings = {}) {
-        std::vector<session::Slot> slots;
+    static std::vector<Slot> slots(const std::vector<std::string>& ids, const std::vector<std::string>& settings = {}) {
+        std::vector<Slot> slots;
         for (const std::string& id : ids)
-            slots.push_back(session::Session::makeSlot(id));
-        session::applySettings(slots, settings);
+            slots.push_back(Session::makeSlot(id));
+        applySettings(slots, settings);
         return slots;
     }
-    static std::vector<Result> measure(const scene::Snapshot& snapshot, std::vector<session::Slot> slots,
-                                       const session::Motion& motion = {}, int light = 0) {
-        session::Session session(snapshot);
+    static std::vector<Result> measure(const scene::Snapshot& snapshot, std::vector<Slot> slots,
+                                       const Motion& motion = {}, int light = 0) {
+        Session session(snapshot);
         Measurement measurement(session, slots, light, kSize);
         for (int frame = 0; frame < motion.frames; ++frame)
-            measurement.addFrame(session::momentAt(motion, snapshot, frame));
+            measurement.addFrame(momentAt(motion, snapshot, frame));
         return measurement.results();
     }
     static Result measure(const scene::Scene& scene, const std::string& id,
@@ -68,7 +69,7 @@ public:
         frame.pass(kPass, [&] { glClear(GL_COLOR_BUFFER_BIT); });
         if (!frame.wants("visibility", 0)) return {};
         const ivec2 size = frame.view().size;
-        const Truth truth = truthAtCentres(tracer_, frame.view().camera, size, 0);
+        const Truth truth = measure::truthAtCentres(tracer_, frame.view().camera, size, 0);
         std::vector<vec2> texels(truth.visibility.size());
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x) {
@@ -82,7 +83,7 @@ public:
         frame.publish("visibility", 0, std::move(texture));
         return {};
     }
-    static session::Slot slot(Change change) {
+    static Slot slot(Change change) {
         static const TechniqueInfo info = [] {
             TechniqueInfo info;
             info.id = "painted";
@@ -101,14 +102,13 @@ float exactly(const Truth& truth, ivec2 pixel) {
     return truth.visibility[truth.index(pixel.x, pixel.y)] == Visibility::lit ? 1.0f : 0.0f;
 }
 
-Result measurePainted(const scene::Snapshot& snapshot, const Painted::Change& change,
-                      const session::Motion& motion = {}) {
-    std::vector<session::Slot> slots;
+Result measurePainted(const scene::Snapshot& snapshot, const Painted::Change& change, const Motion& motion = {}) {
+    std::vector<Slot> slots;
     slots.push_back(Painted::slot(change));
-    session::Session session(snapshot);
+    Session session(snapshot);
     Measurement measurement(session, slots, 0, kSize);
     for (int frame = 0; frame < motion.frames; ++frame)
-        measurement.addFrame(session::momentAt(motion, snapshot, frame));
+        measurement.addFrame(momentAt(motion, snapshot, frame));
     return measurement.results()[0];
 }
 
@@ -278,9 +278,9 @@ TEST_F(MeasurementTest, AForgottenCasterShows) {
     }();
     const auto snapshot = testing::snapshot(testing::simpleScene());
     for (std::size_t object = 1; object < snapshot->objects.size(); ++object) {
-        std::vector<session::Slot> slots;
+        std::vector<Slot> slots;
         slots.push_back({&info, std::make_unique<Forgetful>(object), {}, {}});
-        session::Session session(snapshot);
+        Session session(snapshot);
         Measurement measurement(session, slots, 0, kSize);
         measurement.addFrame({snapshot, snapshot->camera});
         const Result result = measurement.results()[0];
@@ -292,14 +292,14 @@ TEST_F(MeasurementTest, AForgottenCasterShows) {
 
 TEST_F(MeasurementTest, FlipsOfExactTechniquesFollowTheTruth) {
     const auto snapshot = testing::snapshot(testing::simpleScene());
-    const session::Motion motion{.frames = 6, .orbitLightDegrees = 6.0, .orbitCameraDegrees = {}};
+    const Motion motion{.frames = 6, .orbitLightDegrees = 6.0, .orbitCameraDegrees = {}};
     auto measured = slots({"ray-traced", "shadow-map", "unshadowed"}, {"shadow-map.resolution=128"});
     const std::vector<Result> results = measure(snapshot, std::move(measured), motion);
     EXPECT_EQ(*results[0].excessFlipRate, 0);
     EXPECT_GT(*results[1].excessFlipRate, 0.01);
     EXPECT_EQ(results[0].times.frames(), 6u);
     // What stands still does not flicker, whatever draws it.
-    session::Motion still;
+    Motion still;
     still.frames = 3;
     for (const Result& result : measure(snapshot, slots({"shadow-map", "shadow-volume-zfail"}), still))
         EXPECT_EQ(*result.excessFlipRate, 0) << result.technique;
@@ -308,7 +308,7 @@ TEST_F(MeasurementTest, FlipsOfExactTechniquesFollowTheTruth) {
 TEST_F(MeasurementTest, FlickerIsCountedPerPixelOfBoundary) {
     // Every 16th pixel in both directions goes on and off from frame to frame.
     int frame = 0, flickering = 0, before = kSize.y;
-    session::Motion still;
+    Motion still;
     still.frames = 4;
     const Result result = measurePainted(
         testing::snapshot(testing::simpleScene()),
@@ -334,4 +334,4 @@ TEST_F(MeasurementTest, SaysWhenNothingIsProved) {
 }
 
 } // namespace
-} // namespace shadowlab::measure
+} // namespace shadowlab::session

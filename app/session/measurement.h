@@ -17,7 +17,7 @@
 #include "app/session/picture.h"
 #include "app/session/session.h"
 
-namespace shadowlab::measure {
+namespace shadowlab::session {
 
 /// A picture against the one that `ray-traced` draws.
 struct PictureErrors {
@@ -27,55 +27,55 @@ struct PictureErrors {
 };
 
 /// What is known of one technique, for one light.
-struct Result {
+struct TechniqueErrors {
     std::string technique;
-    Counts counts;
+    measure::Counts counts;
     double served = 1; ///< share of the pixels with a surface that the technique can serve at all
     int coreErrors = 0;
-    std::optional<double> edgeErrorPx;      ///< none: the truth has no boundary
-    std::optional<Displacement> boundaryPx; ///< none: the truth, or the technique, has no boundary
+    std::optional<double> edgeErrorPx;               ///< none: the truth has no boundary
+    std::optional<measure::Displacement> boundaryPx; ///< none: the truth, or the technique, has no boundary
     PictureErrors picture;
     std::optional<double> excessFlipRate; ///< none: a single frame, or no boundary
     bool converged = true;
     double firstPrepareMs = 0; ///< from nothing: trees, silhouettes; later frames only do what changed
-    FrameTimes times;
+    measure::FrameTimes times;
     std::vector<Counter> counters; ///< of the first frame
 };
 
 class Measurement {
 public:
     /// All of them must live as long as the measurement. Needs a current GL context.
-    Measurement(session::Session& session, std::vector<session::Slot>& slots, int light, ivec2 size);
+    Measurement(Session& session, std::vector<Slot>& slots, int light, ivec2 size);
 
     /// The next frame of the sequence. The first one is judged, and drawn once before it counts: what the driver
     /// compiles on first use is no part of the technique.
-    void addFrame(const session::Moment& moment);
+    void addFrame(const Moment& moment);
 
-    [[nodiscard]] std::vector<Result> results() const;
+    [[nodiscard]] std::vector<TechniqueErrors> results() const;
 
 private:
-    struct Slot {
-        session::Slot* slot;
-        Result result;
-        ExcessFlips flips;
+    struct Entry {
+        Slot* slot;
+        TechniqueErrors result;
+        measure::ExcessFlips flips;
     };
     /// One picture of the first frame, as linear light and as it is shown.
     struct Shown {
         std::vector<float> linear;
         image::Image encoded;
     };
-    void judgeFirst(Slot& measured, const session::RenderedFrame& rendered, const session::VisibilityImage& visibility,
-                    const Truth& truth, const Shown& reference);
-    std::optional<Grid<float>> texelSizes(const Slot& measured, const session::RenderedFrame& rendered) const;
-    Shown shown(const session::Slot& slot) const;
+    void judgeFirst(Entry& measured, const RenderedFrame& rendered, const VisibilityImage& visibility,
+                    const measure::Truth& truth, const Shown& reference);
+    std::optional<measure::Grid<float>> texelSizes(const Entry& measured, const RenderedFrame& rendered) const;
+    Shown shown(const Slot& slot) const;
     Shown referencePicture(const View& view);
 
-    session::Session& session_;
-    std::vector<Slot> slots_;
-    session::PictureEncoder encoder_;
+    Session& session_;
+    std::vector<Entry> entries_;
+    PictureEncoder encoder_;
     int light_;
     ivec2 size_;
     bool first_ = true;
 };
 
-} // namespace shadowlab::measure
+} // namespace shadowlab::session

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/measure/measurement.h"
+#include "app/session/measurement.h"
 
 #include <algorithm>
 #include <chrono>
@@ -9,9 +9,11 @@
 #include "app/measure/image_metrics.h"
 #include "techniques/foundation/gl/read_back.h"
 
-namespace shadowlab::measure {
+namespace shadowlab::session {
 
 namespace {
+
+using namespace measure;
 
 using Clock = std::chrono::steady_clock;
 using trace::Visibility;
@@ -47,7 +49,7 @@ Grid<std::uint32_t> receiversOf(const Truth& truth) {
 }
 
 /// The technique's answers, cut at one half; turned away is what the truth says is turned away.
-Grid<Shade> shadesOf(const session::VisibilityImage& visibility, const Truth& truth) {
+Grid<Shade> shadesOf(const VisibilityImage& visibility, const Truth& truth) {
     Grid<Shade> shades(truth.size.x, truth.size.y);
     for (std::size_t i = 0; i < shades.values.size(); ++i) {
         const bool covered = visibility.greyAlpha[2 * i + 1] == 255, lit = visibility.greyAlpha[2 * i] > 127;
@@ -59,7 +61,7 @@ Grid<Shade> shadesOf(const session::VisibilityImage& visibility, const Truth& tr
 }
 
 /// Is each pixel lit? Turned away and empty pixels are not.
-std::vector<std::uint8_t> litMask(const session::VisibilityImage& visibility) {
+std::vector<std::uint8_t> litMask(const VisibilityImage& visibility) {
     std::vector<std::uint8_t> lit(visibility.greyAlpha.size() / 2);
     for (std::size_t i = 0; i < lit.size(); ++i)
         lit[i] = visibility.greyAlpha[2 * i + 1] == 255 && visibility.greyAlpha[2 * i] > 127 ? 1 : 0;
@@ -73,15 +75,15 @@ std::vector<std::uint8_t> litMask(const Truth& truth) {
 
 } // namespace
 
-Measurement::Measurement(session::Session& session, std::vector<session::Slot>& slots, int light, ivec2 size)
+Measurement::Measurement(Session& session, std::vector<Slot>& slots, int light, ivec2 size)
     : session_(session), light_(light), size_(size) {
-    for (session::Slot& slot : slots) {
-        slots_.push_back({&slot, {}, {}});
-        slots_.back().result.technique = slot.info->id;
+    for (Slot& slot : slots) {
+        entries_.push_back({&slot, {}, {}});
+        entries_.back().result.technique = slot.info->id;
     }
 }
 
-void Measurement::addFrame(const session::Moment& moment) {
+void Measurement::addFrame(const Moment& moment) {
     session_.setScene(moment.snapshot);
     View view;
     view.camera = moment.camera;
@@ -91,12 +93,12 @@ void Measurement::addFrame(const session::Moment& moment) {
     std::optional<Shown> reference;
     if (first_) reference = referencePicture(view);
 
-    for (Slot& measured : slots_) {
-        session::Slot& slot = *measured.slot;
+    for (Entry& measured : entries_) {
+        Slot& slot = *measured.slot;
         if (first_) measured.result.firstPrepareMs = session_.render(slot, view).prepareMs;
 
         const Clock::time_point start = Clock::now();
-        const session::RenderedFrame looked = session_.render(slot, view);
+        const RenderedFrame looked = session_.render(slot, view);
         const gl::Texture2D encoded = encoder_.encodeInPlace(slot.target.color, moment.snapshot->exposure);
         glFinish();
         measured.result.times.addFrame(elapsedMs(start), looked.prepareMs);
@@ -105,19 +107,18 @@ void Measurement::addFrame(const session::Moment& moment) {
         request.timePasses = true;
         request.stages = {{"visibility", light_}};
         if (publishes(*slot.info, "texel-size")) request.stages.push_back({"texel-size", light_});
-        const session::RenderedFrame rendered = session_.render(slot, view, request);
+        const RenderedFrame rendered = session_.render(slot, view, request);
         measured.result.times.addPasses(rendered.result.passMs);
-        const session::VisibilityImage visibility =
-            session::readVisibility(session::findStage(rendered, {"visibility", light_}));
+        const VisibilityImage visibility = readVisibility(findStage(rendered, {"visibility", light_}));
         measured.flips.addFrame(litMask(visibility), litMask(truth), boundaryLength);
         if (first_) judgeFirst(measured, rendered, visibility, truth, *reference);
     }
     first_ = false;
 }
 
-void Measurement::judgeFirst(Slot& measured, const session::RenderedFrame& rendered,
-                             const session::VisibilityImage& visibility, const Truth& truth, const Shown& reference) {
-    Result& result = measured.result;
+void Measurement::judgeFirst(Entry& measured, const RenderedFrame& rendered, const VisibilityImage& visibility,
+                             const Truth& truth, const Shown& reference) {
+    TechniqueErrors& result = measured.result;
     const Judgement judgement = judge(truth, visibility.greyAlpha);
     result.counts = judgement.counts;
     result.converged = rendered.converged;
@@ -143,17 +144,17 @@ void Measurement::judgeFirst(Slot& measured, const session::RenderedFrame& rende
 }
 
 /// How large a texel of a shadow map lies on screen, where a technique says so.
-std::optional<Grid<float>> Measurement::texelSizes(const Slot& measured, const session::RenderedFrame& rendered) const {
+std::optional<Grid<float>> Measurement::texelSizes(const Entry& measured, const RenderedFrame& rendered) const {
     if (!publishes(*measured.slot->info, "texel-size")) return std::nullopt;
     Grid<float> sizes(size_.x, size_.y);
-    const std::vector<vec4> texels = gl::readTexels(session::findStage(rendered, {"texel-size", light_}).texture);
+    const std::vector<vec4> texels = gl::readTexels(findStage(rendered, {"texel-size", light_}).texture);
     std::ranges::transform(texels, sizes.values.begin(),
                            [](const vec4& texel) { return texel.g > 0.5f ? texel.r : 0.0f; });
     return sizes;
 }
 
 /// The picture in a slot's target: linear light as it is shown, that is exposed and clamped, and the encoded bytes.
-Measurement::Shown Measurement::shown(const session::Slot& slot) const {
+Measurement::Shown Measurement::shown(const Slot& slot) const {
     const float exposure = session_.snapshot()->exposure;
     Shown picture{{}, encoder_.encode(slot.target.color, exposure)};
     for (const vec4& texel : gl::readTexels(slot.target.color))
@@ -163,18 +164,18 @@ Measurement::Shown Measurement::shown(const session::Slot& slot) const {
 }
 
 Measurement::Shown Measurement::referencePicture(const View& view) {
-    session::Slot slot = session::Session::makeSlot("ray-traced");
+    Slot slot = Session::makeSlot("ray-traced");
     session_.render(slot, view);
     return shown(slot);
 }
 
-std::vector<Result> Measurement::results() const {
-    std::vector<Result> results;
-    for (const Slot& measured : slots_) {
+std::vector<TechniqueErrors> Measurement::results() const {
+    std::vector<TechniqueErrors> results;
+    for (const Entry& measured : entries_) {
         results.push_back(measured.result);
         results.back().excessFlipRate = measured.flips.rate();
     }
     return results;
 }
 
-} // namespace shadowlab::measure
+} // namespace shadowlab::session
