@@ -91,9 +91,12 @@ private:
                         option + ": '" + path.string() + "' is also " + other + "; choose another name");
         };
         if (sameFile(picture, input)) refuse("-o", picture, "the scene that is read");
+        const std::filesystem::path& path = options_.motion.path;
+        if (!path.empty() && sameFile(picture, path)) refuse("-o", picture, "the path that is read");
         image::probeWritable(picture);
         if (options_.stats.empty()) return;
         if (sameFile(options_.stats, input)) refuse("--stats", options_.stats, "the scene that is read");
+        if (!path.empty() && sameFile(options_.stats, path)) refuse("--stats", options_.stats, "the path that is read");
         if (sameFile(options_.stats, picture)) refuse("--stats", options_.stats, "the picture that is written");
         image::probeWritable(options_.stats);
     }
@@ -125,7 +128,7 @@ private:
     }
 
     void renderFrame(int frame) {
-        const session::Moment moment = session::momentAt(motion_, base_, frame);
+        const session::Moment moment = session::momentAt(motion_, base_, frame, session_->snapshot());
         session_->setScene(moment.snapshot);
         View view;
         view.camera = moment.camera;

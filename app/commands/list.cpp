@@ -11,6 +11,7 @@
 #include "app/commands/messages.h"
 #include "app/session/assets.h"
 #include "app/session/derived_stages.h"
+#include "app/session/path.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/load.h"
@@ -118,7 +119,7 @@ Table limitsTable() {
                  {"picture-samples", number(kMostSamples), "samples"},
                  {"measured-side", number(kLongestMeasuredSide), "pixels"},
                  {"supersample", number(kMostSupersample), "samples on a side"},
-                 {"frames", number(kMostFrames), ""}}};
+                 {"frames", number(session::kMostFrames), ""}}};
     addDriverLimits(table);
     return table;
 }

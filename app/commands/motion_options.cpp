@@ -4,28 +4,37 @@
 namespace shadowlab::commands {
 
 void describeMotion(CLI::App& command) {
-    addOption(command, "--frames", "N", "number of frames (default 1)");
+    addOption(command, "--frames", "N", "number of frames (default 1; with --path to its last key)");
     addOption(command, "--orbit-light", "DEGREES",
               "turns the lights that far about the camera's target over all frames");
     addOption(command, "--orbit-camera", "DEGREES", "turns the camera that far about its target over all frames");
+    addOption(
+        command, "--path", "FILE.json",
+        "moves camera and lights: a list of {frame, camera, lights}, linear between; the first picture is frame 1");
 }
 
 MotionOptions motionOptions(const GivenOptions& given) {
     MotionOptions options;
-    if (given.has("--frames")) options.frames = countFrom("--frames", given.text("--frames"), kMostFrames);
+    if (given.has("--frames")) options.frames = countFrom("--frames", given.text("--frames"), session::kMostFrames);
     if (given.has("--orbit-light"))
         options.orbitLightDegrees = degreesFrom("--orbit-light", given.text("--orbit-light"));
     if (given.has("--orbit-camera"))
         options.orbitCameraDegrees = degreesFrom("--orbit-camera", given.text("--orbit-camera"));
-    const bool turns = options.orbitLightDegrees || options.orbitCameraDegrees;
-    if (turns && options.frames.value_or(1) == 1)
-        refuseUsage(std::string(options.orbitLightDegrees ? "--orbit-light" : "--orbit-camera") +
-                    " turns from frame to frame, and there is only one; add --frames N");
+    options.path = given.text("--path");
+    if (!options.orbitLightDegrees && !options.orbitCameraDegrees) return options;
+    const std::string orbit = options.orbitLightDegrees ? "--orbit-light" : "--orbit-camera";
+    if (!options.path.empty()) refuseUsage(orbit + " and --path both say how things move; give one of them");
+    if (options.frames.value_or(1) == 1)
+        refuseUsage(orbit + " turns from frame to frame, and there is only one; add --frames N");
     return options;
 }
 
-session::Motion motionOf(const MotionOptions& options, const scene::Scene&) {
-    return {options.frames.value_or(1), options.orbitLightDegrees, options.orbitCameraDegrees};
+session::Motion motionOf(const MotionOptions& options, const scene::Scene& scene) {
+    session::Motion motion{options.frames.value_or(1), options.orbitLightDegrees, options.orbitCameraDegrees, {}};
+    if (options.path.empty()) return motion;
+    motion.path = session::loadPath(options.path, scene);
+    motion.frames = options.frames.value_or(motion.path->lastFrame());
+    return motion;
 }
 
 } // namespace shadowlab::commands

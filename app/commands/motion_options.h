@@ -1,6 +1,7 @@
 // The options of a sequence of frames, the same for every command that draws one.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <optional>
 
 #include "app/commands/option_values.h"
@@ -8,11 +9,10 @@
 
 namespace shadowlab::commands {
 
-constexpr int kMostFrames = 100000;
-
 struct MotionOptions {
-    std::optional<int> frames; ///< nothing: one
+    std::optional<int> frames; ///< nothing: to the last key of the path, else one
     std::optional<double> orbitLightDegrees, orbitCameraDegrees;
+    std::filesystem::path path; ///< empty: none
 };
 
 void describeMotion(CLI::App& command);
@@ -20,7 +20,7 @@ void describeMotion(CLI::App& command);
 /// Throws Error (usage) for what is wrong in itself, or contradicts itself.
 MotionOptions motionOptions(const GivenOptions& given);
 
-/// The motion that is meant for this scene.
+/// The motion that is meant for this scene. Reads the path. Throws Error (badInput, overLimit).
 session::Motion motionOf(const MotionOptions& options, const scene::Scene& scene);
 
 } // namespace shadowlab::commands

@@ -3,6 +3,7 @@
 #pragma once
 #include <optional>
 
+#include "app/session/path.h"
 #include "techniques/foundation/scene/scene.h"
 
 namespace shadowlab::session {
@@ -10,6 +11,7 @@ namespace shadowlab::session {
 struct Motion {
     int frames = 1;
     std::optional<double> orbitLightDegrees, orbitCameraDegrees; ///< over all frames together
+    std::optional<Path> path;                                    ///< instead of orbits
 };
 
 /// What one frame shows.
@@ -19,7 +21,9 @@ struct Moment {
 };
 
 /// The moment of one frame; `frame` counts from 0. An orbit has gone frame / frames of its way, so that a full turn
-/// repeats without a double picture.
-Moment momentAt(const Motion& motion, const scene::Snapshot& base, int frame);
+/// repeats without a double picture; on a path, frame 0 is its frame 1. `previous` is the snapshot of an earlier moment
+/// of the same motion, if there was one: what has not moved since then keeps its revisions, and nobody prepares it anew.
+Moment momentAt(const Motion& motion, const scene::Snapshot& base, int frame,
+                const scene::Snapshot& previous = nullptr);
 
 } // namespace shadowlab::session

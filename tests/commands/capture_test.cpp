@@ -220,6 +220,42 @@ TEST_F(CaptureTest, OrbitsOfLightAndCamera) {
     }
 }
 
+TEST_F(CaptureTest, PathsOfCameraAndLights) {
+    const std::string plain = picture({});
+    folder.write("path.json", R"([{"frame": 2}, // the scene as it is, until here
+                                  {"frame": 4, "camera": {"position": [-3, 2.5, 6]},
+                                               "lights": [{"name": "key", "position": [-2, 5, 3]}]}])");
+    const Listing before = listing();
+    const Words capture = {"capture", "box.json", "--path", "path.json", "--size", "64x48", "-o"};
+    const auto captured = [&](const Words& more) {
+        Words words = capture;
+        words.insert(words.end(), more.begin(), more.end());
+        succeed(words);
+    };
+    captured({"f_#.png"}); // as many as the path has
+    EXPECT_EQ(newSince(before), (Words{"f_1.png", "f_2.png", "f_3.png", "f_4.png"}));
+    EXPECT_EQ(content("f_1.png"), plain);
+    EXPECT_EQ(content("f_2.png"), plain);
+    EXPECT_NE(content("f_3.png"), content("f_2.png"));
+    EXPECT_NE(content("f_4.png"), content("f_3.png"));
+    captured({"g_#.png", "--frames", "6"}); // and stands still after it
+    for (const std::string number : {"1", "2", "3", "4"})
+        EXPECT_EQ(content("g_" + number + ".png"), content("f_" + number + ".png"));
+    EXPECT_EQ(content("g_5.png"), content("f_4.png"));
+    EXPECT_EQ(content("g_6.png"), content("f_4.png"));
+    captured({"h.png", "--frames", "1"});
+    EXPECT_EQ(content("h.png"), plain);
+
+    // The end of the path is the scene that says the same.
+    std::string moved = fileContent(folder.path() / "box.json");
+    for (const auto& [from, to] : {std::pair("[-3, 2.5, 4]", "[-3, 2.5, 6]"), std::pair("[2, 5, 3]", "[-2, 5, 3]")}) {
+        ASSERT_NE(moved.find(from), std::string::npos);
+        moved.replace(moved.find(from), std::string(from).size(), to);
+    }
+    folder.write("box.json", moved);
+    EXPECT_EQ(picture({}), content("f_4.png"));
+}
+
 TEST_F(CaptureTest, ScenesWithLittleInThem) {
     const std::string noLights = R"("lights": [])", noObjects = R"("objects": [])";
     folder.write("dark.json", sceneText(kCamera, noLights, kBoxOnFloor));

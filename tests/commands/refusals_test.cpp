@@ -73,7 +73,10 @@ const std::vector<Refusal> kUsage = {
      {"single shows one technique, 2 are given", "side, split or grid"}},
     {"Labels", kCapture + std::vector<std::string>{"--labels", "yes"}, 2, {"--labels: 'yes'", "true", "false"}},
     {"Backend", kCapture + std::vector<std::string>{"--backend", "vulkan"}, 2, {"vulkan", "auto, egl, osmesa, window"}},
-    {"FramesWithoutHashes", kCapture + std::vector<std::string>{"--frames", "3"}, 2, {"numbers of 3 frames", "name_####.png"}},
+    {"FramesWithoutHashes",
+     kCapture + std::vector<std::string>{"--frames", "3"},
+     2,
+     {"numbers of 3 frames", "name_####.png"}},
     {"FramesZero", kCapture + std::vector<std::string>{"--frames", "0"}, 2, {"from 1 to 100000"}},
     {"OrbitOfOneFrame",
      kCapture + std::vector<std::string>{"--orbit-light", "90"},
@@ -84,6 +87,23 @@ const std::vector<Refusal> kUsage = {
      2,
      {"--orbit-camera: 'nan'"}},
     {"OrbitComma", {"capture", "box.json", "-o", "x_#.png", "--frames", "2", "--orbit-camera", "1,5"}, 2, {"'1,5'"}},
+    {"PathAndOrbit",
+     {"capture", "box.json", "-o", "x_#.png", "--frames", "2", "--path", "path.json", "--orbit-camera", "90"},
+     2,
+     {"--orbit-camera and --path", "give one of them"}},
+    {"PathWithoutHashes", kCapture + std::vector<std::string>{"--path", "path.json"}, 2, {"3 frames", "name_####.png"}},
+    {"PathTwice",
+     kCapture + std::vector<std::string>{"--path", "path.json", "--path", "path.json"},
+     2,
+     {"--path is given 2 times"}},
+    {"OutputLinksToThePath",
+     {"capture", "box.json", "-o", "pathlink_.png", "--path", "path.json"},
+     2,
+     {"'pathlink_.png' is also the path"}},
+    {"StatsAreThePath",
+     kCapture + std::vector<std::string>{"--frames", "1", "--path", "path.json", "--stats", "path.json"},
+     2,
+     {"'path.json' is also the path"}},
     {"OutputEnding", {"capture", "box.json", "-o", "x.jpg"}, 2, {"'x.jpg' does not end in .png"}},
     {"OutputIsTheScene", {"capture", "box.json", "-o", "box.json"}, 2, {".png"}},
     {"OutputLinksToTheScene", {"capture", "box.json", "-o", "link.png"}, 2, {"'link.png' is also the scene"}},
@@ -171,6 +191,12 @@ const std::vector<Refusal> kInputs = {
     {"PictureNamedObj", {"capture", "picture.obj", "-o", "x.png"}, 3, {"picture.obj"}},
     {"MeshMissing", {"capture", "mesh.json", "-o", "x.png"}, 3, {"mesh.json:", "none.obj"}},
     {"MeshOutside", {"capture", "outside.json", "-o", "x.png"}, 3, {"outside.json:", "--allow"}},
+    {"PathMissing", kCapture + std::vector<std::string>{"--path", "none.json"}, 3, {"none.json", "No such file"}},
+    {"PathFifo", kCapture + std::vector<std::string>{"--path", "fifo.json"}, 3, {"fifo.json"}},
+    {"PathOfOtherLights",
+     kCapture + std::vector<std::string>{"--path", "lights.json"},
+     3,
+     {"lights.json:2:", "no such light", "did you mean \"key\"?"}},
     {"DashFile", {"capture", "-o", "x.png", "--", "-none.json"}, 3, {"-none.json", "No such file"}},
 };
 
@@ -181,6 +207,9 @@ protected:
         std::filesystem::create_directory(folder.path() / "folder.json");
         for (const char* name : {"fifo.obj", "fifo.json"})
             ASSERT_EQ(::mkfifo((folder.path() / name).c_str(), 0600), 0);
+        folder.write("path.json", R"([{"frame": 1}, {"frame": 3, "camera": {"position": [0, 3, 5]}}])");
+        folder.write("lights.json", "[{\"frame\": 1,\n\"lights\": [{\"name\": \"kye\"}]}]");
+        std::filesystem::create_symlink("path.json", folder.path() / "pathlink_.png");
         folder.write("notes.txt", "a note");
         folder.write("broken.json", "{\n\"camera\":\n{]\n}");
         folder.write("empty.json", "");

@@ -20,6 +20,12 @@ dmat3 worldFromViewRotation(const Camera& camera) {
 
 } // namespace
 
+bool hasView(const Camera& camera) {
+    const dvec3 view = camera.targetWorld - camera.positionWorld, &up = camera.upWorld;
+    if (!(glm::dot(view, view) > 0.0) || !(glm::dot(up, up) > 0.0)) return false;
+    return glm::length(glm::cross(glm::normalize(view), glm::normalize(up))) >= 1e-6;
+}
+
 dmat4 viewFromWorld(const Camera& camera) {
     const dmat3 viewFromWorldRotation = glm::transpose(worldFromViewRotation(camera));
     dmat4 viewFromWorld(viewFromWorldRotation);

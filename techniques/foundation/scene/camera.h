@@ -18,6 +18,10 @@ struct Camera {
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
+/// Do position, target and up make a view? Not where the target is the position, nor where up is within a millionth of a
+/// radian of parallel to the view: the direction "right" would be made of rounding errors.
+bool hasView(const Camera& camera);
+
 /// View space: origin at the eye, camera looks down -z, +y up in the picture.
 dmat4 viewFromWorld(const Camera& camera);
 

@@ -76,11 +76,12 @@ int JsonObject::integer(std::string_view key, int low, int high, std::optional<i
     const JsonValue* found = find(key);
     if (!found && fallback) return *fallback;
     const Range range = Range::between(low, high);
-    const JsonValue& value = found ? *found : require(key, "a whole number " + range.text());
+    // Written out: 100000 and not 1e+05.
+    const std::string wanted = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+    const JsonValue& value = found ? *found : require(key, wanted);
     if (value.kind != JsonValue::Kind::number || !range.contains(value.number) ||
         value.number != std::floor(value.number))
-        document_.fail(value.offset, inQuotes(key) + " of " + what_ + " is " + echo(value) +
-                                         "; it must be a whole number " + range.text());
+        document_.fail(value.offset, inQuotes(key) + " of " + what_ + " is " + echo(value) + "; it must be " + wanted);
     return static_cast<int>(value.number);
 }
 

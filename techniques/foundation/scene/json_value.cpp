@@ -64,8 +64,9 @@ std::size_t skipToToken(std::string_view text, std::size_t offset) {
 /// What nlohmann-json calls back. Values under construction wait on a stack; a finished one moves into its parent.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 public:
-    TreeBuilder(const JsonDocument& document, const std::size_t& consumed, std::uint32_t maximumDepth)
-        : document_(document), consumed_(consumed), maximumDepth_(maximumDepth) {}
+    TreeBuilder(const JsonDocument& document, const std::size_t& consumed, std::uint32_t maximumDepth,
+                std::string_view content)
+        : document_(document), consumed_(consumed), maximumDepth_(maximumDepth), content_(content) {}
 
     JsonValue takeRoot() { return std::move(root_); }
 
@@ -111,7 +112,7 @@ public:
             what.erase(excerpt, end == std::string::npos ? std::string::npos : end + 1 - excerpt);
         }
         if (skipToToken(text, 0) >= text.size() && what.find("invalid comment") == std::string::npos)
-            document_.fail(noticed, "the file holds no JSON value; write a scene, starting with {");
+            document_.fail(noticed, "the file holds no JSON value; write " + std::string(content_));
         // Inside a string the very character is at fault, elsewhere the token that begins after the last good one.
         const bool inString = what.find("invalid string") != std::string::npos;
         document_.fail(inString ? noticed : std::min(noticed, tokenStart()), shown(what, 200) + "; mend the JSON here");
@@ -164,6 +165,7 @@ private:
     const JsonDocument& document_;
     const std::size_t& consumed_;
     std::uint32_t maximumDepth_;
+    std::string_view content_;
     std::size_t lastEnd_ = 0; ///< where the last token ended
     std::vector<Frame> stack_;
     JsonValue root_;
@@ -183,13 +185,14 @@ std::string_view describe(JsonValue::Kind kind) {
     return "";
 }
 
-JsonDocument::JsonDocument(std::string text, const std::filesystem::path& file, std::uint32_t maximumDepth)
+JsonDocument::JsonDocument(std::string text, const std::filesystem::path& file, std::uint32_t maximumDepth,
+                           std::string_view content)
     : text_(std::move(text)), fileName_(shownPath(file)) {
     // nlohmann-json takes a NUL byte for the end and would never see what follows.
     if (const std::size_t nul = text_.find('\0'); nul != std::string::npos)
-        fail(nul, "binary data (a NUL byte); a scene is a JSON text");
+        fail(nul, "binary data (a NUL byte); write a JSON text");
     std::size_t consumed = 0;
-    TreeBuilder builder(*this, consumed, maximumDepth);
+    TreeBuilder builder(*this, consumed, maximumDepth, content);
     const char* begin = text_.data();
     nlohmann::json::sax_parse(CountingIterator(begin, &consumed), CountingIterator(begin + text_.size(), &consumed),
                               &builder, nlohmann::json::input_format_t::json, /*strict=*/true,

@@ -37,8 +37,10 @@ std::string_view describe(JsonValue::Kind kind);
 /// A parsed JSON text. Comments are allowed, a byte order mark too; a key twice in one object is an error.
 class JsonDocument {
 public:
-    /// Throws Error (badInput; overLimit when nested deeper than `maximumDepth`) with FILE:LINE:COLUMN.
-    JsonDocument(std::string text, const std::filesystem::path& file, std::uint32_t maximumDepth);
+    /// `content` is what an empty file is asked to hold. Throws Error (badInput; overLimit when nested deeper than
+    /// `maximumDepth`) with FILE:LINE:COLUMN.
+    JsonDocument(std::string text, const std::filesystem::path& file, std::uint32_t maximumDepth,
+                 std::string_view content = "a scene, starting with {");
 
     [[nodiscard]] const JsonValue& root() const { return root_; }
 

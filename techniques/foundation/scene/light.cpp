@@ -21,6 +21,13 @@ dvec4 homogeneousPositionWorld(const Light& light) {
     return {light.positionWorld, 1.0};
 }
 
+bool edgesSpan(const Light& light) {
+    const dvec3 &u = light.edgeUWorld, &v = light.edgeVWorld;
+    if (!(glm::dot(u, u) > 0.0) || !(glm::dot(v, v) > 0.0)) return false;
+    // A billionth of a radian: seven digits above the rounding of double.
+    return glm::length(glm::cross(glm::normalize(u), glm::normalize(v))) >= 1e-9;
+}
+
 dvec3 rectNormalWorld(const Light& light) { return glm::normalize(glm::cross(light.edgeUWorld, light.edgeVWorld)); }
 
 bool hasArea(const Light& light) { return light.type == LightType::rect || light.type == LightType::sphere; }

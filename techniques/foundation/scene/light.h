@@ -25,11 +25,15 @@ struct Light {
     double edgeDegrees = 0.0;             ///< spot: smooth band inside the cone
     vec3 color{1.0f};                     ///< linear RGB
     double intensity = 1.0;               ///< point, spot: W/sr-like; directional: irradiance; rect, sphere: radiance
+    friend bool operator==(const Light&, const Light&) = default;
 };
 
 /// The light as a homogeneous point: w = 1 at its centre, or w = 0 toward the light for a directional one.
 /// v * l.w - l.xyz then points from the light through v for both kinds: the direction volumes are extruded in.
 dvec4 homogeneousPositionWorld(const Light& light);
+
+/// Do the edges of a rect span a surface? Where they are nearly parallel, the side it shines to is undecided.
+bool edgesSpan(const Light& light);
 
 /// Unit vector from the light's centre in which a rect shines.
 dvec3 rectNormalWorld(const Light& light);

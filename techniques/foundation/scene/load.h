@@ -56,4 +56,8 @@ std::shared_ptr<const Scene> stageObj(const std::filesystem::path& file, const L
 /// Adds, for every rect and sphere light, the surface that eye rays see (it blocks no light itself).
 void addEmitterSurfaces(Scene& scene);
 
+/// The scene with its lights replaced by as many of the same types, in the same order. The surfaces of area lights follow.
+/// Revisions are new for what differs, and for nothing else; where no light differs, it is the same snapshot.
+Snapshot withLights(const Snapshot& snapshot, std::vector<Light> lights);
+
 } // namespace shadowlab::scene

@@ -6,23 +6,25 @@
 
 namespace shadowlab::scene {
 
-Camera readCamera(const SceneReading& reading, const JsonObject& camera) {
-    Camera result;
-    result.positionWorld = camera.vector("position", reading.anyNumber());
-    result.targetWorld = camera.vector("target", reading.anyNumber());
-    result.upWorld = camera.direction("up", reading.anyNumber(), result.upWorld);
+Camera readCamera(const NumberRanges& ranges, const JsonDocument& document, const JsonValue& value,
+                  const std::string& what, const std::optional<Camera>& before) {
+    const JsonObject camera(document, value, what, {"position", "target", "up", "fovYDegrees", "near", "far"});
+    const auto fallback = [&](const dvec3 Camera::*part) {
+        return before ? std::optional((*before).*part) : std::nullopt;
+    };
+    Camera result = before.value_or(Camera{});
+    result.positionWorld = camera.vector("position", ranges.anyNumber(), fallback(&Camera::positionWorld));
+    result.targetWorld = camera.vector("target", ranges.anyNumber(), fallback(&Camera::targetWorld));
+    result.upWorld = camera.direction("up", ranges.anyNumber(), result.upWorld);
     result.fovYDegrees = camera.number("fovYDegrees", Range::strictlyBetween(0.0, 180.0), result.fovYDegrees);
-    result.near = camera.number("near", reading.aboveZero(), result.near);
-    if (camera.find("far")) {
-        result.far = camera.number("far", reading.aboveZero());
-        if (!(result.far > result.near))
-            camera.fail("far", "is " + numberText(result.far) + "; it must be larger than near, which is " +
-                                   numberText(result.near));
-    }
+    result.near = camera.number("near", ranges.aboveZero(), result.near);
+    if (camera.find("far")) result.far = camera.number("far", ranges.aboveZero());
+    if (!(result.far > result.near))
+        camera.fail("far", "is " + numberText(result.far) + "; it must be larger than near, which is " +
+                               numberText(result.near));
     const dvec3 view = result.targetWorld - result.positionWorld;
     if (!(glm::dot(view, view) > 0.0)) camera.fail("target", "is the camera's own position; move one of them");
-    // Below a millionth of a radian, the direction "right" would be made of rounding errors.
-    if (glm::length(glm::cross(glm::normalize(view), glm::normalize(result.upWorld))) < 1e-6)
+    if (!hasView(result))
         camera.fail("up", "is parallel to the view from position to target; choose another up, such as [0, 0, 1]");
     return result;
 }
@@ -48,12 +50,11 @@ std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::
                          {"camera", "ambient", "background", "exposure", "lights", "materials", "objects"});
     const auto scene = std::make_shared<Scene>();
     const AllowedFolders folders(file, options);
-    const SceneReading reading{document, file, options, folders, *scene};
+    const SceneReading reading{{options.limits.coordinate}, document, file, options, folders, *scene};
 
     scene->name = file.stem().string();
     const JsonValue& camera = top.require("camera", "{\"position\": [3, 2.5, 5], \"target\": [0, 0, 0]}");
-    scene->camera = readCamera(reading, JsonObject(document, camera, "the camera",
-                                                   {"position", "target", "up", "fovYDegrees", "near", "far"}));
+    scene->camera = readCamera(reading, document, camera, "the camera");
     scene->ambient = top.color("ambient", reading.atLeastZero(), scene->ambient);
     scene->background = top.color("background", reading.atLeastZero(), scene->background);
     scene->exposure = static_cast<float>(top.number("exposure", reading.aboveZero(), scene->exposure));

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "techniques/foundation/scene/file_access.h"
@@ -12,25 +13,34 @@
 
 namespace shadowlab::scene {
 
-/// What all readers share.
-struct SceneReading {
+/// The numbers that keys take, by what they stand for.
+struct NumberRanges {
+    double coordinate = Limits{}.coordinate;
+
+    [[nodiscard]] Range anyNumber() const { return Range::any(coordinate); }
+    [[nodiscard]] Range atLeastZero() const { return Range::atLeast(0.0, coordinate); }
+    [[nodiscard]] Range aboveZero() const { return Range::above(0.0, coordinate); }
+    /// Lengths that have to survive being rounded to float and squared.
+    [[nodiscard]] Range length() const { return Range::above(1.0 / coordinate, coordinate); }
+};
+
+/// What all readers of a scene file share.
+struct SceneReading : NumberRanges {
     const JsonDocument& document;
     const std::filesystem::path& file;
     const LoadOptions& options;
     const AllowedFolders& folders;
     Scene& scene;
-
-    [[nodiscard]] Range anyNumber() const { return Range::any(options.limits.coordinate); }
-    [[nodiscard]] Range atLeastZero() const { return Range::atLeast(0.0, options.limits.coordinate); }
-    [[nodiscard]] Range aboveZero() const { return Range::above(0.0, options.limits.coordinate); }
-    /// Lengths that have to survive being rounded to float and squared.
-    [[nodiscard]] Range length() const {
-        return Range::above(1.0 / options.limits.coordinate, options.limits.coordinate);
-    }
 };
 
-/// "the camera", and "target", "up" ... checked against each other.
-Camera readCamera(const SceneReading& reading, const JsonObject& camera);
+/// The camera that `value` describes, its keys checked against each other. A key that is left out keeps what `before`
+/// has; without `before`, position and target are required and the rest has its defaults.
+Camera readCamera(const NumberRanges& ranges, const JsonDocument& document, const JsonValue& value,
+                  const std::string& what, const std::optional<Camera>& before = {});
+
+/// A light of a scene, changed: the keys that `changes` has, checked as in a scene file, the rest as before.
+/// `changes` may have any key of any light; one that does not fit the light's type is refused here.
+Light readChangedLight(const NumberRanges& ranges, const JsonObject& changes, const Light& before);
 
 void readLights(const SceneReading& reading, const JsonObject& top);
 

@@ -47,6 +47,34 @@ JsonObject restrictedTo(LightType type, const JsonObject& light) {
     return light;
 }
 
+/// The keys of a light that is already of its type. Those that are left out keep what `light` has, but where a new light
+/// stands, or a new sun shines to, must be said.
+void readKeys(const NumberRanges& ranges, const JsonObject& keys, bool isNew, Light& light) {
+    const auto unlessNew = [&](const dvec3& value) { return isNew ? std::nullopt : std::optional(value); };
+    light.color = keys.color("color", ranges.atLeastZero(), light.color);
+    light.intensity = keys.number("intensity", ranges.atLeastZero(), light.intensity);
+    if (light.type != LightType::directional)
+        light.positionWorld = keys.vector("position", ranges.anyNumber(), unlessNew(light.positionWorld));
+    const bool newSun = isNew && light.type == LightType::directional;
+    if (newSun || keys.find("direction"))
+        light.directionWorld = glm::normalize(keys.direction("direction", ranges.anyNumber()));
+    if (light.type == LightType::spot) {
+        light.coneDegrees = keys.number("coneDegrees", Range::strictlyBetween(0.0, 180.0), light.coneDegrees);
+        const Range band = Range::between(0.0, 0.5 * light.coneDegrees);
+        light.edgeDegrees = keys.number("edgeDegrees", band, light.edgeDegrees);
+        if (!band.contains(light.edgeDegrees))
+            keys.fail("coneDegrees", "is " + numberText(light.coneDegrees) +
+                                         "; it must be at least twice edgeDegrees, " + "which is " +
+                                         numberText(light.edgeDegrees));
+    }
+    if (light.type == LightType::rect) {
+        light.edgeUWorld = keys.direction("edgeU", ranges.anyNumber(), light.edgeUWorld);
+        light.edgeVWorld = keys.direction("edgeV", ranges.anyNumber(), light.edgeVWorld);
+        if (!edgesSpan(light)) keys.fail("edgeV", "is parallel to edgeU; the two must span a parallelogram");
+    }
+    if (light.type == LightType::sphere) light.radius = keys.number("radius", ranges.length(), light.radius);
+}
+
 Light readLight(const SceneReading& reading, const JsonValue& value, const std::string& what) {
     const JsonObject anyLight(reading.document, value, what,
                               {"name", "type", "position", "direction", "coneDegrees", "edgeDegrees", "edgeU", "edgeV",
@@ -55,28 +83,17 @@ Light readLight(const SceneReading& reading, const JsonValue& value, const std::
     light.type = readType(anyLight);
     const JsonObject keys = restrictedTo(light.type, anyLight);
     light.name = keys.text("name", std::string());
-    light.color = keys.color("color", reading.atLeastZero(), light.color);
-    light.intensity = keys.number("intensity", reading.atLeastZero(), light.intensity);
-    if (light.type != LightType::directional) light.positionWorld = keys.vector("position", reading.anyNumber());
-    if (light.type == LightType::directional)
-        light.directionWorld = glm::normalize(keys.direction("direction", reading.anyNumber()));
-    if (light.type == LightType::spot) {
-        light.directionWorld = glm::normalize(keys.direction("direction", reading.anyNumber(), light.directionWorld));
-        light.coneDegrees = keys.number("coneDegrees", Range::strictlyBetween(0.0, 180.0), light.coneDegrees);
-        light.edgeDegrees = keys.number("edgeDegrees", Range::between(0.0, 0.5 * light.coneDegrees), light.edgeDegrees);
-    }
-    if (light.type == LightType::rect) {
-        light.edgeUWorld = keys.direction("edgeU", reading.anyNumber(), light.edgeUWorld);
-        light.edgeVWorld = keys.direction("edgeV", reading.anyNumber(), light.edgeVWorld);
-        // Nearly parallel edges leave the side it shines to undecided.
-        if (glm::length(glm::cross(glm::normalize(light.edgeUWorld), glm::normalize(light.edgeVWorld))) < 1e-9)
-            keys.fail("edgeV", "is parallel to edgeU; the two must span a parallelogram");
-    }
-    if (light.type == LightType::sphere) light.radius = keys.number("radius", reading.length(), light.radius);
+    readKeys(reading, keys, true, light);
     return light;
 }
 
 } // namespace
+
+Light readChangedLight(const NumberRanges& ranges, const JsonObject& changes, const Light& before) {
+    Light light = before;
+    readKeys(ranges, restrictedTo(light.type, changes), false, light);
+    return light;
+}
 
 void readLights(const SceneReading& reading, const JsonObject& top) {
     const auto values = top.array("lights");

@@ -1,0 +1,108 @@
+// Reads a path with the readers of the scene file: the same keys, the same ranges, the same words.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <map>
+
+#include "app/session/path.h"
+#include "techniques/foundation/nearest_names.h"
+#include "techniques/foundation/scene/message_text.h"
+#include "techniques/foundation/scene/scene_json.h"
+
+namespace shadowlab::session {
+
+namespace {
+
+using scene::JsonDocument;
+using scene::JsonObject;
+using scene::JsonValue;
+
+/// The light that `changes` names.
+std::size_t lightNamed(const JsonObject& changes, const std::vector<scene::Light>& lights) {
+    const std::string name = changes.text("name");
+    const auto found = std::ranges::find(lights, name, &scene::Light::name);
+    if (found != lights.end()) return static_cast<std::size_t>(found - lights.begin());
+    std::vector<std::string> known;
+    for (const scene::Light& light : lights)
+        known.push_back(light.name);
+    changes.fail("name", "is " + scene::inQuotes(name) + ", and the scene has no such light; " +
+                             (known.empty() ? "it has no lights" : suggestion(name, known)));
+}
+
+void readLights(const JsonObject& key, std::vector<scene::Light>& lights) {
+    std::map<std::size_t, std::size_t> offsetOfLight;
+    int count = 0;
+    for (const JsonValue& value : key.array("lights")) {
+        const JsonObject changes(key.document(), value, "light " + std::to_string(++count) + " of " + key.what(),
+                                 {"name", "position", "direction", "coneDegrees", "edgeDegrees", "edgeU", "edgeV",
+                                  "radius", "color", "intensity"});
+        const std::size_t light = lightNamed(changes, lights);
+        const auto [earlier, isNew] = offsetOfLight.emplace(light, value.offset);
+        if (!isNew)
+            changes.fail("name", "is " + scene::inQuotes(lights[light].name) + " again, first at " +
+                                     key.document().place(earlier->second) + "; write the light once in a key");
+        lights[light] = scene::readChangedLight(scene::NumberRanges{}, changes, lights[light]);
+    }
+}
+
+/// Half way between unit vectors within a millionth of a radian of opposite, there is nothing but rounding errors.
+bool areOpposite(const dvec3& a, const dvec3& b) { return glm::length(glm::normalize(a) + glm::normalize(b)) < 1e-6; }
+
+/// Refuses, at the key that ends it, a way that cannot be gone.
+void checkWay(const JsonDocument& document, std::size_t offset, const PathKey& from, const PathKey& to) {
+    const std::string way = "from frame " + std::to_string(from.frame) + " to frame " + std::to_string(to.frame) + ", ";
+    const std::string mend = "; add a key in between";
+    if (areOpposite(from.state.camera.upWorld, to.state.camera.upWorld))
+        document.fail(offset,
+                      way + "\"up\" of the camera turns to its opposite, with no telling over which side" + mend);
+    for (std::size_t i = 0; i < to.state.lights.size(); ++i)
+        if (areOpposite(from.state.lights[i].directionWorld, to.state.lights[i].directionWorld))
+            document.fail(offset, way + "\"direction\" of light " + scene::inQuotes(to.state.lights[i].name) +
+                                      " turns to its opposite, with no telling over which side" + mend);
+
+    const Path path({from, to});
+    for (int frame = from.frame + 1; frame < to.frame; ++frame) {
+        const CameraAndLights state = path.at(frame);
+        const std::string at = way + "at frame " + std::to_string(frame) + ", ";
+        if (!scene::hasView(state.camera))
+            document.fail(offset, at + "the camera comes to its own target, or looks along its \"up\"" + mend);
+        for (const scene::Light& light : state.lights)
+            if (!scene::edgesSpan(light))
+                document.fail(offset,
+                              at + "the edges of light " + scene::inQuotes(light.name) + " are parallel" + mend);
+    }
+}
+
+} // namespace
+
+Path parsePath(const std::string& text, const std::filesystem::path& file, const scene::Scene& scene) {
+    const std::string example = R"([{"frame": 1, "camera": {"position": [3, 2, 5]}}, ...])";
+    const JsonDocument document(text, file, scene::Limits{}.jsonDepth, "a path, as " + example);
+    const JsonValue& list = document.root();
+    if (list.kind != JsonValue::Kind::array)
+        document.fail(list.offset, "a path is a list, and this is " + std::string(scene::describe(list.kind)) +
+                                       "; write " + example);
+    if (list.items.empty()) document.fail(list.offset, "the path has no keys; write " + example);
+
+    std::vector<PathKey> keys;
+    CameraAndLights state{scene.camera, scene.lights};
+    for (const JsonValue& value : list.items) {
+        const JsonObject key(document, value, "key " + std::to_string(keys.size() + 1), {"frame", "camera", "lights"});
+        const int frame = key.integer("frame", 1, kMostFrames);
+        if (!keys.empty() && frame <= keys.back().frame)
+            key.fail("frame", "is " + std::to_string(frame) + ", and that of the key before is " +
+                                  std::to_string(keys.back().frame) + "; write the keys in the order of their frames");
+        if (const JsonValue* camera = key.find("camera"))
+            state.camera = scene::readCamera(scene::NumberRanges{}, document, *camera, "the camera of " + key.what(),
+                                             state.camera);
+        readLights(key, state.lights);
+        keys.push_back({frame, state});
+        if (keys.size() > 1) checkWay(document, value.offset, keys[keys.size() - 2], keys.back());
+    }
+    return Path(std::move(keys));
+}
+
+Path loadPath(const std::filesystem::path& file, const scene::Scene& scene) {
+    return parsePath(scene::readFile(file, scene::Limits{}.sceneFileBytes), file, scene);
+}
+
+} // namespace shadowlab::session
