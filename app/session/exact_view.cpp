@@ -5,16 +5,6 @@
 
 namespace shadowlab::session {
 
-namespace {
-
-measure::Rasterised rasterise(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers, const View& view) {
-    GLint subpixelBits = 0;
-    glGetIntegerv(GL_SUBPIXEL_BITS, &subpixelBits);
-    return {measure::tieRadius(subpixelBits), {}};
-}
-
-} // namespace
-
 const measure::Truth& ExactView::truth(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers,
                                        const View& view, int light) {
     const Key key{snapshot, view.camera, view.size, light};
@@ -24,6 +14,17 @@ const measure::Truth& ExactView::truth(const scene::Snapshot& snapshot, const gl
         madeFor_ = key;
     }
     return truth_;
+}
+
+measure::Rasterised ExactView::rasterise(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers,
+                                         const View& view) {
+    GLint subpixelBits = 0;
+    glGetIntegerv(GL_SUBPIXEL_BITS, &subpixelBits);
+    // With the camera that techniques draw with (Frame::camera).
+    const scene::Camera camera =
+        scene::withTightNear(view.camera, *snapshot, buffers.bounds(), static_cast<double>(view.size.x) / view.size.y);
+    ids_.draw(*snapshot, buffers, gl::eyeMatrices(camera, view.size), view.size);
+    return {measure::tieRadius(subpixelBits), ids_.read()};
 }
 
 measure::Truth ExactView::truthAtCentres(const scene::Snapshot& snapshot, const View& view, int light) {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/measure/truth.h"
-#include "techniques/foundation/gl/scene_buffers.h"
+#include "techniques/foundation/gl/id_buffer.h"
 #include "techniques/technique.h"
 
 namespace shadowlab::session {
@@ -26,7 +26,10 @@ private:
         int light = kNoLight;
         friend bool operator==(const Key&, const Key&) = default;
     };
+    measure::Rasterised rasterise(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers, const View& view);
+
     trace::SceneTracer tracer_;
+    gl::IdBuffer ids_;
     Key madeFor_;
     measure::Truth truth_;
 };

@@ -48,14 +48,15 @@ Grid<std::uint32_t> receiversOf(const Truth& truth) {
     return receivers;
 }
 
-/// The technique's answers, cut at one half; turned away is what the truth says is turned away.
+/// The technique's answers, cut at one half; turned away is what the truth says is turned away, and ties are as the truth
+/// has them: a lonely pixel that nobody can judge would else count as a boundary of its own, far from any other.
 Grid<Shade> shadesOf(const VisibilityImage& visibility, const Truth& truth) {
     Grid<Shade> shades(truth.size.x, truth.size.y);
     for (std::size_t i = 0; i < shades.values.size(); ++i) {
         const bool covered = visibility.greyAlpha[2 * i + 1] == 255, lit = visibility.greyAlpha[2 * i] > 127;
         const Shade exact = shadeOf(truth.visibility[i]);
-        const bool compared = exact == Shade::lit || exact == Shade::shadowed;
-        shades.values[i] = !covered ? Shade::outside : !compared ? exact : lit ? Shade::lit : Shade::shadowed;
+        const bool compared = (exact == Shade::lit || exact == Shade::shadowed) && truth.ties[i] == 0;
+        shades.values[i] = !compared ? exact : !covered ? Shade::outside : lit ? Shade::lit : Shade::shadowed;
     }
     return shades;
 }

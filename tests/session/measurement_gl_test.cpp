@@ -292,7 +292,9 @@ TEST_F(MeasurementTest, AForgottenCasterShows) {
 
 TEST_F(MeasurementTest, FlipsOfExactTechniquesFollowTheTruth) {
     const auto snapshot = testing::snapshot(testing::simpleScene());
-    const Motion motion{.frames = 6, .orbitLightDegrees = 6.0, .orbitCameraDegrees = {}};
+    Motion motion;
+    motion.frames = 6;
+    motion.orbitLightDegrees = 6.0;
     auto measured = slots({"ray-traced", "shadow-map", "unshadowed"}, {"shadow-map.resolution=128"});
     const std::vector<Result> results = measure(snapshot, std::move(measured), motion);
     EXPECT_EQ(*results[0].excessFlipRate, 0);

@@ -9,8 +9,15 @@
 
 namespace shadowlab::gl {
 
-/// Four channels a pixel, row 0 on top. GL counts rows from the bottom and pictures from the top: this is the only
-/// place that turns them over. `type` is the GL type of Texel's components.
+/// GL counts rows from the bottom and pictures from the top: this is the only place that turns them over.
+template <typename Texel>
+void turnRowsOver(std::vector<Texel>& texels, ivec2 size) {
+    for (int y = 0; y < size.y / 2; ++y)
+        std::swap_ranges(texels.begin() + std::ptrdiff_t(y) * size.x, texels.begin() + std::ptrdiff_t(y + 1) * size.x,
+                         texels.begin() + std::ptrdiff_t(size.y - 1 - y) * size.x);
+}
+
+/// Four channels a pixel, row 0 on top. `type` is the GL type of Texel's components.
 template <typename Texel>
 std::vector<Texel> readRows(const Texture2D& texture, GLenum type) {
     const ivec2 size = texture.size();
@@ -20,9 +27,7 @@ std::vector<Texel> readRows(const Texture2D& texture, GLenum type) {
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, size.x, size.y, GL_RGBA, type, texels.data());
     check("read-back");
-    for (int y = 0; y < size.y / 2; ++y)
-        std::swap_ranges(texels.begin() + std::ptrdiff_t(y) * size.x, texels.begin() + std::ptrdiff_t(y + 1) * size.x,
-                         texels.begin() + std::ptrdiff_t(size.y - 1 - y) * size.x);
+    turnRowsOver(texels, size);
     return texels;
 }
 

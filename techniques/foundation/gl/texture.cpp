@@ -17,6 +17,7 @@ std::pair<GLenum, GLenum> transferFormat(GLenum internalFormat) {
     case GL_DEPTH_COMPONENT16:
     case GL_DEPTH_COMPONENT24:
     case GL_DEPTH_COMPONENT32F: return {GL_DEPTH_COMPONENT, GL_FLOAT};
+    case GL_R32UI: return {GL_RED_INTEGER, GL_UNSIGNED_INT};
     default: return {GL_RGBA, GL_FLOAT};
     }
 }

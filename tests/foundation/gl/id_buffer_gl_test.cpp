@@ -1,0 +1,49 @@
+// The rasteriser's triangles against those of the exact judge: the same numbers, but for pixels whose centre an edge
+// passes too closely.
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/gl/id_buffer.h"
+
+#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/trace/exact_visibility.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/scenes.h"
+
+namespace shadowlab {
+namespace {
+
+using IdBufferTest = testing::GlTest;
+
+TEST_F(IdBufferTest, NamesTheTriangleThatTheRaySees) {
+    scene::Scene scene = testing::simpleScene();
+    dmat4 mirror = testing::translation({-2, 1, 1});
+    mirror[0][0] = -1;
+    testing::addObject(scene, scene::makeTorus(0.6, 0.2, {24, 12}), mirror).castsShadow = false;
+    const auto snapshot = testing::snapshot(scene);
+    gl::SceneBuffers buffers;
+    buffers.update(snapshot);
+    const trace::ExactVisibility judge(snapshot);
+    gl::IdBuffer idBuffer;
+    for (const ivec2 size : {ivec2(200, 150), ivec2(161, 99)}) { // of odd height, too: a row stays in the middle
+        idBuffer.draw(scene, buffers, gl::eyeMatrices(scene.camera, size), size);
+        const std::vector<std::uint32_t> ids = idBuffer.read();
+        ASSERT_EQ(ids.size(), static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+        int surfaces = 0, background = 0, ofMirrored = 0, different = 0;
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const auto hit = judge.eyeHit(scene.camera, dvec2(x, y) + 0.5, size);
+                const std::uint32_t expected =
+                    hit ? static_cast<std::uint32_t>(buffers.triangleBase(hit->object)) + hit->triangle
+                        : gl::IdBuffer::kNone;
+                different += ids[static_cast<std::size_t>(y * size.x + x)] != expected;
+                hit ? ++surfaces : ++background;
+                ofMirrored += hit && hit->object + 1 == scene.objects.size();
+            }
+        EXPECT_GT(surfaces, 5000);
+        EXPECT_GT(background, 1000);
+        EXPECT_GT(ofMirrored, 100);
+        EXPECT_LT(different, surfaces / 500);
+    }
+}
+
+} // namespace
+} // namespace shadowlab
