@@ -1,0 +1,163 @@
+// The stages that the session makes: truth, error, scanline. Their colours must be where the truth says.
+// SPDX-License-Identifier: MIT
+#include "app/session/derived_stages.h"
+
+#include "app/measure/verdict.h"
+#include "app/session/scanline_plot.h"
+#include "app/session/settings.h"
+#include "techniques/foundation/look.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/scenes.h"
+
+namespace shadowlab::session {
+namespace {
+
+constexpr ivec2 kSize{320, 240};
+
+image::Color8 encoded(const vec3& linear) {
+    return {image::srgbFromLinear(linear.r), image::srgbFromLinear(linear.g), image::srgbFromLinear(linear.b), 255};
+}
+
+class DerivedStagesTest : public testing::GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        slots.push_back(Session::makeSlot("shadow-map"));
+        applySettings(slots, {"shadow-map.resolution=64"});
+        session = std::make_unique<Session>(testing::snapshot(testing::simpleScene()));
+        view.camera = session->snapshot()->camera;
+        view.size = kSize;
+    }
+    void TearDown() override {
+        slots.clear();
+        session.reset();
+        GlTest::TearDown();
+    }
+    Panel panel(const std::string& stage, std::optional<int> row = {}) {
+        const StageKey key{stage, 0};
+        FrameRequest request;
+        request.stages = neededFor(key);
+        const RenderedFrame rendered = session->render(slots[0], view, request);
+        return derivedPanel(*session, slots[0], rendered, PictureEncoder(), {key, view, row, nullptr});
+    }
+    measure::Judgement judgement() {
+        FrameRequest request;
+        request.stages = {{"visibility", 0}};
+        const RenderedFrame rendered = session->render(slots[0], view, request);
+        return measure::judge(session->truth(view, 0),
+                              readVisibility(findStage(rendered, {"visibility", 0})).greyAlpha);
+    }
+    /// Pixels of a colour, within the view.
+    static int count(const image::Image& picture, const image::Color8& color) {
+        int found = 0;
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = 0; x < picture.width; ++x)
+                found += picture.at(x, y) == color;
+        return found;
+    }
+    std::vector<Slot> slots;
+    std::unique_ptr<Session> session;
+    View view;
+};
+
+TEST_F(DerivedStagesTest, ErrorPaintsEveryWrongPixelAndOnlyThose) {
+    const measure::Judgement judged = judgement();
+    ASSERT_GT(judged.counts.falseLit, 20);
+    ASSERT_GT(judged.counts.falseShadow, 20);
+    const Panel error = panel("error");
+    int wrong = 0;
+    for (int y = 0; y < kSize.y; ++y)
+        for (int x = 0; x < kSize.x; ++x) {
+            const image::Color8 color = error.picture.at(x, y);
+            const auto verdict = judged.verdicts[static_cast<std::size_t>(y * kSize.x + x)];
+            ASSERT_EQ(color == encoded(look::kFalseLit), verdict == measure::Verdict::falseLit);
+            ASSERT_EQ(color == encoded(look::kFalseShadow), verdict == measure::Verdict::falseShadow);
+            wrong += verdict == measure::Verdict::falseLit || verdict == measure::Verdict::falseShadow;
+            if (verdict == measure::Verdict::correct) {
+                ASSERT_TRUE(color.r == color.g && color.g == color.b);
+            }
+        }
+    EXPECT_EQ(wrong, judged.counts.wrong());
+    EXPECT_NE(error.display.key[0].label.find(std::to_string(judged.counts.falseLit)), std::string::npos);
+    EXPECT_NE(error.display.key[1].label.find(std::to_string(judged.counts.falseShadow)), std::string::npos);
+}
+
+TEST_F(DerivedStagesTest, TruthPaintsWhatIsLit) {
+    const Panel truth = panel("truth");
+    const measure::Truth& exact = session->truth(view, 0);
+    int lit = 0, rims = 0;
+    for (int y = 0; y < kSize.y; ++y)
+        for (int x = 0; x < kSize.x; ++x) {
+            const std::size_t i = exact.index(x, y);
+            if (exact.visibility[i] != trace::Visibility::lit || exact.ties[i]) continue;
+            const bool isLit = truth.picture.at(x, y) == encoded(look::kLit);
+            lit += isLit;
+            rims += !isLit; // on outlines of objects
+        }
+    EXPECT_GT(lit, 10'000);
+    EXPECT_LT(rims, lit / 20);
+    EXPECT_GT(count(truth.picture, encoded(look::kShadowed)), 500);
+    EXPECT_GT(count(truth.picture, encoded(look::kTurnedAway)), 200);
+}
+
+TEST_F(DerivedStagesTest, OnlyTheRegionIsCounted) {
+    const measure::Judgement all = judgement();
+    view.region = {{kSize.x / 2, 0}, {kSize.x / 2, kSize.y}};
+    int falseLit = 0;
+    for (int y = 0; y < kSize.y; ++y)
+        for (int x = kSize.x / 2; x < kSize.x; ++x)
+            falseLit += all.verdicts[static_cast<std::size_t>(y * kSize.x + x)] == measure::Verdict::falseLit;
+    const Panel error = panel("error");
+    EXPECT_NE(error.display.key[0].label.find(": " + std::to_string(falseLit) + " px"), std::string::npos)
+        << error.display.key[0].label;
+}
+
+TEST_F(DerivedStagesTest, ScanlineMarksItsRowAndTheWrongColumns) {
+    const measure::Judgement judged = judgement();
+    const measure::Truth truth = session->truth(view, 0);
+    FrameRequest request;
+    request.stages = {{"visibility", 0}};
+    const RenderedFrame rendered = session->render(slots[0], view, request);
+    const VisibilityImage visibility = readVisibility(findStage(rendered, {"visibility", 0}));
+    const int row = mostTellingRow({truth, judged, visibility, "key", "map"}, {});
+    int wrong = 0, most = 0;
+    for (int y = 0; y < kSize.y; ++y) {
+        int inRow = 0;
+        for (int x = 0; x < kSize.x; ++x)
+            inRow += judged.verdicts[static_cast<std::size_t>(y * kSize.x + x)] == measure::Verdict::falseLit ||
+                     judged.verdicts[static_cast<std::size_t>(y * kSize.x + x)] == measure::Verdict::falseShadow;
+        most = std::max(most, inRow);
+        if (y == row) wrong = inRow;
+    }
+    ASSERT_GT(wrong, 0);
+    EXPECT_EQ(wrong, most) << "row " << row;
+
+    const Panel plot = panel("scanline");
+    // Every false column is painted over the height of the plot, less the lines that cross it.
+    for (int x = 0; x < kSize.x; ++x) {
+        const auto verdict = judged.verdicts[static_cast<std::size_t>(row * kSize.x + x)];
+        const image::Color8 color =
+            encoded(verdict == measure::Verdict::falseLit ? look::kFalseLit : look::kFalseShadow);
+        int painted = 0;
+        for (int y = 0; y < kSize.y; ++y)
+            painted += plot.picture.at(x, y) == color;
+        const bool isWrong = verdict == measure::Verdict::falseLit || verdict == measure::Verdict::falseShadow;
+        EXPECT_TRUE(!isWrong || painted > kSize.y / 8) << x;
+    }
+    EXPECT_FALSE(panel("scanline", 10).picture == plot.picture);
+}
+
+TEST(DerivedStages, BelongToTechniquesThatPublishVisibility) {
+    for (const RegisteredTechnique& technique : registeredTechniques()) {
+        const std::vector<StageInfo> stages = stagesOf(*technique.info);
+        const auto has = [&](std::string_view id) { return std::ranges::count(stages, id, &StageInfo::id); };
+        EXPECT_EQ(has("truth"), has("visibility")) << technique.info->id;
+        EXPECT_EQ(has("error"), has("visibility"));
+        EXPECT_EQ(has("scanline"), has("visibility"));
+        for (const StageInfo& own : technique.info->stages)
+            EXPECT_FALSE(isDerived(own.id)) << technique.info->id << " takes a reserved id: " << own.id;
+    }
+}
+
+} // namespace
+} // namespace shadowlab::session
