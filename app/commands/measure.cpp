@@ -75,6 +75,7 @@ int measure(const MeasureOptions& options) {
                             context::glRenderer(),
                             options.size,
                             motion.frames,
+                            measurement.truthMs(),
                             measurement.results()};
     for (const std::string& remark : base->notes)
         note(remark);

@@ -120,6 +120,7 @@ std::string measureJson(const Measured& measured) {
     root["backend"] = measured.backend;
     root["renderer"] = measured.renderer;
     root["frames"] = measured.frames;
+    root["truthMs"] = measured.truthMs;
     root["results"] = Json::array();
     for (const Result& result : measured.results)
         root["results"].push_back(resultJson(measured, result));
@@ -137,7 +138,8 @@ std::string measureTable(const Measured& measured) {
                      {"in shadow", std::to_string(truth.shadowed), percent(truth.shadowed, truth.pixels), ""},
                      {"turned away", std::to_string(truth.turnedAway), percent(truth.turnedAway, truth.pixels), ""},
                      {"ties", std::to_string(truth.ties), percent(truth.ties, truth.pixels), ""},
-                     {"with a surface", std::to_string(truth.pixels), "", ""}});
+                     {"with a surface", std::to_string(truth.pixels), "", ""},
+                     {"made in ms", fixed(measured.truthMs, 1), "", ""}});
     for (const Rows& rows : {errorRows(measured), pictureRows(measured), timeRows(measured), counterRows(measured)})
         text += "\n" + aligned(rows);
     return text;

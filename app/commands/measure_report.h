@@ -13,6 +13,7 @@ struct Measured {
     std::string scene, light, backend, renderer;
     ivec2 size{0};
     int frames = 1;
+    double truthMs = 0;
     std::vector<session::TechniqueErrors> results;
 };
 

@@ -89,7 +89,10 @@ void Measurement::addFrame(const Moment& moment) {
     View view;
     view.camera = moment.camera;
     view.size = size_;
+    if (first_) session_.truthAtCentres(view, light_); // builds the tree
+    const Clock::time_point asked = Clock::now();
     const Truth truth = first_ ? session_.truth(view, light_) : session_.truthAtCentres(view, light_);
+    if (first_) truthMs_ = elapsedMs(asked);
     const double boundaryLength = lengthPx(boundaryEdges(shadesOf(truth), receiversOf(truth)));
     std::optional<Shown> reference;
     if (first_) reference = referencePicture(view);

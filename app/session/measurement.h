@@ -52,6 +52,8 @@ public:
     void addFrame(const Moment& moment);
 
     [[nodiscard]] std::vector<TechniqueErrors> results() const;
+    /// What the first frame's truth took, ties included; without the tree, which is kept from frame to frame.
+    [[nodiscard]] double truthMs() const { return truthMs_; }
 
 private:
     struct Entry {
@@ -76,6 +78,7 @@ private:
     int light_;
     ivec2 size_;
     bool first_ = true;
+    double truthMs_ = 0;
 };
 
 } // namespace shadowlab::session
