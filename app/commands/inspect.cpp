@@ -138,7 +138,13 @@ std::string text(const Inspection& inspection) {
         const bool all = names.size() == inspection.meshes.size();
         rows.push_back({remark.technique, remark.sentence + (all ? "" : " [" + named(names) + "]")});
     }
-    return rows.empty() ? text : text + "\nWhat that means\n" + aligned(rows);
+    if (!rows.empty()) text += "\nWhat that means\n" + aligned(rows);
+    const bool allClosed =
+        std::ranges::all_of(inspection.meshes, [](const InspectedMesh& mesh) { return mesh.report.isClosed(); });
+    if (!allClosed)
+        text += "\nTo see these edges: shadowlab capture " + scene::shown(inspection.file, 4096) +
+                " --stage mesh-edges -o edges.png\n";
+    return text;
 }
 
 Json vector(const dvec3& value) { return {value.x, value.y, value.z}; }

@@ -1,4 +1,5 @@
-// Stages that no technique draws: the session derives them from a technique's `visibility` and the truth.
+// Stages that no technique draws: the session derives them from a technique's `visibility` and the truth, or from the
+// scene alone.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>

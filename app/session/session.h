@@ -44,6 +44,9 @@ public:
     /// Throws Error (badInput) for a requested stage that the technique does not have.
     RenderedFrame render(Slot& slot, const View& view, const FrameRequest& request = {});
 
+    /// The scene on the graphics card, as of the last frame.
+    [[nodiscard]] const gl::SceneBuffers& buffers() const { return buffers_; }
+
     /// The truth of what the view shows of one light, with its ties. Valid until the next call.
     const measure::Truth& truth(const View& view, int light);
     /// The same without ties, for what follows a sequence.

@@ -14,6 +14,8 @@ vec3 linearFromSrgb8(int r, int g, int b) {
     return {decode(r), decode(g), decode(b)};
 }
 
+int lineRadius(int height) { return std::max(1, height / 480); }
+
 const Palette& viridis() {
     static const Palette palette = {
         linearFromSrgb8(0x44, 0x01, 0x54), linearFromSrgb8(0x47, 0x2D, 0x7B), linearFromSrgb8(0x3B, 0x52, 0x8B),

@@ -19,6 +19,11 @@ inline const vec3 kAwayFromLight = linearFromSrgb8(0x56, 0xB4, 0xE9);
 inline const vec3 kSilhouette = linearFromSrgb8(0xD5, 0x5E, 0x00);
 inline const vec3 kBoundaryEdge = linearFromSrgb8(0x00, 0x9E, 0x73);
 inline const vec3 kMultipleEdge = linearFromSrgb8(0xCC, 0x79, 0xA7);
+inline const vec3 kInconsistentEdge = linearFromSrgb8(0xF0, 0xE4, 0x42);
+
+/// How far a line reaches to either side of its middle, in pixels, so that it is seen from the last row: about 1/240 of the
+/// picture's height across.
+int lineRadius(int height);
 
 // The comparison of a shadow map: equal depths, an occluder in between, nothing stored, not asked.
 inline const vec3 kEqualDepth = linearFromSrgb8(0x00, 0x9E, 0x73);

@@ -67,7 +67,7 @@ void StagePictures::publishFacing(Frame& frame, int light) const {
 void StagePictures::publishSilhouettes(Frame& frame, int light, std::span<const CasterVolume* const> casters) const {
     const ivec2 size = frame.target().size();
     // GL promises lines of one pixel only. Thicker ones: the same line drawn again at every offset within a disc.
-    const int radius = std::max(1, size.y / 480);
+    const int radius = look::lineRadius(size.y);
     const auto drawThick = [&](const vec3& color, const auto& drawLines) {
         edges_.set("color", unexposed(frame, color, 1));
         for (int dy = -radius; dy <= radius; ++dy)

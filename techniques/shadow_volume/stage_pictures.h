@@ -19,7 +19,7 @@ public:
 
 private:
     gl::Program facing_{"surface.vert", "shadow_volume/facing_sign.frag"};
-    gl::Program edges_{"shadow_volume/edge.vert", "shadow_volume/constant.frag"};
+    gl::Program edges_{"shadow_volume/edge.vert", "constant.frag"};
     gl::Program faces_{"shadow_volume/extrude_shown.vert", "shadow_volume/faces.frag"};
 };
 

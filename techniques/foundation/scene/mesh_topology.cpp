@@ -104,6 +104,13 @@ MeshTopology buildTopology(const Mesh& mesh) {
     return topology;
 }
 
+EdgeKind kindOf(const MeshTopology& topology, const Edge& edge) {
+    if (edge.useCount == 1) return EdgeKind::boundary;
+    if (edge.useCount > 2) return EdgeKind::multiple;
+    const EdgeUse* use = &topology.uses[edge.firstUse];
+    return use[0].direction == use[1].direction ? EdgeKind::inconsistent : EdgeKind::closed;
+}
+
 MeshReport reportMesh(const Mesh& mesh, const MeshTopology& topology) {
     MeshReport report;
     report.triangles = mesh.triangles.size();
@@ -116,10 +123,12 @@ MeshReport reportMesh(const Mesh& mesh, const MeshTopology& topology) {
     for (const Edge& edge : topology.edges) {
         vertices.insert(edge.a);
         vertices.insert(edge.b);
-        if (edge.useCount == 1) ++report.boundaryEdges;
-        if (edge.useCount > 2) ++report.multipleEdges;
-        const EdgeUse* use = &topology.uses[edge.firstUse];
-        if (edge.useCount == 2 && use[0].direction == use[1].direction) ++report.inconsistentEdges;
+        switch (kindOf(topology, edge)) {
+        case EdgeKind::closed: break;
+        case EdgeKind::boundary: ++report.boundaryEdges; break;
+        case EdgeKind::multiple: ++report.multipleEdges; break;
+        case EdgeKind::inconsistent: ++report.inconsistentEdges; break;
+        }
     }
     report.weldedVertices = vertices.size();
     return report;

@@ -29,6 +29,15 @@ struct MeshTopology {
 /// Welds vertices by exact position and collects every edge with all its triangles. O(n log n).
 MeshTopology buildTopology(const Mesh& mesh);
 
+/// What an edge says about the surface there.
+enum class EdgeKind {
+    closed,       ///< two triangles, wound alike
+    boundary,     ///< one triangle: the mesh is open there
+    multiple,     ///< more than two triangles
+    inconsistent, ///< two triangles that run the same way: windings disagree
+};
+EdgeKind kindOf(const MeshTopology& topology, const Edge& edge);
+
 /// What a mesh is made of.
 struct MeshReport {
     std::uint64_t triangles = 0;
@@ -36,10 +45,10 @@ struct MeshReport {
     std::uint64_t duplicateTriangles = 0; ///< those with the same three welded vertices as an earlier one, in any order
     std::uint64_t vertices = 0;           ///< of the buffers; several may lie at one place, with different normals
     std::uint64_t weldedVertices = 0, edges = 0;
-    std::uint64_t boundaryEdges = 0;     ///< one triangle: the mesh is open there
-    std::uint64_t multipleEdges = 0;     ///< more than two triangles
-    std::uint64_t inconsistentEdges = 0; ///< two triangles that run the same way: windings disagree
-    std::uint64_t components = 0;        ///< pieces that hang together by edges (touching in a point is not enough)
+    std::uint64_t boundaryEdges = 0; ///< how many of each kind
+    std::uint64_t multipleEdges = 0;
+    std::uint64_t inconsistentEdges = 0;
+    std::uint64_t components = 0; ///< pieces that hang together by edges (touching in a point is not enough)
     [[nodiscard]] bool isClosed() const { return boundaryEdges == 0 && multipleEdges == 0 && inconsistentEdges == 0; }
 };
 MeshReport reportMesh(const Mesh& mesh, const MeshTopology& topology);
