@@ -182,12 +182,23 @@ TEST_F(InspectTest, TheTableOfAMesh) {
     const ProgramResult result = succeed({"inspect", "sheet.obj"});
     EXPECT_EQ(result.err, "");
     for (const char* part : {"sheet.obj: a mesh\n", "\ntriangles        2\n", "\n  boundary       4  of one face",
-                             "\nclosed          no  ", "\nsize: 2 x 1 x 0 m\n"})
+                             "\nclosed          no  ", "\nsize: 2 x 1 x 0 m\n",
+                             "\nTo see these edges: shadowlab capture sheet.obj --stage mesh-edges -o edges.png\n"})
         EXPECT_NE(result.out.find(part), std::string::npos) << part << "\n" << result.out;
     for (const RegisteredTechnique& technique : registeredTechniques()) {
         const bool says = !technique.info->make()->remark({}).empty();
         EXPECT_EQ(result.out.find("\n" + std::string(technique.info->id) + " ") != std::string::npos, says);
     }
+}
+
+TEST_F(InspectTest, EdgesAreShownOnlyWhereThereAreSome) {
+    folder.write("closed.obj", kTetrahedron);
+    EXPECT_EQ(succeed({"inspect", "closed.obj"}).out.find("mesh-edges"), std::string::npos);
+    folder.write("sheet.obj", kSheet);
+    succeed({"capture", "sheet.obj", "--stage", "mesh-edges", "-o", "edges.png", "--size", "64x48"}); // as it says
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "edges.png"));
+    succeed({"capture", "sheet.obj", "--stage", "mesh-edges", "-t", "shadow-map,ray-traced", "--layout", "split", "-o",
+             "both.png", "--size", "64x48"});
 }
 
 TEST_F(InspectTest, NeedsNoGraphics) {
