@@ -83,7 +83,9 @@ class Program:
         return json.loads(result.stdout)[what]
 
     def stages_of(self, technique):
-        return [s for s in self.stages if s["technique"] == technique and not s["stage"].startswith("pass:")]
+        """A technique's own stages, and where it is wrong. What else the session derives looks alike for all: measuring.md."""
+        return [s for s in self.stages if s["technique"] == technique and not s["stage"].startswith("pass:")
+                and (not s["derived"] or s["stage"] == "error")]
 
     def passes_of(self, technique):
         return [s for s in self.stages if s["technique"] == technique and s["stage"].startswith("pass:")]

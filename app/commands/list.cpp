@@ -47,15 +47,15 @@ Table parametersTable() {
 }
 
 Table stagesTable() {
-    Table table{{"technique", "stage", "perLight", "caption", "why", "glState"}, {}};
+    Table table{{"technique", "stage", "perLight", "caption", "why", "glState", "derived"}, {}};
     for (const RegisteredTechnique& technique : registeredTechniques()) {
         const std::string id(technique.info->id);
         for (const StageInfo& stage : session::stagesOf(*technique.info))
-            table.rows.push_back(
-                {id, std::string(stage.id), stage.perLight ? "true" : "false", std::string(stage.caption), "", ""});
+            table.rows.push_back({id, std::string(stage.id), stage.perLight ? "true" : "false",
+                                  std::string(stage.caption), "", "", session::isDerived(stage.id) ? "true" : "false"});
         for (const PassInfo& pass : technique.info->passes)
             table.rows.push_back({id, "pass:" + std::string(pass.id), pass.perLight ? "true" : "false",
-                                  std::string(pass.title), std::string(pass.why), std::string(pass.glState)});
+                                  std::string(pass.title), std::string(pass.why), std::string(pass.glState), "false"});
     }
     return table;
 }
@@ -137,7 +137,8 @@ std::string json(const std::string& what, const Table& table) {
     for (const std::vector<std::string>& row : table.rows) {
         nlohmann::ordered_json entry;
         for (std::size_t i = 0; i < row.size(); ++i) {
-            const bool boolean = table.columns[i] == "available" || table.columns[i] == "perLight";
+            const bool boolean =
+                table.columns[i] == "available" || table.columns[i] == "perLight" || table.columns[i] == "derived";
             if (boolean)
                 entry[table.columns[i]] = row[i] == "true";
             else
