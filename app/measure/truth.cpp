@@ -25,6 +25,11 @@ constexpr std::size_t kPixels = std::size_t(kSide) * kSide;
 // and eight, turned by half a step, on the circle half as wide, for what is too thin to reach the outer one.
 constexpr int kDirections = 8;
 
+dvec2 pointAround(int step, double tieRadiusPx) {
+    const double radius = tieRadiusPx / (1 + step % 2), angle = glm::pi<double>() * step / kDirections;
+    return dvec2(0.5) + radius * dvec2(std::cos(angle), std::sin(angle));
+}
+
 /// The pixels of one tile: as many as kSide on a side, fewer at the picture's borders.
 struct Tile {
     ivec2 corner, size;
@@ -118,15 +123,29 @@ Truth truthAtCentres(const trace::SceneTracer& tracer, const scene::Camera& came
     return askCentres(Asking(tracer, camera, size, light), size, [](const Tile&, const Answers&, Truth&) {});
 }
 
+std::vector<std::uint8_t> tiesAmong(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size,
+                                    int light, double tieRadiusPx, const std::vector<ivec2>& pixels) {
+    const Asking asking(tracer, camera, size, light);
+    std::vector<std::uint8_t> ties(pixels.size(), 0);
+    trace::parallelFor(pixels.size(), [&](std::size_t i) {
+        const Tile tile{pixels[i], ivec2(1)};
+        Answers centre, around;
+        asking.ask(tile, dvec2(0.5), centre);
+        for (int step = 0; step < 2 * kDirections && !ties[i]; ++step) {
+            asking.ask(tile, pointAround(step, tieRadiusPx), around);
+            ties[i] = around.visibility[0] != centre.visibility[0];
+        }
+    });
+    return ties;
+}
+
 Truth exactTruth(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light,
                  const Rasterised& rasterised) {
     const Asking asking(tracer, camera, size, light);
     return askCentres(asking, size, [&](const Tile& tile, const Answers& centres, Truth& truth) {
         Answers around;
         for (int step = 0; step < 2 * kDirections; ++step) {
-            const double radius = rasterised.tieRadiusPx / (1 + step % 2);
-            const double angle = glm::pi<double>() * step / kDirections;
-            asking.ask(tile, dvec2(0.5) + radius * dvec2(std::cos(angle), std::sin(angle)), around);
+            asking.ask(tile, pointAround(step, rasterised.tieRadiusPx), around);
             forEachPixel(tile, truth, [&](std::size_t i, std::size_t inTile, ivec2) {
                 if (around.visibility[inTile] != centres.visibility[inTile]) truth.ties[i] = 1;
             });

@@ -38,6 +38,10 @@ struct Truth {
 /// What the pixel centres see, without ties: enough to tell what changes from frame to frame.
 Truth truthAtCentres(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light);
 
+/// Which of these pixels are ties; for a few of them, where nobody asks about the others.
+std::vector<std::uint8_t> tiesAmong(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size,
+                                    int light, double tieRadiusPx, const std::vector<ivec2>& pixels);
+
 /// With ties: sixteen points around each centre are asked as well.
 Truth exactTruth(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light,
                  const Rasterised& rasterised);

@@ -5,6 +5,16 @@
 
 namespace shadowlab::session {
 
+namespace {
+
+double tieRadiusPx() {
+    GLint subpixelBits = 0;
+    glGetIntegerv(GL_SUBPIXEL_BITS, &subpixelBits);
+    return measure::tieRadius(subpixelBits);
+}
+
+} // namespace
+
 const measure::Truth& ExactView::truth(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers,
                                        const View& view, int light) {
     const Key key{snapshot, view.camera, view.size, light};
@@ -18,13 +28,17 @@ const measure::Truth& ExactView::truth(const scene::Snapshot& snapshot, const gl
 
 measure::Rasterised ExactView::rasterise(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers,
                                          const View& view) {
-    GLint subpixelBits = 0;
-    glGetIntegerv(GL_SUBPIXEL_BITS, &subpixelBits);
     // With the camera that techniques draw with (Frame::camera).
     const scene::Camera camera =
         scene::withTightNear(view.camera, *snapshot, buffers.bounds(), static_cast<double>(view.size.x) / view.size.y);
     ids_.draw(*snapshot, buffers, gl::eyeMatrices(camera, view.size), view.size);
-    return {measure::tieRadius(subpixelBits), ids_.read()};
+    return {tieRadiusPx(), ids_.read()};
+}
+
+std::vector<std::uint8_t> ExactView::tiesAmong(const scene::Snapshot& snapshot, const View& view, int light,
+                                               const std::vector<ivec2>& pixels) {
+    tracer_.advance(snapshot, Deadline::max());
+    return measure::tiesAmong(tracer_, view.camera, view.size, light, tieRadiusPx(), pixels);
 }
 
 measure::Truth ExactView::truthAtCentres(const scene::Snapshot& snapshot, const View& view, int light) {

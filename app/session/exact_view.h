@@ -17,6 +17,9 @@ public:
                                 int light);
     /// Without ties, which are by far the most of the work.
     measure::Truth truthAtCentres(const scene::Snapshot& snapshot, const View& view, int light);
+    /// Which of a few pixels are ties, as far as rays tell.
+    std::vector<std::uint8_t> tiesAmong(const scene::Snapshot& snapshot, const View& view, int light,
+                                        const std::vector<ivec2>& pixels);
 
 private:
     struct Key {

@@ -114,10 +114,26 @@ void Measurement::addFrame(const Moment& moment) {
         const RenderedFrame rendered = session_.render(slot, view, request);
         measured.result.times.addPasses(rendered.result.passMs);
         const VisibilityImage visibility = readVisibility(findStage(rendered, {"visibility", light_}));
-        measured.flips.addFrame(litMask(visibility), litMask(truth), boundaryLength);
+        measured.flips.addFrame(litOutsideTies(visibility, truth, view), litMask(truth), boundaryLength);
         if (first_) judgeFirst(measured, rendered, visibility, truth, *reference);
     }
     first_ = false;
+}
+
+/// The technique's lit pixels, ties as the truth has them: what no rasteriser promises is no flicker. Only pixels that
+/// differ have to be asked whether they are ties.
+std::vector<std::uint8_t> Measurement::litOutsideTies(const VisibilityImage& visibility, const Truth& truth,
+                                                      const View& view) {
+    std::vector<std::uint8_t> lit = litMask(visibility);
+    const std::vector<std::uint8_t> exact = litMask(truth);
+    std::vector<ivec2> differing;
+    for (int y = 0; y < size_.y; ++y)
+        for (int x = 0; x < size_.x; ++x)
+            if (lit[truth.index(x, y)] != exact[truth.index(x, y)]) differing.emplace_back(x, y);
+    const std::vector<std::uint8_t> ties = session_.tiesAmong(view, light_, differing);
+    for (std::size_t i = 0; i < differing.size(); ++i)
+        if (ties[i]) lit[truth.index(differing[i].x, differing[i].y)] ^= 1;
+    return lit;
 }
 
 void Measurement::judgeFirst(Entry& measured, const RenderedFrame& rendered, const VisibilityImage& visibility,

@@ -66,6 +66,8 @@ private:
         std::vector<float> linear;
         image::Image encoded;
     };
+    std::vector<std::uint8_t> litOutsideTies(const VisibilityImage& visibility, const measure::Truth& truth,
+                                             const View& view);
     void judgeFirst(Entry& measured, const RenderedFrame& rendered, const VisibilityImage& visibility,
                     const measure::Truth& truth, const Shown& reference);
     std::optional<measure::Grid<float>> texelSizes(const Entry& measured, const RenderedFrame& rendered) const;

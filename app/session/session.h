@@ -51,6 +51,9 @@ public:
     const measure::Truth& truth(const View& view, int light);
     /// The same without ties, for what follows a sequence.
     measure::Truth truthAtCentres(const View& view, int light) { return exact_.truthAtCentres(snapshot_, view, light); }
+    std::vector<std::uint8_t> tiesAmong(const View& view, int light, const std::vector<ivec2>& pixels) {
+        return exact_.tiesAmong(snapshot_, view, light, pixels);
+    }
 
 private:
     scene::Snapshot snapshot_;

@@ -93,6 +93,19 @@ TEST(Truth, TiesAreThePixelsWithinTheRadiusOfAnEdge) {
     }
 }
 
+TEST(Truth, TiesOfAFewPixelsAreThoseOfThePicture) {
+    const ivec2 size{96, 72};
+    const auto snapshot = testing::snapshot(testing::hardScene(testing::HardClass::soup, 21, false));
+    const trace::SceneTracer tracer = tracerOf(snapshot);
+    const Truth truth = exactTruth(tracer, snapshot->camera, size, 0, {1.0 / 8, {}}); // wide: more of them
+    std::vector<ivec2> pixels;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            pixels.emplace_back(x, y);
+    EXPECT_EQ(tiesAmong(tracer, snapshot->camera, size, 0, 1.0 / 8, pixels), truth.ties);
+    EXPECT_GT(std::ranges::count(truth.ties, 1), 50);
+}
+
 TEST(Truth, WithFewerSubpixelBitsTheTieGrows) {
     EXPECT_EQ(tieRadius(8), 1.0 / 64);
     EXPECT_EQ(tieRadius(4), 1.0 / 8);
