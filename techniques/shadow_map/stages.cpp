@@ -43,6 +43,7 @@ void ShadowMap::publishStages(Frame& frame, int light, const DrawnMap& map) {
             gl::setVisibilityState();
             drawReceivers(frame, visibility_, light, map);
         });
+    if (frame.wants("texel-size", light)) publishTexelSize(frame, light, map);
     const std::string_view lessons[] = {"light-view", "light-depth", "depth-on-view", "distance-on-view", "comparison"};
     if (std::ranges::none_of(lessons, [&](std::string_view stage) { return frame.wants(stage, light); })) return;
     gl::DepthTextureArray depth;

@@ -27,6 +27,7 @@ const StageInfo kStages[] = {
     {"depth-on-view", "Light depth d(u,v) projected onto the eye's view", StageKind::scalar, true},
     {"distance-on-view", "Light distance z(u,v) projected onto the eye's view", StageKind::scalar, true},
     {"comparison", "Comparison: d(u,v) against z(u,v)", StageKind::swatches, true},
+    {"texel-size", "Aliasing: how many pixels a texel covers", StageKind::scalar, true},
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };
 

@@ -43,6 +43,8 @@ private:
     void drawDepth(const Frame& frame, const DrawnMap& map) const;
     void drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const;
 
+    void publishTexelSize(Frame& frame, int light, const DrawnMap& map) const; // texel_size.cpp
+
     // stages.cpp
     void publishStages(Frame& frame, int light, const DrawnMap& map);
     void publishWithoutShadows(Frame& frame) const;
@@ -65,6 +67,7 @@ private:
     gl::Program unshadowed_{"surface.vert", "shade_light.frag"};
     gl::Program depth_{"position.vert", "nothing.frag"};
     gl::Program project_{"surface.vert", "shadow_map/project.frag"};
+    gl::Program texelSize_{"surface.vert", "shadow_map/texel_size.frag"};
     gl::Program showDepth_{"fullscreen.vert", "shadow_map/show_depth.frag"};
     gl::Program shade_, visibility_; ///< with the chosen filter
 };
