@@ -67,7 +67,7 @@ public:
         const double area = glm::dot(normal, normal);
         const dvec2 weights(glm::dot(normal, glm::cross(t.c - t.b, point - t.b)) / area,
                             glm::dot(normal, glm::cross(t.a - t.c, point - t.c)) / area);
-        return tracer_.visibility({primitive, along < 0, 0, weights}, light_);
+        return tracer_.visibility({primitive, along < 0, weights}, light_);
     }
 
     [[nodiscard]] std::uint32_t objectOf(const SurfacePoint& point) const {

@@ -22,6 +22,8 @@ dvec3 towardLightWorld(const Light& light, const dvec3& positionWorld) {
     return glm::normalize(light.positionWorld - positionWorld);
 }
 
+bool shinesEverywhere(const Light& light) { return light.type != LightType::spot && light.type != LightType::rect; }
+
 bool lightShinesTo(const Light& light, const dvec3& positionWorld) {
     const dvec3 fromLightWorld = -towardLightWorld(light, positionWorld);
     if (light.type == LightType::spot)
@@ -48,6 +50,7 @@ dvec3 irradiance(const Light& light, const dvec3& positionWorld, const dvec3& no
 
 dvec3 reflectance(const Material& material, const dvec3& normalWorld, const dvec3& toLightWorld,
                   const dvec3& toEyeWorld) {
+    if (material.specular == vec3(0)) return dvec3(material.diffuse) / glm::pi<double>(); // a power less for most
     const dvec3 halfwayWorld = glm::normalize(toLightWorld + toEyeWorld);
     const double cosHalfway = std::max(glm::dot(normalWorld, halfwayWorld), 0.0);
     const double pi = glm::pi<double>(), s = material.shininess;

@@ -12,6 +12,9 @@ namespace shadowlab::scene {
 /// Unit vector from the surface toward the light (its centre).
 dvec3 towardLightWorld(const Light& light, const dvec3& positionWorld);
 
+/// Is the light of a kind that shines in every direction: no spot and no rect?
+bool shinesEverywhere(const Light& light);
+
 /// Is the point inside a spot's cone, or on the shining side of a rect? True for the other lights.
 bool lightShinesTo(const Light& light, const dvec3& positionWorld);
 

@@ -4,6 +4,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/scene/camera.h"
+#include "techniques/foundation/trace/block_rays.h"
 #include "techniques/foundation/trace/ray.h"
 
 namespace shadowlab::trace {
@@ -20,10 +21,12 @@ public:
 
     [[nodiscard]] const dvec3& eyeCentred() const { return eyeCentred_; }
 
+    /// Metres along the camera's axis; nothing nearer is hit.
+    [[nodiscard]] double nearest() const { return near_; }
+
     /// `pixel` counts from the upper left corner; (x + 0.5, y + 0.5) is a pixel's centre.
     [[nodiscard]] Ray through(dvec2 pixel) const {
-        const dvec3 directionView((2.0 * pixel.x / size_.x - 1.0) * halfWidth_,
-                                  (1.0 - 2.0 * pixel.y / size_.y) * halfHeight_, -1.0);
+        const dvec3 directionView(xView(pixel.x), yView(pixel.y), -1.0);
         Ray ray;
         ray.originCentred = eyeCentred_;
         ray.directionCentred = worldFromView_ * directionView;
@@ -31,7 +34,25 @@ public:
         return ray;
     }
 
+    /// The directions of through() for the block of pixels that begins at `corner`: the same products, which all rays of
+    /// a column or a row share, to be added in the same order.
+    [[nodiscard]] BlockFan fan(ivec2 corner, dvec2 within) const {
+        BlockFan fan;
+        for (int i = 0; i < kBlockSide; ++i) {
+            const double x = xView(corner.x + i + within.x), y = yView(corner.y + i + within.y);
+            for (int axis = 0; axis < 3; ++axis) {
+                fan.column[axis][i] = worldFromView_[0][axis] * x;
+                fan.row[axis][i] = worldFromView_[1][axis] * y;
+                fan.back[axis] = worldFromView_[2][axis] * -1.0;
+            }
+        }
+        return fan;
+    }
+
 private:
+    [[nodiscard]] double xView(double pixel) const { return (2.0 * pixel / size_.x - 1.0) * halfWidth_; }
+    [[nodiscard]] double yView(double pixel) const { return (1.0 - 2.0 * pixel / size_.y) * halfHeight_; }
+
     dvec3 eyeCentred_;
     double near_;
     ivec2 size_;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 
+#include "techniques/foundation/trace/block_tree.h"
 #include "techniques/foundation/trace/bvh_build.h"
 #include "techniques/foundation/trace/exact_visibility.h"
 #include "techniques/foundation/trace/eye_rays.h"
@@ -21,7 +22,6 @@ namespace shadowlab::trace {
 struct SurfacePoint {
     std::uint32_t primitive = kNoPrimitive; ///< none: the background
     bool eyeOnFront = false; ///< the eye sees the counter-clockwise side, as the triangle lies in the world
-    double distance = 0;     ///< metres from the eye
     dvec2 weights{0.0};      ///< barycentric, of corners a and b
     explicit operator bool() const { return primitive != kNoPrimitive; }
     [[nodiscard]] dvec3 barycentric() const { return {weights, 1.0 - weights.x - weights.y}; }
@@ -32,6 +32,13 @@ enum class ShadowStart {
     exact, ///< on the surface in double, its own triangle left out
     naive, ///< at the point rounded to float, nothing left out: the classical fault, for teaching
 };
+
+// Nearer than this share of the way to the light is contact, not a crossing: the point itself is only known to about
+// 2^-50 of its coordinates, and its neighbours in the same plane would otherwise shadow it by rounding.
+constexpr double kContact = 1e-10;
+
+// Toward the sun there is no way to take a share of; the size of the coordinates stands in for it.
+constexpr double kContactPerMetre = 1e-12;
 
 class SceneTracer {
 public:
@@ -54,6 +61,9 @@ public:
     [[nodiscard]] dvec3 positionWorld(const SurfacePoint& point) const {
         return world_.originWorld + positionCentred(point);
     }
+    [[nodiscard]] double distance(const EyeRays& rays, const SurfacePoint& point) const {
+        return glm::length(positionCentred(point) - rays.eyeCentred());
+    }
     [[nodiscard]] const scene::Object& objectOf(const SurfacePoint& point) const {
         return snapshot_->objects[world_.objects[point.primitive]];
     }
@@ -74,21 +84,40 @@ public:
     /// right; kBlock on a side is quickest.
     void eyePoints(const EyeRays& rays, ivec2 corner, ivec2 blockSize, dvec2 within,
                    std::span<SurfacePoint> points) const;
+    /// The same where somebody else has said which triangle each ray meets first (kNoPrimitive: none, or not known). A ray
+    /// that does hit it ends there, without a look at what may be nearer; all others are traced.
+    void eyePointsOn(std::span<const std::uint32_t> primitives, const EyeRays& rays, ivec2 corner, ivec2 blockSize,
+                     dvec2 within, std::span<SurfacePoint> points) const;
     /// visibility() of each point, from an exact start.
     void visibilities(std::span<const SurfacePoint> points, int light, std::span<Visibility> answers) const;
-    static constexpr int kBlock = 8;
+    static constexpr int kBlock = kBlockSide;
+    /// Which of the functions for blocks to use, where not the quickest: the answers are the same.
+    void useBlockKernels(const BlockKernels& kernels) { kernels_ = &kernels; }
 
 private:
+    /// What a light can do to a triangle: shine on the side that an eye sees, on its front (as the triangle lies in the
+    /// world) or behind it; and put it in shadow.
+    enum Gate : std::uint8_t { facesFront = 1, facesBack = 2, receives = 4 };
+
     void lookAtLights();
+    [[nodiscard]] SurfacePoint surfacePoint(const EyeRays& rays, const RayHit& hit) const;
+    [[nodiscard]] Ray shadowRay(const SurfacePoint& point, int light, ShadowStart start) const;
+    void eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, dvec2 within, const std::uint32_t* expected,
+                  SurfacePoint* points, int stride) const;
+    void aimTowardLight(const scene::Light& source, const dvec3& firstCentred, BlockRays& block) const;
+    void traceShadowRays(std::span<const SurfacePoint> points, std::uint64_t wanted, int light,
+                         std::span<Visibility> answers) const;
+    void shadowBlock(std::span<const SurfacePoint> points, int light, std::span<Visibility> answers) const;
 
     scene::Snapshot snapshot_;
     std::uint64_t geometry_ = 0, transforms_ = 0; ///< revisions that world_ and bvh_ were made for
     WorldTriangles world_;
     std::optional<BvhBuilder> builder_; ///< while building
     Bvh bvh_;
-    std::vector<bool> mirrored_;          ///< per object
+    BlockTree blockTree_;
+    const BlockKernels* kernels_ = &bestBlockKernels();
     struct LightView {                    ///< per light, of each triangle
-        std::vector<std::int8_t> facing;  ///< which side the light is on
+        std::vector<std::uint8_t> gates;  ///< see Gate
         std::vector<std::uint8_t> blocks; ///< can it stand in the way?
     };
     std::vector<LightView> lights_;

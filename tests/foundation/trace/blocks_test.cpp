@@ -1,0 +1,219 @@
+// Blocks of rays against single rays: the same triangle, the same point on it to the last bit, the same answer of every
+// light, for every ray; with eight lanes and without.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/trace/parallel.h"
+#include "techniques/foundation/trace/scene_tracer.h"
+#include "tests/foundation/trace/ray_meshes.h"
+#include "tests/support/hard_scenes.h"
+#include "tests/support/scenes.h"
+
+namespace shadowlab::trace {
+namespace {
+
+using namespace shadowlab::testing;
+
+struct Counts {
+    long points = 0, background = 0, turnedAway = 0, shadowed = 0, lit = 0, different = 0;
+};
+
+bool same(const SurfacePoint& a, const SurfacePoint& b) {
+    return a.primitive == b.primitive && (!a || (a.eyeOnFront == b.eyeOnFront && a.weights == b.weights));
+}
+
+std::vector<const BlockKernels*> allKernels() {
+    std::vector<const BlockKernels*> kernels{&kGenericBlockKernels};
+    if (const BlockKernels* avx2 = avx2BlockKernels()) kernels.push_back(avx2);
+    return kernels;
+}
+
+/// Every pixel and every light of a scene.
+Counts compare(const scene::Scene& scene, ivec2 size, dvec2 within = dvec2(0.5)) {
+    SceneTracer tracer;
+    tracer.advance(snapshot(scene), std::chrono::steady_clock::time_point::max());
+    const EyeRays rays = tracer.eyeRays(scene.camera, size);
+    const auto count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    std::vector<SurfacePoint> alone(count), together(count);
+    for (std::size_t i = 0; i < count; ++i)
+        alone[i] = tracer.eyePoint(rays, dvec2(int(i) % size.x, int(i) / size.x) + within);
+    Counts counts;
+    for (const BlockKernels* kernels : allKernels()) {
+        tracer.useBlockKernels(*kernels);
+        tracer.eyePoints(rays, {0, 0}, size, within, together);
+        for (std::size_t i = 0; i < count; ++i) {
+            counts.different += !same(alone[i], together[i]);
+            ++(alone[i] ? counts.points : counts.background);
+        }
+        for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light)
+            // In blocks as a technique asks, and all at once, when a chunk has points from far apart.
+            for (const int side : {SceneTracer::kBlock, size.x})
+                for (int y = 0; y < size.y; y += side)
+                    for (int x = 0; x < size.x; x += side) {
+                        std::vector<SurfacePoint> points;
+                        for (int j = y; j < std::min(size.y, y + side); ++j)
+                            for (int i = x; i < std::min(size.x, x + side); ++i)
+                                points.push_back(alone[static_cast<std::size_t>(j * size.x + i)]);
+                        std::vector<Visibility> answers(points.size());
+                        tracer.visibilities(points, light, answers);
+                        for (std::size_t i = 0; i < points.size(); ++i) {
+                            const Visibility expected = tracer.visibility(points[i], light);
+                            counts.different += answers[i] != expected;
+                            counts.turnedAway += expected == Visibility::turnedAway;
+                            counts.shadowed += expected == Visibility::shadowed;
+                            counts.lit += expected == Visibility::lit;
+                        }
+                    }
+    }
+    return counts;
+}
+
+void expectSame(const Counts& counts, long leastOfEach, const std::string& what) {
+    EXPECT_EQ(counts.different, 0) << what;
+    EXPECT_GT(counts.points, leastOfEach) << what;
+    EXPECT_GT(counts.shadowed, leastOfEach) << what;
+    EXPECT_GT(counts.lit, leastOfEach) << what;
+}
+
+Counts& operator+=(Counts& sum, const Counts& more) {
+    sum.points += more.points;
+    sum.background += more.background;
+    sum.turnedAway += more.turnedAway;
+    sum.shadowed += more.shadowed;
+    sum.lit += more.lit;
+    sum.different += more.different;
+    return sum;
+}
+
+TEST(Blocks, HardScenes) {
+    for (const bool directional : {false, true})
+        for (const HardClass hardClass : kHardClasses) {
+            Counts sum;
+            for (int i = 0; i < longRun(40) * 20; ++i)
+                sum += compare(hardScene(hardClass, static_cast<unsigned>(i), directional), {61, 45});
+            expectSame(sum, hardClass == HardClass::lightInMesh ? 50 : 500,
+                       toText(hardClass) + (directional ? ", directional" : ", point"));
+        }
+}
+
+TEST(Blocks, EveryKindOfLightFarFromTheWorldsOrigin) {
+    using enum scene::LightType;
+    for (const double offset : {0.0, 1e6}) {
+        scene::Scene scene = simpleScene();
+        dmat4 mirror = translation({-1, 1, 1});
+        mirror[0][0] = -1.5;
+        addObject(scene, scene::makeTorus(0.5, 0.2, {24, 12}), mirror);
+        addObject(scene, scene::makeBox({0.6, 0.6, 0.6}), translation({1, 2, 0.5})).castsShadow = false;
+        addObject(scene, scene::makeQuad({1.5, 1.5}), translation({-1, 0.4, 2})).receivesShadow = false;
+        const scene::Light first = scene.lights[0];
+        scene.lights.clear();
+        for (const scene::LightType type : {point, directional, spot, rect, sphere}) {
+            scene.lights.push_back(first);
+            scene.lights.back().type = type;
+            scene.lights.back().directionWorld = glm::normalize(dvec3(-0.4, -1, -0.6));
+            scene.lights.back().edgeVWorld = {0, 0.3, 1};
+        }
+        scene.lights.push_back(directionalLight({0, -1, 0})); // along an axis
+        scene.lights.push_back(pointLight({0.2, 1e-3, 0.3})); // so near that rays leave it on all sides
+        scene.lights.push_back(pointLight({0, 1, 0}));        // within things
+        const scene::Scene there = moved(scene, dvec3(offset, -offset, offset));
+        expectSame(compare(there, {101, 75}), 2000, std::to_string(offset));
+        expectSame(compare(there, {16, 12}, {0, 0}), 50, "corners of pixels");
+    }
+}
+
+TEST(Blocks, CamerasOfEveryDirectionAndWidth) {
+    Random random(5);
+    Counts sum;
+    for (int i = 0; i < longRun(50) * 60; ++i) {
+        scene::Scene scene = simpleScene();
+        scene.camera.positionWorld = onSphere(random) * number(random, 1, 6);
+        scene.camera.targetWorld = inCube(random, 0.5);
+        scene.camera.upWorld = onSphere(random);
+        scene.camera.fovYDegrees = i % 3 == 0 ? 165 : number(random, 5, 120);
+        scene.camera.near = i % 4 == 0 ? number(random, 0.5, 4) : 0.05;
+        sum += compare(scene, {33, 27});
+    }
+    scene::Scene scene = simpleScene(); // along the axes, where directions have zeros
+    for (const dvec3& at : {dvec3(0, 1, 6), dvec3(6, 1, 0), dvec3(0, 1, -6)}) {
+        scene.camera.positionWorld = at;
+        scene.camera.targetWorld = {0, 1, 0};
+        sum += compare(scene, {31, 31});
+    }
+    expectSame(sum, 2000, "cameras");
+}
+
+// What no float can settle: equal triangles, needles, points, coplanar sheets, details of a micrometre at a kilometre.
+TEST(Blocks, MeshesThatFloatCannotSettle) {
+    const std::pair<const char*, Triangles> meshes[] = {
+        {"degenerate", degenerate(1)}, {"fans", fans(2)},   {"soup", soup(300, 1, 0.5, 3)},
+        {"far", farDetails(4)},        {"ball", sphere(4)}, {"ring", torus(0.8, 0.3, 60, 30)}};
+    for (const auto& [name, triangles] : meshes) {
+        std::vector<dvec3> corners;
+        for (const Triangle& t : triangles)
+            corners.insert(corners.end(), {t.a, t.b, t.c});
+        scene::Scene scene = floorScene();
+        addObject(scene, triangleSoup(corners), translation({0, 1, 0}));
+        addObject(scene, scene::makeQuad({10, 10})); // the floor again
+        scene.lights = {pointLight({1, 5, 2}), directionalLight({0.3, -1, 0.2}), pointLight({0.1, 1.05, 0.2})};
+        Counts sum = compare(scene, {61, 45});
+        scene.camera.positionWorld = {0.5, 1.3, 1};
+        scene.camera.near = 1e-3;
+        sum += compare(scene, {61, 45});
+        expectSame(sum, 500, name);
+    }
+    scene::Scene scene = floorScene();
+    std::vector<dvec3> corners;
+    for (const Triangle& t : soup(200, 1e-4, 1e-4, 6))
+        corners.insert(corners.end(), {t.a, t.b, t.c});
+    const dvec3 there(1000, -19, 3);
+    addObject(scene, triangleSoup(corners), translation(there));
+    scene.camera.positionWorld = there + dvec3(1e-4, 1e-4, 3e-4);
+    scene.camera.targetWorld = there;
+    scene.camera.near = 1e-7;
+    scene.lights = {pointLight(there + dvec3(3e-4, 8e-4, 1e-4))};
+    expectSame(compare(scene, {61, 45}), 500, "details far away");
+}
+
+TEST(Blocks, NothingToHitAndNoNumbers) {
+    scene::Scene empty = floorScene();
+    empty.objects.clear();
+    const Counts none = compare(empty, {9, 9});
+    EXPECT_EQ(none.different, 0);
+    EXPECT_GT(none.background, 50);
+    scene::Scene broken = simpleScene();
+    broken.camera.positionWorld.x = std::numeric_limits<double>::quiet_NaN();
+    const Counts noNumber = compare(broken, {9, 9});
+    EXPECT_EQ(noNumber.different, 0);
+    EXPECT_EQ(noNumber.points, 0);
+}
+
+// Told the right triangles, the rays end there; told wrong ones, or none, they are traced.
+TEST(Blocks, OfTrianglesThatAreToldTheRaysFindTheirPoints) {
+    const scene::Scene scene = simpleScene();
+    SceneTracer tracer;
+    tracer.advance(snapshot(scene), std::chrono::steady_clock::time_point::max());
+    const ivec2 size{83, 61};
+    const EyeRays rays = tracer.eyeRays(scene.camera, size);
+    std::vector<SurfacePoint> traced(83 * 61), told(traced.size());
+    tracer.eyePoints(rays, {0, 0}, size, dvec2(0.5), traced);
+    std::vector<std::uint32_t> primitives;
+    for (std::size_t i = 0; i < traced.size(); ++i) {
+        const std::uint32_t wrong = i % 2 ? kNoPrimitive : 0xfffffff0u;
+        primitives.push_back(i % 3 ? traced[i].primitive : wrong);
+    }
+    for (const BlockKernels* kernels : allKernels()) {
+        tracer.useBlockKernels(*kernels);
+        tracer.eyePointsOn(primitives, rays, {0, 0}, size, dvec2(0.5), told);
+        long hits = 0;
+        for (std::size_t i = 0; i < traced.size(); ++i) {
+            ASSERT_TRUE(same(traced[i], told[i])) << i;
+            hits += bool(told[i]);
+        }
+        EXPECT_GT(hits, 2000);
+    }
+}
+
+} // namespace
+} // namespace shadowlab::trace
