@@ -2,6 +2,7 @@
 #include "techniques/ray_tracing/picture.h"
 
 #include <algorithm>
+#include <array>
 
 #include "techniques/foundation/scene/shading.h"
 #include "techniques/foundation/trace/parallel.h"
@@ -10,20 +11,27 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-// Small enough that the last tiles do not leave cores idle, large enough that neighbouring rays meet the same boxes
-// while these are in the cache.
-constexpr int kTile = 16;
+constexpr int kBlock = trace::SceneTracer::kBlock;
 
-/// Calls work(x, y, index) for every pixel, tile by tile, on all cores.
+/// Calls work(corner, blockSize) for every block of the picture, on all cores. A thread takes a row of blocks at a time: a
+/// tenth of a millisecond's work and more, so that taking it costs nothing, and little enough to leave no core idle.
+template <typename Work>
+void forEachBlock(ivec2 size, const Work& work) {
+    trace::parallelFor(static_cast<std::size_t>((size.y + kBlock - 1) / kBlock), [&](std::size_t row) {
+        const int y = static_cast<int>(row) * kBlock;
+        for (int x = 0; x < size.x; x += kBlock)
+            work(ivec2(x, y), glm::min(ivec2(kBlock), size - ivec2(x, y)));
+    });
+}
+
+/// Calls work(index, index with rows counted from the bottom) for every pixel, a row of blocks at a time.
 template <typename Work>
 void forEachPixel(ivec2 size, const Work& work) {
-    const int across = (size.x + kTile - 1) / kTile, down = (size.y + kTile - 1) / kTile;
-    trace::parallelFor(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), [&](std::size_t tile) {
-        const int x0 = static_cast<int>(tile) % across * kTile, y0 = static_cast<int>(tile) / across * kTile;
-        for (int y = y0; y < std::min(y0 + kTile, size.y); ++y)
-            for (int x = x0; x < std::min(x0 + kTile, size.x); ++x)
-                work(x, y,
-                     static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x));
+    const auto width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y);
+    trace::parallelFor((height + kBlock - 1) / kBlock, [&](std::size_t row) {
+        for (std::size_t y = row * kBlock; y < std::min(height, (row + 1) * kBlock); ++y)
+            for (std::size_t x = 0; x < width; ++x)
+                work(y * width + x, (height - 1 - y) * width + x);
     });
 }
 
@@ -53,45 +61,74 @@ bool emitsHere(const trace::SceneTracer& tracer, const trace::SurfacePoint& poin
 
 } // namespace
 
-void Picture::traceEyeRays(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size) {
+void Picture::trace(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size,
+                    const TraceSettings& settings) {
     size_ = size;
     eyeWorld_ = camera.positionWorld;
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     points_.resize(pixels);
-    answers_.resize(pixels);
-    radiance_.resize(pixels);
-    normalWorldFromMesh_.clear();
-    for (const scene::Object& object : tracer.scene().objects)
-        normalWorldFromMesh_.push_back(glm::transpose(glm::inverse(dmat3(object.worldFromObject))));
+    visibility_.resize(tracer.scene().lights.size());
+    for (Grid<trace::Visibility>& ofLight : visibility_)
+        ofLight.resize(pixels);
 
     const trace::EyeRays rays = tracer.eyeRays(camera, size);
-    forEachPixel(size,
-                 [&](int x, int y, std::size_t i) { points_[i] = tracer.eyePoint(rays, dvec2(x + 0.5, y + 0.5)); });
-}
-
-void Picture::traceShadowRays(const trace::SceneTracer& tracer, int light, trace::ShadowStart start) {
-    forEachPixel(size_, [&](int, int, std::size_t i) {
-        const trace::SurfacePoint& point = points_[i];
-        const trace::Visibility visibility = tracer.visibility(point, light, start);
-        answers_[i] = {visibility, visibility >= trace::Visibility::shadowed && tracer.objectOf(point).receivesShadow};
+    const dvec2 centre(0.5);
+    forEachBlock(size, [&](ivec2 corner, ivec2 blockSize) {
+        std::array<trace::SurfacePoint, kBlock * kBlock> blockPoints;
+        std::array<trace::Visibility, kBlock * kBlock> blockAnswers;
+        const auto count = static_cast<std::size_t>(blockSize.x * blockSize.y);
+        const std::span points(blockPoints.data(), count);
+        const std::span answers(blockAnswers.data(), count);
+        const auto forEachRow = [&](const auto& copy) { // copy(place in the block, place in the picture)
+            for (int y = 0; y < blockSize.y; ++y)
+                copy(y * blockSize.x, static_cast<std::ptrdiff_t>(corner.y + y) * size.x + corner.x);
+        };
+        if (settings.receivers.empty()) {
+            tracer.eyePoints(rays, corner, blockSize, centre, points);
+        } else {
+            std::array<std::uint32_t, kBlock * kBlock> receivers;
+            forEachRow([&](int block, std::ptrdiff_t picture) {
+                std::copy_n(settings.receivers.begin() + picture, blockSize.x, receivers.begin() + block);
+            });
+            tracer.eyePointsOn({receivers.data(), count}, rays, corner, blockSize, centre, points);
+        }
+        forEachRow([&](int block, std::ptrdiff_t picture) {
+            std::copy_n(points.begin() + block, blockSize.x, points_.begin() + picture);
+        });
+        for (std::size_t light = 0; light < visibility_.size(); ++light) {
+            if (settings.start == trace::ShadowStart::exact)
+                tracer.visibilities(points, static_cast<int>(light), answers);
+            else // each alone: the naive ray starts where no two of a block agree on a plane
+                std::ranges::transform(points, answers.begin(), [&](const trace::SurfacePoint& point) {
+                    return tracer.visibility(point, static_cast<int>(light), settings.start);
+                });
+            forEachRow([&](int block, std::ptrdiff_t picture) {
+                std::copy_n(answers.begin() + block, blockSize.x, visibility_[light].begin() + picture);
+            });
+        }
     });
 }
 
 void Picture::shadeLightsOff(const trace::SceneTracer& tracer) {
     const scene::Scene& scene = tracer.scene();
-    forEachPixel(size_, [&](int, int, std::size_t i) {
-        radiance_[i] = scene.background;
+    radiance_.resize(points_.size());
+    normalWorldFromMesh_.clear();
+    for (const scene::Object& object : scene.objects)
+        normalWorldFromMesh_.push_back(glm::transpose(glm::inverse(dmat3(object.worldFromObject))));
+    forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
+        radiance_[fromBelow] = scene.background;
         if (!points_[i]) return;
         const scene::Material& material = materialOf(tracer, points_[i]);
-        radiance_[i] = scene.ambient * material.diffuse;
-        if (emitsHere(tracer, points_[i])) radiance_[i] += material.emission;
+        radiance_[fromBelow] = scene.ambient * material.diffuse;
+        if (emitsHere(tracer, points_[i])) radiance_[fromBelow] += material.emission;
     });
 }
 
 void Picture::shadeLight(const trace::SceneTracer& tracer, int light) {
     const scene::Light& source = tracer.scene().lights[static_cast<std::size_t>(light)];
-    forEachPixel(size_, [&](int, int, std::size_t i) {
-        if (answers_[i].visibility != trace::Visibility::lit) return;
+    const Grid<trace::Visibility>& visibility = visibility_[static_cast<std::size_t>(light)];
+    forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
+        if (visibility[i] != trace::Visibility::lit) return;
         const trace::SurfacePoint& point = points_[i];
         const dvec3 positionWorld = tracer.positionWorld(point);
         const dvec3 toEyeWorld = glm::normalize(eyeWorld_ - positionWorld);
@@ -103,9 +140,9 @@ void Picture::shadeLight(const trace::SceneTracer& tracer, int light) {
                                  weights.z * dvec3(normalsMesh[corners.z]);
         dvec3 normalWorld = glm::normalize(normalWorldFromMesh_[tracer.world().objects[point.primitive]] * normalMesh);
         if (glm::dot(normalWorld, toEyeWorld) < 0) normalWorld = -normalWorld;
-        radiance_[i] += vec3(scene::irradiance(source, positionWorld, normalWorld) *
-                             scene::reflectance(materialOf(tracer, point), normalWorld,
-                                                scene::towardLightWorld(source, positionWorld), toEyeWorld));
+        radiance_[fromBelow] += vec3(scene::irradiance(source, positionWorld, normalWorld) *
+                                     scene::reflectance(materialOf(tracer, point), normalWorld,
+                                                        scene::towardLightWorld(source, positionWorld), toEyeWorld));
     });
 }
 

@@ -1,9 +1,10 @@
 // A picture made of rays, on the processor: what each pixel sees, which light reaches it, and what that looks like.
 //
-// No GL here. Every function works through the picture in tiles, on all cores; a tile's pixels depend on nothing but
-// the scene, so the bytes are the same for any number of threads. Rows count from the top.
+// No GL here. Every function works through the picture in blocks, on all cores; a block's pixels depend on nothing but
+// the scene, so the bytes are the same for any number of threads. Rows count from the top, but for the radiance.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <span>
 #include <vector>
 
 #include "techniques/foundation/trace/scene_tracer.h"
@@ -14,34 +15,37 @@ namespace shadowlab::ray_tracing {
 template <typename Value>
 using Grid = std::vector<Value>;
 
-/// What came of asking for one light in one pixel.
-struct ShadowAnswer {
-    trace::Visibility visibility = trace::Visibility::noSurface;
-    bool asked = false; ///< was a shadow ray sent at all?
+/// Which rays to send, and how.
+struct TraceSettings {
+    trace::ShadowStart start = trace::ShadowStart::exact;
+    std::span<const std::uint32_t> receivers; ///< triangle that a pixel is said to show (gl::IdBuffer); none: not asked
 };
 
 class Picture {
 public:
-    /// One eye ray through the centre of every pixel (Appel, 1968).
-    void traceEyeRays(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size);
-    /// One shadow ray from every point that faces the light (Whitted, 1980).
-    void traceShadowRays(const trace::SceneTracer& tracer, int light, trace::ShadowStart start);
+    /// One eye ray through the centre of every pixel (Appel, 1968), and at once, from every point that faces a light, one
+    /// shadow ray to it (Whitted, 1980): block by block, while the points are at hand.
+    void trace(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size,
+               const TraceSettings& settings);
 
     /// Fills the radiance with what is seen with all lights off.
     void shadeLightsOff(const trace::SceneTracer& tracer);
-    /// Adds a light, by the answers of traceShadowRays for it.
+    /// Adds a light where its rays have arrived.
     void shadeLight(const trace::SceneTracer& tracer, int light);
 
     [[nodiscard]] ivec2 size() const { return size_; }
     [[nodiscard]] const Grid<trace::SurfacePoint>& points() const { return points_; }
-    [[nodiscard]] const Grid<ShadowAnswer>& answers() const { return answers_; }
-    [[nodiscard]] const Grid<vec3>& radiance() const { return radiance_; }
+    [[nodiscard]] const Grid<trace::Visibility>& visibility(int light) const {
+        return visibility_[static_cast<std::size_t>(light)];
+    }
+    /// Row 0 is at the bottom, as GL wants it.
+    [[nodiscard]] const Grid<vec3>& radianceFromBelow() const { return radiance_; }
 
 private:
     ivec2 size_{0};
     dvec3 eyeWorld_{0.0};
     Grid<trace::SurfacePoint> points_;
-    Grid<ShadowAnswer> answers_;
+    std::vector<Grid<trace::Visibility>> visibility_; ///< per light
     Grid<vec3> radiance_;
     std::vector<dmat3> normalWorldFromMesh_; ///< per object
 };

@@ -8,6 +8,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "techniques/foundation/gl/baseline.h"
+#include "techniques/foundation/gl/id_buffer.h"
 #include "techniques/foundation/look.h"
 #include "techniques/frame.h"
 #include "techniques/ray_tracing/picture.h"
@@ -18,13 +20,18 @@ namespace shadowlab::ray_tracing {
 namespace {
 
 const PassInfo kPasses[] = {
-    {"trace", "Send a ray from the eye through the centre of every pixel",
-     "The nearest triangle that it hits is what the pixel shows. Emission and ambient light are counted here, once.",
-     "none: the processor traces, on all cores; the picture is uploaded", false},
-    {"visibility", "Send a ray from every visible point to the light",
-     "If it hits anything on its way, whatever that is and however far, the point is in shadow. The first hit is "
-     "enough.",
-     "none: the processor traces", true},
+    {"id-buffer", "Draw the number of the triangle that each pixel shows",
+     "The rasteriser finds what eye rays would find; each ray only checks that it hits the triangle it is told. Only "
+     "with "
+     "receivers = id-buffer.",
+     "depth test LESS, depth write on; the numbers are read back", false},
+    {"visibility", "Send a ray from the eye through every pixel, and from where it ends a ray to every light",
+     "The nearest triangle that the eye ray hits is what the pixel shows. If the ray to a light hits anything on its "
+     "way, "
+     "whatever that is and however far, the point is in shadow: the first hit is enough.",
+     "none: the processor traces, on all cores, 64 neighbouring rays at a time", false},
+    {"lights-off", "Show what is seen with all lights off", "Emission and ambient light are counted here, once.",
+     "none: the processor shades; the picture is uploaded", false},
     {"light", "Add the light where its ray has arrived",
      "The same shading as in every other technique; only the question who is in shadow is answered in another way.",
      "none: the processor shades; the picture is uploaded", true},
@@ -41,6 +48,7 @@ constexpr trace::Visibility kLit = trace::Visibility::lit;
 
 struct RayTracedParams {
     bool excludeSource = true;
+    enum class Receivers { traced, idBuffer } receivers = Receivers::traced;
 };
 
 class RayTraced final : public Technique {
@@ -49,7 +57,13 @@ public:
         return {
             params::boolean("exclude-source", params_.excludeSource,
                             "A shadow ray leaves out the triangle it starts on; false: it starts from a point rounded "
-                            "to float, and meets that triangle every now and then (teaching).")};
+                            "to float, and meets that triangle every now and then (teaching)."),
+            params::choice(
+                "receivers", params_.receivers, {"traced", "id-buffer"},
+                "How the triangle of a pixel is found: by its eye ray; or drawn by the rasteriser, and traced "
+                "only where the ray does not hit that triangle. At ties (docs/conventions.md) the two may "
+                "differ."),
+        };
     }
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
         if (tracer_.advance(snapshot, deadline)) return {};
@@ -57,25 +71,32 @@ public:
     }
 
     Progress render(Frame& frame) override {
-        const auto start = params_.excludeSource ? trace::ShadowStart::exact : trace::ShadowStart::naive;
-        frame.pass(passInfo(kPasses, "trace"), [&] {
-            picture_.traceEyeRays(tracer_, frame.view().camera, frame.view().size);
-            picture_.shadeLightsOff(tracer_);
-            glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-            show(frame);
-            countEyeRays(frame);
-        });
+        // Tracing draws nothing: who stops after it sees an empty picture.
+        gl::setBaselineState();
+        frame.target().framebuffer.bind();
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+        TraceSettings settings;
+        settings.start = params_.excludeSource ? trace::ShadowStart::exact : trace::ShadowStart::naive;
+        std::vector<std::uint32_t> receivers;
+        if (params_.receivers == RayTracedParams::Receivers::idBuffer) {
+            frame.pass(passInfo(kPasses, "id-buffer"), [&] {
+                idBuffer_.draw(frame.scene(), frame.buffers(), frame.eye(), frame.view().size);
+                receivers = idBuffer_.read();
+            });
+            settings.receivers = receivers;
+        }
+        frame.pass(passInfo(kPasses, "visibility"),
+                   [&] { picture_.trace(tracer_, frame.view().camera, frame.view().size, settings); });
+        countRays(frame);
         if (frame.wants("primary-hits")) publishDistances(frame);
+
+        frame.pass(passInfo(kPasses, "lights-off"), [&] {
+            picture_.shadeLightsOff(tracer_);
+            show(frame);
+        });
         if (frame.wants("lights-off")) frame.publishTarget("lights-off");
 
         for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
-            frame.pass(
-                passInfo(kPasses, "visibility"),
-                [&] {
-                    picture_.traceShadowRays(tracer_, light, start);
-                    countShadowRays(frame);
-                },
-                light);
             if (frame.wants("shadow-rays", light)) publishShadowRays(frame, light);
             if (frame.wants("visibility", light)) publishVisibility(frame, light);
             frame.pass(
@@ -96,32 +117,33 @@ public:
 
 private:
     void show(const Frame& frame) const {
-        upload(frame.target().color, picture_.radiance(), picture_.size(),
-               [](const vec3& radiance) { return vec4(radiance, 1.0f); });
+        uploadFromBelow(frame.target().color, picture_.radianceFromBelow(), picture_.size());
     }
 
-    void countEyeRays(Frame& frame) const {
-        std::size_t hits = 0;
-        for (const trace::SurfacePoint& point : picture_.points())
-            hits += point ? 1 : 0;
-        frame.count("eye-rays", static_cast<double>(hits), static_cast<double>(picture_.points().size()), "hits");
-    }
-
-    void countShadowRays(Frame& frame) const {
-        std::size_t asked = 0, blocked = 0;
-        for (const ShadowAnswer& answer : picture_.answers()) {
-            asked += answer.asked ? 1 : 0;
-            blocked += answer.visibility == trace::Visibility::shadowed ? 1 : 0;
+    void countRays(Frame& frame) const {
+        using enum trace::Visibility;
+        const Grid<trace::SurfacePoint>& points = picture_.points();
+        const auto hits = std::ranges::count_if(points, [](const trace::SurfacePoint& point) { return bool(point); });
+        frame.count("eye-rays", static_cast<double>(hits), static_cast<double>(points.size()), "hits");
+        const bool allReceive = std::ranges::all_of(frame.scene().objects, &scene::Object::receivesShadow);
+        for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
+            std::size_t asked = 0, blocked = 0;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const trace::Visibility visibility = picture_.visibility(light)[i];
+                asked += visibility >= shadowed && (allReceive || tracer_.objectOf(points[i]).receivesShadow) ? 1 : 0;
+                blocked += visibility == shadowed ? 1 : 0;
+            }
+            frame.count("shadow-rays", static_cast<double>(blocked), static_cast<double>(asked), "blocked");
         }
-        frame.count("shadow-rays", static_cast<double>(blocked), static_cast<double>(asked), "blocked");
     }
 
     void publishDistances(Frame& frame) const {
         Display display{.minimum = 0, .maximum = 1, .unit = "m from the eye", .key = {}};
         // One pixel in fifty may lie beyond each end of the scale, or a horizon would make everything near one colour.
+        const trace::EyeRays rays = tracer_.eyeRays(frame.view().camera, frame.view().size);
         std::vector<double> distances;
         for (const trace::SurfacePoint& point : picture_.points())
-            if (point) distances.push_back(point.distance);
+            if (point) distances.push_back(tracer_.distance(rays, point));
         if (!distances.empty()) {
             std::ranges::sort(distances);
             display.minimum = distances[distances.size() / 50];
@@ -129,8 +151,8 @@ private:
                                        display.minimum + 1e-3 * distances.back());
         }
         gl::Texture2D texture(GL_RG32F, picture_.size(), "primary-hits");
-        upload(texture, picture_.points(), picture_.size(), [](const trace::SurfacePoint& point) {
-            return vec2(static_cast<float>(point.distance), point ? 1.0f : 0.0f);
+        upload(texture, picture_.points(), picture_.size(), [&](const trace::SurfacePoint& point) {
+            return point ? vec2(static_cast<float>(tracer_.distance(rays, point)), 1.0f) : vec2(0.0f);
         });
         frame.publish("primary-hits", kNoLight, std::move(texture), display);
     }
@@ -142,9 +164,9 @@ private:
                                       {look::kNotAsked, "faces away or outside the light: no ray sent"}}};
         gl::Texture2D texture(GL_RGBA16F, picture_.size(), "shadow-rays");
         const vec3 background = frame.scene().background;
-        upload(texture, picture_.answers(), picture_.size(), [&](const ShadowAnswer& answer) {
+        upload(texture, picture_.visibility(light), picture_.size(), [&](trace::Visibility visibility) {
             using enum trace::Visibility;
-            switch (answer.visibility) {
+            switch (visibility) {
             case noSurface: return vec4(background, 1.0f);
             case turnedAway: return vec4(look::kNotAsked, 1.0f);
             case shadowed: return vec4(look::kOccluded, 1.0f);
@@ -157,9 +179,8 @@ private:
 
     void publishVisibility(Frame& frame, int light) const {
         gl::Texture2D texture(GL_RG32F, picture_.size(), "visibility");
-        upload(texture, picture_.answers(), picture_.size(), [](const ShadowAnswer& answer) {
-            return vec2(answer.visibility == kLit ? 1.0f : 0.0f,
-                        answer.visibility == trace::Visibility::noSurface ? 0.0f : 1.0f);
+        upload(texture, picture_.visibility(light), picture_.size(), [](trace::Visibility visibility) {
+            return vec2(visibility == kLit ? 1.0f : 0.0f, visibility == trace::Visibility::noSurface ? 0.0f : 1.0f);
         });
         frame.publish("visibility", light, std::move(texture));
     }
@@ -167,6 +188,7 @@ private:
     RayTracedParams params_;
     trace::SceneTracer tracer_;
     Picture picture_;
+    gl::IdBuffer idBuffer_;
 };
 
 /// The rays of one pixel, as a tree: the eye ray, and below it a shadow ray for every light.
@@ -174,10 +196,12 @@ Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     Probe probe = Technique::probe(snapshot, view, pixel, light);
     trace::SceneTracer tracer;
     tracer.advance(snapshot, Deadline::max());
-    const trace::SurfacePoint point = tracer.eyePoint(tracer.eyeRays(view.camera, view.size), dvec2(pixel) + 0.5);
+    const trace::EyeRays rays = tracer.eyeRays(view.camera, view.size);
+    const trace::SurfacePoint point = tracer.eyePoint(rays, dvec2(pixel) + 0.5);
     if (!point) return probe;
     const std::string object = tracer.objectOf(point).name;
-    probe.tree.push_back({-1, "eye ray", {{"hits", object, ""}, {"after", std::to_string(point.distance), "m"}}});
+    probe.tree.push_back(
+        {-1, "eye ray", {{"hits", object, ""}, {"after", std::to_string(tracer.distance(rays, point)), "m"}}});
     for (int l = 0; l < static_cast<int>(snapshot->lights.size()); ++l) {
         const std::string label = "shadow ray to " + snapshot->lights[static_cast<std::size_t>(l)].name;
         std::string answer = "arrives";

@@ -7,7 +7,7 @@
 namespace shadowlab::ray_tracing {
 
 /// Writes one texel for each value: toTexel(value) gives a vec2 or a vec4. GL counts rows from the
-/// bottom and the picture from the top: this is where they are turned over.
+/// bottom and the picture from the top: here they are turned over.
 template <typename Value, typename ToTexel>
 void upload(const gl::Texture2D& texture, const Grid<Value>& grid, ivec2 size, const ToTexel& toTexel) {
     using Texel = decltype(toTexel(grid[0]));
@@ -21,6 +21,13 @@ void upload(const gl::Texture2D& texture, const Grid<Value>& grid, ivec2 size, c
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, sizeof(Texel) == 8 ? GL_RG : GL_RGBA, GL_FLOAT,
                     texels.data());
+}
+
+/// Writes colours whose rows count from the bottom already, as they are: no copy is made of the largest of all pictures.
+inline void uploadFromBelow(const gl::Texture2D& texture, const Grid<vec3>& colors, ivec2 size) {
+    texture.bind(0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGB, GL_FLOAT, colors.data());
 }
 
 } // namespace shadowlab::ray_tracing

@@ -195,6 +195,29 @@ TEST_F(RayTracedTest, SameBytesForAnyNumberOfThreads) {
     EXPECT_EQ(visibility[0], visibility[2]);
 }
 
+// The rasteriser's triangles are checked by the ray, so the two can differ at ties only.
+TEST_F(RayTracedTest, ReceiversFromAnIdBufferAreThoseOfRays) {
+    const auto snapshot = testing::snapshot(shinyScene());
+    const TruthComparison sum =
+        compareWithTruth(snapshot, "ray-traced", {"receivers=id-buffer"}, {320, 240}, 0, kTiePx);
+    EXPECT_GT(sum.lit, 5000);
+    EXPECT_GT(sum.shadowed, 1000);
+    EXPECT_EQ(sum.wrong(), 0) << sum;
+
+    session::Session session(snapshot);
+    std::vector<std::vector<std::uint8_t>> visibility;
+    for (const char* receivers : {"traced", "id-buffer"}) {
+        session::Slot slot = session::Session::makeSlot("ray-traced");
+        params::setFromText(params::find(slot.params, "receivers", "ray-traced"), receivers, "ray-traced");
+        const auto frame = render(session, slot, {320, 240}, {{"visibility", 0}});
+        visibility.push_back(session::readVisibility(session::findStage(frame, {"visibility", 0})).greyAlpha);
+    }
+    long different = 0;
+    for (std::size_t i = 0; i < visibility[0].size(); ++i)
+        different += visibility[0][i] != visibility[1][i];
+    EXPECT_LT(different, 10);
+}
+
 // The comparison must see the classical fault, or it proves nothing.
 TEST_F(RayTracedTest, WithoutExcludingTheSourceThereIsAcne) {
     const auto scene = testing::snapshot(testing::simpleScene());
