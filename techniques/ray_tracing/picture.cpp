@@ -93,7 +93,10 @@ void Picture::trace(const trace::SceneTracer& tracer, const scene::Camera& camer
             tracer.eyePointsOn({receivers.data(), count}, rays, corner, blockSize, centre, points);
         }
         forEachRow([&](int block, std::ptrdiff_t picture) {
-            std::copy_n(points.begin() + block, blockSize.x, points_.begin() + picture);
+            std::transform(points.begin() + block, points.begin() + block + blockSize.x, points_.begin() + picture,
+                           [](const trace::SurfacePoint& point) {
+                               return KeptPoint{point.primitive, vec2(point.weights), point.eyeOnFront};
+                           });
         });
         for (std::size_t light = 0; light < visibility_.size(); ++light) {
             if (settings.start == trace::ShadowStart::exact)
@@ -118,9 +121,10 @@ void Picture::shadeLightsOff(const trace::SceneTracer& tracer) {
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
         radiance_[fromBelow] = scene.background;
         if (!points_[i]) return;
-        const scene::Material& material = materialOf(tracer, points_[i]);
+        const trace::SurfacePoint point = points_[i].surfacePoint();
+        const scene::Material& material = materialOf(tracer, point);
         radiance_[fromBelow] = scene.ambient * material.diffuse;
-        if (emitsHere(tracer, points_[i])) radiance_[fromBelow] += material.emission;
+        if (emitsHere(tracer, point)) radiance_[fromBelow] += material.emission;
     });
 }
 
@@ -129,7 +133,7 @@ void Picture::shadeLight(const trace::SceneTracer& tracer, int light) {
     const Grid<trace::Visibility>& visibility = visibility_[static_cast<std::size_t>(light)];
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
         if (visibility[i] != trace::Visibility::lit) return;
-        const trace::SurfacePoint& point = points_[i];
+        const trace::SurfacePoint point = points_[i].surfacePoint();
         const dvec3 positionWorld = tracer.positionWorld(point);
         const dvec3 toEyeWorld = glm::normalize(eyeWorld_ - positionWorld);
         // The shading normal: interpolated between the corners, turned to the viewer's side.

@@ -21,6 +21,16 @@ struct TraceSettings {
     std::span<const std::uint32_t> receivers; ///< triangle that a pixel is said to show (gl::IdBuffer); none: not asked
 };
 
+/// Where an eye ray ends, as the picture keeps it: a million of them have to go to memory and back for every light, and
+/// float is far finer than any shading shows. Shadow rays start from the point in double, before it comes here.
+struct KeptPoint {
+    std::uint32_t primitive = trace::kNoPrimitive;
+    vec2 weights{0.0f};
+    bool eyeOnFront = false;
+    explicit operator bool() const { return primitive != trace::kNoPrimitive; }
+    [[nodiscard]] trace::SurfacePoint surfacePoint() const { return {primitive, eyeOnFront, dvec2(weights)}; }
+};
+
 class Picture {
 public:
     /// One eye ray through the centre of every pixel (Appel, 1968), and at once, from every point that faces a light, one
@@ -34,7 +44,7 @@ public:
     void shadeLight(const trace::SceneTracer& tracer, int light);
 
     [[nodiscard]] ivec2 size() const { return size_; }
-    [[nodiscard]] const Grid<trace::SurfacePoint>& points() const { return points_; }
+    [[nodiscard]] const Grid<KeptPoint>& points() const { return points_; }
     [[nodiscard]] const Grid<trace::Visibility>& visibility(int light) const {
         return visibility_[static_cast<std::size_t>(light)];
     }
@@ -44,7 +54,7 @@ public:
 private:
     ivec2 size_{0};
     dvec3 eyeWorld_{0.0};
-    Grid<trace::SurfacePoint> points_;
+    Grid<KeptPoint> points_;
     std::vector<Grid<trace::Visibility>> visibility_; ///< per light
     Grid<vec3> radiance_;
     std::vector<dmat3> normalWorldFromMesh_; ///< per object

@@ -122,15 +122,18 @@ private:
 
     void countRays(Frame& frame) const {
         using enum trace::Visibility;
-        const Grid<trace::SurfacePoint>& points = picture_.points();
-        const auto hits = std::ranges::count_if(points, [](const trace::SurfacePoint& point) { return bool(point); });
+        const Grid<KeptPoint>& points = picture_.points();
+        const auto hits = std::ranges::count_if(points, [](const KeptPoint& point) { return bool(point); });
         frame.count("eye-rays", static_cast<double>(hits), static_cast<double>(points.size()), "hits");
         const bool allReceive = std::ranges::all_of(frame.scene().objects, &scene::Object::receivesShadow);
         for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
             std::size_t asked = 0, blocked = 0;
             for (std::size_t i = 0; i < points.size(); ++i) {
                 const trace::Visibility visibility = picture_.visibility(light)[i];
-                asked += visibility >= shadowed && (allReceive || tracer_.objectOf(points[i]).receivesShadow) ? 1 : 0;
+                asked +=
+                    visibility >= shadowed && (allReceive || tracer_.objectOf(points[i].surfacePoint()).receivesShadow)
+                        ? 1
+                        : 0;
                 blocked += visibility == shadowed ? 1 : 0;
             }
             frame.count("shadow-rays", static_cast<double>(blocked), static_cast<double>(asked), "blocked");
@@ -142,8 +145,8 @@ private:
         // One pixel in fifty may lie beyond each end of the scale, or a horizon would make everything near one colour.
         const trace::EyeRays rays = tracer_.eyeRays(frame.view().camera, frame.view().size);
         std::vector<double> distances;
-        for (const trace::SurfacePoint& point : picture_.points())
-            if (point) distances.push_back(tracer_.distance(rays, point));
+        for (const KeptPoint& point : picture_.points())
+            if (point) distances.push_back(tracer_.distance(rays, point.surfacePoint()));
         if (!distances.empty()) {
             std::ranges::sort(distances);
             display.minimum = distances[distances.size() / 50];
@@ -151,8 +154,8 @@ private:
                                        display.minimum + 1e-3 * distances.back());
         }
         gl::Texture2D texture(GL_RG32F, picture_.size(), "primary-hits");
-        upload(texture, picture_.points(), picture_.size(), [&](const trace::SurfacePoint& point) {
-            return point ? vec2(static_cast<float>(tracer_.distance(rays, point)), 1.0f) : vec2(0.0f);
+        upload(texture, picture_.points(), picture_.size(), [&](const KeptPoint& point) {
+            return point ? vec2(static_cast<float>(tracer_.distance(rays, point.surfacePoint())), 1.0f) : vec2(0.0f);
         });
         frame.publish("primary-hits", kNoLight, std::move(texture), display);
     }
