@@ -101,6 +101,16 @@ struct Probe {
     std::vector<Node> tree;
 };
 
+/// A part of the algorithm as it lies in the scene: what the second camera, which looks on from outside, shows beside the
+/// objects. A light's frustum, the faces of a volume, the plane of a receiver.
+struct SceneShape {
+    enum class Kind { lines, faces };
+    std::string label; ///< what it is, for the key of the colours; shapes of one label have one colour
+    vec3 colorLinear;
+    Kind kind = Kind::lines;
+    std::vector<dvec3> pointsWorld; ///< lines: two for each segment; faces: three for each triangle, seen from both sides
+};
+
 class Technique {
 public:
     virtual ~Technique() = default;
@@ -117,6 +127,9 @@ public:
     virtual Progress render(Frame& frame) = 0;
     /// What there is to say about one pixel for one light.
     virtual Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light);
+    /// What there is of the technique in the scene for one light, seen from outside. What has no end in truth ends where
+    /// the scene does, a little beyond its bounds. GL thread not needed; prepare() has converged for this snapshot.
+    virtual std::vector<SceneShape> shapes(const scene::Snapshot&, const View&, int /*light*/) { return {}; }
     /// What `inspect` says about a mesh for this technique; empty when there is nothing to say.
     virtual std::string remark(const scene::MeshReport&) const { return {}; }
 };
