@@ -7,12 +7,12 @@
 # and libosmesa6 are loaded at run time, and no other package pulls all three in.
 build_packages=(
     g++ cmake ninja-build python3-glad
-    libcli11-dev libegl-dev libfreetype-dev libglfw3-dev libglm-dev libgtest-dev libpng-dev
-    libtinyobjloader-dev nlohmann-json3-dev
+    libcli11-dev libegl-dev libfreetype-dev libglfw3-dev libglm-dev libgtest-dev libimgui-dev
+    libpng-dev libtinyobjloader-dev nlohmann-json3-dev pkgconf
     libegl1 libgl1-mesa-dri libosmesa6
 )
-# To run the tests as well: xvfb and xauth are the display of those that need one.
-test_packages=(python3 xauth xvfb)
+# To run the tests as well: xvfb and xauth are the display of those that need one, xdotool the hands at its keys and mouse.
+test_packages=(python3 xauth xdotool xvfb)
 
 # Debian's own tools and libraries, whatever else (conda, pyenv, a home-made cmake) is installed and first in the PATH.
 use_debian_tools() {

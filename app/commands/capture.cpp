@@ -1,6 +1,7 @@
 // `shadowlab capture`: one picture, or a sequence, of one or several techniques.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "app/commands/capture_stats.h"
@@ -9,6 +10,7 @@
 #include "app/context/signals.h"
 #include "app/session/assets.h"
 #include "app/session/derived_stages.h"
+#include "app/session/difference_panel.h"
 #include "app/session/motion.h"
 #include "app/session/picture.h"
 #include "app/session/session.h"
@@ -52,8 +54,9 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
 class Capture {
 public:
     explicit Capture(const CaptureOptions& options)
-        : options_(options), exactVisibility_(options.techniques.size() == 1 &&
-                                              options.stage.substr(0, options.stage.find('@')) == "visibility") {}
+        : options_(options),
+          exactVisibility_(options.techniques.size() == 1 && !options.stages.empty() &&
+                           options.stages[0].substr(0, options.stages[0].find('@')) == "visibility") {}
 
     int run() {
         for (const std::string& id : options_.techniques)
@@ -63,9 +66,11 @@ public:
         loadScene();
         motion_ = motionOf(options_.motion, *base_);
         requirePlaceForNumbers(options_, motion_.frames);
-        for (const session::Slot& slot : slots_)
-            if (!options_.stage.empty())
-                stages_.push_back(session::parseStage(options_.stage, *slot.info, *base_, defaultLight_));
+        for (std::size_t i = 0; i < slots_.size(); ++i) {
+            stages_.emplace_back();
+            if (i < options_.stages.size() && !options_.stages[i].empty())
+                stages_[i] = session::parseStage(options_.stages[i], *slots_[i].info, *base_, defaultLight_);
+        }
 
         context_ = context::createContext(options_.backend);
         checkGlLimits();
@@ -134,8 +139,13 @@ private:
         view.camera = moment.camera;
 
         const std::vector<session::Cell> cells =
-            session::layoutCells(options_.layout, static_cast<int>(slots_.size()), options_.size);
+            session::layoutCells(options_.layout, static_cast<int>(slots_.size()), options_.size, options_.split);
         const std::filesystem::path path = numbered(options_.output, frame);
+        if (options_.layout == session::Layout::diff) {
+            view.size = cells[0].pictureSize;
+            writeFigure(frame, path, cells, {difference(view)});
+            return;
+        }
         std::vector<session::Panel> panels;
         for (std::size_t i = 0; i < slots_.size(); ++i) {
             session::Slot& slot = slots_[i];
@@ -144,20 +154,26 @@ private:
                            ivec2(cells[i].width, cells[i].height) * options_.supersample};
             FrameRequest request;
             request.timePasses = !options_.stats.empty();
-            if (!stages_.empty() && stages_[i].isPass) request.stopAfter = stages_[i].key;
-            if (!stages_.empty() && !stages_[i].isPass) request.stages = session::neededFor(stages_[i].key);
+            const std::optional<session::StageChoice>& stage = stages_[i];
+            if (stage && stage->isPass) request.stopAfter = stage->key;
+            if (stage && !stage->isPass) request.stages = session::neededFor(stage->key);
             const session::RenderedFrame rendered = session_->render(slot, view, request);
             stats_->add(i, rendered);
 
             if (exactVisibility_) {
                 const session::VisibilityImage visibility =
-                    session::readVisibility(session::findStage(rendered, stages_[i].key));
+                    session::readVisibility(session::findStage(rendered, stage->key));
                 image::writeWhole(path, image::encodeGreyAlpha(visibility.width, visibility.height,
                                                                visibility.greyAlpha, stats_->pngText()));
                 return;
             }
             panels.push_back(panel(i, rendered, view, cells[i]));
         }
+        writeFigure(frame, path, cells, panels);
+    }
+
+    void writeFigure(int frame, const std::filesystem::path& path, const std::vector<session::Cell>& cells,
+                     const std::vector<session::Panel>& panels) {
         const bool needsFont = std::ranges::any_of(
             panels, [](const session::Panel& p) { return !p.title.empty() || session::hasLegend(p); });
         const session::Figure figure =
@@ -166,6 +182,31 @@ private:
             for (const std::string& remark : figure.notes)
                 note(remark);
         image::writeWhole(path, image::encodePng(figure.picture, {.opaque = true, .text = stats_->pngText()}));
+    }
+
+    /// Both techniques' answers for one light, and one picture of what is wrong with either.
+    session::Panel difference(const View& view) {
+        if (base_->lights.empty())
+            throw Error(ExitStatus::usage, "--layout: diff is about one light and scene '" + base_->name +
+                                               "' has none; choose another layout or scene");
+        const int light = std::max(defaultLight_, 0);
+        const measure::Truth& truth = session_->truth(view, light);
+        std::array<measure::Judgement, 2> judgements;
+        for (std::size_t i = 0; i < slots_.size(); ++i) {
+            FrameRequest request;
+            request.timePasses = !options_.stats.empty();
+            request.stages = {session::parseStage("visibility", *slots_[i].info, *base_, light).key};
+            const session::RenderedFrame rendered = session_->render(slots_[i], view, request);
+            stats_->add(i, rendered);
+            judgements[i] = measure::judge(
+                truth, session::readVisibility(session::findStage(rendered, request.stages[0])).greyAlpha);
+        }
+        const std::array<std::string, 2> titles = {std::string(slots_[0].info->title),
+                                                   std::string(slots_[1].info->title)};
+        session::Panel panel = session::differencePanel(encoder_->encode(slots_[0].target.color, base_->exposure),
+                                                        truth, {&judgements[0], &judgements[1]}, titles);
+        if (options_.labels) panel.title = titles[0] + " against " + titles[1];
+        return panel;
     }
 
     const image::Font& font() {
@@ -183,16 +224,17 @@ private:
     session::Panel pictureOf(std::size_t i, const session::RenderedFrame& rendered, const View& view,
                              const session::Cell& cell) {
         const session::Slot& slot = slots_[i];
+        const std::optional<session::StageChoice>& chosen = stages_[i];
         session::Panel panel;
-        if (!stages_.empty() && !stages_[i].isPass && session::isDerived(stages_[i].key.id))
+        if (chosen && !chosen->isPass && session::isDerived(chosen->key.id))
             return session::derivedPanel(*session_, slot, rendered, *encoder_,
-                                         {stages_[i].key, view, options_.row, &font()});
-        if (stages_.empty() || stages_[i].isPass) {
-            if (!stages_.empty()) session::requirePassRan(rendered, stages_[i].key, *slot.info);
+                                         {chosen->key, view, options_.row, &font()});
+        if (!chosen || chosen->isPass) {
+            if (chosen) session::requirePassRan(rendered, chosen->key, *slot.info);
             panel.picture = encoder_->encode(slot.target.color, base_->exposure, options_.supersample);
             return panel;
         }
-        const Stage& stage = session::findStage(rendered, stages_[i].key);
+        const Stage& stage = session::findStage(rendered, chosen->key);
         const StageInfo& info = session::stageInfo(*slot.info, stage.key.id);
         // A stage of a size of its own (a light's view of the scene) is averaged only if it would not fit otherwise.
         const ivec2 size = stage.texture.size();
@@ -212,7 +254,7 @@ private:
     std::unique_ptr<session::Session> session_;
     std::unique_ptr<session::PictureEncoder> encoder_;
     std::vector<session::Slot> slots_;
-    std::vector<session::StageChoice> stages_;
+    std::vector<std::optional<session::StageChoice>> stages_; ///< one for each slot
     std::unique_ptr<CaptureStats> stats_;
     std::unique_ptr<image::Font> font_;
 };

@@ -13,7 +13,8 @@ namespace shadowlab::commands {
 
 namespace {
 
-const std::vector<std::string> kLayouts = {"single", "side", "split", "grid"}; ///< in the order of session::Layout
+const std::vector<std::string> kLayouts = {"single", "side", "split", "grid",
+                                           "diff"}; ///< in the order of session::Layout
 
 /// The name's ending tells what is in a file, and keeps a slip of the hand from overwriting a scene or a mesh. What
 /// stands for a device or a pipe may have any name.
@@ -34,11 +35,51 @@ session::Layout layoutFor(const GivenOptions& given, std::size_t slots) {
     if (layout == session::Layout::single && slots > 1)
         refuseUsage("--layout: single shows one technique, " + std::to_string(slots) +
                     " are given with -t; use side, split or grid");
+    if (layout == session::Layout::diff && slots != 2)
+        refuseUsage("--layout: diff compares two techniques, " + std::to_string(slots) +
+                    " given with -t; write for example -t shadow-map,shadow-volume-zfail");
     return layout;
 }
 
-int rowFor(const GivenOptions& given, const std::string& stage, ivec2 size) {
-    if (stage != "scanline") refuseUsage("--row: only the stage scanline is about one row; add --stage scanline");
+double splitFor(const GivenOptions& given, session::Layout layout, std::size_t slots) {
+    if (layout != session::Layout::split || slots != 2)
+        refuseUsage("--split: only two techniques in --layout split have a line between them; leave it out");
+    const std::string text = given.text("--split");
+    double share = -1;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), share);
+    if (error != std::errc{} || end != text.data() + text.size() || !(share >= 0 && share <= 1))
+        refuseUsage("--split: '" + text + "' is no share of the width; write a number from 0 to 1, as 0.35");
+    return share;
+}
+
+/// The stage of each technique: `STAGE` is that of all of them, `2:STAGE` that of the second. (pass:ID has a colon, too,
+/// but no number before it.)
+std::vector<std::string> stagesFor(const GivenOptions& given, std::size_t slots) {
+    std::vector<std::string> stages(slots);
+    for (const std::string& text : given.texts("--stage")) {
+        std::size_t number = 0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        const bool ofOne = error == std::errc{} && end != text.data() + text.size() && *end == ':';
+        if (ofOne && (number < 1 || number > slots))
+            refuseUsage("--stage: '" + text + "': the techniques are numbered from 1 to " + std::to_string(slots) +
+                        "; use one of these numbers");
+        const std::string stage = ofOne ? std::string(end + 1, text.data() + text.size()) : text;
+        if (stage.empty()) refuseUsage("--stage: '" + text + "' names no stage; `list stages` shows what there is");
+        for (std::size_t i = 0; i < slots; ++i) {
+            if (ofOne && i + 1 != number) continue;
+            if (!stages[i].empty())
+                refuseUsage("--stage: technique " + std::to_string(i + 1) + " has a stage already; give it one");
+            stages[i] = stage;
+        }
+    }
+    return stages;
+}
+
+std::string stageId(const std::string& stage) { return stage.substr(0, stage.find('@')); }
+
+int rowFor(const GivenOptions& given, const std::vector<std::string>& stages, ivec2 size) {
+    if (std::ranges::find(stages, "scanline", stageId) == stages.end())
+        refuseUsage("--row: only the stage scanline is about one row; add --stage scanline");
     const std::string text = given.text("--row");
     int row = -1;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), row);
@@ -63,9 +104,14 @@ void describeCapture(CLI::App& command) {
     add("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh");
     add("-o,--output", "OUT.png", "the picture; for several frames with #### in place of the number");
     add("-t,--technique", "ID[,ID...]", "techniques, one a slot (`list techniques`; default shadow-volume-zfail)");
-    add("--layout", "LAYOUT", "single, side, split or grid (default: single for one technique, else side)");
+    add("--layout", "LAYOUT",
+        "single, side, split, grid, or diff: where two differ and who is right (default: single for one technique, "
+        "else side)");
+    add("--split", "SHARE", "of the width that the left one of two in --layout split has (default 0.5)");
     add("--labels", "true|false", "titles on the pictures of several techniques (default true)");
-    add("--stage", "STAGE", "an intermediate picture: STAGE, STAGE@LIGHT or pass:ID (`list stages`)");
+    add("--stage", "[SLOT:]STAGE",
+        "an intermediate picture: STAGE, STAGE@LIGHT or pass:ID (`list stages`), of all techniques or of one; may be "
+        "repeated");
     add("--row", "Y", "the row of the stage scanline, from the top (default: the one with most wrong pixels)");
     add("--size", "WxH", "width and height of the whole picture in pixels (default 1280x720)");
     add("--supersample", "N",
@@ -93,13 +139,19 @@ CaptureOptions captureOptions(const CLI::App& command) {
     if (given.has("--technique")) options.techniques = splitAtCommas(given.texts("--technique"));
     options.layout = layoutFor(given, options.techniques.size());
     options.labels = booleanFrom("--labels", given.text("--labels", "true"));
-    options.stage = given.text("--stage");
+    options.stages = stagesFor(given, options.techniques.size());
+    const bool anyStage = std::ranges::any_of(options.stages, [](const std::string& s) { return !s.empty(); });
+    if (options.layout == session::Layout::diff && anyStage)
+        refuseUsage("--stage: --layout diff compares the finished pictures; leave one of them out");
+    if (given.has("--split")) options.split = splitFor(given, options.layout, options.techniques.size());
     options.size = sizeFrom("--size", given.text("--size", "1280x720"), kLongestSide);
     options.supersample = countFrom("--supersample", given.text("--supersample", "1"), kMostSupersample);
     // A visibility image, and what is derived from one, holds the answers at the pixels' centres, not an average.
-    const std::string stage = options.stage.substr(0, options.stage.find('@'));
-    if (stage == "visibility" || session::isDerived(stage)) options.supersample = 1;
-    if (given.has("--row")) options.row = rowFor(given, stage, options.size);
+    if (options.layout == session::Layout::diff || std::ranges::any_of(options.stages, [](const std::string& stage) {
+            return stageId(stage) == "visibility" || session::isDerived(stageId(stage));
+        }))
+        options.supersample = 1;
+    if (given.has("--row")) options.row = rowFor(given, options.stages, options.size);
     options.settings = given.texts("--set");
     options.light = given.text("--light");
     options.backend = context::backendFromName(given.text("--backend", "auto"));
@@ -120,8 +172,10 @@ int requireDrawable(const CaptureOptions& options) {
         (options.supersample > 1 ? " with --supersample " + std::to_string(options.supersample) : "");
     int longest = 0;
     std::int64_t samples = 0;
-    for (const session::Cell& cell : session::layoutCells(options.layout, panels, options.size)) {
-        if (std::min({cell.width, cell.height, cell.pictureSize.x, cell.pictureSize.y}) < 1)
+    for (const session::Cell& cell : session::layoutCells(options.layout, panels, options.size, options.split)) {
+        // A split line at the very edge leaves one picture alone; that is no fault of the size.
+        const bool hidden = options.layout == session::Layout::split && cell.width == 0 && panels == 2;
+        if (!hidden && std::min({cell.width, cell.height, cell.pictureSize.x, cell.pictureSize.y}) < 1)
             refuseUsage(asked + " is too small for " + std::to_string(panels) + " pictures; choose a larger size");
         const ivec2 drawn = cell.pictureSize * options.supersample;
         longest = std::max({longest, drawn.x, drawn.y});

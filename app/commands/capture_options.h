@@ -28,8 +28,9 @@ struct CaptureOptions {
     std::vector<std::string> techniques{"shadow-volume-zfail"};
     session::Layout layout = session::Layout::single;
     bool labels = true;
-    std::string stage;      ///< empty: the picture
-    std::optional<int> row; ///< of stage `scanline`
+    std::vector<std::string> stages; ///< one for each technique; empty: the picture
+    double split = 0.5;              ///< share of the width that the left one of two bands has
+    std::optional<int> row;          ///< of stage `scanline`
     ivec2 size{1280, 720};
     int supersample = 1;
     std::vector<std::string> settings; ///< [SLOT:]ID.PARAM=VALUE

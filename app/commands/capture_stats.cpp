@@ -38,7 +38,12 @@ CaptureStats::CaptureStats(const scene::Scene& scene, const CaptureOptions& opti
         slots_.push_back(std::move(stats));
     }
     pngText_ = {{"Software", "shadowlab " SHADOWLAB_VERSION}, {"Scene", scene_}, {"Techniques", techniques}};
-    if (!options.stage.empty()) pngText_.push_back({"Stage", options.stage});
+    std::string stages;
+    for (std::size_t i = 0; i < options.stages.size(); ++i)
+        if (!options.stages[i].empty())
+            stages += (stages.empty() ? "" : "\n") + (slots.size() > 1 ? std::to_string(i + 1) + ":" : "") +
+                      options.stages[i];
+    if (!stages.empty()) pngText_.push_back({"Stage", stages});
     if (!options.light.empty()) pngText_.push_back({"Light", options.light});
     if (!settings.empty()) pngText_.push_back({"Settings", settings});
 }

@@ -17,8 +17,6 @@ namespace shadowlab::commands {
 
 namespace {
 
-constexpr const char* kDemoScene = "still-life";
-
 std::string helpHint(const CLI::App& command) {
     const bool top = command.get_parent() == nullptr;
     return "see shadowlab " + (top ? "" : command.get_name() + " ") + "--help";
@@ -56,14 +54,15 @@ bool isScene(const std::string& word) {
     return ending == ".json" || ending == ".obj" || std::ranges::find(builtIn, word) != builtIn.end();
 }
 
-/// Without a command: `shadowlab SCENE` is the demo of that scene.
+/// Without a command: `shadowlab SCENE` is the demo of that scene, and `shadowlab` alone that of the first one.
 int runWithoutCommand(const CLI::App& app) {
     const std::vector<std::string> words = leftOver(app);
-    if (words.empty()) {
-        print(app.help());
-        return 0;
+    if (words.empty()) return demo({});
+    if (words.size() == 1 && isScene(words.front())) {
+        DemoOptions options;
+        options.scene = words.front();
+        return demo(options);
     }
-    if (words.size() == 1 && isScene(words.front())) return demo(words.front());
     if (words.front().starts_with('-')) refuseLeftOver(app);
     std::vector<std::string> known = scene::builtInScenes(session::assetsRoot());
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
@@ -75,6 +74,19 @@ CLI::App* addCommand(CLI::App& app, const char* name, const char* what) {
     CLI::App* command = app.add_subcommand(name, what);
     command->allow_extras(); // refused by refuseLeftOver, after which nothing else can hide them
     return command;
+}
+
+DemoOptions demoOptions(const CLI::App& command) {
+    const GivenOptions given(command);
+    DemoOptions options;
+    options.scene = given.text("SCENE", options.scene);
+    if (given.has("--size")) options.size = sizeFrom("--size", given.text("--size"), kLongestSide);
+    options.presenter = command.count("--presenter") > 0;
+    options.keepSettings = booleanFrom("--keep-settings", given.text("--keep-settings", "true"));
+    options.report = command.count("--report") > 0;
+    for (const std::string& folder : given.texts("--allow"))
+        options.allowed.emplace_back(folder);
+    return options;
 }
 
 InspectOptions inspectOptions(const CLI::App& command) {
@@ -104,9 +116,16 @@ int run(int argc, char** argv) {
     describeMeasure(*measureCommand);
 
     CLI::App* demoCommand =
-        addCommand(app, "demo", "Shadow map and shadow volume side by side, as a picture in the current folder");
+        addCommand(app, "demo", "Opens the window: shadow map and shadow volume on one scene (H there lists all keys)");
     addOption(*demoCommand, "SCENE", "",
               "a built-in name (`list scenes`), a .json scene or an .obj mesh (default still-life)");
+    addOption(*demoCommand, "--size", "WxH", "of the window (default: as it was the last time, at first 1280x720)");
+    demoCommand->add_flag("--presenter")->description("large type and high contrast from the start (D in the window)");
+    addOption(*demoCommand, "--keep-settings", "true|false",
+              "remember size and panels of the window from run to run (default true)");
+    demoCommand->add_flag("--report")
+        ->description("a line of JSON on standard output for every state that is on screen");
+    addOption(*demoCommand, "--allow", "DIR", "a further folder that scenes may take meshes from; may be repeated");
 
     CLI::App* listCommand =
         addCommand(app, "list", "What there is: techniques, parameters, stages, scenes, backends, limits");
@@ -152,7 +171,7 @@ int run(int argc, char** argv) {
         return list({GivenOptions(*listCommand).required("WHAT", "for example shadowlab list techniques"),
                      listCommand->count("--json") > 0});
     if (inspectCommand->parsed()) return inspect(inspectOptions(*inspectCommand));
-    if (demoCommand->parsed()) return demo(GivenOptions(*demoCommand).text("SCENE", kDemoScene));
+    if (demoCommand->parsed()) return demo(demoOptions(*demoCommand));
     return runWithoutCommand(app);
 }
 

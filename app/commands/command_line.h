@@ -28,8 +28,15 @@ struct InspectOptions {
 };
 int inspect(const InspectOptions& options);
 
-/// Writes NAME-comparison.png into the current folder and its path to standard output.
-int demo(const std::string& sceneNameOrPath);
+struct DemoOptions {
+    std::string scene = "still-life";
+    ivec2 size{0}; ///< of the window; zero: what it was the last time
+    bool presenter = false, keepSettings = true, report = false;
+    std::vector<std::filesystem::path> allowed;
+};
+/// Opens the window. Without a display it writes NAME-comparison.png into the current folder and its path to standard
+/// output.
+int demo(const DemoOptions& options);
 
 /// Parses argv and runs the subcommand; its result is the exit status. Throws Error.
 int run(int argc, char** argv);

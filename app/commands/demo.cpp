@@ -1,22 +1,44 @@
-// `shadowlab demo`: shadow map and shadow volume side by side, as a picture in the current folder.
+// `shadowlab demo`: the window, shadow map and shadow volume on one scene. Where there is no display: a picture of both.
 // SPDX-License-Identifier: MIT
 #include "app/commands/command_line.h"
 #include "app/commands/messages.h"
+#include "app/context/window_context.h"
+#include "app/session/assets.h"
+#include "app/ui/window.h"
+#include "techniques/foundation/scene/load.h"
 
 namespace shadowlab::commands {
 
-int demo(const std::string& sceneNameOrPath) {
-    CaptureOptions options;
-    options.scene = sceneNameOrPath;
-    options.techniques = {"shadow-map", "shadow-volume-zfail"};
-    options.layout = session::Layout::side;
-    options.size = {1600, 900};
-    options.supersample = 2; // smooths the outlines of objects; shadow edges keep each technique's own steps
-    const std::string name = std::filesystem::path(sceneNameOrPath).stem().string();
-    options.output = std::filesystem::current_path() / (name + "-comparison.png");
-    const int status = capture(options);
-    if (status == 0) print(options.output.string() + "\n");
+namespace {
+
+int writeComparison(const DemoOptions& options) {
+    CaptureOptions capture;
+    capture.scene = options.scene;
+    capture.techniques = {"shadow-map", "shadow-volume-zfail"};
+    capture.layout = session::Layout::side;
+    capture.size = {1600, 900};
+    capture.supersample = 2; // smooths the outlines of objects; shadow edges keep each technique's own steps
+    capture.allowed = options.allowed;
+    const std::string name = std::filesystem::path(options.scene).stem().string();
+    capture.output = std::filesystem::current_path() / (name + "-comparison.png");
+    const int status = commands::capture(capture);
+    if (status == 0) print(capture.output.string() + "\n");
     return status;
+}
+
+} // namespace
+
+int demo(const DemoOptions& options) {
+    if (!context::hasDisplay()) {
+        note("there is no display for a window; writing a picture instead");
+        return writeComparison(options);
+    }
+    return ui::runWindow({.scene = options.scene,
+                          .size = options.size,
+                          .presenter = options.presenter,
+                          .keepSettings = options.keepSettings,
+                          .report = options.report},
+                         {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = {}});
 }
 
 } // namespace shadowlab::commands

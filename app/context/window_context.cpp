@@ -109,6 +109,15 @@ std::unique_ptr<Context> createHiddenWindowContext(bool debug) {
     return createWindowContext({.width = 16, .height = 16, .title = "Shadowlab", .visible = false, .debug = debug});
 }
 
+bool hasDisplay() {
+    try {
+        const GlfwLibrary library;
+        return true;
+    } catch (const Unavailable&) {
+        return false;
+    }
+}
+
 GLFWwindow* glfwWindow(const Context& context) {
     const auto* glfw = dynamic_cast<const GlfwContext*>(&context);
     return glfw ? glfw->window() : nullptr;

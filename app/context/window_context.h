@@ -21,6 +21,9 @@ struct WindowOptions {
 /// Throws Error (noContext), for example where there is no display.
 std::unique_ptr<Context> createWindowContext(const WindowOptions& options);
 
+/// Can a window be opened here at all? Asks the window system itself: a variable that is set proves nothing.
+bool hasDisplay();
+
 /// The window of such a context, owned by it; null for the other backends.
 GLFWwindow* glfwWindow(const Context& context);
 

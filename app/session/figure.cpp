@@ -71,13 +71,19 @@ std::vector<Plate> layOut(std::span<const double> shares, int figureHeight, cons
 
 } // namespace
 
-std::vector<Cell> layoutCells(Layout layout, int count, ivec2 size) {
+std::vector<Cell> layoutCells(Layout layout, int count, ivec2 size, double splitShare) {
     std::vector<Cell> cells;
+    if (layout == Layout::diff) count = 1;
     const int columns = layout == Layout::grid ? static_cast<int>(std::ceil(std::sqrt(count))) : count;
     const int rows = (count + columns - 1) / columns;
     for (int i = 0; i < count; ++i) {
         const int column = i % columns, row = i / columns;
-        const int left = size.x * column / columns, right = size.x * (column + 1) / columns;
+        int left = size.x * column / columns, right = size.x * (column + 1) / columns;
+        if (layout == Layout::split && count == 2) {
+            const int line = static_cast<int>(std::lround(splitShare * size.x));
+            left = i == 0 ? 0 : line;
+            right = i == 0 ? line : size.x;
+        }
         const int top = size.y * row / rows, bottom = size.y * (row + 1) / rows;
         Cell cell{left, top, right - left, bottom - top, {right - left, bottom - top}, 0};
         if (layout == Layout::split) {

@@ -15,6 +15,7 @@ enum class Layout {
     side,   ///< side by side, each a picture of its own
     split,  ///< one picture in vertical bands, each drawn by another slot
     grid,   ///< rows and columns; the last row may have empty places at its end
+    diff,   ///< one picture of where two slots differ, and which of them is right
 };
 
 /// Where a slot is drawn: its rectangle in the figure, and the size its picture is rendered at.
@@ -23,8 +24,9 @@ struct Cell {
     ivec2 pictureSize{0};
     int cropX = 0; ///< column of the picture that comes to the cell's left edge
 };
-/// One cell for each of `count` slots, in rows from the upper left. Their sizes differ by one pixel at most.
-std::vector<Cell> layoutCells(Layout layout, int count, ivec2 size);
+/// One cell for each of `count` slots (of `diff`: one for all), in rows from the upper left. Their sizes differ by one
+/// pixel at most; but of two bands of `split` the left one has that share of the width.
+std::vector<Cell> layoutCells(Layout layout, int count, ivec2 size, double splitShare = 0.5);
 
 /// One slot's part of the figure.
 struct Panel {

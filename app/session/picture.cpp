@@ -37,21 +37,15 @@ image::Image readPicture(const gl::Texture2D& encoded) {
 
 PictureEncoder::PictureEncoder() : program_("fullscreen.vert", "session/encode.frag") {}
 
-image::Image PictureEncoder::encode(const gl::Texture2D& radiance, float exposure, int supersample) const {
+gl::Texture2D PictureEncoder::encodeInPlace(const gl::Texture2D& radiance, float exposure, int supersample,
+                                            const Region& region) const {
     program_.use();
     program_.set("mode", mode(StageKind::radiance));
     program_.set("exposure", exposure);
-    return readPicture(draw(radiance, supersample));
+    return draw(radiance, supersample, region);
 }
 
-gl::Texture2D PictureEncoder::encodeInPlace(const gl::Texture2D& radiance, float exposure) const {
-    program_.use();
-    program_.set("mode", mode(StageKind::radiance));
-    program_.set("exposure", exposure);
-    return draw(radiance, 1);
-}
-
-image::Image PictureEncoder::encode(const Stage& stage, StageKind kind, float exposure, int supersample) const {
+gl::Texture2D PictureEncoder::encodeInPlace(const Stage& stage, StageKind kind, float exposure, int supersample) const {
     const look::Palette& palette = kind == StageKind::count ? look::diverging() : look::viridis();
     std::array<vec4, std::tuple_size_v<look::Palette>> stops;
     std::ranges::transform(palette, stops.begin(), [](const vec3& color) { return vec4(color, 1); });
@@ -63,16 +57,28 @@ image::Image PictureEncoder::encode(const Stage& stage, StageKind kind, float ex
     program_.set("palette", std::span<const vec4>(stops));
     // A stage may have a size of its own (a shadow map's view of the scene): only those of the target's are
     // supersampled.
-    return readPicture(draw(stage.texture, supersample));
+    return draw(stage.texture, supersample, {});
 }
 
-gl::Texture2D PictureEncoder::draw(const gl::Texture2D& source, int supersample) const {
+image::Image PictureEncoder::encode(const gl::Texture2D& radiance, float exposure, int supersample) const {
+    return readPicture(encodeInPlace(radiance, exposure, supersample));
+}
+
+image::Image PictureEncoder::encode(const Stage& stage, StageKind kind, float exposure, int supersample) const {
+    return readPicture(encodeInPlace(stage, kind, exposure, supersample));
+}
+
+gl::Texture2D PictureEncoder::draw(const gl::Texture2D& source, int supersample, const Region& region) const {
     const ivec2 size = source.size() / supersample;
     gl::Texture2D encoded(GL_RGBA8, size, "encoded picture");
     const gl::Framebuffer framebuffer(&encoded, nullptr, "encoded picture");
     gl::setBaselineState();
     glDisable(GL_DEPTH_TEST);
     framebuffer.bind();
+    if (region.size.x > 0 && region.size.y > 0) {
+        glEnable(GL_SCISSOR_TEST); // GL counts rows from below
+        glScissor(region.corner.x, size.y - region.corner.y - region.size.y, region.size.x, region.size.y);
+    }
     program_.set("supersample", supersample);
     program_.set("source", 0);
     source.bind(0);

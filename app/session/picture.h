@@ -16,14 +16,18 @@ public:
 
     /// The radiance in a target: exposure, clamp, sRGB. `supersample` N averages N x N texels in linear light first.
     [[nodiscard]] image::Image encode(const gl::Texture2D& radiance, float exposure, int supersample = 1) const;
-    /// The same, left on the graphics card: what a frame costs when somebody only looks at it.
-    [[nodiscard]] gl::Texture2D encodeInPlace(const gl::Texture2D& radiance, float exposure) const;
+    /// The same, left on the graphics card: what a frame costs when somebody only looks at it. Outside of a region that
+    /// is not empty nothing is written.
+    [[nodiscard]] gl::Texture2D encodeInPlace(const gl::Texture2D& radiance, float exposure, int supersample = 1,
+                                              const Region& region = {}) const;
+    [[nodiscard]] gl::Texture2D encodeInPlace(const Stage& stage, StageKind kind, float exposure,
+                                              int supersample = 1) const;
 
     /// A stage as its kind asks: exposure, a palette, or the colours as they are.
     [[nodiscard]] image::Image encode(const Stage& stage, StageKind kind, float exposure, int supersample = 1) const;
 
 private:
-    [[nodiscard]] gl::Texture2D draw(const gl::Texture2D& source, int supersample) const;
+    [[nodiscard]] gl::Texture2D draw(const gl::Texture2D& source, int supersample, const Region& region) const;
     gl::Program program_;
 };
 

@@ -35,7 +35,9 @@ RenderedFrame Session::render(Slot& slot, const View& view, const FrameRequest& 
     RenderedFrame rendered;
     const Clock::time_point start = Clock::now();
     do {
-        rendered.converged = slot.technique->prepare(snapshot_, request.deadline).converged;
+        const Progress progress = slot.technique->prepare(snapshot_, request.deadline);
+        rendered.converged = progress.converged;
+        rendered.prepared = progress.converged ? 1 : progress.done;
     } while (!rendered.converged && Clock::now() < request.deadline);
     rendered.prepareMs = elapsedMs(start);
     if (!rendered.converged) return rendered; // nothing to draw yet: the target keeps what it showed

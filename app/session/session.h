@@ -26,6 +26,7 @@ struct RenderedFrame {
     double prepareMs = 0;
     double frameMs = 0; ///< wall time of prepare and render to the end of the GL work, without read-back
     bool converged = true;
+    double prepared = 1; ///< 0..1 of what the technique has to do before it can draw
 };
 
 /// A scene, its buffers, and the slots that draw it. Needs a current GL context for its whole life.

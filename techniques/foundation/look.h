@@ -34,6 +34,8 @@ inline const vec3 kNotAsked = linearFromSrgb8(0x60, 0x60, 0x60);
 // A technique's visibility against the truth; what is right is the picture without its colours.
 inline const vec3 kFalseLit = linearFromSrgb8(0xE6, 0x9F, 0x00);
 inline const vec3 kFalseShadow = linearFromSrgb8(0x00, 0x72, 0xB2);
+inline const vec3 kFalseLitSecond = linearFromSrgb8(0xD5, 0x5E, 0x00);    ///< of the second of two techniques
+inline const vec3 kFalseShadowSecond = linearFromSrgb8(0x56, 0xB4, 0xE9);
 inline const vec3 kTie = linearFromSrgb8(0x99, 0x99, 0x99);
 inline const vec3 kStray = linearFromSrgb8(0xCC, 0x79, 0xA7);
 

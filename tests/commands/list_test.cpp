@@ -79,7 +79,7 @@ TEST_F(ListTest, LimitsWithoutGraphicsAreThoseOfTheProgram) {
 
 TEST_F(ListTest, HelpAndVersion) {
     for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
-             {"--help"}, {"-h"}, {"capture", "--help"}, {"list", "--help"}, {"demo", "-h"}, {}}) {
+             {"--help"}, {"-h"}, {"capture", "--help"}, {"list", "--help"}, {"demo", "-h"}}) {
         const ProgramResult result = succeed(arguments);
         EXPECT_NE(result.out.find("Usage: shadowlab"), std::string::npos) << result.shown();
         EXPECT_EQ(result.err, "");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/gl/program.h"
 
+#include <utility>
+
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/gl/debug.h"
 
@@ -35,6 +37,12 @@ std::string firstError(const std::string& log) {
     return log.substr(begin, log.find('\n', begin) - begin);
 }
 
+int reloads = 0; ///< how often reloadShaders() was called; GL belongs to one thread, and so does this
+std::vector<std::string>& faults() {
+    static std::vector<std::string> kept;
+    return kept;
+}
+
 void compile(const Shader& shader, const ShaderSource& source) {
     const char* text = source.text.c_str();
     glShaderSource(shader.id, 1, &text, nullptr);
@@ -53,12 +61,30 @@ Program::Program(std::string vertexFile, std::string fragmentFile, std::vector<s
     : vertexFile_(std::move(vertexFile)), fragmentFile_(std::move(fragmentFile)), defines_(std::move(defines)),
       substitutions_(std::move(substitutions)) {}
 
+void reloadShaders() { ++reloads; }
+
+std::vector<std::string> takeShaderFaults() { return std::exchange(faults(), {}); }
+
 void Program::use() const {
-    if (!handle_) link();
+    if (!handle_)
+        link();
+    else if (reloadsSeen_ != reloads)
+        relink();
     glUseProgram(handle_.id());
 }
 
+void Program::relink() const {
+    reloadsSeen_ = reloads;
+    try {
+        link();
+        locations_.clear();
+    } catch (const Error& fault) {
+        faults().emplace_back(fault.what());
+    }
+}
+
 void Program::link() const {
+    reloadsSeen_ = reloads;
     const Shader vertex(GL_VERTEX_SHADER), fragment(GL_FRAGMENT_SHADER);
     compile(vertex, shaderSource(vertexFile_, defines_, substitutions_));
     compile(fragment, shaderSource(fragmentFile_, defines_, substitutions_));

@@ -39,13 +39,21 @@ private:
         std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>{}(name); }
     };
     void link() const;
+    void relink() const;
     [[nodiscard]] GLint location(std::string_view name) const;
     std::string vertexFile_, fragmentFile_;
     std::vector<std::string> defines_;
     std::vector<Substitution> substitutions_;
     mutable ProgramHandle handle_;
+    mutable int reloadsSeen_ = 0;
     mutable std::unordered_map<std::string, GLint, NameHash, std::equal_to<>> locations_;
 };
+
+/// From now on every program compiles its files anew before it is used again. One that no longer compiles stays as it was,
+/// and the fault is kept for takeShaderFaults(): a picture that is on show does not vanish over a slip of the pen.
+void reloadShaders();
+/// The faults since the last call, each `FILE:LINE: message; mend the shader`.
+std::vector<std::string> takeShaderFaults();
 
 /// Draws one triangle that covers the target, for programs made with "fullscreen.vert".
 void drawFullscreenTriangle();

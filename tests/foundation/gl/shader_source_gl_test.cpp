@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/program.h"
+#include "techniques/foundation/gl/read_back.h"
 #include "tests/support/gl_fixture.h"
 
 namespace shadowlab {
@@ -77,6 +79,46 @@ TEST_F(ShaderSourceTest, ALaterCorrectionIsPickedUp) {
     EXPECT_NE(errorOf(program), "compiled");
     folder.write("main.frag", "#version 330 core\nout vec4 c;\nvoid main() { c = vec4(1.0); }\n");
     EXPECT_EQ(errorOf(program), "compiled");
+}
+
+/// What the program paints into a single texel: 0..255.
+int paintedRed(const gl::Program& program) {
+    const gl::Texture2D texture(GL_RGBA8, {1, 1}, "one texel");
+    const gl::Framebuffer framebuffer(&texture, nullptr, "one texel");
+    gl::setBaselineState();
+    glDisable(GL_DEPTH_TEST);
+    framebuffer.bind();
+    program.use();
+    gl::drawFullscreenTriangle();
+    return gl::readRows<glm::u8vec4>(texture, GL_UNSIGNED_BYTE).at(0).r;
+}
+
+TEST_F(ShaderSourceTest, AReloadTakesWhatIsRightAndKeepsWhatWasBefore) {
+    const ShaderFolder folder;
+    const std::string head = "#version 330 core\nout vec4 c;\n";
+    folder.write("main.frag", head + "void main() { c = vec4(0.2); }\n");
+    const gl::Program program("fullscreen.vert", "main.frag");
+    EXPECT_EQ(paintedRed(program), 51);
+
+    folder.write("main.frag", head + "void main() { c = vec4(0.4); }\n");
+    EXPECT_EQ(paintedRed(program), 51) << "nobody has asked for a reload yet";
+    gl::reloadShaders();
+    EXPECT_EQ(paintedRed(program), 102);
+    EXPECT_TRUE(gl::takeShaderFaults().empty());
+
+    folder.write("main.frag", head + "\nvoid main() { c = vec4(oops); }\n");
+    gl::reloadShaders();
+    EXPECT_EQ(paintedRed(program), 102) << "the last good form stays on show";
+    gl::takeDebugMessages(); // the driver says it, too
+    const std::vector<std::string> faults = gl::takeShaderFaults();
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_TRUE(faults[0].starts_with("main.frag:4: ")) << faults[0];
+    EXPECT_EQ(paintedRed(program), 102);
+    EXPECT_TRUE(gl::takeShaderFaults().empty()) << "said once for each reload";
+
+    folder.write("main.frag", head + "void main() { c = vec4(0.8); }\n");
+    gl::reloadShaders();
+    EXPECT_EQ(paintedRed(program), 204);
 }
 
 TEST_F(ShaderSourceTest, EveryFileStartsWithWhatItIsFor) {

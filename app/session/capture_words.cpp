@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/capture_words.h"
+
+#include <array>
+#include <charconv>
+
+namespace shadowlab::session {
+
+namespace {
+
+/// The shortest digits that mean just this number.
+std::string exactText(double value) {
+    std::array<char, 32> text{};
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} ? std::string(text.data(), end) : std::string("0.5");
+}
+
+bool isPlain(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+           std::string_view("-_./=:,@+").find(c) != std::string_view::npos;
+}
+
+} // namespace
+
+std::string_view layoutName(Layout layout) {
+    constexpr std::array<std::string_view, 5> kNames = {"single", "side", "split", "grid", "diff"};
+    return kNames[static_cast<std::size_t>(layout)];
+}
+
+std::vector<std::string> captureWords(const Document& document, const std::filesystem::path& sceneFile,
+                                      const std::filesystem::path& picture, ivec2 size) {
+    const bool single = document.layout == Layout::single;
+    const int count = shownPanes(document.layout);
+    std::string techniques;
+    std::vector<std::string> more;
+    for (int i = 0; i < count; ++i) {
+        const PaneState& state = document.panes[static_cast<std::size_t>(single ? document.active : i)];
+        const std::string slot = single ? "" : std::to_string(i + 1) + ":";
+        techniques += (i ? "," : "") + state.technique;
+        if (!state.stage.empty()) more.insert(more.end(), {"--stage", slot + state.stage});
+        for (const auto& [param, value] : state.values())
+            more.insert(more.end(), {"--set", slot + state.technique + "." + param + "=" + value});
+    }
+    std::vector<std::string> words = {
+        "capture", sceneFile.string(), "-o",     picture.string(),
+        "-t",      techniques,         "--size", std::to_string(size.x) + "x" + std::to_string(size.y)};
+    if (!single) words.insert(words.end(), {"--layout", std::string(layoutName(document.layout))});
+    if (document.layout == Layout::split) words.insert(words.end(), {"--split", exactText(document.split)});
+    const auto& lights = document.scene->lights;
+    if (document.light > 0 && document.light < static_cast<int>(lights.size()))
+        words.insert(words.end(), {"--light", lights[static_cast<std::size_t>(document.light)].name});
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+std::string asCommandLine(const std::vector<std::string>& words) {
+    std::string line;
+    for (const std::string& word : words) {
+        bool plain = !word.empty();
+        for (const char c : word)
+            plain = plain && isPlain(c);
+        if (!line.empty()) line += ' ';
+        if (plain) {
+            line += word;
+            continue;
+        }
+        line += '\'';
+        for (const char c : word)
+            line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+        line += '\'';
+    }
+    return line;
+}
+
+} // namespace shadowlab::session

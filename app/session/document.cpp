@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/document.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "techniques/registry.h"
+
+namespace shadowlab::session {
+
+Document newDocument(scene::Snapshot scene, std::string sceneName) {
+    Document document;
+    document.sceneName = std::move(sceneName);
+    document.camera = document.outsideCamera = scene->camera;
+    document.scene = std::move(scene);
+    constexpr std::array<const char*, kPanes> kFirst = {"shadow-map", "shadow-volume-zfail", "ray-traced",
+                                                        "unshadowed"};
+    for (std::size_t i = 0; i < kFirst.size(); ++i)
+        document.panes[i].technique = kFirst[i];
+    return document;
+}
+
+int shownPanes(Layout layout) {
+    switch (layout) {
+    case Layout::single: return 1;
+    case Layout::side:
+    case Layout::split:
+    case Layout::diff: return 2;
+    case Layout::grid: return kPanes;
+    }
+    return 1;
+}
+
+void UndoHistory::remember(const Document& before, const std::string& gesture) {
+    if (!gesture.empty() && gesture == gesture_) return;
+    gesture_ = gesture;
+    future_.clear();
+    if (past_.size() == kMost) past_.erase(past_.begin());
+    past_.push_back(before);
+}
+
+Document UndoHistory::undo(const Document& now) {
+    endGesture();
+    if (past_.empty()) return now;
+    future_.push_back(now);
+    Document before = std::move(past_.back());
+    past_.pop_back();
+    return before;
+}
+
+Document UndoHistory::redo(const Document& now) {
+    endGesture();
+    if (future_.empty()) return now;
+    past_.push_back(now);
+    Document after = std::move(future_.back());
+    future_.pop_back();
+    return after;
+}
+
+void UndoHistory::clear() {
+    past_.clear();
+    future_.clear();
+    endGesture();
+}
+
+} // namespace shadowlab::session

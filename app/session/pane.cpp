@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/pane.h"
+
+#include <algorithm>
+
+#include "app/session/derived_stages.h"
+#include "techniques/foundation/error.h"
+
+namespace shadowlab::session {
+
+namespace {
+
+/// Of the driver and of bad input, as a sentence; a technique that breaks must not take the window with it.
+template <typename Work>
+std::string failureOf(const Work& work) {
+    try {
+        work();
+    } catch (const std::exception& failure) {
+        return failure.what();
+    }
+    return {};
+}
+
+/// A picture of the processor's on the graphics card, as the encoder leaves one: row 0 at the bottom.
+gl::Texture2D textureOf(const image::Image& image) {
+    const ivec2 size(image.width, image.height);
+    gl::Texture2D texture(GL_RGBA8, size, "derived stage");
+    std::vector<image::Color8> fromBelow(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            fromBelow[static_cast<std::size_t>(size.y - 1 - y) * static_cast<std::size_t>(size.x) +
+                      static_cast<std::size_t>(x)] = image.at(x, y);
+    texture.bind(0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, fromBelow.data());
+    return texture;
+}
+
+} // namespace
+
+const Values& PaneState::values() const {
+    static const Values none;
+    const auto found = settings.find(technique);
+    return found == settings.end() ? none : found->second;
+}
+
+bool operator==(const PaneRequest& a, const PaneRequest& b) {
+    const bool outside = a.state.stage.starts_with("outside");
+    return a.state.technique == b.state.technique && a.state.stage == b.state.stage &&
+           a.state.values() == b.state.values() && a.snapshot == b.snapshot && a.view.camera == b.view.camera &&
+           a.view.size == b.view.size && a.view.region.corner == b.view.region.corner &&
+           a.view.region.size == b.view.region.size && a.light == b.light &&
+           (!outside || a.outsideCamera == b.outsideCamera);
+}
+
+Slot& Pane::slotFor(const PaneState& state) {
+    auto found = slots_.find(state.technique);
+    if (found == slots_.end()) found = slots_.emplace(state.technique, Session::makeSlot(state.technique)).first;
+    Slot& slot = found->second;
+    const Values& values = state.values();
+    for (params::Param& param : slot.params) {
+        const auto value = values.find(param.id);
+        params::setFromText(param, value == values.end() ? params::initialText(param) : value->second, state.technique);
+    }
+    return slot;
+}
+
+bool Pane::update(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Deadline deadline,
+                  bool timePasses) {
+    if (request == drawnFor_ && (converged_ || !failure_.empty())) return false;
+    // Asked for before the work: what failed is not tried again until something changes.
+    const bool sizeChanged = request.view.size != drawnFor_.view.size;
+    drawnFor_ = request;
+    failure_ = failureOf([&] { draw(session, encoder, request, deadline, timePasses); });
+    if (!failure_.empty() && sizeChanged) picture_ = {}; // stretched to another size it would be no picture of anything
+    return true;
+}
+
+void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Deadline deadline,
+                bool timePasses) {
+    Slot& slot = slotFor(request.state);
+    const scene::Scene& scene = *request.snapshot;
+    std::optional<StageChoice> stage;
+    if (!request.state.stage.empty()) stage = parseStage(request.state.stage, *slot.info, scene, request.light);
+
+    FrameRequest frame;
+    frame.timePasses = timePasses;
+    frame.deadline = deadline;
+    if (stage && stage->isPass) frame.stopAfter = stage->key;
+    if (stage && !stage->isPass) frame.stages = neededFor(stage->key);
+    session.setScene(request.snapshot);
+    if (frame.stopAfter &&
+        !(request.state.technique == drawn_.technique && request.state.values() == drawn_.values() && !passes_.empty()))
+        passes_ = session.render(slot, request.view, {.deadline = deadline}).result.passes;
+    RenderedFrame rendered = session.render(slot, request.view, frame);
+    converged_ = rendered.converged;
+    progress_ = rendered.prepared;
+    if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
+
+    const float exposure = scene.exposure;
+    if (!stage || stage->isPass) {
+        if (stage) requirePassRan(rendered, stage->key, *slot.info);
+        picture_ = {
+            encoder.encodeInPlace(slot.target.color, exposure, 1, request.view.region), StageKind::radiance, {}, ""};
+    } else if (isDerived(stage->key.id)) {
+        const auto info = stagesOf(*slot.info);
+        const auto described = std::ranges::find(info, stage->key.id, &StageInfo::id);
+        const Panel panel = derivedPanel(session, slot, rendered, encoder, {stage->key, request.view, {}, nullptr});
+        picture_ = {textureOf(panel.picture), panel.kind, panel.display, std::string(described->caption)};
+    } else {
+        const Stage& published = findStage(rendered, stage->key);
+        const StageInfo& info = stageInfo(*slot.info, stage->key.id);
+        picture_ = {encoder.encodeInPlace(published, info.kind, exposure), info.kind, published.display,
+                    std::string(info.caption)};
+    }
+    if (!frame.stopAfter) passes_ = rendered.result.passes;
+    drawn_ = request.state;
+    rendered_ = std::move(rendered);
+}
+
+} // namespace shadowlab::session

@@ -1,0 +1,83 @@
+// One part of the window: which technique it shows, with which settings, and what of it.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/session/picture.h"
+#include "app/session/session.h"
+
+namespace shadowlab::session {
+
+/// "resolution" -> "1024", as --set takes them.
+using Values = std::map<std::string, std::string>;
+
+/// What a pane is told to show: plain values, so that it can be kept, compared, undone and written down.
+struct PaneState {
+    std::string technique;
+    std::string stage;                      ///< as `capture --stage` takes it; empty: the finished picture
+    std::map<std::string, Values> settings; ///< by technique: what differs from its defaults
+    friend bool operator==(const PaneState&, const PaneState&) = default;
+
+    /// The settings of the technique that is shown.
+    [[nodiscard]] const Values& values() const;
+};
+
+/// Everything a pane's picture depends on.
+struct PaneRequest {
+    PaneState state;
+    scene::Snapshot snapshot;
+    View view;
+    scene::Camera outsideCamera; ///< for the stage `outside`
+    int light = 0;               ///< for stages of one light that do not name theirs
+    friend bool operator==(const PaneRequest&, const PaneRequest&);
+};
+
+/// The last picture of a pane, as it is shown.
+struct PanePicture {
+    gl::Texture2D texture; ///< encoded, row 0 at the bottom
+    StageKind kind = StageKind::radiance;
+    Display display;     ///< for the legend
+    std::string caption; ///< of the stage; empty: the finished picture
+};
+
+/// Draws a pane and keeps what came of it. Techniques that were shown before stay ready: going back to one costs nothing
+/// but its frame.
+class Pane {
+public:
+    /// Draws anew if anything differs from what the picture was made of. Returns true if something was drawn, or is not
+    /// finished. Work beyond the deadline waits for the next call; the last picture stays meanwhile. What fails is kept as
+    /// `failure()`, and is not tried again before something changes.
+    bool update(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Deadline deadline,
+                bool timePasses);
+
+    /// The slot of that state, made or found, its parameters set. Throws Error (usage) for a value that is out of range.
+    Slot& slotFor(const PaneState& state);
+
+    [[nodiscard]] const PanePicture& picture() const { return picture_; }
+    [[nodiscard]] const RenderedFrame& rendered() const { return rendered_; }
+    [[nodiscard]] const std::string& failure() const { return failure_; }
+    [[nodiscard]] const PaneRequest& drawnFor() const { return drawnFor_; }
+    /// The passes that run with the settings of the picture, in order, also where it stops after one of them.
+    [[nodiscard]] const std::vector<StageKey>& passes() const { return passes_; }
+    [[nodiscard]] double progress() const { return progress_; } ///< 0..1 of what the technique prepares
+    /// The picture no longer counts: shaders have changed, or the driver has lost it.
+    void forget() { drawnFor_ = {}; }
+
+private:
+    void draw(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Deadline deadline,
+              bool timePasses);
+
+    std::map<std::string, Slot> slots_; ///< by technique
+    PanePicture picture_;
+    RenderedFrame rendered_; ///< of the picture
+    PaneRequest drawnFor_;
+    std::vector<StageKey> passes_;
+    PaneState drawn_; ///< of the picture
+    std::string failure_;
+    double progress_ = 1;
+    bool converged_ = true;
+};
+
+} // namespace shadowlab::session

@@ -1,0 +1,35 @@
+// Loads scenes beside the running picture: a large mesh takes seconds, and nobody should wait for it with a dead window.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <future>
+#include <optional>
+#include <string>
+
+#include "techniques/foundation/scene/load.h"
+
+namespace shadowlab::session {
+
+class SceneLoader {
+public:
+    struct Result {
+        std::string nameOrPath;
+        scene::Snapshot scene; ///< null when it could not be loaded
+        std::string fault;     ///< then: `FILE:LINE: what is wrong; what to do`
+    };
+
+    explicit SceneLoader(scene::LoadOptions options) : options_(std::move(options)) {}
+
+    /// Begins to load. What was asked for before and is not there yet is forgotten when it comes.
+    void begin(const std::string& nameOrPath);
+    /// What is asked for and not there yet; empty: nothing.
+    [[nodiscard]] const std::string& loading() const { return wanted_; }
+    /// The scene that was asked for last, once.
+    std::optional<Result> take();
+
+private:
+    scene::LoadOptions options_;
+    std::string wanted_;
+    std::vector<std::future<Result>> running_; ///< their destructors wait: a loader does not outlive its files' limits
+};
+
+} // namespace shadowlab::session

@@ -1,0 +1,23 @@
+// Step mode: a technique's passes one by one, and the picture as it is after each.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/session.h"
+
+namespace shadowlab::session {
+
+/// A pass as a stage of `capture`: "pass:light@sun".
+std::string passStage(const StageKey& pass, const scene::Scene& scene);
+
+/// Where among the passes a stage stands; nothing when it is no pass, or none of these.
+std::optional<std::size_t> stepOf(const std::string& stage, const std::vector<StageKey>& passes,
+                                  const scene::Scene& scene);
+
+/// The stage after `stage`, `by` passes on (or back, for less than zero). From the finished picture (an empty stage)
+/// forward is the first pass; past the last pass, and before the first, is the finished picture again.
+std::string stepped(const std::string& stage, const std::vector<StageKey>& passes, const scene::Scene& scene, int by);
+
+} // namespace shadowlab::session

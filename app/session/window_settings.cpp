@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/window_settings.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "techniques/foundation/image/output_file.h"
+
+namespace shadowlab::session {
+
+std::filesystem::path windowMemoryFile() {
+    const auto folder = [](const char* name) -> std::filesystem::path {
+        const char* value = std::getenv(name);
+        return value && *value ? value : "";
+    };
+    std::filesystem::path config = folder("XDG_CONFIG_HOME");
+    if (config.empty() && !folder("HOME").empty()) config = folder("HOME") / ".config";
+    return config.empty() ? config : config / "shadowlab" / "window.json";
+}
+
+WindowMemory readWindowMemory(const std::filesystem::path& file) {
+    WindowMemory memory;
+    std::ifstream stream(file);
+    const auto json = nlohmann::json::parse(stream, nullptr, false);
+    if (!json.is_object()) return memory;
+    const auto flag = [&](const char* key, bool& value) {
+        if (json.contains(key) && json[key].is_boolean()) value = json[key].get<bool>();
+    };
+    flag("panel", memory.panel);
+    flag("strip", memory.strip);
+    flag("presenter", memory.presenter);
+    flag("handles", memory.handles);
+    const auto length = [&](const char* key, int& value) {
+        // A window may be no smaller than its widgets, and no larger than any screen.
+        if (json.contains(key) && json[key].is_number_integer())
+            value = static_cast<int>(std::clamp<long long>(json[key].get<long long>(), 320, 7680));
+    };
+    length("width", memory.size.x);
+    length("height", memory.size.y);
+    return memory;
+}
+
+void writeWindowMemory(const std::filesystem::path& file, const WindowMemory& memory) {
+    std::error_code ignored; // what cannot be made cannot be written to either, and that says why
+    std::filesystem::create_directories(file.parent_path(), ignored);
+    const nlohmann::ordered_json json = {{"width", memory.size.x},        {"height", memory.size.y},
+                                         {"panel", memory.panel},         {"strip", memory.strip},
+                                         {"presenter", memory.presenter}, {"handles", memory.handles}};
+    image::writeWhole(file, json.dump(2) + "\n");
+}
+
+} // namespace shadowlab::session

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/workbench.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "app/session/orbit.h"
+
+namespace shadowlab::session {
+
+namespace {
+
+// Hands notice a picture that comes later than a tenth of a second; coarser pictures come in time. Finer ones return only
+// when there is room to spare, so that it does not flicker between two.
+constexpr double kTooSlowMs = 90, kRoomToSpareMs = 45;
+constexpr int kCoarsest = 4;
+
+} // namespace
+
+Workbench::Workbench(Document document)
+    : document_(std::move(document)), shown_(document_.scene), session_(document_.scene) {}
+
+const std::vector<scene::Bounds>& Workbench::bounds() {
+    const auto same = [](const scene::Revisions& a, const scene::Revisions& b) {
+        return a.geometry == b.geometry && a.transforms == b.transforms;
+    };
+    if (!bounded_ || !same(bounded_->revisions, shown_->revisions)) bounds_ = scene::objectBounds(*shown_);
+    bounded_ = shown_;
+    return bounds_;
+}
+
+std::vector<PlacedPane> Workbench::placed(ivec2 areaSize) const {
+    const int count = shownPanes(document_.layout);
+    std::vector<PlacedPane> placed;
+    if (areaSize.x < 1 || areaSize.y < 1) return placed;
+    const std::vector<Cell> cells = layoutCells(document_.layout, count, areaSize, document_.split);
+    for (int i = 0; i < count; ++i) {
+        const Cell& cell = cells[std::min(cells.size() - 1, static_cast<std::size_t>(i))];
+        if (cell.width < 1 || cell.height < 1) continue;
+        placed.push_back({document_.layout == Layout::single ? document_.active : i, cell});
+    }
+    return placed;
+}
+
+PaneRequest Workbench::requestFor(const PlacedPane& placed, int draft) const {
+    PaneRequest request;
+    request.state = document_.panes[static_cast<std::size_t>(placed.pane)];
+    request.snapshot = shown_;
+    request.view.camera = document_.camera;
+    const Cell& cell = placed.cell;
+    request.view.size = glm::max(ivec2(1), (cell.pictureSize + draft - 1) / draft);
+    if (document_.layout == Layout::split && !whole_) {
+        const ivec2 corner = ivec2(cell.cropX, 0) / draft;
+        const ivec2 end =
+            glm::min((ivec2(cell.cropX + cell.width, cell.height) + draft - 1) / draft, request.view.size);
+        request.view.region = {corner, end - corner};
+    }
+    request.outsideCamera = document_.outsideCamera;
+    request.light = document_.light;
+    return request;
+}
+
+bool Workbench::update(ivec2 areaSize, Deadline deadline) {
+    using Clock = std::chrono::steady_clock;
+    if (isAtRest()) draft_ = 1;
+    const Clock::time_point begin = Clock::now();
+    bool drawn = false;
+    for (const PlacedPane& placed : this->placed(areaSize))
+        drawn = panes_[static_cast<std::size_t>(placed.pane)].update(session_, encoder_, requestFor(placed, draft_),
+                                                                     deadline, timePasses_) ||
+                drawn;
+    if (!drawn || isAtRest() || !draftAllowed_) return drawn;
+    const double tookMs = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+    if (tookMs > kTooSlowMs) draft_ = std::min(2 * draft_, kCoarsest);
+    if (tookMs * 4 < kRoomToSpareMs) draft_ = std::max(draft_ / 2, 1); // twice as fine has four times the pixels
+    return drawn;
+}
+
+void Workbench::drawAnew() {
+    for (Pane& pane : panes_)
+        pane.forget();
+}
+
+void Workbench::change(const std::string& gesture, const std::function<void(Document&)>& edit) {
+    Document changed = document_;
+    edit(changed);
+    if (changed == document_) return;
+    history_.remember(document_, gesture);
+    document_ = std::move(changed);
+}
+
+void Workbench::changeScene(const std::string& gesture,
+                            const std::function<scene::Snapshot(const scene::Snapshot&)>& edit) {
+    settle();
+    change(gesture, [&](Document& document) { document.scene = edit(document.scene); });
+    shown_ = document_.scene;
+}
+
+void Workbench::undo() {
+    settle();
+    show(history_.undo(document_));
+}
+
+void Workbench::redo() {
+    settle();
+    show(history_.redo(document_));
+}
+
+/// The eye stays where it is; but what shows another scene brings its own.
+void Workbench::show(Document document) {
+    if (document.sceneName == document_.sceneName) {
+        document.camera = document_.camera;
+        document.outsideCamera = document_.outsideCamera;
+    }
+    document_ = std::move(document);
+    shown_ = document_.scene;
+}
+
+void Workbench::setCamera(const scene::Camera& camera) {
+    if (scene::hasView(camera)) document_.camera = camera;
+}
+
+void Workbench::activate(int pane) { document_.active = std::clamp(pane, 0, kPanes - 1); }
+
+void Workbench::showScene(scene::Snapshot scene, std::string sceneName) {
+    history_.remember(document_, "");
+    animation_.playing = false;
+    animation_.seconds = 0;
+    document_.camera = document_.outsideCamera = scene->camera;
+    document_.light = 0;
+    document_.scene = std::move(scene);
+    document_.sceneName = std::move(sceneName);
+    // A stage of a light that this scene does not have is no stage of it.
+    for (PaneState& pane : document_.panes)
+        pane.stage = pane.stage.substr(0, pane.stage.find('@'));
+    shown_ = document_.scene;
+}
+
+void Workbench::play(bool playing) {
+    if (playing == animation_.playing) return;
+    if (playing) {
+        history_.remember(document_, "");
+        animation_.seconds = 0;
+        animation_.playing = true;
+    } else {
+        settle();
+    }
+}
+
+void Workbench::advance(double seconds) {
+    if (!animation_.playing) return;
+    const double step = seconds * animation_.speed;
+    animation_.seconds += step;
+    shown_ = animated(document_.scene, animation_);
+    if (animation_.camera) document_.camera = turned(document_.camera, kTurnDegreesPerSecond * step);
+}
+
+/// Ends the animation where it is: what is seen becomes the document, and can be changed.
+void Workbench::settle() {
+    if (!animation_.playing) return;
+    animation_.playing = false;
+    animation_.seconds = 0;
+    document_.scene = shown_;
+}
+
+} // namespace shadowlab::session

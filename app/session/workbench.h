@@ -1,0 +1,100 @@
+// The lab itself, without window and widgets: a document, the panes that draw it, and what hands may do to it. The window
+// puts pictures of it on the screen and turns keys into calls; headless pictures of the window and tests use the same.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/session/animation.h"
+#include "app/session/document.h"
+#include "app/session/pane.h"
+
+namespace shadowlab::session {
+
+/// A pane in the window's picture area.
+struct PlacedPane {
+    int pane = 0;
+    Cell cell;
+};
+
+class Workbench {
+public:
+    /// Needs a current GL context for its whole life.
+    explicit Workbench(Document document);
+
+    [[nodiscard]] const Document& document() const { return document_; }
+    [[nodiscard]] const Animation& animation() const { return animation_; }
+    /// The scene as it is now: where animation has brought it.
+    [[nodiscard]] const scene::Snapshot& shownScene() const { return shown_; }
+    /// Boxes around its objects, in their order.
+    [[nodiscard]] const std::vector<scene::Bounds>& bounds();
+    [[nodiscard]] const Pane& pane(int i) const { return panes_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] Pane& pane(int i) { return panes_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] PaneState& activeState() { return document_.panes[static_cast<std::size_t>(document_.active)]; }
+    [[nodiscard]] Session& session() { return session_; }
+    [[nodiscard]] const PictureEncoder& encoder() const { return encoder_; }
+
+    /// The panes of the layout, in a picture area of that size. Empty where the area is too small for them.
+    [[nodiscard]] std::vector<PlacedPane> placed(ivec2 areaSize) const;
+    /// What a placed pane has to show, drawn with 1 / `draft` of the pixels in each direction.
+    [[nodiscard]] PaneRequest requestFor(const PlacedPane& placed, int draft = 1) const;
+
+    /// Draws what has changed. `areaSize` is the picture area in pixels. Returns true if anything was drawn. Work that is
+    /// not done by the deadline goes on in the next call.
+    bool update(ivec2 areaSize, Deadline deadline);
+    /// How much coarser than the screen moving pictures are drawn, so that hands need not wait: 1, 2 or 4.
+    [[nodiscard]] int draft() const { return draft_; }
+    /// Draws coarse as long as something moves and full frames take longer than the eye and hand allow.
+    void setMoving(bool moving) { moving_ = moving; }
+    void allowDraft(bool allowed) { draftAllowed_ = allowed; }
+    /// Draws every pane whole, also where the layout shows a band of it: for what looks at one place in several panes.
+    void drawWhole(bool whole) { whole_ = whole; }
+    /// Draws every pane again: its shaders are others now.
+    void drawAnew();
+    void setTimePasses(bool on) { timePasses_ = on; }
+    [[nodiscard]] bool isAtRest() const { return !moving_ && !animation_.playing; }
+
+    // --- changes that can be undone; `gesture` names a run of changes that are one (document.h)
+    void change(const std::string& gesture, const std::function<void(Document&)>& edit);
+    /// The same for what is in the scene. An animation ends where it is: hands would pull at what runs away.
+    void changeScene(const std::string& gesture, const std::function<scene::Snapshot(const scene::Snapshot&)>& edit);
+    void endGesture() { history_.endGesture(); }
+    void undo();
+    void redo();
+    [[nodiscard]] const UndoHistory& history() const { return history_; }
+
+    // --- changes that cannot, because undo should not run after the eye
+    void setCamera(const scene::Camera& camera);
+    void setOutsideCamera(const scene::Camera& camera) { document_.outsideCamera = camera; }
+    void resetOutsideCamera() { document_.outsideCamera = document_.camera; }
+    void activate(int pane);
+
+    /// Another scene in place of this one; layout, techniques and settings stay.
+    void showScene(scene::Snapshot scene, std::string sceneName);
+
+    void play(bool playing);
+    void setAnimation(const std::function<void(Animation&)>& edit) { edit(animation_); }
+    /// Lets time go by.
+    void advance(double seconds);
+
+private:
+    void settle();
+    void show(Document document);
+
+    Document document_;
+    UndoHistory history_;
+    Animation animation_;
+    scene::Snapshot shown_;
+    scene::Snapshot bounded_; ///< the scene that the boxes are of
+    std::vector<scene::Bounds> bounds_;
+    Session session_;
+    PictureEncoder encoder_;
+    std::array<Pane, kPanes> panes_;
+    bool moving_ = false, timePasses_ = true, draftAllowed_ = true, whole_ = false;
+    int draft_ = 1;
+};
+
+} // namespace shadowlab::session

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "app/ui/desk.h"
+
+#include <algorithm>
+
+#include "app/session/camera_control.h"
+#include "app/session/derived_stages.h"
+#include "app/session/stepping.h"
+#include "techniques/registry.h"
+
+namespace shadowlab::ui {
+
+void chooseTechnique(Desk& desk, std::string_view id) {
+    desk.bench.change("", [&](session::Document& document) {
+        session::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
+        if (state.technique == id) return;
+        state.technique = id;
+        // What is derived from any technique's picture stays on show; the stages are each technique's own.
+        const std::string stage = state.stage.substr(0, state.stage.find('@'));
+        const auto known = session::stagesOf(findTechnique(id));
+        if (!session::isDerived(stage) || std::ranges::find(known, stage, &StageInfo::id) == known.end())
+            state.stage.clear();
+    });
+}
+
+void chooseStage(Desk& desk, const std::string& stage) {
+    desk.bench.change("stage", [&](session::Document& document) {
+        document.panes[static_cast<std::size_t>(document.active)].stage = stage;
+    });
+    desk.bench.endGesture();
+}
+
+void chooseLayout(Desk& desk, session::Layout layout) {
+    desk.bench.change("", [&](session::Document& document) {
+        document.layout = layout;
+        if (layout != session::Layout::single) document.active %= session::shownPanes(layout);
+    });
+    desk.shown.blink = false;
+}
+
+void step(Desk& desk, int by) {
+    const int active = desk.bench.document().active;
+    const session::Pane& pane = desk.bench.pane(active);
+    chooseStage(desk, session::stepped(desk.bench.document().panes[static_cast<std::size_t>(active)].stage,
+                                       pane.passes(), *desk.bench.shownScene(), by));
+}
+
+void moveSelected(Desk& desk, const dvec3& byWorld, const std::string& gesture) {
+    desk.bench.changeScene(gesture, [&](const scene::Snapshot& before) {
+        return session::withMoved(before, desk.selection, byWorld, desk.bench.document().camera);
+    });
+}
+
+void selectNext(Desk& desk, int by) {
+    const scene::Scene& scene = *desk.bench.document().scene;
+    std::vector<session::Selection> all{{}};
+    for (const session::Handle& handle : session::handles(scene, desk.bench.bounds(), desk.bench.document().camera))
+        all.push_back(handle.what);
+    const auto now = std::ranges::find(all, desk.selection);
+    const auto count = static_cast<int>(all.size());
+    const int at = now == all.end() ? 0 : static_cast<int>(now - all.begin());
+    desk.selection = all[static_cast<std::size_t>((at + by + count) % count)];
+}
+
+void resetSettings(Desk& desk) {
+    desk.bench.change("", [](session::Document& document) {
+        session::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
+        state.settings.erase(state.technique);
+    });
+}
+
+void togglePresenter(Desk& desk) {
+    desk.shown.presenter = !desk.shown.presenter;
+    desk.shown.panel = !desk.shown.presenter;
+}
+
+void resetCamera(Desk& desk) {
+    if (looksFromOutside(desk))
+        desk.bench.resetOutsideCamera();
+    else
+        desk.bench.setCamera(desk.bench.document().scene->camera);
+}
+
+bool looksFromOutside(const Desk& desk) {
+    const session::Document& document = desk.bench.document();
+    return document.panes[static_cast<std::size_t>(document.active)].stage.starts_with("outside");
+}
+
+void moveCamera(Desk& desk, const std::function<scene::Camera(const scene::Camera&)>& move) {
+    if (looksFromOutside(desk))
+        desk.bench.setOutsideCamera(move(desk.bench.document().outsideCamera));
+    else
+        desk.bench.setCamera(move(desk.bench.document().camera));
+}
+
+} // namespace shadowlab::ui

@@ -1,0 +1,80 @@
+// What hands have before them: the workbench, and how the window shows it. Keys and buttons change this and nothing else.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/session/handles.h"
+#include "app/session/workbench.h"
+
+namespace shadowlab::ui {
+
+/// What the window shows beside the pictures.
+struct Shown {
+    bool keys = false;  ///< the list of all keys
+    bool panel = true;  ///< settings
+    bool strip = false; ///< stages as small pictures
+    bool magnifier = false;
+    bool blink = false; ///< the first two panes take turns in one place
+    bool presenter = false;
+    bool handles = true; ///< of lights and objects, to be dragged
+    bool plot = true;    ///< of times and errors
+    friend bool operator==(const Shown&, const Shown&) = default;
+};
+
+/// What the desk cannot do itself: it takes a window, a file or some time. Whoever runs the desk takes them.
+struct Requests {
+    bool quit = false, screenshot = false, saveScene = false, fullScreen = false, reloadShaders = false;
+    bool focusPanel = false;
+    std::string scene; ///< to be loaded
+};
+
+/// A key that went down, or is held long enough to repeat. Letters are those on the keyboard's own layout.
+struct KeyPress {
+    int key = 0; ///< GLFW's number
+    bool ctrl = false, shift = false, alt = false, repeated = false;
+};
+
+/// What the mouse holds.
+enum class Drag { none, camera, splitLine, handle };
+
+struct Desk {
+    session::Workbench bench;
+    Shown shown;
+    Requests requests;
+    std::vector<KeyPress> keys; ///< since the last frame, in order: none is lost, however quick the hand
+    session::Selection selection;
+    dvec2 lens{
+        0.5}; ///< where the magnifier looks, as shares of a picture's width and height from its upper left corner
+    Drag drag = Drag::none;
+    int dragPart = -1, dragPane = 0; ///< of the handle that is held: an axis, or -1 for its disc; and where
+    std::vector<std::string> scenes; ///< built-in ones
+    bool panelHasKeys = false;       ///< the arrows walk through the settings, and not around the scene
+
+    /// Seconds since it last moved, by hand or by itself.
+    double restSeconds = 0;
+
+    explicit Desk(session::Document document) : bench(std::move(document)) {}
+};
+
+// What more than one key or button does.
+
+/// The technique of the active pane. Its settings are those it had there before.
+void chooseTechnique(Desk& desk, std::string_view id);
+/// What the active pane shows of its technique; empty: the finished picture.
+void chooseStage(Desk& desk, const std::string& stage);
+void chooseLayout(Desk& desk, session::Layout layout);
+void step(Desk& desk, int by);
+/// Where the selected thing is, or the point at which the arrow of a directional light is held.
+void moveSelected(Desk& desk, const dvec3& byWorld, const std::string& gesture);
+void selectNext(Desk& desk, int by);
+void resetSettings(Desk& desk);
+/// Large type leaves less room: the settings make way for it, and come back with it gone.
+void togglePresenter(Desk& desk);
+void resetCamera(Desk& desk);
+/// Which of the two cameras the active pane looks through, and hands move.
+bool looksFromOutside(const Desk& desk);
+void moveCamera(Desk& desk, const std::function<scene::Camera(const scene::Camera&)>& move);
+
+} // namespace shadowlab::ui

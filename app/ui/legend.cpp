@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "app/ui/legend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "techniques/foundation/look.h"
+
+namespace shadowlab::ui {
+
+namespace {
+
+constexpr float kLargestShare = 0.5f; ///< of the area that a legend may cover
+constexpr int kBarSteps = 64;         ///< colours of a bar: finer than the eye tells apart
+
+std::string shortNumber(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, std::abs(value) >= 100 && std::abs(value) < 1e6 ? "%.0f" : "%.3g", value);
+    return text;
+}
+
+struct Plate {
+    ImDrawList& list;
+    ImVec2 corner; ///< upper left, in pixels of the window
+    ImVec2 size;
+    float pad;
+    void draw() const { list.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, kPlateColor); }
+};
+
+/// Nothing if it does not fit.
+bool place(Plate& plate, ivec2 corner, ivec2 size) {
+    const auto width = static_cast<float>(size.x), height = static_cast<float>(size.y);
+    if (plate.size.x > width || plate.size.x * plate.size.y > kLargestShare * width * height) return false;
+    plate.corner = {static_cast<float>(corner.x), static_cast<float>(corner.y) + height - plate.size.y};
+    return true;
+}
+
+void drawBar(Plate plate, const session::PanePicture& picture, ivec2 corner, ivec2 size, const Theme& theme) {
+    const Display& display = picture.display;
+    const std::string low = shortNumber(display.minimum), high = shortNumber(display.maximum);
+    const float widest = std::max(4 * theme.em, static_cast<float>(size.x) - 2 * plate.pad);
+    const float width = std::min(14 * theme.em, widest);
+    const ImVec2 unit = theme.text->CalcTextSizeA(theme.em, FLT_MAX, width, display.unit.c_str());
+    const float barHeight = theme.em * 0.7f, unitHeight = display.unit.empty() ? 0 : unit.y;
+    plate.size = {std::max(width, unit.x) + 2 * plate.pad, unitHeight + barHeight + theme.em + 3 * plate.pad};
+    if (!place(plate, corner, size)) return;
+    plate.draw();
+    ImDrawList& list = plate.list;
+    const ImVec2 at(plate.corner.x + plate.pad, plate.corner.y + plate.pad);
+    if (!display.unit.empty()) list.AddText(theme.text, theme.em, at, kPlateText, display.unit.c_str(), nullptr, width);
+    const float top = at.y + unitHeight + plate.pad / 2, step = width / kBarSteps;
+    const look::Palette& palette = picture.kind == StageKind::count ? look::diverging() : look::viridis();
+    for (int i = 0; i < kBarSteps; ++i)
+        list.AddRectFilled({at.x + static_cast<float>(i) * step, top},
+                           {at.x + static_cast<float>(i + 1) * step, top + barHeight},
+                           shownColor(look::colorAt(palette, (i + 0.5) / kBarSteps)));
+    const float below = top + barHeight + plate.pad / 4;
+    const auto textWidth = [&](const std::string& text) {
+        return theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, text.c_str()).x;
+    };
+    list.AddText(theme.text, theme.em, {at.x, below}, kPlateText, low.c_str());
+    list.AddText(theme.text, theme.em, {at.x + width - textWidth(high), below}, kPlateText, high.c_str());
+    if (picture.kind == StageKind::count && display.minimum < 0 && display.maximum > 0) {
+        const auto share = static_cast<float>(-display.minimum / (display.maximum - display.minimum));
+        list.AddText(theme.text, theme.em, {at.x + share * width - textWidth("0") / 2, below}, kPlateText, "0");
+    }
+}
+
+void drawKey(Plate plate, const std::vector<KeyEntry>& key, ivec2 corner, ivec2 size, const Theme& theme) {
+    const float swatch = theme.em * 0.9f, between = theme.em * 0.35f;
+    const float widest = std::max(6 * theme.em, static_cast<float>(size.x) - swatch - 3 * plate.pad);
+    plate.size = {0, plate.pad};
+    std::vector<ImVec2> sizes;
+    for (const KeyEntry& entry : key) {
+        sizes.push_back(theme.text->CalcTextSizeA(theme.em, FLT_MAX, widest, entry.label.c_str()));
+        plate.size.x = std::max(plate.size.x, sizes.back().x + swatch + 3 * plate.pad);
+        plate.size.y += sizes.back().y + between;
+    }
+    plate.size.y += plate.pad - between;
+    if (!place(plate, corner, size)) return;
+    plate.draw();
+    float y = plate.corner.y + plate.pad;
+    for (std::size_t i = 0; i < key.size(); ++i) {
+        const ImVec2 at(plate.corner.x + plate.pad, y + (theme.em - swatch) / 2);
+        plate.list.AddRectFilled(at, {at.x + swatch, at.y + swatch}, shownColor(key[i].colorLinear));
+        plate.list.AddText(theme.text, theme.em, {at.x + swatch + plate.pad, y}, kPlateText, key[i].label.c_str(),
+                           nullptr, widest);
+        y += sizes[i].y + between;
+    }
+}
+
+} // namespace
+
+void drawLegend(ImDrawList& list, const session::PanePicture& picture, ivec2 corner, ivec2 size, const Theme& theme) {
+    if (!picture.texture) return;
+    const Plate plate{list, {}, {}, theme.em * 0.5f};
+    if (picture.kind == StageKind::scalar || picture.kind == StageKind::count)
+        drawBar(plate, picture, corner, size, theme);
+    else if (!picture.display.key.empty())
+        drawKey(plate, picture.display.key, corner, size, theme);
+}
+
+} // namespace shadowlab::ui

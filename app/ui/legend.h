@@ -1,0 +1,12 @@
+// What the colours of a stage mean: a bar with numbers, or a key, on a plate in the lower left corner of its pane.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "app/session/pane.h"
+#include "app/ui/theme.h"
+
+namespace shadowlab::ui {
+
+/// Nothing for pictures that need no legend, and where it would cover more than half of the area.
+void drawLegend(ImDrawList& list, const session::PanePicture& picture, ivec2 corner, ivec2 size, const Theme& theme);
+
+} // namespace shadowlab::ui

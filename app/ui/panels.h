@@ -1,0 +1,25 @@
+// The widgets around the pictures: the bar on top, the panel beside them, the steps and the strip of stages below.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "app/ui/desk.h"
+#include "app/ui/pictures.h"
+#include "app/ui/theme.h"
+
+namespace shadowlab::ui {
+
+// Each draws its window into the area it is given.
+void topBar(Desk& desk, const Area& area, const Theme& theme);
+void sidePanel(Desk& desk, const Area& area, const Theme& theme);
+/// What the step that is on show does, and why.
+void stepPanel(Desk& desk, const Area& area, const Theme& theme);
+/// The list of all keys, over everything.
+void keyOverlay(Desk& desk, ivec2 windowSize, const Theme& theme);
+
+/// How high the bar and the panel of the steps are.
+float topBarHeight(const Desk& desk, const Theme& theme, float width);
+float stepPanelHeight(const Desk& desk, const Theme& theme, float width);
+
+/// Is a step on show in the active pane?
+bool isStepping(const Desk& desk);
+
+} // namespace shadowlab::ui

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "app/ui/pictures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "app/session/camera_control.h"
+#include "app/ui/legend.h"
+#include "app/ui/widget_renderer.h"
+
+namespace shadowlab::ui {
+
+namespace {
+
+using session::Layout;
+
+constexpr double kBlinkSeconds = 0.6; ///< of each picture: slow enough to see it, quick enough that differences jump
+constexpr float kLineGrip = 0.6f;     ///< em to either side of the split line that take hold of it
+constexpr double kOrbitDegrees = 200, kTurnHeadDegrees = 90; ///< for a drag over the whole height of the picture
+constexpr double kWheelFactor = 0.88;
+
+float splitLineX(const Desk& desk, const Area& area) {
+    return std::round(static_cast<float>(area.corner.x) +
+                      static_cast<float>(desk.bench.document().split) * static_cast<float>(area.size.x));
+}
+
+bool hasSplitLine(const Desk& desk) { return desk.bench.document().layout == Layout::split && !desk.shown.blink; }
+
+ImVec2 imVec(ivec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+
+std::string titleOf(const Desk& desk, int pane) {
+    const session::PaneState& state = desk.bench.document().panes[static_cast<std::size_t>(pane)];
+    const session::Pane& drawn = desk.bench.pane(pane);
+    std::string title(findTechnique(state.technique).title);
+    if (!drawn.picture().caption.empty() && !state.stage.empty()) title += "\n" + drawn.picture().caption;
+    return title;
+}
+
+void drawPlate(ImDrawList& list, ImVec2 corner, const std::string& text, const Theme& theme, ImFont* font,
+               bool active) {
+    const float pad = theme.em * 0.4f;
+    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
+    list.AddRectFilled(corner, {corner.x + size.x + 2 * pad, corner.y + size.y + 2 * pad}, kPlateColor);
+    if (active)
+        list.AddRectFilled(corner, {corner.x + std::max(3.0f, theme.em * 0.2f), corner.y + size.y + 2 * pad}, kAccent);
+    list.AddText(font, font->FontSize, {corner.x + pad + theme.em * 0.2f, corner.y + pad}, kPlateText, text.c_str());
+}
+
+/// The picture of a size of its own, a light's view of the scene, as large as fits, in the middle.
+void drawFitted(ImDrawList& list, const gl::Texture2D& texture, const Area& area) {
+    const ImVec2 size = imVec(texture.size());
+    const float scale = std::min(static_cast<float>(area.size.x) / size.x, static_cast<float>(area.size.y) / size.y);
+    const ImVec2 shown(size.x * scale, size.y * scale);
+    const ImVec2 corner(
+        std::round(static_cast<float>(area.corner.x) + (static_cast<float>(area.size.x) - shown.x) / 2),
+        std::round(static_cast<float>(area.corner.y) + (static_cast<float>(area.size.y) - shown.y) / 2));
+    list.AddImage(imguiTexture(texture), corner, {corner.x + shown.x, corner.y + shown.y}, {0, 1}, {1, 0});
+}
+
+void drawPane(ImDrawList& list, const Desk& desk, const ShownPane& shown, const Theme& theme) {
+    const session::Pane& pane = desk.bench.pane(shown.pane);
+    const ImVec2 low = imVec(shown.area.corner), high = imVec(shown.area.corner + shown.area.size);
+    list.PushClipRect(low, high, true);
+    list.AddRectFilled(low, high, IM_COL32(12, 12, 14, 255));
+    if (const gl::Texture2D& texture = pane.picture().texture) {
+        const ivec2 drawn = pane.drawnFor().view.size;
+        if (texture.size() == drawn)
+            list.AddImage(imguiTexture(texture), shown.pictureCorner,
+                          {shown.pictureCorner.x + shown.pictureSize.x, shown.pictureCorner.y + shown.pictureSize.y},
+                          {0, 1}, {1, 0});
+        else
+            drawFitted(list, texture, shown.area);
+    }
+    const bool active = shown.pane == desk.bench.document().active && desk.bench.document().layout != Layout::single;
+    drawPlate(list, low, titleOf(desk, shown.pane), theme, theme.heading, active);
+    drawLegend(list, pane.picture(), shown.area.corner, shown.area.size, theme);
+
+    std::string note;
+    if (!pane.failure().empty())
+        note = pane.failure();
+    else if (pane.progress() < 1)
+        note = "preparing: " + std::to_string(static_cast<int>(100 * pane.progress())) + " %";
+    else if (desk.bench.draft() > 1)
+        note = "moving: every " + std::to_string(desk.bench.draft()) + "nd pixel";
+    if (!note.empty()) {
+        const float width = static_cast<float>(shown.area.size.x) - 2 * theme.em;
+        const ImVec2 size = theme.text->CalcTextSizeA(theme.em, FLT_MAX, width, note.c_str());
+        const ImVec2 corner(low.x + theme.em, (low.y + high.y - size.y) / 2);
+        list.AddRectFilled({corner.x - theme.em / 2, corner.y - theme.em / 2},
+                           {corner.x + size.x + theme.em / 2, corner.y + size.y + theme.em / 2}, kPlateColor);
+        list.AddText(theme.text, theme.em, corner, pane.failure().empty() ? kPlateText : kAccent, note.c_str(), nullptr,
+                     width);
+    }
+    list.PopClipRect();
+}
+
+void drawSplitLine(ImDrawList& list, const Desk& desk, const Area& area, const Theme& theme) {
+    const float x = splitLineX(desk, area), top = static_cast<float>(area.corner.y),
+                bottom = top + static_cast<float>(area.size.y), middle = (top + bottom) / 2;
+    // A dark line and a light one: one of them is seen on any picture.
+    list.AddRectFilled({x - 2, top}, {x, bottom}, IM_COL32(16, 16, 18, 255));
+    list.AddRectFilled({x, top}, {x + 2, bottom}, kPlateText);
+    const float r = theme.em * 0.55f;
+    list.AddCircleFilled({x, middle}, r + 2, IM_COL32(16, 16, 18, 255));
+    list.AddCircleFilled({x, middle}, r, kPlateText);
+    list.AddTriangleFilled({x - r * 0.7f, middle}, {x - r * 0.15f, middle - r * 0.45f},
+                           {x - r * 0.15f, middle + r * 0.45f}, IM_COL32(16, 16, 18, 255));
+    list.AddTriangleFilled({x + r * 0.7f, middle}, {x + r * 0.15f, middle - r * 0.45f},
+                           {x + r * 0.15f, middle + r * 0.45f}, IM_COL32(16, 16, 18, 255));
+}
+
+} // namespace
+
+std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double seconds) {
+    std::vector<ShownPane> panes;
+    for (const session::PlacedPane& placed : desk.bench.placed(area.size)) {
+        const session::Cell& cell = placed.cell;
+        ShownPane shown;
+        shown.pane = placed.pane;
+        shown.area = {area.corner + ivec2(cell.x, cell.y), {cell.width, cell.height}};
+        shown.pictureCorner = imVec(shown.area.corner - ivec2(cell.cropX, 0));
+        shown.pictureSize = imVec(cell.pictureSize);
+        panes.push_back(shown);
+    }
+    if (desk.shown.blink && panes.size() >= 2) {
+        const int turn = static_cast<int>(seconds / kBlinkSeconds) % 2;
+        ShownPane shown = panes[static_cast<std::size_t>(turn)];
+        shown.area = area;
+        shown.pictureCorner = imVec(area.corner);
+        shown.pictureSize = imVec(area.size);
+        return {shown};
+    }
+    return panes;
+}
+
+void drawPictures(Desk& desk, const std::vector<ShownPane>& panes, const Area& area, const Theme& theme) {
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    for (const ShownPane& pane : panes)
+        drawPane(list, desk, pane, theme);
+    for (const ShownPane& pane : panes) { // the lines between panes of the grid
+        if (hasSplitLine(desk)) break;
+        const ImVec2 low = imVec(pane.area.corner);
+        if (pane.area.corner.x > area.corner.x)
+            list.AddLine(low, {low.x, low.y + static_cast<float>(pane.area.size.y)}, kPlateText, 2);
+        if (pane.area.corner.y > area.corner.y)
+            list.AddLine(low, {low.x + static_cast<float>(pane.area.size.x), low.y}, kPlateText, 2);
+    }
+    if (hasSplitLine(desk)) drawSplitLine(list, desk, area, theme);
+}
+
+bool handleMouse(Desk& desk, const std::vector<ShownPane>& panes, const Area& area, const Theme& theme) {
+    const ImGuiIO& io = ImGui::GetIO();
+    static_assert(ImGuiMouseButton_Left == 0);
+    const bool over = area.contains(io.MousePos) && !io.WantCaptureMouse;
+    const float lineX = splitLineX(desk, area);
+    const bool onLine = over && hasSplitLine(desk) && std::abs(io.MousePos.x - lineX) <= kLineGrip * theme.em;
+    if (onLine) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+
+    if (over && (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2))) {
+        desk.drag = onLine && ImGui::IsMouseClicked(0) ? Drag::splitLine : Drag::camera;
+        if (desk.drag == Drag::camera)
+            for (const ShownPane& pane : panes)
+                if (pane.area.contains(io.MousePos)) desk.bench.activate(pane.pane);
+    }
+    if (!ImGui::IsMouseDown(0) && !ImGui::IsMouseDown(1) && !ImGui::IsMouseDown(2) &&
+        (desk.drag == Drag::camera || desk.drag == Drag::splitLine)) {
+        desk.drag = Drag::none;
+        desk.bench.endGesture();
+    }
+
+    const double height = std::max(1, area.size.y), right = io.MouseDelta.x / height, down = io.MouseDelta.y / height;
+    bool moved = false;
+    if (desk.drag == Drag::splitLine) {
+        const double share = (io.MousePos.x - static_cast<float>(area.corner.x)) / std::max(1, area.size.x);
+        desk.bench.change("split", [&](session::Document& document) { document.split = std::clamp(share, 0.0, 1.0); });
+        moved = io.MouseDelta.x != 0;
+    } else if (desk.drag == Drag::camera && (right != 0 || down != 0)) {
+        moved = true;
+        const bool pan = ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(0) && io.KeyShift);
+        moveCamera(desk, [&](const scene::Camera& camera) {
+            if (ImGui::IsMouseDown(1))
+                return session::turnedHead(camera, right * kTurnHeadDegrees, -down * kTurnHeadDegrees);
+            if (pan) return session::panned(camera, right, -down);
+            return session::orbited(camera, -right * kOrbitDegrees, down * kOrbitDegrees);
+        });
+    }
+    if (desk.drag == Drag::camera && ImGui::IsMouseDown(1)) { // fly, as long as the right button is down
+        const auto pressed = [](int key) { return ImGui::IsKeyDown(key) ? 1.0 : 0.0; };
+        const double step = io.DeltaTime * (io.KeyShift ? 2.0 : 0.5);
+        const double x = pressed(GLFW_KEY_D) - pressed(GLFW_KEY_A), y = pressed(GLFW_KEY_E) - pressed(GLFW_KEY_Q),
+                     z = pressed(GLFW_KEY_W) - pressed(GLFW_KEY_S);
+        if (x != 0 || y != 0 || z != 0) {
+            moved = true;
+            moveCamera(desk, [&](const scene::Camera& camera) {
+                const double metres = step * session::targetDistance(camera);
+                return session::flown(camera, x * metres, y * metres, z * metres);
+            });
+        }
+    }
+    if (over && io.MouseWheel != 0) {
+        moved = true;
+        moveCamera(desk, [&](const scene::Camera& camera) {
+            return session::zoomed(camera, std::pow(kWheelFactor, io.MouseWheel));
+        });
+    }
+    return moved || desk.drag != Drag::none;
+}
+
+} // namespace shadowlab::ui

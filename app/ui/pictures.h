@@ -1,0 +1,36 @@
+// The picture area: the panes' pictures with their titles and legends, the split line, and what the mouse does there.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "app/ui/desk.h"
+#include "app/ui/theme.h"
+
+namespace shadowlab::ui {
+
+/// A rectangle of the window, in pixels from its upper left corner.
+struct Area {
+    ivec2 corner{0}, size{0};
+    [[nodiscard]] bool contains(ImVec2 point) const {
+        return point.x >= static_cast<float>(corner.x) && point.y >= static_cast<float>(corner.y) &&
+               point.x < static_cast<float>(corner.x + size.x) && point.y < static_cast<float>(corner.y + size.y);
+    }
+};
+
+/// Where one pane's picture lies in the window.
+struct ShownPane {
+    int pane = 0;
+    Area area;            ///< what is seen of it
+    ImVec2 pictureCorner; ///< of the whole picture, which may reach beyond the area
+    ImVec2 pictureSize;
+};
+
+/// The panes that are seen now: those of the layout, or of two that take turns the one whose turn it is.
+std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double seconds);
+
+/// Draws pictures, titles, legends and the split line, behind all widgets.
+void drawPictures(Desk& desk, const std::vector<ShownPane>& panes, const Area& area, const Theme& theme);
+
+/// What the mouse does over the pictures: orbit, pan, zoom, fly, drag the split line, choose the active pane. True while
+/// it moves something.
+bool handleMouse(Desk& desk, const std::vector<ShownPane>& panes, const Area& area, const Theme& theme);
+
+} // namespace shadowlab::ui

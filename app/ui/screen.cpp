@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "app/ui/screen.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/ui/actions.h"
+#include "app/ui/gizmo.h"
+#include "app/ui/magnifier.h"
+#include "app/ui/panels.h"
+#include "app/ui/strip_panel.h"
+
+namespace shadowlab::ui {
+
+namespace {
+
+// How long the drawing of one frame may take before it goes on in the next: hands wait a tenth of a second at most.
+constexpr auto kPatience = std::chrono::milliseconds(60);
+
+float panelWidth(const Theme& theme, int windowWidth) {
+    return std::round(std::min(theme.em * 23, static_cast<float>(windowWidth) * 0.36f));
+}
+
+} // namespace
+
+void Screen::ContextDeleter::operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
+
+Screen::Screen(Desk& desk, std::filesystem::path fontFile)
+    : desk_(desk), fontFile_(std::move(fontFile)), imgui_(ImGui::CreateContext()) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr; // what is kept between runs is our own business
+    io.LogFilename = nullptr;
+    io.MouseDragThreshold = 2;
+    renderer_ = std::make_unique<WidgetRenderer>();
+}
+
+Screen::~Screen() = default;
+
+void Screen::fit(ivec2 windowPixels, float contentScale) {
+    ImGui::GetIO().DisplaySize = {static_cast<float>(windowPixels.x), static_cast<float>(windowPixels.y)};
+    if (windowPixels.x < 1 || windowPixels.y < 1) {
+        size_ = ivec2(0);
+        return;
+    }
+    const float em = typeSize(windowPixels, contentScale, desk_.shown.presenter);
+    if (em != theme_.em || desk_.shown.presenter != theme_.presenter || !theme_.text) {
+        theme_ = applyTheme(em, desk_.shown.presenter, fontFile_);
+        renderer_->uploadFonts();
+    }
+    if (windowPixels == size_) return;
+    size_ = windowPixels;
+    framebuffer_ = {};
+    picture_ = gl::Texture2D(GL_RGBA8, size_, "window");
+    framebuffer_ = gl::Framebuffer(&picture_, nullptr, "window");
+}
+
+Area Screen::pictureArea() const {
+    const auto top = static_cast<int>(topBarHeight(desk_, theme_, static_cast<float>(size_.x)));
+    const int right = desk_.shown.panel ? static_cast<int>(panelWidth(theme_, size_.x)) : 0;
+    const int width = std::max(0, size_.x - right);
+    const auto bottom = static_cast<int>(stepPanelHeight(desk_, theme_, static_cast<float>(width)) +
+                                         (desk_.shown.strip ? stripHeight(theme_) : 0));
+    return {{0, top}, glm::max(ivec2(0), ivec2(width, size_.y - top - bottom))};
+}
+
+bool Screen::frame(double seconds) {
+    ran_.clear();
+    if (size_.x < 1 || size_.y < 1) return false;
+    clock_ += seconds;
+    ImGuiIO& io = ImGui::GetIO();
+    io.DeltaTime = static_cast<float>(std::max(seconds, 1e-5));
+    if (desk_.panelHasKeys)
+        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    else
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    ImGui::NewFrame();
+    ran_ = runKeys(desk_);
+
+    const Area area = pictureArea();
+    const std::vector<ShownPane> panes = shownPanes(desk_, area, clock_);
+    const bool held = handleGizmos(desk_, panes, theme_);
+    const bool moved = handleMouse(desk_, panes, area, theme_) || held;
+    desk_.bench.setMoving(moved);
+    desk_.restSeconds = moved ? 0 : desk_.restSeconds + seconds;
+    desk_.bench.drawWhole(desk_.shown.magnifier || desk_.shown.blink);
+    desk_.bench.advance(seconds);
+    const bool drawn = desk_.bench.update(area.size, std::chrono::steady_clock::now() + kPatience);
+    const bool small = updateStrip();
+    settled_ = !drawn && !moved && !small && ran_.empty() && desk_.bench.isAtRest();
+
+    drawPictures(desk_, panes, area, theme_);
+    drawMagnifiers(desk_, panes, theme_);
+    drawWidgets();
+    drawMessages(area);
+    desk_.requests.focusPanel = false;
+    ImGui::Render();
+
+    framebuffer_.bind();
+    glDisable(GL_SCISSOR_TEST);
+    glClearColor(0.03f, 0.03f, 0.035f, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    renderer_->draw(*ImGui::GetDrawData(), framebuffer_);
+    return true;
+}
+
+bool Screen::updateStrip() {
+    if (!desk_.shown.strip || !desk_.bench.isAtRest()) return false;
+    session::PlacedPane active;
+    active.pane = desk_.bench.document().active;
+    try {
+        return strip_.update(desk_.bench.session(), desk_.bench.encoder(), desk_.bench.requestFor(active),
+                             thumbnailSize(theme_));
+    } catch (const std::exception& fault) {
+        complain(fault.what());
+        return false;
+    }
+}
+
+void Screen::drawWidgets() {
+    const Area pictures = pictureArea();
+    const int top = pictures.corner.y;
+    topBar(desk_, {{0, 0}, {size_.x, top}}, theme_);
+    if (desk_.shown.panel)
+        sidePanel(desk_, {{pictures.size.x, top}, {size_.x - pictures.size.x, size_.y - top}}, theme_);
+    int below = pictures.corner.y + pictures.size.y;
+    if (isStepping(desk_)) {
+        const auto height = static_cast<int>(stepPanelHeight(desk_, theme_, static_cast<float>(pictures.size.x)));
+        stepPanel(desk_, {{0, below}, {pictures.size.x, height}}, theme_);
+        below += height;
+    }
+    if (desk_.shown.strip) stripPanel(desk_, strip_, {{0, below}, {pictures.size.x, size_.y - below}}, theme_);
+    if (desk_.shown.keys) keyOverlay(desk_, size_, theme_);
+}
+
+void Screen::complain(const std::string& fault) {
+    for (const Message& message : messages_)
+        if (message.text == fault) return;
+    messages_.push_back({fault, true, 0});
+}
+
+void Screen::withdraw(const std::string& beginning) {
+    std::erase_if(messages_, [&](const Message& message) { return message.text.starts_with(beginning); });
+}
+
+void Screen::drawMessages(const Area& pictures) {
+    std::erase_if(messages_, [&](const Message& message) { return !message.fault && clock_ > message.untilSeconds; });
+    float y = static_cast<float>(pictures.corner.y) + theme_.em * 3;
+    int number = 0;
+    for (auto message = messages_.begin(); message != messages_.end();) {
+        const float width = std::min(static_cast<float>(size_.x) * 0.8f, theme_.em * 60);
+        ImGui::SetNextWindowPos(
+            {(static_cast<float>(pictures.size.x) - std::min(width, static_cast<float>(pictures.size.x))) / 2, y});
+        ImGui::SetNextWindowSize({std::min(width, static_cast<float>(pictures.size.x)), 0});
+        ImGui::PushStyleColor(ImGuiCol_Border, message->fault ? kWarning : kPlateText);
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2);
+        ImGui::Begin(("message" + std::to_string(number++)).c_str(), nullptr,
+                     ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                         ImGuiWindowFlags_NoNav);
+        ImGui::PushTextWrapPos(0);
+        if (message->fault)
+            ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", message->text.c_str());
+        else
+            ImGui::TextUnformatted(message->text.c_str());
+        ImGui::PopTextWrapPos();
+        const bool away = message->fault && ImGui::Button("Close");
+        y += ImGui::GetWindowHeight() + theme_.em * 0.5f;
+        ImGui::End();
+        ImGui::PopStyleVar();
+        ImGui::PopStyleColor();
+        message = away ? messages_.erase(message) : message + 1;
+    }
+}
+
+} // namespace shadowlab::ui

@@ -1,0 +1,83 @@
+// Everything that is seen in the window, drawn into a framebuffer of our own: pictures, widgets, messages. A window shows
+// it, a headless capture writes it down; the bytes are the same.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/session/stage_strip.h"
+#include "app/ui/desk.h"
+#include "app/ui/pictures.h"
+#include "app/ui/theme.h"
+#include "app/ui/widget_renderer.h"
+
+struct ImGuiContext;
+
+namespace shadowlab::ui {
+
+/// A sentence over the pictures. Faults stay until they are clicked away or mended, news go by themselves.
+struct Message {
+    std::string text;
+    bool fault = false;
+    double untilSeconds = 0; ///< on the screen's clock; faults ignore it
+};
+
+class Screen {
+public:
+    /// Needs a current GL context for its whole life. `fontFile` is DejaVu Sans.
+    Screen(Desk& desk, std::filesystem::path fontFile);
+    ~Screen();
+    Screen(const Screen&) = delete;
+    Screen& operator=(const Screen&) = delete;
+
+    /// Before ImGui's own input is fed: makes type and framebuffer fit a window of that many pixels on a screen of that
+    /// scale. A size of zero is a window that is not seen; nothing is drawn then.
+    void fit(ivec2 windowPixels, float contentScale);
+
+    /// One frame: keys and mouse as ImGui has them, the pictures that have changed, the widgets. `seconds` is the time
+    /// since the last frame. Returns false when there was nothing to draw to.
+    bool frame(double seconds);
+
+    [[nodiscard]] const gl::Framebuffer& framebuffer() const { return framebuffer_; }
+    [[nodiscard]] const gl::Texture2D& picture() const { return picture_; }
+    /// Pixels of the picture area: what a capture of the pictures alone has.
+    [[nodiscard]] ivec2 pictureSize() const { return pictureArea().size; }
+    /// Would the next frame look just like this one, if no hand moves and no time goes by?
+    [[nodiscard]] bool isSettled() const { return settled_; }
+    /// The ids of the actions that keys have run in the last frame.
+    [[nodiscard]] const std::vector<std::string>& ran() const { return ran_; }
+
+    void say(const std::string& news) { messages_.push_back({news, false, clock_ + 6}); }
+    void complain(const std::string& fault);
+    [[nodiscard]] const std::vector<Message>& messages() const { return messages_; }
+    /// Takes back a fault that has been mended.
+    void withdraw(const std::string& beginning);
+
+private:
+    void drawMessages(const Area& pictures);
+    void drawWidgets();
+    [[nodiscard]] Area pictureArea() const;
+    /// Small pictures wait until nothing moves: they must not slow down what does.
+    bool updateStrip();
+
+    Desk& desk_;
+    std::filesystem::path fontFile_;
+    struct ContextDeleter {
+        void operator()(ImGuiContext* context) const;
+    };
+    std::unique_ptr<ImGuiContext, ContextDeleter> imgui_;
+    std::unique_ptr<WidgetRenderer> renderer_;
+    Theme theme_;
+    session::StageStrip strip_;
+    gl::Texture2D picture_;
+    gl::Framebuffer framebuffer_;
+    ivec2 size_{0};
+    std::vector<Message> messages_;
+    std::vector<std::string> ran_;
+    double clock_ = 0;
+    bool settled_ = false;
+};
+
+} // namespace shadowlab::ui

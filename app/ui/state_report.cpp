@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "app/ui/state_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/session/capture_words.h"
+#include "techniques/foundation/gl/handle.h"
+
+namespace shadowlab::ui {
+
+namespace {
+
+nlohmann::ordered_json numbers(const dvec3& v) { return {v.x, v.y, v.z}; }
+
+nlohmann::ordered_json cameraJson(const scene::Camera& camera) {
+    return {{"position", numbers(camera.positionWorld)}, {"target", numbers(camera.targetWorld)}};
+}
+
+} // namespace
+
+std::string stateReport(const Desk& desk, const Screen& screen) {
+    const session::Document& document = desk.bench.document();
+    nlohmann::ordered_json json;
+    json["ran"] = screen.ran();
+    json["settled"] = screen.isSettled();
+    json["scene"] = document.sceneName;
+    json["layout"] = session::layoutName(document.layout);
+    json["split"] = document.split;
+    json["active"] = document.active + 1;
+    json["light"] = document.light;
+    json["panes"] = nlohmann::ordered_json::array();
+    for (int i = 0; i < session::kPanes; ++i) {
+        const session::PaneState& state = document.panes[static_cast<std::size_t>(i)];
+        const session::Pane& pane = desk.bench.pane(i);
+        json["panes"].push_back({{"technique", state.technique},
+                                 {"stage", state.stage},
+                                 {"settings", state.values()},
+                                 {"frameMs", pane.rendered().frameMs},
+                                 {"fault", pane.failure()}});
+    }
+    json["camera"] = cameraJson(document.camera);
+    json["outsideCamera"] = cameraJson(document.outsideCamera);
+    const scene::Scene& scene = *desk.bench.shownScene();
+    json["lights"] = nlohmann::ordered_json::array();
+    for (const scene::Light& light : scene.lights)
+        json["lights"].push_back({{"name", light.name},
+                                  {"position", numbers(light.positionWorld)},
+                                  {"direction", numbers(light.directionWorld)}});
+    using Kind = session::Selection::Kind;
+    const auto index = static_cast<std::size_t>(desk.selection.index);
+    json["selection"] = desk.selection.kind == Kind::light    ? scene.lights[index].name
+                        : desk.selection.kind == Kind::object ? scene.objects[index].name
+                                                              : std::string();
+    json["playing"] = desk.bench.animation().playing;
+    json["speed"] = desk.bench.animation().speed;
+    const Shown& shown = desk.shown;
+    json["shown"] = {{"keys", shown.keys},       {"panel", shown.panel},
+                     {"strip", shown.strip},     {"magnifier", shown.magnifier},
+                     {"blink", shown.blink},     {"presenter", shown.presenter},
+                     {"handles", shown.handles}, {"panelHasKeys", desk.panelHasKeys}};
+    json["canUndo"] = desk.bench.history().canUndo();
+    json["canRedo"] = desk.bench.history().canRedo();
+    json["draft"] = desk.bench.draft();
+    json["messages"] = nlohmann::ordered_json::array();
+    for (const Message& message : screen.messages())
+        json["messages"].push_back(message.text);
+    const ivec2 size = screen.framebuffer().size();
+    json["size"] = {size.x, size.y};
+    json["glObjects"] = gl::liveObjects;
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+} // namespace shadowlab::ui

@@ -1,0 +1,36 @@
+// Draws what Dear ImGui has laid out, through the project's own GL layer: the same bytes on every context, OSMesa among
+// them, whose functions the packaged GL backend cannot find.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <imgui.h>
+
+#include "techniques/foundation/gl/framebuffer.h"
+#include "techniques/foundation/gl/program.h"
+
+namespace shadowlab::ui {
+
+/// The number under which ImGui knows a texture of ours, and back.
+inline ImTextureID imguiTexture(const gl::Texture2D& texture) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
+}
+
+class WidgetRenderer {
+public:
+    /// Needs a current GL context and a current ImGui context, for their whole life.
+    WidgetRenderer();
+
+    /// Puts the letters of all fonts into a texture; call again when fonts have changed.
+    void uploadFonts();
+
+    /// Draws into `target`, which is as large as the draw data's display: one unit of ImGui is one pixel.
+    void draw(const ImDrawData& data, const gl::Framebuffer& target) const;
+
+private:
+    void bindState(const ImDrawData& data, const gl::Framebuffer& target) const;
+    gl::Program program_;
+    gl::VertexArrayHandle vertexArray_;
+    gl::BufferHandle vertices_, indices_;
+    gl::TextureHandle letters_;
+};
+
+} // namespace shadowlab::ui

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: MIT
+#include "app/ui/window.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include <imgui.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+
+#include "app/context/signals.h"
+#include "app/context/window_context.h"
+#include "app/session/assets.h"
+#include "app/session/capture_words.h"
+#include "app/session/own_program.h"
+#include "app/session/scene_loader.h"
+#include "app/session/shader_watch.h"
+#include "app/session/window_settings.h"
+#include "app/ui/screen.h"
+#include "app/ui/state_report.h"
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/gl/debug.h"
+#include "techniques/foundation/image/output_file.h"
+
+namespace shadowlab::ui {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Frames that follow one in which something happened: ImGui needs two to lay out what has changed.
+constexpr int kFramesAfter = 3;
+/// How long a window sleeps in which nothing happens, between looks at files and loaders.
+constexpr double kIdleSeconds = 0.1;
+
+class Window {
+public:
+    Window(const WindowSettings& settings, const scene::LoadOptions& loading)
+        : settings_(settings), loading_(loading),
+          memory_(settings.keepSettings ? session::readWindowMemory(session::windowMemoryFile())
+                                        : session::WindowMemory{}),
+          loader_(loading) {
+        const scene::Snapshot first = scene::loadScene(settings.scene, loading); // before a window flashes up
+        const ivec2 size = settings.size.x > 0 ? settings.size : memory_.size;
+        context_ = context::createWindowContext(
+            {.width = size.x, .height = size.y, .title = "Shadowlab", .visible = true, .debug = false});
+        window_ = context::glfwWindow(*context_);
+        glfwSwapInterval(1);
+        desk_.emplace(session::newDocument(first, settings.scene));
+        desk_->scenes = scene::builtInScenes(session::assetsRoot());
+        desk_->shown.panel = memory_.panel;
+        desk_->shown.strip = memory_.strip;
+        desk_->shown.handles = memory_.handles;
+        if (settings.presenter && !memory_.presenter) togglePresenter(*desk_);
+        desk_->shown.presenter = desk_->shown.presenter || memory_.presenter;
+        screen_.emplace(*desk_, session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+        glfwSetWindowUserPointer(window_, this);
+        glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+            static_cast<Window*>(glfwGetWindowUserPointer(window))->drop(count, paths);
+        });
+        glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
+            static_cast<Window*>(glfwGetWindowUserPointer(window))->press(key, scancode, action, modifiers);
+        });
+        ImGui_ImplGlfw_InitForOpenGL(window_, true); // it calls what was set before it
+    }
+    ~Window() { ImGui_ImplGlfw_Shutdown(); }
+    Window(const Window&) = delete;
+    Window& operator=(const Window&) = delete;
+
+    int run() {
+        Clock::time_point last = Clock::now();
+        int busy = kFramesAfter;
+        while (!glfwWindowShouldClose(window_) && !desk_->requests.quit) {
+            context::throwIfInterrupted();
+            if (busy > 0)
+                glfwPollEvents();
+            else
+                glfwWaitEventsTimeout(kIdleSeconds);
+            if (takeWhatArrived()) busy = kFramesAfter;
+            const Clock::time_point now = Clock::now();
+            const double seconds = std::min(0.25, std::chrono::duration<double>(now - last).count());
+            last = now;
+            if (!showFrame(seconds)) {
+                busy = 0; // minimised: nothing to draw to
+                continue;
+            }
+            busy = screen_->isSettled() && !desk_->shown.blink ? std::max(0, busy - 1) : kFramesAfter;
+            doRequests();
+        }
+        keepMemory();
+        return 0;
+    }
+
+private:
+    bool showFrame(double seconds) {
+        ImGui_ImplGlfw_NewFrame();
+        ivec2 pixels(0), points(0);
+        glfwGetFramebufferSize(window_, &pixels.x, &pixels.y);
+        glfwGetWindowSize(window_, &points.x, &points.y);
+        float scale = 1, scaleY = 1;
+        glfwGetWindowContentScale(window_, &scale, &scaleY);
+        ImGuiIO& io = ImGui::GetIO();
+        if (points.x > 0 && points.x != pixels.x && io.MousePos.x > -1e30f) { // window coordinates are not pixels
+            io.MousePos.x *= static_cast<float>(pixels.x) / static_cast<float>(points.x);
+            io.MousePos.y *= static_cast<float>(pixels.y) / static_cast<float>(points.y);
+        }
+        io.DisplayFramebufferScale = {1, 1};
+        screen_->fit(pixels, scale);
+        if (!screen_->frame(seconds)) return false;
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, screen_->framebuffer().id());
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        glDisable(GL_SCISSOR_TEST);
+        glBlitFramebuffer(0, 0, pixels.x, pixels.y, 0, 0, pixels.x, pixels.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        glfwSwapBuffers(window_);
+        gl::check("window");
+        report();
+        return true;
+    }
+
+    void report() {
+        if (!settings_.report) return;
+        const std::string state = stateReport(*desk_, *screen_);
+        if (state == reported_) return;
+        reported_ = state;
+        std::printf("%s\n", state.c_str());
+        std::fflush(stdout);
+    }
+
+    /// What others have finished meanwhile. True if there was anything.
+    bool takeWhatArrived() {
+        bool any = false;
+        if (const auto loaded = loader_.take()) {
+            any = true;
+            screen_->withdraw("loading ");
+            if (loaded->scene) {
+                desk_->selection = {};
+                desk_->bench.showScene(loaded->scene, loaded->nameOrPath);
+                for (const std::string& note : loaded->scene->notes)
+                    screen_->say(note);
+            } else {
+                screen_->complain(loaded->fault);
+            }
+        }
+        if (const auto ended = program_.take()) {
+            any = true;
+            screen_->withdraw("saving ");
+            if (ended->status == 0)
+                screen_->say("saved " + ended->words[3] + " and beside it the scene and the command line");
+            else
+                screen_->complain("the picture was not saved: " + ended->message);
+        }
+        if (watch_.changed()) {
+            any = true;
+            desk_->requests.reloadShaders = true;
+        }
+        return any;
+    }
+
+    void doRequests() {
+        Requests& requests = desk_->requests;
+        if (!requests.scene.empty()) {
+            loader_.begin(requests.scene);
+            screen_->say("loading " + requests.scene);
+            requests.scene.clear();
+        }
+        if (std::exchange(requests.saveScene, false)) saveScene();
+        if (std::exchange(requests.screenshot, false)) saveScreenshot();
+        if (std::exchange(requests.fullScreen, false)) toggleFullScreen();
+        if (std::exchange(requests.reloadShaders, false)) {
+            gl::reloadShaders();
+            desk_->bench.drawAnew();
+            shadersReloaded_ = true;
+        } else if (std::exchange(shadersReloaded_, false)) {
+            // By now every program on show was compiled again.
+            const std::vector<std::string> faults = gl::takeShaderFaults();
+            for (const std::string& fault : shaderFaults_)
+                screen_->withdraw(fault);
+            shaderFaults_ = faults;
+            for (const std::string& fault : faults)
+                screen_->complain(fault);
+            if (faults.empty()) screen_->say("shaders compiled");
+        }
+    }
+
+    /// "still-life-3" in the current folder: the first number under which nothing is there yet.
+    [[nodiscard]] std::filesystem::path freeName(const std::vector<std::string>& endings) const {
+        const std::string stem = desk_->bench.shownScene()->name;
+        for (int number = 1;; ++number) {
+            const std::filesystem::path path = std::filesystem::current_path() / (stem + "-" + std::to_string(number));
+            const bool taken = std::ranges::any_of(endings, [&](const std::string& ending) {
+                std::error_code ignored;
+                return std::filesystem::exists(path.string() + ending, ignored);
+            });
+            if (!taken) return path;
+        }
+    }
+
+    void saveScene() {
+        try {
+            const std::filesystem::path file = freeName({".json"}).string() + ".json";
+            screen_->say("saved " + file.string());
+        } catch (const std::exception& fault) {
+            screen_->complain(fault.what());
+        }
+    }
+
+    void saveScreenshot() {
+        try {
+            const std::string stem = freeName({".json", ".png", ".txt"}).string();
+            std::vector<std::string> words =
+                session::captureWords(desk_->bench.document(), stem + ".json", stem + ".png", screen_->pictureSize());
+            image::writeWhole(stem + ".txt", "shadowlab " + session::asCommandLine(words) + "\n");
+            screen_->say("saving " + stem + ".png");
+            program_.start(std::move(words));
+        } catch (const std::exception& fault) {
+            screen_->complain(fault.what());
+        }
+    }
+
+    void toggleFullScreen() {
+        if (glfwGetWindowMonitor(window_)) {
+            glfwSetWindowMonitor(window_, nullptr, place_.x, place_.y, windowed_.x, windowed_.y, GLFW_DONT_CARE);
+            return;
+        }
+        GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+        const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+        if (!mode) return;
+        glfwGetWindowPos(window_, &place_.x, &place_.y);
+        glfwGetWindowSize(window_, &windowed_.x, &windowed_.y);
+        glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+
+    void press(int key, int scancode, int action, int modifiers) {
+        if (action == GLFW_RELEASE) return;
+        // GLFW numbers keys by their place on an American keyboard; what is printed on them is meant.
+        const char* const printed = glfwGetKeyName(key, scancode);
+        if (printed && printed[0] != 0 && printed[1] == 0) {
+            const char c = printed[0];
+            key = c >= 'a' && c <= 'z' ? GLFW_KEY_A + (c - 'a') : c == '+' ? GLFW_KEY_EQUAL : c;
+        }
+        KeyPress press{key, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0,
+                       (modifiers & GLFW_MOD_ALT) != 0, action == GLFW_REPEAT};
+        if (key == GLFW_KEY_EQUAL) press.shift = false; // where it takes Shift to write a plus
+        if (key == GLFW_KEY_KP_ENTER) press.key = GLFW_KEY_ENTER;
+        desk_->keys.push_back(press);
+    }
+
+    void drop(int count, const char** paths) {
+        for (int i = 0; i < count; ++i) {
+            const std::filesystem::path path = std::filesystem::absolute(paths[i]);
+            const std::string ending = path.extension().string();
+            if (ending == ".json" || ending == ".obj")
+                desk_->requests.scene = path.string();
+            else
+                screen_->complain(path.string() + ": neither a .json scene nor an .obj mesh; drop one of these");
+        }
+    }
+
+    void keepMemory() {
+        if (!settings_.keepSettings) return;
+        session::WindowMemory memory = memory_;
+        if (!glfwGetWindowMonitor(window_)) glfwGetWindowSize(window_, &memory.size.x, &memory.size.y);
+        memory.panel = desk_->shown.panel;
+        memory.strip = desk_->shown.strip;
+        memory.handles = desk_->shown.handles;
+        memory.presenter = desk_->shown.presenter;
+        const std::filesystem::path file = session::windowMemoryFile();
+        if (memory == memory_ || file.empty()) return;
+        try {
+            session::writeWindowMemory(file, memory);
+        } catch (const Error&) {
+            // The next run begins as this one did; that is no failure of this one.
+        }
+    }
+
+    const WindowSettings& settings_;
+    const scene::LoadOptions& loading_;
+    session::WindowMemory memory_;
+    std::unique_ptr<context::Context> context_; ///< before all that lives in it
+    GLFWwindow* window_ = nullptr;
+    std::optional<Desk> desk_;
+    std::optional<Screen> screen_;
+    session::SceneLoader loader_;
+    session::OwnProgram program_;
+    session::ShaderWatch watch_;
+    std::vector<std::string> shaderFaults_;
+    bool shadersReloaded_ = false;
+    std::string reported_;
+    ivec2 place_{0}, windowed_{1280, 720}; ///< of the window before it filled the screen
+};
+
+} // namespace
+
+int runWindow(const WindowSettings& settings, const scene::LoadOptions& loading) {
+    return Window(settings, loading).run();
+}
+
+} // namespace shadowlab::ui
