@@ -68,14 +68,14 @@ private:
 };
 
 /// Squared distance to the nearest edge, for every corner, edge and centre of the pixels: (2 width + 1) x (2 height + 1).
-Grid<Squared> squaredDistances(const std::vector<BoundaryEdge>& edges, ivec2 size) {
+Grid<Squared> squaredDistances(const std::vector<BoundaryEdge>& edges, ivec2 size, const std::stop_token& stop = {}) {
     Grid<Squared> squared(2 * size.x + 1, 2 * size.y + 1, kFar);
     for (const BoundaryEdge& edge : edges)
         squared.at(edge.x, edge.y) = 0;
     // Down all columns, then along all rows. Strips of them, so that threads do not meet in one cache line.
     constexpr int kStrip = 16;
     const auto strips = [](int count) { return static_cast<std::size_t>((count + kStrip - 1) / kStrip); };
-    trace::parallelFor(strips(squared.width), [&](std::size_t strip) {
+    const auto downColumns = [&](std::size_t strip) {
         Envelope envelope;
         std::vector<Squared> line(static_cast<std::size_t>(squared.height));
         const int first = static_cast<int>(strip) * kStrip;
@@ -86,8 +86,8 @@ Grid<Squared> squaredDistances(const std::vector<BoundaryEdge>& edges, ivec2 siz
             for (int y = 0; y < squared.height; ++y)
                 squared.at(x, y) = line[static_cast<std::size_t>(y)];
         }
-    });
-    trace::parallelFor(strips(squared.height), [&](std::size_t strip) {
+    };
+    const auto alongRows = [&](std::size_t strip) {
         Envelope envelope;
         std::vector<Squared> line;
         const int first = static_cast<int>(strip) * kStrip;
@@ -97,7 +97,9 @@ Grid<Squared> squaredDistances(const std::vector<BoundaryEdge>& edges, ivec2 siz
             envelope.transform(line);
             std::ranges::copy(line, begin);
         }
-    });
+    };
+    trace::parallelFor(strips(squared.width), downColumns, stop);
+    trace::parallelFor(strips(squared.height), alongRows, stop);
     return squared;
 }
 
@@ -125,10 +127,10 @@ double lengthPx(const std::vector<BoundaryEdge>& edges) {
     return static_cast<double>(edges.size()) * glm::pi<double>() / 4.0;
 }
 
-Grid<float> distanceToBoundary(const std::vector<BoundaryEdge>& edges, ivec2 size) {
+Grid<float> distanceToBoundary(const std::vector<BoundaryEdge>& edges, ivec2 size, const std::stop_token& stop) {
     Grid<float> distances(size.x, size.y, std::numeric_limits<float>::infinity());
     if (edges.empty()) return distances;
-    const Grid<Squared> squared = squaredDistances(edges, size);
+    const Grid<Squared> squared = squaredDistances(edges, size, stop);
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x)
             distances.at(x, y) = static_cast<float>(pixels(squared.at(2 * x + 1, 2 * y + 1)));

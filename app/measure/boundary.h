@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <vector>
 
 #include "app/measure/grid.h"
@@ -28,8 +29,9 @@ std::vector<BoundaryEdge> boundaryEdges(const Grid<Shade>& shades, const Grid<st
 double lengthPx(const std::vector<BoundaryEdge>& edges);
 
 /// Distance in pixels from every pixel's centre to the middle of the nearest edge; infinite without any edge. A pixel
-/// beside the boundary is half a pixel away, the next one in a straight line one and a half.
-Grid<float> distanceToBoundary(const std::vector<BoundaryEdge>& edges, ivec2 size);
+/// beside the boundary is half a pixel away, the next one in a straight line one and a half. Throws trace::Stopped soon
+/// after `stop` was asked for.
+Grid<float> distanceToBoundary(const std::vector<BoundaryEdge>& edges, ivec2 size, const std::stop_token& stop = {});
 
 /// Distances in pixels between two boundaries: from each edge of one to the nearest of the other, both ways together.
 struct Displacement {

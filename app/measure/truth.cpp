@@ -80,12 +80,13 @@ private:
     int light_;
 };
 
-void forEachTile(ivec2 size, const std::function<void(const Tile&)>& work) {
+void forEachTile(ivec2 size, const std::stop_token& stop, const std::function<void(const Tile&)>& work) {
     const ivec2 tiles = (size + kSide - 1) / kSide;
-    trace::parallelFor(static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y), [&](std::size_t i) {
+    const auto workOn = [&](std::size_t i) {
         const ivec2 corner = kSide * ivec2(static_cast<int>(i) % tiles.x, static_cast<int>(i) / tiles.x);
         work({corner, glm::min(ivec2(kSide), size - corner)});
-    });
+    };
+    trace::parallelFor(static_cast<std::size_t>(tiles.x) * static_cast<std::size_t>(tiles.y), workOn, stop);
 }
 
 /// Calls visit(index in the picture, index in the tile, pixel).
@@ -98,12 +99,12 @@ void forEachPixel(const Tile& tile, const Truth& truth, const Visit& visit) {
 }
 
 /// Asks the centres and then, tile by tile, whatever else `more` wants to know.
-Truth askCentres(const Asking& asking, ivec2 size,
+Truth askCentres(const Asking& asking, ivec2 size, const std::stop_token& stop,
                  const std::function<void(const Tile&, const Answers&, Truth&)>& more) {
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     Truth truth{size, std::vector(pixels, Visibility::noSurface), std::vector(pixels, trace::kNoPrimitive),
                 std::vector<std::uint8_t>(pixels, 0)};
-    forEachTile(size, [&](const Tile& tile) {
+    forEachTile(size, stop, [&](const Tile& tile) {
         Answers centres;
         asking.ask(tile, dvec2(0.5), centres);
         forEachPixel(tile, truth, [&](std::size_t i, std::size_t inTile, ivec2) {
@@ -119,8 +120,9 @@ Truth askCentres(const Asking& asking, ivec2 size,
 
 double tieRadius(int subpixelBits) { return std::max(1.0 / 64.0, 2.0 * std::ldexp(1.0, -subpixelBits)); }
 
-Truth truthAtCentres(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light) {
-    return askCentres(Asking(tracer, camera, size, light), size, [](const Tile&, const Answers&, Truth&) {});
+Truth truthAtCentres(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light,
+                     const std::stop_token& stop) {
+    return askCentres(Asking(tracer, camera, size, light), size, stop, [](const Tile&, const Answers&, Truth&) {});
 }
 
 std::vector<std::uint8_t> tiesAmong(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size,
@@ -140,9 +142,9 @@ std::vector<std::uint8_t> tiesAmong(const trace::SceneTracer& tracer, const scen
 }
 
 Truth exactTruth(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light,
-                 const Rasterised& rasterised) {
+                 const Rasterised& rasterised, const std::stop_token& stop) {
     const Asking asking(tracer, camera, size, light);
-    return askCentres(asking, size, [&](const Tile& tile, const Answers& centres, Truth& truth) {
+    return askCentres(asking, size, stop, [&](const Tile& tile, const Answers& centres, Truth& truth) {
         Answers around;
         for (int step = 0; step < 2 * kDirections; ++step) {
             asking.ask(tile, pointAround(step, rasterised.tieRadiusPx), around);

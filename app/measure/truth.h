@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <stop_token>
 #include <vector>
 
 #include "techniques/foundation/scene/camera.h"
@@ -35,8 +36,10 @@ struct Truth {
     }
 };
 
-/// What the pixel centres see, without ties: enough to tell what changes from frame to frame.
-Truth truthAtCentres(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light);
+/// What the pixel centres see, without ties: enough to tell what changes from frame to frame. Both this and exactTruth()
+/// throw trace::Stopped soon after `stop` was asked for, some tens of microseconds of work later.
+Truth truthAtCentres(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light,
+                     const std::stop_token& stop = {});
 
 /// Which of these pixels are ties; for a few of them, where nobody asks about the others.
 std::vector<std::uint8_t> tiesAmong(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size,
@@ -44,6 +47,6 @@ std::vector<std::uint8_t> tiesAmong(const trace::SceneTracer& tracer, const scen
 
 /// With ties: sixteen points around each centre are asked as well.
 Truth exactTruth(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light,
-                 const Rasterised& rasterised);
+                 const Rasterised& rasterised, const std::stop_token& stop = {});
 
 } // namespace shadowlab::measure

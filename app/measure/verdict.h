@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/measure/truth.h"
+#include "techniques/technique.h"
 
 namespace shadowlab::measure {
 
@@ -31,13 +32,18 @@ struct Counts {
 };
 
 struct Judgement {
-    std::vector<Verdict> verdicts; ///< per pixel, rows from the top
+    std::vector<Verdict> verdicts; ///< per pixel of the truth, rows from the top; outside the region all background
     Counts counts;
 };
 
 /// `greyAlpha` is a visibility image (session::VisibilityImage): two bytes a pixel. More than half visible is lit. A
 /// pixel that the technique left without a surface, where there is one, is wrong whatever the truth: false shadow where
-/// it is lit, else false lit.
-Judgement judge(const Truth& truth, std::span<const std::uint8_t> greyAlpha);
+/// it is lit, else false lit. With a region, the image has the region's pixels only, and nothing else is judged or
+/// counted.
+Judgement judge(const Truth& truth, std::span<const std::uint8_t> greyAlpha, const Region& region = {});
+
+/// The pixels that a region stands for, in a picture of that size: those the picture has, and all of them where the
+/// region is empty.
+Region shownPart(const Region& region, ivec2 size);
 
 } // namespace shadowlab::measure

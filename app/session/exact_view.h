@@ -20,6 +20,8 @@ public:
     /// Which of a few pixels are ties, as far as rays tell.
     std::vector<std::uint8_t> tiesAmong(const scene::Snapshot& snapshot, const View& view, int light,
                                         const std::vector<ivec2>& pixels);
+    /// What the rasteriser has to say about the view. Needs a current GL context; everything else about a truth does not.
+    measure::Rasterised rasterise(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers, const View& view);
 
 private:
     struct Key {
@@ -29,7 +31,6 @@ private:
         int light = kNoLight;
         friend bool operator==(const Key&, const Key&) = default;
     };
-    measure::Rasterised rasterise(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers, const View& view);
 
     trace::SceneTracer tracer_;
     gl::IdBuffer ids_;

@@ -7,6 +7,7 @@
 
 #include "app/measure/flip.h"
 #include "app/measure/image_metrics.h"
+#include "app/measure/slot_errors.h"
 #include "techniques/foundation/gl/read_back.h"
 
 namespace shadowlab::session {
@@ -24,41 +25,6 @@ double elapsedMs(Clock::time_point since) {
 
 bool publishes(const TechniqueInfo& info, std::string_view stage) {
     return std::ranges::find(info.stages, stage, &StageInfo::id) != info.stages.end();
-}
-
-Shade shadeOf(Visibility visibility) {
-    switch (visibility) {
-    case Visibility::noSurface: return Shade::outside;
-    case Visibility::turnedAway: return Shade::turnedAway;
-    case Visibility::shadowed: return Shade::shadowed;
-    case Visibility::lit: return Shade::lit;
-    }
-    return Shade::outside;
-}
-
-Grid<Shade> shadesOf(const Truth& truth) {
-    Grid<Shade> shades(truth.size.x, truth.size.y);
-    std::ranges::transform(truth.visibility, shades.values.begin(), shadeOf);
-    return shades;
-}
-
-Grid<std::uint32_t> receiversOf(const Truth& truth) {
-    Grid<std::uint32_t> receivers(truth.size.x, truth.size.y);
-    receivers.values = truth.objects;
-    return receivers;
-}
-
-/// The technique's answers, cut at one half; turned away is what the truth says is turned away, and ties are as the truth
-/// has them: a lonely pixel that nobody can judge would else count as a boundary of its own, far from any other.
-Grid<Shade> shadesOf(const VisibilityImage& visibility, const Truth& truth) {
-    Grid<Shade> shades(truth.size.x, truth.size.y);
-    for (std::size_t i = 0; i < shades.values.size(); ++i) {
-        const bool covered = visibility.greyAlpha[2 * i + 1] == 255, lit = visibility.greyAlpha[2 * i] > 127;
-        const Shade exact = shadeOf(truth.visibility[i]);
-        const bool compared = (exact == Shade::lit || exact == Shade::shadowed) && truth.ties[i] == 0;
-        shades.values[i] = !compared ? exact : !covered ? Shade::outside : lit ? Shade::lit : Shade::shadowed;
-    }
-    return shades;
 }
 
 /// Is each pixel lit? Turned away and empty pixels are not.
@@ -93,7 +59,7 @@ void Measurement::addFrame(const Moment& moment) {
     const Clock::time_point asked = Clock::now();
     const Truth truth = first_ ? session_.truth(view, light_) : session_.truthAtCentres(view, light_);
     if (first_) truthMs_ = elapsedMs(asked);
-    const double boundaryLength = lengthPx(boundaryEdges(shadesOf(truth), receiversOf(truth)));
+    const double boundaryLength = lengthPx(trueBoundary(truth));
     std::optional<Shown> reference;
     if (first_) reference = referencePicture(view);
 
@@ -139,38 +105,23 @@ std::vector<std::uint8_t> Measurement::litOutsideTies(const VisibilityImage& vis
 void Measurement::judgeFirst(Entry& measured, const RenderedFrame& rendered, const VisibilityImage& visibility,
                              const Truth& truth, const Shown& reference) {
     TechniqueErrors& result = measured.result;
-    const Judgement judgement = judge(truth, visibility.greyAlpha);
-    result.counts = judgement.counts;
+    const std::vector<BoundaryEdge> boundary = trueBoundary(truth);
+    const SlotErrors errors = judgeSlot(truth, boundary, visibility.greyAlpha);
+    result.counts = errors.judgement.counts;
+    result.edgeErrorPx = errors.edgeErrorPx;
+    result.boundaryPx = displacement(truth, boundary, visibility.greyAlpha);
+    std::optional<Grid<float>> texelPx;
+    if (publishes(*measured.slot->info, "texel-size"))
+        texelPx = readTexelSizes(findStage(rendered, {"texel-size", light_}));
+    result.coreErrors = coreErrors(truth, errors.judgement, distanceToBoundary(boundary, size_), texelPx);
     result.converged = rendered.converged;
     result.counters = rendered.result.counters;
     for (const Counter& counter : result.counters)
         if (counter.id == "served" && counter.of > 0) result.served = counter.built / counter.of;
 
-    const Grid<Shade> exact = shadesOf(truth), drawn = shadesOf(visibility, truth);
-    const Grid<std::uint32_t> receivers = receiversOf(truth);
-    const std::vector<BoundaryEdge> boundary = boundaryEdges(exact, receivers);
-    if (!boundary.empty()) result.edgeErrorPx = result.counts.wrong() / lengthPx(boundary);
-    result.boundaryPx = displacement(boundary, boundaryEdges(drawn, receivers), size_);
-
-    Grid<std::uint8_t> wrong(size_.x, size_.y);
-    std::ranges::transform(judgement.verdicts, wrong.values.begin(), [](Verdict verdict) {
-        return verdict == Verdict::falseLit || verdict == Verdict::falseShadow ? 1 : 0;
-    });
-    result.coreErrors = coreErrors(wrong, distanceToBoundary(boundary, size_), texelSizes(measured, rendered));
-
     const Shown picture = shown(*measured.slot);
     result.picture = {psnr(picture.linear, reference.linear), ssim(picture.encoded, reference.encoded),
                       flip(picture.encoded, reference.encoded).mean};
-}
-
-/// How large a texel of a shadow map lies on screen, where a technique says so.
-std::optional<Grid<float>> Measurement::texelSizes(const Entry& measured, const RenderedFrame& rendered) const {
-    if (!publishes(*measured.slot->info, "texel-size")) return std::nullopt;
-    Grid<float> sizes(size_.x, size_.y);
-    const std::vector<vec4> texels = gl::readTexels(findStage(rendered, {"texel-size", light_}).texture);
-    std::ranges::transform(texels, sizes.values.begin(),
-                           [](const vec4& texel) { return texel.g > 0.5f ? texel.r : 0.0f; });
-    return sizes;
 }
 
 /// The picture in a slot's target: linear light as it is shown, that is exposed and clamped, and the encoded bytes.

@@ -70,7 +70,6 @@ private:
                                              const View& view);
     void judgeFirst(Entry& measured, const RenderedFrame& rendered, const VisibilityImage& visibility,
                     const measure::Truth& truth, const Shown& reference);
-    std::optional<measure::Grid<float>> texelSizes(const Entry& measured, const RenderedFrame& rendered) const;
     Shown shown(const Slot& slot) const;
     Shown referencePicture(const View& view);
 

@@ -87,15 +87,24 @@ gl::Texture2D PictureEncoder::draw(const gl::Texture2D& source, int supersample,
     return encoded;
 }
 
-VisibilityImage readVisibility(const Stage& stage) {
-    const ivec2 size = stage.texture.size();
+VisibilityImage readVisibility(const Stage& stage, const Region& region) {
+    const auto [corner, size] = measure::shownPart(region, stage.texture.size());
     VisibilityImage visibility{size.x, size.y, {}};
-    for (const vec4& texel : gl::readTexels(stage.texture)) {
+    visibility.greyAlpha.reserve(2 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    for (const vec4& texel : gl::readTexels(stage.texture, corner, size)) {
         const bool covered = texel.g > 0.5f;
         visibility.greyAlpha.push_back(covered ? static_cast<std::uint8_t>(std::lround(255.0f * texel.r)) : 0);
         visibility.greyAlpha.push_back(covered ? 255 : 0);
     }
     return visibility;
+}
+
+measure::Grid<float> readTexelSizes(const Stage& stage) {
+    const ivec2 size = stage.texture.size();
+    measure::Grid<float> sizes(size.x, size.y);
+    std::ranges::transform(gl::readTexels(stage.texture), sizes.values.begin(),
+                           [](const vec4& texel) { return texel.g > 0.5f ? texel.r : 0.0f; });
+    return sizes;
 }
 
 } // namespace shadowlab::session

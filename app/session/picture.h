@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "app/measure/grid.h"
+#include "app/measure/verdict.h"
 #include "techniques/foundation/image/image.h"
 #include "techniques/frame.h"
 
@@ -43,6 +45,10 @@ private:
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }
 };
-VisibilityImage readVisibility(const Stage& stage);
+/// The whole stage, or the part of it that a region stands for: then the image has the region's pixels only.
+VisibilityImage readVisibility(const Stage& stage, const Region& region = {});
+
+/// How many pixels a texel of a shadow map covers, for each pixel of a stage `texel-size`; 0 where it does not say.
+measure::Grid<float> readTexelSizes(const Stage& stage);
 
 } // namespace shadowlab::session

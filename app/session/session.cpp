@@ -59,6 +59,11 @@ const measure::Truth& Session::truth(const View& view, int light) {
     return exact_.truth(snapshot_, buffers_, view, light);
 }
 
+measure::Rasterised Session::rasterise(const View& view) {
+    buffers_.update(snapshot_);
+    return exact_.rasterise(snapshot_, buffers_, view);
+}
+
 const Stage& findStage(const RenderedFrame& rendered, const StageKey& key) {
     const auto found = std::ranges::find(rendered.result.stages, key, &Stage::key);
     if (found == rendered.result.stages.end())

@@ -55,6 +55,8 @@ public:
     std::vector<std::uint8_t> tiesAmong(const View& view, int light, const std::vector<ivec2>& pixels) {
         return exact_.tiesAmong(snapshot_, view, light, pixels);
     }
+    /// For a truth that is found elsewhere: see BackgroundJudge.
+    measure::Rasterised rasterise(const View& view);
 
 private:
     scene::Snapshot snapshot_;

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/trace/parallel.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/scenes.h"
 
@@ -140,6 +141,22 @@ TEST(Truth, AnotherTriangleInTheRasterIsATieWhereItsAnswerIsAnother) {
     EXPECT_EQ(tiesWith(dark, below), 0) << "in shadow, too";
     EXPECT_EQ(tiesWith(lit, below), 1) << "shadowed by the floor above it";
     EXPECT_EQ(tiesWith(lit, trace::kNoPrimitive), 1) << "the rasteriser leaves a hole";
+}
+
+TEST(Truth, CanBeStoppedAndIsTheSameWhereItIsNot) {
+    const ivec2 size{75, 53};
+    const auto snapshot = testing::snapshot(testing::hardScene(testing::HardClass::soup, 3, false));
+    const trace::SceneTracer tracer = tracerOf(snapshot);
+    std::stop_source source;
+    const Truth plain = exactTruth(tracer, snapshot->camera, size, 0, {kTiePx, {}});
+    const Truth stoppable = exactTruth(tracer, snapshot->camera, size, 0, {kTiePx, {}}, source.get_token());
+    EXPECT_GT(count(plain, Visibility::lit), 500);
+    EXPECT_EQ(plain.visibility, stoppable.visibility);
+    EXPECT_EQ(plain.ties, stoppable.ties);
+    EXPECT_EQ(plain.objects, stoppable.objects);
+    source.request_stop();
+    EXPECT_THROW(exactTruth(tracer, snapshot->camera, size, 0, {kTiePx, {}}, source.get_token()), trace::Stopped);
+    EXPECT_THROW(truthAtCentres(tracer, snapshot->camera, size, 0, source.get_token()), trace::Stopped);
 }
 
 TEST(Truth, SameForAnyNumberOfThreads) {

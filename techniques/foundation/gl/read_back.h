@@ -17,20 +17,27 @@ void turnRowsOver(std::vector<Texel>& texels, ivec2 size) {
                          texels.begin() + std::ptrdiff_t(size.y - 1 - y) * size.x);
 }
 
-/// Four channels a pixel, row 0 on top. `type` is the GL type of Texel's components.
+/// Four channels a pixel, row 0 on top, of a rectangle of the texture; `corner` is its upper left one. `type` is the GL
+/// type of Texel's components.
 template <typename Texel>
-std::vector<Texel> readRows(const Texture2D& texture, GLenum type) {
-    const ivec2 size = texture.size();
+std::vector<Texel> readRows(const Texture2D& texture, GLenum type, ivec2 corner, ivec2 size) {
     const Framebuffer framebuffer(&texture, nullptr, "read-back");
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.id());
     std::vector<Texel> texels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, size.x, size.y, GL_RGBA, type, texels.data());
+    glReadPixels(corner.x, texture.size().y - corner.y - size.y, size.x, size.y, GL_RGBA, type, texels.data());
     check("read-back");
     turnRowsOver(texels, size);
     return texels;
 }
+template <typename Texel>
+std::vector<Texel> readRows(const Texture2D& texture, GLenum type) {
+    return readRows<Texel>(texture, type, ivec2(0), texture.size());
+}
 
 inline std::vector<vec4> readTexels(const Texture2D& texture) { return readRows<vec4>(texture, GL_FLOAT); }
+inline std::vector<vec4> readTexels(const Texture2D& texture, ivec2 corner, ivec2 size) {
+    return readRows<vec4>(texture, GL_FLOAT, corner, size);
+}
 
 } // namespace shadowlab::gl

@@ -60,4 +60,11 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work
     if (failure) std::rethrow_exception(failure);
 }
 
+void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work, const std::stop_token& stop) {
+    parallelFor(count, [&](std::size_t i) {
+        if (stop.stop_requested()) throw Stopped();
+        work(i);
+    });
+}
+
 } // namespace shadowlab::trace

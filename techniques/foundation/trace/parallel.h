@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
+#include <exception>
 #include <functional>
+#include <stop_token>
 
 namespace shadowlab::trace {
 
@@ -11,7 +13,17 @@ namespace shadowlab::trace {
 int threadCount();
 
 /// Calls work(0) ... work(count - 1), each once, on up to `threads` threads (0: threadCount()), and returns when all
-/// are done. Where the system refuses a thread, fewer do the work. The first exception is thrown on.
+/// are done. Where the system refuses a thread, fewer do the work. The first exception is thrown on. The threads are new
+/// ones each time, so on Linux they inherit the caller's place in the scheduler.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work, int threads = 0);
+
+/// Thrown by work that was asked to stop: nobody waits for what it would have found.
+struct Stopped final : std::exception {
+    [[nodiscard]] const char* what() const noexcept override { return "stopped on request"; }
+};
+
+/// The same, but asks before each piece whether somebody wants it to stop, and throws Stopped then. A token that nobody
+/// can stop costs nothing and changes nothing.
+void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work, const std::stop_token& stop);
 
 } // namespace shadowlab::trace

@@ -34,6 +34,23 @@ TEST(ParallelTest, AnExceptionReachesTheCaller) {
                      std::runtime_error);
 }
 
+TEST(ParallelTest, StopsBeforeTheNextPiece) {
+    constexpr std::size_t kMany = 10'000;
+    std::stop_source source;
+    std::atomic<int> begun = 0;
+    const auto work = [&](std::size_t i) {
+        ++begun;
+        if (i == 37) source.request_stop();
+    };
+    EXPECT_THROW(parallelFor(kMany, work, source.get_token()), Stopped);
+    EXPECT_GT(begun, 37);
+    EXPECT_LT(begun, static_cast<int>(kMany)) << "with two threads a few more than 38, but never all";
+
+    begun = 0;
+    parallelFor(kMany, work, std::stop_source().get_token()); // of another source: nobody stops it
+    EXPECT_EQ(begun, static_cast<int>(kMany));
+}
+
 TEST(ParallelTest, TheNumberOfThreadsCanBeSet) {
     const char* const before = std::getenv("SHADOWLAB_THREADS");
     const std::string kept = before ? before : "";

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/background_judge.h"
+
+#include <chrono>
+#include <functional>
+#include <stdexcept>
+
+#include "app/session/background_priority.h"
+#include "techniques/foundation/trace/parallel.h"
+
+namespace shadowlab::session {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using measure::Truth;
+
+// While a tree is built, this often somebody asks whether it is still wanted.
+constexpr std::chrono::milliseconds kSlice{4};
+
+void throwIfStopped(const std::stop_token& stop) {
+    if (stop.stop_requested()) throw trace::Stopped();
+}
+
+/// What the thread keeps from task to task, and how it answers one.
+class Judge {
+public:
+    using Publish = std::function<void(JudgeAnswer)>;
+
+    /// Publishes one answer, or two: for an exact task the reduced one comes first. Throws trace::Stopped.
+    void answer(const JudgeTask& task, const std::stop_token& stop, const Publish& publish) {
+        const Clock::time_point start = Clock::now();
+        const auto publishAll = [&] {
+            JudgeAnswer answer = judgeSlots(task, stop);
+            answer.ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+            publish(std::move(answer));
+        };
+        const Key key{task.snapshot, task.view.camera, task.view.size, task.light};
+        const bool known = truth_ && madeFor_ == key;
+        if (!known) {
+            while (!tracer_.advance(task.snapshot, Clock::now() + kSlice))
+                throwIfStopped(stop);
+            keep(measure::truthAtCentres(tracer_, key.camera, key.size, key.light, stop), key, false);
+        }
+        if (task.exact && !exact_) {
+            if (!known) publishAll();
+            keep(measure::exactTruth(tracer_, key.camera, key.size, key.light, task.rasterised, stop), key, true);
+        }
+        publishAll();
+    }
+
+private:
+    struct Key {
+        scene::Snapshot snapshot;
+        scene::Camera camera;
+        ivec2 size{0};
+        int light = kNoLight;
+        friend bool operator==(const Key&, const Key&) = default;
+    };
+
+    void keep(Truth truth, const Key& key, bool exact) {
+        truth_ = std::make_shared<const Truth>(std::move(truth));
+        boundary_ = measure::trueBoundary(*truth_);
+        distancePx_.reset();
+        madeFor_ = key;
+        exact_ = exact;
+    }
+
+    JudgeAnswer judgeSlots(const JudgeTask& task, const std::stop_token& stop) {
+        JudgeAnswer answer;
+        answer.exact = exact_;
+        answer.truth = truth_;
+        if (task.wantsTruthPanel) answer.truthPanel = truthPanel(*truth_, {});
+        for (const SlotTask& slot : task.slots) {
+            throwIfStopped(stop);
+            answer.slots.emplace_back();
+            if (slot.visibility.greyAlpha.empty()) continue;
+            auto [judgement, edgeErrorPx] =
+                measure::judgeSlot(*truth_, boundary_, slot.visibility.greyAlpha, slot.region);
+            SlotAnswer& judged = answer.slots.back().emplace();
+            judged.judgement = std::move(judgement);
+            judged.edgeErrorPx = edgeErrorPx;
+            if (slot.wantsCore && task.exact && exact_) {
+                if (!distancePx_) distancePx_ = measure::distanceToBoundary(boundary_, truth_->size, stop);
+                judged.coreErrors = measure::coreErrors(*truth_, judged.judgement, *distancePx_, slot.texelPx);
+            }
+            if (slot.wantsOverlay) judged.overlay = errorOverlay(*truth_, judged.judgement, slot.region);
+        }
+        return answer;
+    }
+
+    trace::SceneTracer tracer_;
+    std::shared_ptr<const Truth> truth_;
+    std::vector<measure::BoundaryEdge> boundary_;    ///< of truth_
+    std::optional<measure::Grid<float>> distancePx_; ///< to it, if anybody asked
+    Key madeFor_;
+    bool exact_ = false;
+};
+
+/// A fault of whoever submits would otherwise be one of memory, on another thread.
+void requireSound(const JudgeTask& task) {
+    const auto pixels = static_cast<std::size_t>(task.view.size.x) * static_cast<std::size_t>(task.view.size.y);
+    const std::vector<std::uint32_t>& drawn = task.rasterised.primitives;
+    bool sound = task.light >= 0 && task.light < static_cast<int>(task.snapshot->lights.size()) &&
+                 (drawn.empty() || drawn.size() == pixels);
+    for (const SlotTask& slot : task.slots)
+        sound = sound && (!slot.texelPx || slot.texelPx->values.size() == pixels);
+    if (!sound) throw std::logic_error("a task for the judge whose light or sizes are not those of its view");
+}
+
+} // namespace
+
+BackgroundJudge::BackgroundJudge() : thread_([this] { work(); }) {}
+
+BackgroundJudge::~BackgroundJudge() {
+    ending_ = true;
+    stop_.request_stop();
+    ++bell_;
+    bell_.notify_one();
+}
+
+std::uint64_t BackgroundJudge::submit(JudgeTask task) {
+    requireSound(task);
+    if (task.exact || lastWasExact_) dropAll();
+    lastWasExact_ = task.exact;
+    return send(std::move(task));
+}
+
+void BackgroundJudge::forget() {
+    dropAll();
+    newest_.reset();
+    lastWasExact_ = false;
+    send(std::nullopt); // so that busy() comes to an end whether or not the thread had begun the last task
+}
+
+std::uint64_t BackgroundJudge::send(std::optional<JudgeTask> task) {
+    orders_.put(std::make_unique<Order>(++submitted_, std::move(task), stop_.get_token()));
+    ++bell_;
+    bell_.notify_one();
+    return submitted_;
+}
+
+void BackgroundJudge::dropAll() {
+    stop_.request_stop();
+    stop_ = std::stop_source();
+    oldestWelcome_ = submitted_ + 1;
+}
+
+std::shared_ptr<const JudgeAnswer> BackgroundJudge::newest() {
+    const std::unique_ptr<Outcome> outcome = outcomes_.take();
+    if (!outcome || outcome->number < oldestWelcome_) return newest_;
+    if (outcome->failure) std::rethrow_exception(outcome->failure);
+    newest_ = outcome->answer;
+    return newest_;
+}
+
+void BackgroundJudge::work() {
+    yieldToAllOthers();
+    Judge judge;
+    while (true) {
+        const int rung = bell_; // read first: whoever rings from here on is not slept through
+        if (ending_) return;
+        const std::unique_ptr<Order> order = orders_.take();
+        if (!order) {
+            bell_.wait(rung);
+            continue;
+        }
+        const auto put = [&](JudgeAnswer answer) {
+            answer.number = order->number;
+            outcomes_.put(std::make_unique<Outcome>(order->number,
+                                                    std::make_shared<const JudgeAnswer>(std::move(answer)), nullptr));
+        };
+        try {
+            if (order->task) judge.answer(*order->task, order->stop, put);
+        } catch (const trace::Stopped&) {
+            // Nobody waits for it.
+        } catch (...) {
+            judge = Judge(); // whatever it was in the middle of
+            outcomes_.put(std::make_unique<Outcome>(order->number, nullptr, std::current_exception()));
+        }
+        finished_.store(order->number, std::memory_order_release);
+    }
+}
+
+} // namespace shadowlab::session

@@ -1,0 +1,22 @@
+// Pictures of the truth and of verdicts, each with the key to its colours. No OpenGL: whoever has a truth can draw them,
+// on any thread. The stages `truth` and `error` are these.
+//
+// All are as large as the truth; outside the region nothing is drawn.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "app/measure/verdict.h"
+#include "app/session/figure.h"
+
+namespace shadowlab::session {
+
+/// Lit, in shadow, turned away, tie: a colour for each, and how many pixels have it.
+Panel truthPanel(const measure::Truth& truth, const Region& region);
+
+/// What is wrong, in colours, and nothing where the technique is right: to be laid over a picture.
+Panel errorOverlay(const measure::Truth& truth, const measure::Judgement& judgement, const Region& region);
+
+/// The picture without its colours, and on it every pixel that is wrong. Outside the region it stays as it is.
+Panel errorPanel(image::Image picture, const measure::Truth& truth, const measure::Judgement& judgement,
+                 const Region& region);
+
+} // namespace shadowlab::session

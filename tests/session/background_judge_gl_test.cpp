@@ -1,0 +1,259 @@
+// The judge beside the window against `measure` and the derived stages: the same scene, drawn the same way, has the same
+// numbers to the last bit. And, when asked for, what the judge costs the one who draws.
+// SPDX-License-Identifier: MIT
+#include "app/session/background_judge.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include "app/session/assets.h"
+#include "app/session/derived_stages.h"
+#include "app/session/measurement.h"
+#include "app/session/settings.h"
+#include "techniques/foundation/scene/load.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/hard_scenes.h"
+#include "tests/support/scenes.h"
+
+namespace shadowlab::session {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+bool publishesTexelSize(const Slot& slot) {
+    return std::ranges::find(slot.info->stages, "texel-size", &StageInfo::id) != slot.info->stages.end();
+}
+
+class BackgroundJudgeTest : public testing::GlTest {
+protected:
+    static constexpr ivec2 kSize{320, 240};
+
+    /// As the window would ask: each slot draws its region only, and reads back no more.
+    static JudgeTask taskFor(Session& session, std::vector<Slot>& slots, const std::vector<Region>& regions,
+                             const View& whole, bool exact) {
+        JudgeTask task;
+        task.snapshot = session.snapshot();
+        task.view = whole;
+        task.exact = exact;
+        if (exact) task.rasterised = session.rasterise(whole);
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            View view = whole;
+            view.region = regions[i];
+            FrameRequest request;
+            request.stages = {{"visibility", 0}};
+            if (exact && publishesTexelSize(slots[i])) request.stages.push_back({"texel-size", 0});
+            const RenderedFrame rendered = session.render(slots[i], view, request);
+            SlotTask& slot = task.slots.emplace_back();
+            slot.visibility = readVisibility(findStage(rendered, {"visibility", 0}), view.region);
+            slot.region = view.region;
+            slot.wantsOverlay = true;
+            slot.wantsCore = exact;
+            if (exact && publishesTexelSize(slots[i]))
+                slot.texelPx = readTexelSizes(findStage(rendered, {"texel-size", 0}));
+        }
+        return task;
+    }
+    static std::shared_ptr<const JudgeAnswer> whenDone(BackgroundJudge& judge) {
+        while (judge.busy())
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return judge.newest();
+    }
+    /// With a coarse map, so that there are errors to be found.
+    static std::vector<Slot> slotsOf(const std::vector<std::string>& ids) {
+        std::vector<Slot> slots;
+        for (const std::string& id : ids)
+            slots.push_back(Session::makeSlot(id));
+        applySettings(slots, {"shadow-map.resolution=128"});
+        return slots;
+    }
+};
+
+TEST_F(BackgroundJudgeTest, FindsWhatMeasureFinds) {
+    BackgroundJudge judge;
+    int wrong = 0;
+    for (const auto& scene : {testing::simpleScene(), testing::hardScene(testing::HardClass::soup, 7, false),
+                              testing::hardScene(testing::HardClass::torus, 3, true)}) {
+        const auto snapshot = testing::snapshot(scene);
+        Session session(snapshot);
+        std::vector<Slot> slots = slotsOf({"shadow-map", "shadow-volume-zfail"});
+        Measurement measurement(session, slots, 0, kSize);
+        measurement.addFrame({snapshot, snapshot->camera});
+        const std::vector<TechniqueErrors> measured = measurement.results();
+
+        View view;
+        view.camera = snapshot->camera;
+        view.size = kSize;
+        judge.submit(taskFor(session, slots, {{}, {}}, view, true));
+        const auto answer = whenDone(judge);
+        ASSERT_TRUE(answer && answer->exact);
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            const measure::Counts &live = answer->slots[i]->judgement.counts, &counts = measured[i].counts;
+            EXPECT_EQ(live.pixels, counts.pixels);
+            EXPECT_EQ(live.lit, counts.lit);
+            EXPECT_EQ(live.shadowed, counts.shadowed);
+            EXPECT_EQ(live.turnedAway, counts.turnedAway);
+            EXPECT_EQ(live.ties, counts.ties);
+            EXPECT_EQ(live.falseLit, counts.falseLit);
+            EXPECT_EQ(live.falseShadow, counts.falseShadow);
+            EXPECT_EQ(live.rmse, counts.rmse);
+            EXPECT_EQ(answer->slots[i]->edgeErrorPx, measured[i].edgeErrorPx);
+            EXPECT_EQ(answer->slots[i]->coreErrors, measured[i].coreErrors);
+            EXPECT_GT(counts.lit, 500);
+            EXPECT_GT(counts.shadowed, 300);
+            wrong += counts.wrong();
+        }
+    }
+    EXPECT_GT(wrong, 100) << "shadow maps have edges";
+}
+
+TEST_F(BackgroundJudgeTest, HalvesOfASplitPictureAreThoseOfTheWhole) {
+    const auto snapshot = testing::snapshot(testing::simpleScene());
+    Session session(snapshot);
+    View view;
+    view.camera = snapshot->camera;
+    view.size = kSize;
+    std::vector<Slot> slots = slotsOf({"shadow-map", "shadow-map", "shadow-map"});
+    BackgroundJudge judge;
+    judge.submit(taskFor(session, slots, {{}, {{0, 0}, {130, 240}}, {{130, 0}, {190, 240}}}, view, true));
+    const auto answer = whenDone(judge);
+    const auto counts = [&](std::size_t slot) { return answer->slots[slot]->judgement.counts; };
+    using measure::Counts;
+    for (const auto field : {&Counts::pixels, &Counts::lit, &Counts::shadowed, &Counts::turnedAway, &Counts::ties,
+                             &Counts::falseLit, &Counts::falseShadow})
+        EXPECT_EQ(counts(0).*field, counts(1).*field + counts(2).*field);
+    EXPECT_EQ(*answer->slots[0]->coreErrors, *answer->slots[1]->coreErrors + *answer->slots[2]->coreErrors);
+    EXPECT_GT(counts(1).wrong(), 3);
+    EXPECT_GT(counts(2).wrong(), 3);
+}
+
+TEST_F(BackgroundJudgeTest, DrawsWhatTheDerivedStageShows) {
+    const auto snapshot = testing::snapshot(testing::simpleScene());
+    Session session(snapshot);
+    View view;
+    view.camera = snapshot->camera;
+    view.size = kSize;
+    std::vector<Slot> slots = slotsOf({"shadow-map"});
+    BackgroundJudge judge;
+    JudgeTask task = taskFor(session, slots, {{}}, view, true);
+    task.wantsTruthPanel = true;
+    judge.submit(std::move(task));
+    const auto answer = whenDone(judge);
+
+    const PictureEncoder encoder;
+    FrameRequest request;
+    request.stages = {{"visibility", 0}};
+    const RenderedFrame rendered = session.render(slots[0], view, request);
+    const auto stage = [&](const char* id) {
+        return derivedPanel(session, slots[0], rendered, encoder, {{id, 0}, view, std::nullopt, nullptr});
+    };
+    EXPECT_EQ(answer->truthPanel->picture, stage("truth").picture);
+    const image::Image base = encoder.encode(slots[0].target.color, snapshot->exposure);
+    const Panel errors = errorPanel(base, *answer->truth, answer->slots[0]->judgement, {});
+    EXPECT_EQ(errors.picture, stage("error").picture);
+    int over = 0, otherwise = 0;
+    const image::Image& overlay = answer->slots[0]->overlay->picture;
+    for (int y = 0; y < kSize.y; ++y)
+        for (int x = 0; x < kSize.x; ++x)
+            if (overlay.at(x, y).a) ++over, otherwise += overlay.at(x, y) != errors.picture.at(x, y);
+    EXPECT_GT(over, 50);
+    EXPECT_EQ(otherwise, 0);
+}
+
+/// Median and worst, milliseconds.
+std::string shown(std::vector<double> times) {
+    std::ranges::sort(times);
+    return std::to_string(times[times.size() / 2]) + " ms, worst of " + std::to_string(times.size()) + ": " +
+           std::to_string(times.back()) + " ms";
+}
+
+// What does the judge cost the picture? A split frame, 1280 x 720, as in the window: drawn alone, drawn while the judge has
+// reduced tasks all the time, and drawn while it has an exact one all the time; turn by turn. SHADOWLAB_LONG=1 runs it,
+// SHADOWLAB_RATE_SCENE names the scene.
+TEST_F(BackgroundJudgeTest, CostsTheFrameLittle) {
+    if (!std::getenv("SHADOWLAB_LONG")) GTEST_SKIP() << "a measurement; set SHADOWLAB_LONG=1";
+    const char* const given = std::getenv("SHADOWLAB_RATE_SCENE");
+    const scene::Snapshot snapshot =
+        scene::loadScene(given ? given : "colonnade", {.assetsRoot = assetsRoot(), .allowed = {}, .limits = {}});
+    Session session(snapshot);
+    View whole;
+    whole.camera = snapshot->camera;
+    whole.size = {1280, 720};
+    const std::vector<Region> regions = {{{0, 0}, {640, 720}}, {{640, 0}, {640, 720}}};
+    std::vector<Slot> slots;
+    for (const char* id : {"shadow-map", "shadow-volume-zfail"})
+        slots.push_back(Session::makeSlot(id));
+    JudgeTask reduced = taskFor(session, slots, regions, whole, false);
+    JudgeTask exact = taskFor(session, slots, regions, whole, true);
+    const auto turn = [&](int step) { // another camera each time, or the truth would be known
+        whole.camera = snapshot->camera;
+        whole.camera.positionWorld.x += 1e-3 * step;
+        reduced.view.camera = exact.view.camera = whole.camera;
+    };
+    const auto drawFrame = [&] {
+        const auto begin = Clock::now();
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            View view = whole;
+            view.region = regions[i];
+            session.render(slots[i], view);
+        }
+        return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+    };
+
+    constexpr int kRounds = 4, kFrames = 15;
+    std::vector<double> alone, alsoRead, besideReduced, besideExact, submitting, reducedMs, stopping;
+    int answers = 0, step = 0;
+    double movingSeconds = 0;
+    for (int round = 0; round < kRounds; ++round) {
+        for (int frame = 0; frame < kFrames; ++frame)
+            alone.push_back(drawFrame());
+        for (int frame = 0; frame < kFrames; ++frame) {
+            const auto begin = Clock::now();
+            (void)taskFor(session, slots, regions, whole, false);
+            alsoRead.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+        }
+        BackgroundJudge judge;
+        std::uint64_t newest = 0;
+        const auto moving = Clock::now();
+        for (int frame = 0; frame < kFrames; ++frame) {
+            turn(++step);
+            const auto begin = Clock::now();
+            judge.submit(reduced);
+            const auto answer = judge.newest();
+            submitting.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+            if (answer && answer->number > newest) {
+                newest = answer->number;
+                reducedMs.push_back(answer->ms);
+                ++answers;
+            }
+            besideReduced.push_back(drawFrame());
+        }
+        movingSeconds += std::chrono::duration<double>(Clock::now() - moving).count();
+        for (int frame = 0; frame < kFrames; ++frame) {
+            if (frame % 10 == 0) {
+                turn(++step);
+                judge.submit(exact);
+            }
+            besideExact.push_back(drawFrame());
+        }
+        turn(++step);
+        judge.submit(exact);
+        std::this_thread::sleep_for(std::chrono::milliseconds(150)); // well in the middle of it
+        const auto begin = Clock::now();
+        judge.forget();
+        while (judge.busy())
+            std::this_thread::sleep_for(std::chrono::microseconds(100));
+        stopping.push_back(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+    }
+    BackgroundJudge judge;
+    turn(++step);
+    judge.submit(exact);
+    const auto answer = whenDone(judge);
+    std::cout << "frame alone            " << shown(alone) << "\nwith visibility read   " << shown(alsoRead)
+              << "\nbeside reduced tasks   " << shown(besideReduced) << "\nbeside exact tasks     "
+              << shown(besideExact) << "\nreduced answers        " << answers / movingSeconds << " a second; each "
+              << shown(reducedMs) << "\nsubmit and newest      " << shown(submitting) << "\nexact, stopped after   "
+              << shown(stopping) << "\nexact answer at rest   " << answer->ms << " ms, tree included\n";
+}
+
+} // namespace
+} // namespace shadowlab::session
