@@ -205,6 +205,36 @@ TEST(BackgroundJudge, AnExactTaskIsDroppedForTheNext) {
     }
 }
 
+TEST(BackgroundJudge, WhatIsDroppedIsNotFinished) {
+    const scene::Snapshot snapshot = someScene();
+    BackgroundJudge judge;
+    JudgeTask task = large(snapshot, 1024);
+    judge.submit(task);
+    for (int i = 0; i < 5; ++i)
+        rest();
+    judge.forget();
+    EXPECT_FALSE(whenDone(judge));
+    task.exact = false;
+    judge.submit(std::move(task));
+    EXPECT_FALSE(whenDone(judge)->exact) << "the exact truth of this view would be at hand if it had been finished";
+}
+
+TEST(BackgroundJudge, AnAnswerThatNobodyFetchedIsTooLateForTheNextExactTask) {
+    const scene::Snapshot snapshot = someScene();
+    BackgroundJudge judge;
+    const auto finishUnseen = [&] {
+        judge.submit(taskFor(snapshot, false));
+        while (judge.busy())
+            rest();
+    };
+    finishUnseen();
+    judge.submit(large(snapshot));
+    EXPECT_FALSE(judge.newest());
+    finishUnseen();
+    judge.forget();
+    EXPECT_FALSE(judge.newest());
+}
+
 TEST(BackgroundJudge, NumbersNeverFall) {
     const scene::Snapshot snapshot = someScene();
     BackgroundJudge judge;
