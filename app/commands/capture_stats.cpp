@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/capture_stats.h"
 
+#include <algorithm>
+
 namespace shadowlab::commands {
 
 nlohmann::ordered_json timesJson(const measure::FrameTimes& times) {
@@ -38,11 +40,15 @@ CaptureStats::CaptureStats(const scene::Scene& scene, const CaptureOptions& opti
         slots_.push_back(std::move(stats));
     }
     pngText_ = {{"Software", "shadowlab " SHADOWLAB_VERSION}, {"Scene", scene_}, {"Techniques", techniques}};
+    // As --stage takes it: one for all, or each with its number.
     std::string stages;
-    for (std::size_t i = 0; i < options.stages.size(); ++i)
+    const bool sameForAll =
+        std::ranges::adjacent_find(options.stages, std::ranges::not_equal_to()) == options.stages.end();
+    for (std::size_t i = 0; i < (sameForAll ? std::min<std::size_t>(1, options.stages.size()) : options.stages.size());
+         ++i)
         if (!options.stages[i].empty())
-            stages += (stages.empty() ? "" : "\n") + (slots.size() > 1 ? std::to_string(i + 1) + ":" : "") +
-                      options.stages[i];
+            stages +=
+                (stages.empty() ? "" : "\n") + (sameForAll ? "" : std::to_string(i + 1) + ":") + options.stages[i];
     if (!stages.empty()) pngText_.push_back({"Stage", stages});
     if (!options.light.empty()) pngText_.push_back({"Light", options.light});
     if (!settings.empty()) pngText_.push_back({"Settings", settings});

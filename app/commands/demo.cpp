@@ -30,8 +30,9 @@ int writeComparison(const DemoOptions& options) {
 
 int demo(const DemoOptions& options) {
     if (!context::hasDisplay()) {
-        note("there is no display for a window; writing a picture instead");
-        return writeComparison(options);
+        const int status = writeComparison(options);
+        if (status == 0) note("there is no display for a window; this picture was written instead");
+        return status;
     }
     return ui::runWindow({.scene = options.scene,
                           .size = options.size,

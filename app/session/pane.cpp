@@ -21,21 +21,6 @@ std::string failureOf(const Work& work) {
     return {};
 }
 
-/// A picture of the processor's on the graphics card, as the encoder leaves one: row 0 at the bottom.
-gl::Texture2D textureOf(const image::Image& image) {
-    const ivec2 size(image.width, image.height);
-    gl::Texture2D texture(GL_RGBA8, size, "derived stage");
-    std::vector<image::Color8> fromBelow(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x)
-            fromBelow[static_cast<std::size_t>(size.y - 1 - y) * static_cast<std::size_t>(size.x) +
-                      static_cast<std::size_t>(x)] = image.at(x, y);
-    texture.bind(0);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, fromBelow.data());
-    return texture;
-}
-
 } // namespace
 
 const Values& PaneState::values() const {
@@ -65,57 +50,94 @@ Slot& Pane::slotFor(const PaneState& state) {
     return slot;
 }
 
-bool Pane::update(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Deadline deadline,
-                  bool timePasses) {
-    if (request == drawnFor_ && (converged_ || !failure_.empty())) return false;
+bool isJudged(std::string_view stage) {
+    const std::string_view id = stage.substr(0, stage.find('@'));
+    return id == "truth" || id == "error" || id == "scanline";
+}
+
+gl::Texture2D textureOf(const image::Image& image) {
+    const ivec2 size(image.width, image.height);
+    gl::Texture2D texture(GL_RGBA8, size, "derived stage");
+    std::vector<image::Color8> fromBelow(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            fromBelow[static_cast<std::size_t>(size.y - 1 - y) * static_cast<std::size_t>(size.x) +
+                      static_cast<std::size_t>(x)] = image.at(x, y);
+    texture.bind(0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, fromBelow.data());
+    return texture;
+}
+
+const Stage* Pane::visibility(int light) const {
+    const auto found = std::ranges::find(rendered_.result.stages, StageKey{"visibility", light}, &Stage::key);
+    return found == rendered_.result.stages.end() ? nullptr : &*found;
+}
+
+bool Pane::update(Session& session, const PictureEncoder& encoder, const PaneRequest& request, const PaneWork& work) {
+    const bool answered = !work.visibility || visibility(request.light) || !failure_.empty();
+    if (request == drawnFor_ && answered && (converged_ || !failure_.empty())) return false;
     // Asked for before the work: what failed is not tried again until something changes.
     const bool sizeChanged = request.view.size != drawnFor_.view.size;
     drawnFor_ = request;
-    failure_ = failureOf([&] { draw(session, encoder, request, deadline, timePasses); });
+    failure_ = failureOf([&] { draw(session, encoder, request, work); });
     if (!failure_.empty() && sizeChanged) picture_ = {}; // stretched to another size it would be no picture of anything
     return true;
 }
 
-void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Deadline deadline,
-                bool timePasses) {
+void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneRequest& request, const PaneWork& work) {
     Slot& slot = slotFor(request.state);
     const scene::Scene& scene = *request.snapshot;
     std::optional<StageChoice> stage;
     if (!request.state.stage.empty()) stage = parseStage(request.state.stage, *slot.info, scene, request.light);
 
     FrameRequest frame;
-    frame.timePasses = timePasses;
-    frame.deadline = deadline;
+    frame.timePasses = work.timePasses;
+    frame.deadline = work.deadline;
     if (stage && stage->isPass) frame.stopAfter = stage->key;
-    if (stage && !stage->isPass) frame.stages = neededFor(stage->key);
+    if (stage && !stage->isPass && !isDerived(stage->key.id)) frame.stages = {stage->key};
+    const StageKey answers{"visibility", request.light};
+    const bool published = std::ranges::find(slot.info->stages, answers.id, &StageInfo::id) != slot.info->stages.end();
+    if (work.visibility && published && !frame.stopAfter &&
+        std::ranges::find(frame.stages, answers) == frame.stages.end())
+        frame.stages.push_back(answers);
+
     session.setScene(request.snapshot);
     if (frame.stopAfter &&
         !(request.state.technique == drawn_.technique && request.state.values() == drawn_.values() && !passes_.empty()))
-        passes_ = session.render(slot, request.view, {.deadline = deadline}).result.passes;
+        passes_ = session.render(slot, request.view, {.deadline = work.deadline}).result.passes;
     RenderedFrame rendered = session.render(slot, request.view, frame);
     converged_ = rendered.converged;
     progress_ = rendered.prepared;
     if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
+    encode(session, encoder, request, slot, stage, rendered);
+    if (!frame.stopAfter) passes_ = rendered.result.passes;
+    drawn_ = request.state;
+    rendered_ = std::move(rendered);
+}
 
-    const float exposure = scene.exposure;
+void Pane::encode(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Slot& slot,
+                  const std::optional<StageChoice>& stage, const RenderedFrame& rendered) {
+    const float exposure = request.snapshot->exposure;
     if (!stage || stage->isPass) {
         if (stage) requirePassRan(rendered, stage->key, *slot.info);
         picture_ = {
             encoder.encodeInPlace(slot.target.color, exposure, 1, request.view.region), StageKind::radiance, {}, ""};
+        return;
+    }
+    const std::vector<StageInfo> known = stagesOf(*slot.info);
+    const std::string caption(std::ranges::find(known, stage->key.id, &StageInfo::id)->caption);
+    if (isJudged(stage->key.id)) {
+        picture_ = {
+            encoder.encodeGround(slot.target.color, exposure, request.view.region), StageKind::swatches, {}, caption};
     } else if (isDerived(stage->key.id)) {
-        const auto info = stagesOf(*slot.info);
-        const auto described = std::ranges::find(info, stage->key.id, &StageInfo::id);
         const Panel panel = derivedPanel(session, slot, rendered, encoder, {stage->key, request.view, {}, nullptr});
-        picture_ = {textureOf(panel.picture), panel.kind, panel.display, std::string(described->caption)};
+        picture_ = {textureOf(panel.picture), panel.kind, panel.display, caption};
     } else {
         const Stage& published = findStage(rendered, stage->key);
         const StageInfo& info = stageInfo(*slot.info, stage->key.id);
-        picture_ = {encoder.encodeInPlace(published, info.kind, exposure), info.kind, published.display,
-                    std::string(info.caption)};
+        picture_ = {encoder.encodeInPlace(published, info.kind, exposure), info.kind, published.display, caption};
     }
-    if (!frame.stopAfter) passes_ = rendered.result.passes;
-    drawn_ = request.state;
-    rendered_ = std::move(rendered);
 }
 
 } // namespace shadowlab::session

@@ -36,10 +36,18 @@ struct PaneRequest {
 
 /// The last picture of a pane, as it is shown.
 struct PanePicture {
-    gl::Texture2D texture; ///< encoded, row 0 at the bottom
+    gl::Texture2D
+        texture; ///< encoded, row 0 at the bottom; of stages that are judged: the grey ground under the verdicts
     StageKind kind = StageKind::radiance;
     Display display;     ///< for the legend
     std::string caption; ///< of the stage; empty: the finished picture
+};
+
+/// How a pane is drawn, apart from what it shows.
+struct PaneWork {
+    Deadline deadline = Deadline::max();
+    bool timePasses = true;
+    bool visibility = false; ///< publish the technique's answers for the request's light as well, to be judged
 };
 
 /// Draws a pane and keeps what came of it. Techniques that were shown before stay ready: going back to one costs nothing
@@ -49,8 +57,9 @@ public:
     /// Draws anew if anything differs from what the picture was made of. Returns true if something was drawn, or is not
     /// finished. Work beyond the deadline waits for the next call; the last picture stays meanwhile. What fails is kept as
     /// `failure()`, and is not tried again before something changes.
-    bool update(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Deadline deadline,
-                bool timePasses);
+    bool update(Session& session, const PictureEncoder& encoder, const PaneRequest& request, const PaneWork& work);
+    /// The technique's answers for that light, if the picture was drawn with them.
+    [[nodiscard]] const Stage* visibility(int light) const;
 
     /// The slot of that state, made or found, its parameters set. Throws Error (usage) for a value that is out of range.
     Slot& slotFor(const PaneState& state);
@@ -66,8 +75,9 @@ public:
     void forget() { drawnFor_ = {}; }
 
 private:
-    void draw(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Deadline deadline,
-              bool timePasses);
+    void draw(Session& session, const PictureEncoder& encoder, const PaneRequest& request, const PaneWork& work);
+    void encode(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Slot& slot,
+                const std::optional<StageChoice>& stage, const RenderedFrame& rendered);
 
     std::map<std::string, Slot> slots_; ///< by technique
     PanePicture picture_;
@@ -79,5 +89,11 @@ private:
     double progress_ = 1;
     bool converged_ = true;
 };
+
+/// Is that a stage that has to be judged first: `truth`, `error`, `scanline`?
+bool isJudged(std::string_view stage);
+
+/// A picture of the processor's on the graphics card, as the encoder leaves one: row 0 at the bottom.
+gl::Texture2D textureOf(const image::Image& image);
 
 } // namespace shadowlab::session

@@ -26,12 +26,7 @@ int mode(StageKind kind) {
     return 0;
 }
 
-image::Image readPicture(const gl::Texture2D& encoded) {
-    const std::vector<glm::u8vec4> texels = gl::readRows<glm::u8vec4>(encoded, GL_UNSIGNED_BYTE);
-    image::Image picture(encoded.size().x, encoded.size().y);
-    std::memcpy(picture.rgba.data(), texels.data(), texels.size() * 4);
-    return picture;
-}
+constexpr int kGroundMode = 4;
 
 } // namespace
 
@@ -60,12 +55,19 @@ gl::Texture2D PictureEncoder::encodeInPlace(const Stage& stage, StageKind kind, 
     return draw(stage.texture, supersample, {});
 }
 
+gl::Texture2D PictureEncoder::encodeGround(const gl::Texture2D& radiance, float exposure, const Region& region) const {
+    program_.use();
+    program_.set("mode", kGroundMode);
+    program_.set("exposure", exposure);
+    return draw(radiance, 1, region);
+}
+
 image::Image PictureEncoder::encode(const gl::Texture2D& radiance, float exposure, int supersample) const {
-    return readPicture(encodeInPlace(radiance, exposure, supersample));
+    return read(encodeInPlace(radiance, exposure, supersample));
 }
 
 image::Image PictureEncoder::encode(const Stage& stage, StageKind kind, float exposure, int supersample) const {
-    return readPicture(encodeInPlace(stage, kind, exposure, supersample));
+    return read(encodeInPlace(stage, kind, exposure, supersample));
 }
 
 gl::Texture2D PictureEncoder::draw(const gl::Texture2D& source, int supersample, const Region& region) const {
@@ -85,6 +87,24 @@ gl::Texture2D PictureEncoder::draw(const gl::Texture2D& source, int supersample,
     gl::drawFullscreenTriangle();
     gl::check("encode");
     return encoded;
+}
+
+image::Image PictureEncoder::read(const gl::Texture2D& encoded) {
+    const std::vector<glm::u8vec4> texels = gl::readRows<glm::u8vec4>(encoded, GL_UNSIGNED_BYTE);
+    image::Image picture(encoded.size().x, encoded.size().y);
+    std::memcpy(picture.rgba.data(), texels.data(), texels.size() * 4);
+    return picture;
+}
+
+gl::Texture2D PictureEncoder::copyOf(const gl::Texture2D& encoded) {
+    const ivec2 size = encoded.size();
+    gl::Texture2D copy(encoded.internalFormat(), size, "copy of a picture");
+    const gl::Framebuffer source(&encoded, nullptr, "copied"), destination(&copy, nullptr, "copy");
+    gl::setBaselineState();
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, source.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, destination.id());
+    glBlitFramebuffer(0, 0, size.x, size.y, 0, 0, size.x, size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    return copy;
 }
 
 VisibilityImage readVisibility(const Stage& stage, const Region& region) {

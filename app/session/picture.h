@@ -25,8 +25,15 @@ public:
     [[nodiscard]] gl::Texture2D encodeInPlace(const Stage& stage, StageKind kind, float exposure,
                                               int supersample = 1) const;
 
+    /// The picture without its colours, its shadows lifted: the ground on which wrong pixels are shown (verdict_panels.h).
+    [[nodiscard]] gl::Texture2D encodeGround(const gl::Texture2D& radiance, float exposure, const Region& region) const;
+
     /// A stage as its kind asks: exposure, a palette, or the colours as they are.
     [[nodiscard]] image::Image encode(const Stage& stage, StageKind kind, float exposure, int supersample = 1) const;
+
+    /// What was encoded, on the processor; and once more on the card.
+    [[nodiscard]] static image::Image read(const gl::Texture2D& encoded);
+    [[nodiscard]] static gl::Texture2D copyOf(const gl::Texture2D& encoded);
 
 private:
     [[nodiscard]] gl::Texture2D draw(const gl::Texture2D& source, int supersample, const Region& region) const;

@@ -65,10 +65,11 @@ bool Workbench::update(ivec2 areaSize, Deadline deadline) {
     if (isAtRest()) draft_ = 1;
     const Clock::time_point begin = Clock::now();
     bool drawn = false;
-    for (const PlacedPane& placed : this->placed(areaSize))
-        drawn = panes_[static_cast<std::size_t>(placed.pane)].update(session_, encoder_, requestFor(placed, draft_),
-                                                                     deadline, timePasses_) ||
-                drawn;
+    for (const PlacedPane& placed : this->placed(areaSize)) {
+        const PaneWork work{deadline, timePasses_, std::ranges::find(answering_, placed.pane) != answering_.end()};
+        Pane& pane = panes_[static_cast<std::size_t>(placed.pane)];
+        drawn = pane.update(session_, encoder_, requestFor(placed, draft_), work) || drawn;
+    }
     if (!drawn || isAtRest() || !draftAllowed_) return drawn;
     const double tookMs = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     if (tookMs > kTooSlowMs) draft_ = std::min(2 * draft_, kCoarsest);

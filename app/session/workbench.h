@@ -54,6 +54,8 @@ public:
     void drawWhole(bool whole) { whole_ = whole; }
     /// Draws every pane again: its shaders are others now.
     void drawAnew();
+    /// The panes that publish their answers with the next frame, to be judged.
+    void wantVisibility(std::vector<int> panes) { answering_ = std::move(panes); }
     void setTimePasses(bool on) { timePasses_ = on; }
     [[nodiscard]] bool isAtRest() const { return !moving_ && !animation_.playing; }
 
@@ -95,6 +97,7 @@ private:
     std::array<Pane, kPanes> panes_;
     bool moving_ = false, timePasses_ = true, draftAllowed_ = true, whole_ = false;
     int draft_ = 1;
+    std::vector<int> answering_;
 };
 
 } // namespace shadowlab::session

@@ -92,8 +92,9 @@ void drawKey(Plate plate, const std::vector<KeyEntry>& key, ivec2 corner, ivec2 
 
 } // namespace
 
-void drawLegend(ImDrawList& list, const session::PanePicture& picture, ivec2 corner, ivec2 size, const Theme& theme) {
-    if (!picture.texture) return;
+void drawLegend(ImDrawList& list, const session::PanePicture& picture, bool always, ivec2 corner, ivec2 size,
+                const Theme& theme) {
+    if (!picture.texture && !always) return;
     const Plate plate{list, {}, {}, theme.em * 0.5f};
     if (picture.kind == StageKind::scalar || picture.kind == StageKind::count)
         drawBar(plate, picture, corner, size, theme);

@@ -6,7 +6,8 @@
 
 namespace shadowlab::ui {
 
-/// Nothing for pictures that need no legend, and where it would cover more than half of the area.
-void drawLegend(ImDrawList& list, const session::PanePicture& picture, ivec2 corner, ivec2 size, const Theme& theme);
+/// Nothing for pictures that need no legend, or (but for `always`) have no texture, and where it would cover more than half of the area.
+void drawLegend(ImDrawList& list, const session::PanePicture& picture, bool always, ivec2 corner, ivec2 size,
+                const Theme& theme);
 
 } // namespace shadowlab::ui

@@ -12,8 +12,6 @@ void topBar(Desk& desk, const Area& area, const Theme& theme);
 void sidePanel(Desk& desk, const Area& area, const Theme& theme);
 /// What the step that is on show does, and why.
 void stepPanel(Desk& desk, const Area& area, const Theme& theme);
-/// The list of all keys, over everything.
-void keyOverlay(Desk& desk, ivec2 windowSize, const Theme& theme);
 
 /// How high the bar and the panel of the steps are.
 float topBarHeight(const Desk& desk, const Theme& theme, float width);

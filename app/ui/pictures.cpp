@@ -60,40 +60,69 @@ void drawFitted(ImDrawList& list, const gl::Texture2D& texture, const Area& area
     list.AddImage(imguiTexture(texture), corner, {corner.x + shown.x, corner.y + shown.y}, {0, 1}, {1, 0});
 }
 
-void drawPane(ImDrawList& list, const Desk& desk, const ShownPane& shown, const Theme& theme) {
+void drawWhole(ImDrawList& list, const gl::Texture2D& texture, const ShownPane& shown) {
+    list.AddImage(imguiTexture(texture), shown.pictureCorner,
+                  {shown.pictureCorner.x + shown.pictureSize.x, shown.pictureCorner.y + shown.pictureSize.y}, {0, 1},
+                  {1, 0});
+}
+
+/// A sentence in the middle of the pane, on a plate.
+void drawNote(ImDrawList& list, const ShownPane& shown, const std::string& note, ImU32 color, const Theme& theme) {
+    const float width = static_cast<float>(shown.area.size.x) - 2 * theme.em;
+    if (note.empty() || width < theme.em) return;
+    const ImVec2 size = theme.text->CalcTextSizeA(theme.em, FLT_MAX, width, note.c_str());
+    const ImVec2 low = imVec(shown.area.corner);
+    const ImVec2 corner(low.x + (static_cast<float>(shown.area.size.x) - size.x) / 2,
+                        low.y + (static_cast<float>(shown.area.size.y) - size.y) / 2);
+    list.AddRectFilled({corner.x - theme.em / 2, corner.y - theme.em / 2},
+                       {corner.x + size.x + theme.em / 2, corner.y + size.y + theme.em / 2}, kPlateColor);
+    list.AddText(theme.text, theme.em, corner, color, note.c_str(), nullptr, width);
+}
+
+/// The verdicts on a stage that is judged in the background, or its ground as long as there are none.
+void drawJudged(ImDrawList& list, const session::JudgedPicture* judged, const session::Pane& pane,
+                const ShownPane& shown, const Theme& theme) {
+    if (!judged) {
+        if (pane.picture().texture) drawWhole(list, pane.picture().texture, shown);
+        drawNote(list, shown, "finding the exact answer ...", kPlateText, theme);
+        return;
+    }
+    if (judged->ground) drawWhole(list, judged->ground, shown);
+    if (judged->verdicts) drawWhole(list, judged->verdicts, shown);
+    drawLegend(list, judged->legend, true, shown.area.corner, shown.area.size, theme);
+}
+
+std::string noteOf(const Desk& desk, const session::Pane& pane) {
+    if (!pane.failure().empty()) return pane.failure();
+    if (pane.progress() < 1) return "preparing: " + std::to_string(static_cast<int>(100 * pane.progress())) + " %";
+    return desk.bench.draft() > 1
+               ? "while it moves: one pixel for " + std::to_string(desk.bench.draft() * desk.bench.draft())
+               : "";
+}
+
+void drawPane(ImDrawList& list, const Desk& desk, const session::LiveErrors& errors, const ShownPane& shown,
+              const Theme& theme) {
     const session::Pane& pane = desk.bench.pane(shown.pane);
+    const session::Document& document = desk.bench.document();
     const ImVec2 low = imVec(shown.area.corner), high = imVec(shown.area.corner + shown.area.size);
     list.PushClipRect(low, high, true);
     list.AddRectFilled(low, high, IM_COL32(12, 12, 14, 255));
-    if (const gl::Texture2D& texture = pane.picture().texture) {
-        const ivec2 drawn = pane.drawnFor().view.size;
-        if (texture.size() == drawn)
-            list.AddImage(imguiTexture(texture), shown.pictureCorner,
-                          {shown.pictureCorner.x + shown.pictureSize.x, shown.pictureCorner.y + shown.pictureSize.y},
-                          {0, 1}, {1, 0});
+    std::string title = titleOf(desk, shown.pane);
+    if (document.layout == Layout::diff) {
+        title += " against " + titleOf(desk, 1 - shown.pane);
+        drawJudged(list, errors.difference(), pane, shown, theme);
+    } else if (session::isJudged(document.panes[static_cast<std::size_t>(shown.pane)].stage)) {
+        drawJudged(list, errors.picture(shown.pane), pane, shown, theme);
+    } else if (const gl::Texture2D& texture = pane.picture().texture) {
+        if (texture.size() == pane.drawnFor().view.size)
+            drawWhole(list, texture, shown);
         else
             drawFitted(list, texture, shown.area);
+        drawLegend(list, pane.picture(), false, shown.area.corner, shown.area.size, theme);
     }
-    const bool active = shown.pane == desk.bench.document().active && desk.bench.document().layout != Layout::single;
-    drawPlate(list, low, titleOf(desk, shown.pane), theme, theme.heading, active);
-    drawLegend(list, pane.picture(), shown.area.corner, shown.area.size, theme);
-
-    std::string note;
-    if (!pane.failure().empty())
-        note = pane.failure();
-    else if (pane.progress() < 1)
-        note = "preparing: " + std::to_string(static_cast<int>(100 * pane.progress())) + " %";
-    else if (desk.bench.draft() > 1)
-        note = "moving: every " + std::to_string(desk.bench.draft()) + "nd pixel";
-    if (!note.empty()) {
-        const float width = static_cast<float>(shown.area.size.x) - 2 * theme.em;
-        const ImVec2 size = theme.text->CalcTextSizeA(theme.em, FLT_MAX, width, note.c_str());
-        const ImVec2 corner(low.x + theme.em, (low.y + high.y - size.y) / 2);
-        list.AddRectFilled({corner.x - theme.em / 2, corner.y - theme.em / 2},
-                           {corner.x + size.x + theme.em / 2, corner.y + size.y + theme.em / 2}, kPlateColor);
-        list.AddText(theme.text, theme.em, corner, pane.failure().empty() ? kPlateText : kAccent, note.c_str(), nullptr,
-                     width);
-    }
+    const bool active = shown.pane == document.active && document.layout != Layout::single;
+    drawPlate(list, low, title, theme, theme.heading, active);
+    drawNote(list, shown, noteOf(desk, pane), pane.failure().empty() ? kPlateText : kAccent, theme);
     list.PopClipRect();
 }
 
@@ -125,6 +154,7 @@ std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double sec
         shown.pictureSize = imVec(cell.pictureSize);
         panes.push_back(shown);
     }
+    if (desk.bench.document().layout == Layout::diff && panes.size() > 1) panes.pop_back(); // one picture of both
     if (desk.shown.blink && panes.size() >= 2) {
         const int turn = static_cast<int>(seconds / kBlinkSeconds) % 2;
         ShownPane shown = panes[static_cast<std::size_t>(turn)];
@@ -136,10 +166,11 @@ std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double sec
     return panes;
 }
 
-void drawPictures(Desk& desk, const std::vector<ShownPane>& panes, const Area& area, const Theme& theme) {
+void drawPictures(const Desk& desk, const session::LiveErrors& errors, const std::vector<ShownPane>& panes,
+                  const Area& area, const Theme& theme) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     for (const ShownPane& pane : panes)
-        drawPane(list, desk, pane, theme);
+        drawPane(list, desk, errors, pane, theme);
     for (const ShownPane& pane : panes) { // the lines between panes of the grid
         if (hasSplitLine(desk)) break;
         const ImVec2 low = imVec(pane.area.corner);

@@ -1,6 +1,7 @@
 // The picture area: the panes' pictures with their titles and legends, the split line, and what the mouse does there.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "app/session/live_errors.h"
 #include "app/ui/desk.h"
 #include "app/ui/theme.h"
 
@@ -27,7 +28,8 @@ struct ShownPane {
 std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double seconds);
 
 /// Draws pictures, titles, legends and the split line, behind all widgets.
-void drawPictures(Desk& desk, const std::vector<ShownPane>& panes, const Area& area, const Theme& theme);
+void drawPictures(const Desk& desk, const session::LiveErrors& errors, const std::vector<ShownPane>& panes,
+                  const Area& area, const Theme& theme);
 
 /// What the mouse does over the pictures: orbit, pan, zoom, fly, drag the split line, choose the active pane. True while
 /// it moves something.

@@ -6,6 +6,7 @@
 
 #include "app/ui/actions.h"
 #include "app/ui/gizmo.h"
+#include "app/ui/key_overlay.h"
 #include "app/ui/magnifier.h"
 #include "app/ui/panels.h"
 #include "app/ui/strip_panel.h"
@@ -26,7 +27,8 @@ float panelWidth(const Theme& theme, int windowWidth) {
 void Screen::ContextDeleter::operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
 
 Screen::Screen(Desk& desk, std::filesystem::path fontFile)
-    : desk_(desk), fontFile_(std::move(fontFile)), imgui_(ImGui::CreateContext()) {
+    : desk_(desk), fontFile_(std::move(fontFile)), imgui_(ImGui::CreateContext()), labels_(fontFile_),
+      errors_(labels_) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // what is kept between runs is our own business
     io.LogFilename = nullptr;
@@ -84,11 +86,13 @@ bool Screen::frame(double seconds) {
     desk_.restSeconds = moved ? 0 : desk_.restSeconds + seconds;
     desk_.bench.drawWhole(desk_.shown.magnifier || desk_.shown.blink);
     desk_.bench.advance(seconds);
+    errors_.ask(desk_.bench, area.size, clock_);
     const bool drawn = desk_.bench.update(area.size, std::chrono::steady_clock::now() + kPatience);
+    const bool judged = errors_.update(desk_.bench, area.size, clock_);
     const bool small = updateStrip();
-    settled_ = !drawn && !moved && !small && ran_.empty() && desk_.bench.isAtRest();
+    settled_ = !drawn && !moved && !judged && !small && errors_.isDone() && ran_.empty() && desk_.bench.isAtRest();
 
-    drawPictures(desk_, panes, area, theme_);
+    drawPictures(desk_, errors_, panes, area, theme_);
     drawMagnifiers(desk_, panes, theme_);
     drawWidgets();
     drawMessages(area);
@@ -129,7 +133,7 @@ void Screen::drawWidgets() {
         below += height;
     }
     if (desk_.shown.strip) stripPanel(desk_, strip_, {{0, below}, {pictures.size.x, size_.y - below}}, theme_);
-    if (desk_.shown.keys) keyOverlay(desk_, size_, theme_);
+    if (desk_.shown.keys) keyOverlay(size_, theme_);
 }
 
 void Screen::complain(const std::string& fault) {

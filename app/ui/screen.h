@@ -46,6 +46,7 @@ public:
     [[nodiscard]] ivec2 pictureSize() const { return pictureArea().size; }
     /// Would the next frame look just like this one, if no hand moves and no time goes by?
     [[nodiscard]] bool isSettled() const { return settled_; }
+    [[nodiscard]] const session::LiveErrors& errors() const { return errors_; }
     /// The ids of the actions that keys have run in the last frame.
     [[nodiscard]] const std::vector<std::string>& ran() const { return ran_; }
 
@@ -71,6 +72,8 @@ private:
     std::unique_ptr<WidgetRenderer> renderer_;
     Theme theme_;
     session::StageStrip strip_;
+    image::Font labels_; ///< for numbers inside of pictures
+    session::LiveErrors errors_;
     gl::Texture2D picture_;
     gl::Framebuffer framebuffer_;
     ivec2 size_{0};

@@ -2,7 +2,7 @@
 // The last step of every picture: average the samples of a pixel in linear light, expose, clamp, encode as sRGB.
 uniform sampler2D source;
 uniform int supersample;  // N: a pixel is the average of N x N texels
-uniform int mode;         // 0 radiance, 1 colours as they are, 2 value through the palette, 3 visibility
+uniform int mode;         // 0 radiance, 1 colours as they are, 2 value through the palette, 3 visibility, 4 ground under verdicts
 uniform float exposure;
 uniform float minimum, maximum;
 uniform vec4 palette[9];
@@ -35,6 +35,8 @@ void main() {
     for (int y = 0; y < supersample; ++y)
         for (int x = 0; x < supersample; ++x) sum += linearColor(texelFetch(source, first + ivec2(x, y), 0));
     vec3 color = sum / float(supersample * supersample);
-    if (mode == 0) color *= exposure;
+    if (mode == 0 || mode == 4) color *= exposure;
+    // Rec. 709 luminance; as much of white is added as app/session/verdict_panels.cpp adds.
+    if (mode == 4) color = vec3(mix(0.3, 1.0, dot(clamp(color, 0.0, 1.0), vec3(0.2126, 0.7152, 0.0722))));
     encoded = vec4(srgbFromLinear(clamp(color, 0.0, 1.0)), 1.0);
 }

@@ -1,0 +1,89 @@
+// How wrong the pictures of the window are, found while they are on show: what is to be judged is handed to the judge in
+// the background, and what it says is made ready to be seen.
+//
+// While something moves, one pane after the other is judged, a few times a second and without ties: each time the pane is
+// drawn with its answers as well, which costs a little. When all is at rest, every pane is judged exactly, once.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/session/background_judge.h"
+#include "app/session/history.h"
+#include "app/session/workbench.h"
+#include "techniques/foundation/image/text.h"
+
+namespace shadowlab::session {
+
+/// What is known of one pane. It speaks of the picture that was judged, which may be a moment old.
+struct PaneErrors {
+    measure::Counts counts;
+    std::optional<double> edgeErrorPx;
+    std::optional<int> coreErrors;
+    bool exact = false;
+    PaneRequest judged; ///< what it is about
+};
+
+/// A stage that has been judged, ready to be seen: the ground, and over it the verdicts.
+struct JudgedPicture {
+    gl::Texture2D ground, verdicts; ///< of one size; without ground the verdicts cover everything
+    PanePicture legend;             ///< its kind and key; no texture
+    bool exact = false;
+};
+
+class LiveErrors {
+public:
+    /// The font is for the numbers of the stage `scanline`. It must live as long.
+    explicit LiveErrors(const image::Font& font) : font_(font), history_(kHistory) {}
+
+    /// Before the panes are drawn: which of them are to publish their answers.
+    void ask(Workbench& bench, ivec2 areaSize, double seconds);
+    /// After they are drawn: hands over what they published, and takes what has been found. True if a picture has changed.
+    bool update(Workbench& bench, ivec2 areaSize, double seconds);
+
+    /// Nothing when the pane has not been judged yet, or shows something that cannot be.
+    [[nodiscard]] const PaneErrors* errors(int pane) const;
+    /// Of a pane that shows `truth`, `error` or `scanline`; nothing before the first verdict.
+    [[nodiscard]] const JudgedPicture* picture(int pane) const;
+    /// Of the layout `diff`.
+    [[nodiscard]] const JudgedPicture* difference() const { return difference_ ? &*difference_ : nullptr; }
+    [[nodiscard]] const History& history() const { return history_; }
+    /// Is every pane on show judged exactly?
+    [[nodiscard]] bool isDone() const { return done_; }
+    [[nodiscard]] const std::string& failure() const { return failure_; }
+
+private:
+    static constexpr std::size_t kHistory = 600; ///< samples of the plot: about a minute of moving
+
+    /// What was handed over, until the answer comes.
+    struct Submitted {
+        std::vector<int> panes;
+        std::vector<PaneRequest> requests;
+        std::map<int, gl::Texture2D> grounds;                ///< of panes that show a judged stage
+        std::map<int, VisibilityImage> answers;              ///< of those that show `scanline`
+        std::array<std::optional<image::Image>, 2> pictures; ///< of `diff`: only the first is the ground
+    };
+    void submit(Workbench& bench, const std::vector<PlacedPane>& placed, const std::vector<int>& panes, bool exact);
+    void take(const Workbench& bench, const JudgeAnswer& answer, double seconds);
+    void showPicture(const Workbench& bench, const JudgeAnswer& answer, Submitted& submitted, std::size_t slot);
+
+    const image::Font& font_;
+    BackgroundJudge judge_;
+    std::map<std::uint64_t, Submitted> submitted_;
+    std::uint64_t taken_ = 0;
+    std::map<int, PaneErrors> errors_;
+    std::map<int, JudgedPicture> pictures_;
+    std::optional<JudgedPicture> difference_;
+    History history_;
+    std::vector<PaneRequest> exactFor_; ///< what the last exact task was about
+    std::vector<int> wanted_;           ///< panes that are to publish their answers now
+    double lastSubmit_ = 0, restSince_ = 0;
+    std::size_t turn_ = 0; ///< whose turn it is while something moves
+    bool done_ = false;
+    std::string failure_;
+};
+
+} // namespace shadowlab::session
