@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/outside_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <glm/gtc/constants.hpp>
+
+namespace shadowlab::scene {
+
+namespace {
+
+// Thinner than this share of its longest side a thing is flat: a wall of 5 cm in a room of 5 m is.
+constexpr double kFlatShare = 0.01;
+// A flat thing is a stage, not an actor, when it is that many times as large as all that is not flat.
+constexpr double kStageTimes = 1.5;
+// Lights farther away than that many times the size of things and eye together are not worth shrinking the picture for.
+constexpr double kNearLights = 4;
+
+constexpr double kEndOn = 0.8; ///< cosine: an arrow seen under less than 37 degrees is a dot
+
+constexpr double kFovYDegrees = 40;
+constexpr double kFilled = 0.85; ///< of the picture's half width and height: the rest is margin
+// Depth steps at distance D are D^2 / (near 2^24): with this share of D, 2e-5 D, a fiftieth of a pixel.
+constexpr double kNearShare = 1.0 / 300;
+
+double size(const Bounds& box) { return box.isEmpty() ? 0.0 : glm::length(box.upperWorld - box.lowerWorld); }
+dvec3 middle(const Bounds& box) { return 0.5 * (box.lowerWorld + box.upperWorld); }
+
+bool isFlat(const Bounds& box) {
+    const dvec3 extent = box.upperWorld - box.lowerWorld;
+    return std::min({extent.x, extent.y, extent.z}) <= kFlatShare * std::max({extent.x, extent.y, extent.z});
+}
+
+/// Does the way from a to b enter the box? Not where one of them lies in it already (Kay and Kajiya, 1986).
+bool isBetween(const Bounds& box, const dvec3& a, const dvec3& b) {
+    double enter = 0, leave = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double way = b[axis] - a[axis];
+        if (way == 0) {
+            if (a[axis] < box.lowerWorld[axis] || a[axis] > box.upperWorld[axis]) return false;
+            continue;
+        }
+        const double first = (box.lowerWorld[axis] - a[axis]) / way, second = (box.upperWorld[axis] - a[axis]) / way;
+        enter = std::max(enter, std::min(first, second));
+        leave = std::min(leave, std::max(first, second));
+    }
+    return enter <= leave && enter > 0 && leave < 1;
+}
+
+/// Axes of a camera that looks at the eye's scene from `asideDegrees` beside the eye and `aboveDegrees` above.
+struct Axes {
+    dvec3 right, up, backward;
+};
+Axes axesBeside(const Camera& eye, double asideDegrees, double aboveDegrees) {
+    const double aside = glm::radians(asideDegrees), above = glm::radians(aboveDegrees);
+    const dvec3 up = glm::normalize(eye.upWorld);
+    const dvec3 backwardOfEye = glm::normalize(eye.positionWorld - eye.targetWorld);
+    const dvec3 right = glm::normalize(glm::cross(up, backwardOfEye)); // hasView: they are not parallel
+    const dvec3 behind = glm::cross(right, up);
+    Axes axes;
+    axes.backward = std::cos(above) * (std::cos(aside) * behind + std::sin(aside) * right) + std::sin(above) * up;
+    axes.right = glm::normalize(glm::cross(up, axes.backward));
+    axes.up = glm::cross(axes.backward, axes.right);
+    return axes;
+}
+
+Camera framing(const std::vector<dvec3>& pointsWorld, const Axes& axes, const dvec3& upWorld, double aspect) {
+    Bounds inAxes; // of the points, along right, up and backward, about the first: nothing is lost far from the origin
+    for (const dvec3& p : pointsWorld) {
+        const dvec3 offset = p - pointsWorld.front();
+        inAxes.include({glm::dot(offset, axes.right), glm::dot(offset, axes.up), glm::dot(offset, axes.backward)});
+    }
+    const dvec3 centre = middle(inAxes);
+    const double tanY = kFilled * std::tan(glm::radians(kFovYDegrees / 2)), tanX = tanY * aspect;
+    double distance = 0;
+    for (const dvec3& p : pointsWorld) {
+        const dvec3 offset = p - pointsWorld.front();
+        const double x = std::abs(glm::dot(offset, axes.right) - centre.x);
+        const double y = std::abs(glm::dot(offset, axes.up) - centre.y);
+        const double toward = glm::dot(offset, axes.backward) - centre.z;
+        distance = std::max(distance, toward + std::max(x / tanX, y / tanY));
+    }
+    const dvec3 target = pointsWorld.front() + centre.x * axes.right + centre.y * axes.up + centre.z * axes.backward;
+    Camera camera;
+    camera.positionWorld = target + distance * axes.backward;
+    camera.targetWorld = target;
+    camera.upWorld = upWorld;
+    camera.fovYDegrees = kFovYDegrees;
+    camera.near = kNearShare * distance;
+    return camera;
+}
+
+} // namespace
+
+Bounds thingsBounds(const Scene& scene) {
+    const std::vector<Bounds> boxes = objectBounds(scene);
+    Bounds all, solid;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (scene.objects[i].emitterOfLight >= 0 || boxes[i].isEmpty()) continue;
+        all.include(boxes[i]);
+        if (!isFlat(boxes[i])) solid.include(boxes[i]);
+    }
+    if (solid.isEmpty()) return all;
+    Bounds things = solid;
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        if (scene.objects[i].emitterOfLight < 0 && !boxes[i].isEmpty() && size(boxes[i]) <= kStageTimes * size(solid))
+            things.include(boxes[i]);
+    return things;
+}
+
+ArrowPlace arrowPlace(const Bounds& things, const Light& directional) {
+    if (things.isEmpty()) return {};
+    const dvec3 half = 0.5 * (things.upperWorld - things.lowerWorld);
+    const double reach = glm::dot(half, glm::abs(directional.directionWorld)); // of the box, toward the light
+    const double length = 0.4 * glm::length(half);
+    return {middle(things) - directional.directionWorld * (reach + 0.1 * length), length};
+}
+
+Camera outsideCameraFor(const Scene& scene, const Camera& eye, double aspect) {
+    const Bounds things = thingsBounds(scene);
+    Bounds all = things;
+    all.include(eye.positionWorld);
+    if (things.isEmpty()) all.include(eye.targetWorld);
+
+    std::vector<dvec3> points = {eye.positionWorld};
+    std::vector<dvec3> seen = {eye.positionWorld, things.isEmpty() ? eye.targetWorld : middle(things)};
+    if (things.isEmpty()) points.push_back(eye.targetWorld);
+    for (int i = 0; i < 8 && !things.isEmpty(); ++i)
+        points.push_back(things.corner(i));
+    // Of the eye's view, what it has where the things are; all of it may be far larger than they.
+    const double depth = glm::length(seen.back() - eye.positionWorld);
+    for (const dvec3& corner : viewCorners(eye, aspect, depth))
+        points.push_back(corner);
+    std::vector<dvec3> directions; // of light without a place
+    for (const Light& light : scene.lights) {
+        dvec3 place = light.positionWorld;
+        if (light.type == LightType::directional) {
+            const ArrowPlace arrow = arrowPlace(things, light);
+            directions.push_back(light.directionWorld);
+            place = arrow.tipWorld - arrow.length * light.directionWorld;
+        }
+        if (glm::length(place - middle(all)) > kNearLights * size(all)) continue;
+        points.push_back(place);
+        seen.push_back(place);
+    }
+
+    const std::vector<Bounds> boxes = objectBounds(scene);
+    Camera best;
+    std::size_t fewest = ~std::size_t{0};
+    for (const double above : {27.0, 14.0, 42.0})
+        for (const double aside : {48.0, -48.0, 68.0, -68.0, 25.0, -25.0}) {
+            const Camera camera = framing(points, axesBeside(eye, aside, above), eye.upWorld, aspect);
+            std::size_t hidden = 0;
+            for (const dvec3& point : seen)
+                hidden += std::ranges::any_of(boxes, [&](const Bounds& box) {
+                    return !box.isEmpty() && isBetween(box, camera.positionWorld, point);
+                });
+            const dvec3 forward = glm::normalize(camera.targetWorld - camera.positionWorld);
+            for (const dvec3& direction : directions) // an arrow seen end-on has no direction
+                hidden += std::abs(glm::dot(direction, forward)) > kEndOn ? 1 : 0;
+            if (hidden >= fewest) continue;
+            fewest = hidden;
+            best = camera;
+        }
+    return best;
+}
+
+} // namespace shadowlab::scene
