@@ -73,7 +73,7 @@ struct ShapePainter::Faces {
     }
 };
 
-float lineWidth(int height) { return std::max(1.5f, static_cast<float>(height) / 240.0f); }
+float lineWidth(int height) { return std::max(2.0f, static_cast<float>(height) / 240.0f); }
 
 std::vector<ScreenSegment> projectSegments(std::span<const dvec3> pointsWorld, const scene::Camera& camera,
                                            ivec2 size) {

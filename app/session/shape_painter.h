@@ -20,7 +20,7 @@ struct ScreenSegment {
 /// little more than the picture. Computed in double.
 std::vector<ScreenSegment> projectSegments(std::span<const dvec3> pointsWorld, const scene::Camera& camera, ivec2 size);
 
-/// Width of the lines in pixels, in a picture of that height.
+/// Width of the lines in pixels, in a picture of that height: what look::lineRadius says, and never less than two.
 float lineWidth(int height);
 
 class ShapePainter {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <glm/gtc/constants.hpp>
@@ -22,8 +23,9 @@ constexpr double kEndOn = 0.8; ///< cosine: an arrow seen under less than 37 deg
 
 constexpr double kFovYDegrees = 40;
 constexpr double kFilled = 0.85; ///< of the picture's half width and height: the rest is margin
-// Depth steps at distance D are D^2 / (near 2^24): with this share of D, 2e-5 D, a fiftieth of a pixel.
-constexpr double kNearShare = 1.0 / 300;
+// Of the distance to the nearest point: lines may come nearer than all points. Depth steps at distance D are
+// D^2 / (near 2^24), with this share not more than a few hundred-thousandths of D, a fraction of a pixel.
+constexpr double kNearShare = 1.0 / 100;
 
 double size(const Bounds& box) { return box.isEmpty() ? 0.0 : glm::length(box.upperWorld - box.lowerWorld); }
 dvec3 middle(const Bounds& box) { return 0.5 * (box.lowerWorld + box.upperWorld); }
@@ -66,29 +68,32 @@ Axes axesBeside(const Camera& eye, double asideDegrees, double aboveDegrees) {
     return axes;
 }
 
+/// As near as possible, all points within the filled part of the picture. Seen from c + D backward, a point at (x, toward)
+/// is within when |x - c| <= tan * (D - toward): of the two conditions each has one point that is hardest to meet, and the
+/// camera stands where both of these are just met. Across and up alike; the larger distance is taken.
 Camera framing(const std::vector<dvec3>& pointsWorld, const Axes& axes, const dvec3& upWorld, double aspect) {
-    Bounds inAxes; // of the points, along right, up and backward, about the first: nothing is lost far from the origin
+    const double tanUp = kFilled * std::tan(glm::radians(kFovYDegrees / 2)), tanRight = tanUp * aspect;
+    const double none = -std::numeric_limits<double>::infinity();
+    double right = none, left = none, up = none, down = none, nearest = none, farthest = -none;
     for (const dvec3& p : pointsWorld) {
-        const dvec3 offset = p - pointsWorld.front();
-        inAxes.include({glm::dot(offset, axes.right), glm::dot(offset, axes.up), glm::dot(offset, axes.backward)});
+        const dvec3 offset = p - pointsWorld.front(); // so nothing is lost far from the origin
+        const double x = glm::dot(offset, axes.right), y = glm::dot(offset, axes.up);
+        const double toward = glm::dot(offset, axes.backward);
+        right = std::max(right, tanRight * toward + x);
+        left = std::max(left, tanRight * toward - x);
+        up = std::max(up, tanUp * toward + y);
+        down = std::max(down, tanUp * toward - y);
+        nearest = std::max(nearest, toward);
+        farthest = std::min(farthest, toward);
     }
-    const dvec3 centre = middle(inAxes);
-    const double tanY = kFilled * std::tan(glm::radians(kFovYDegrees / 2)), tanX = tanY * aspect;
-    double distance = 0;
-    for (const dvec3& p : pointsWorld) {
-        const dvec3 offset = p - pointsWorld.front();
-        const double x = std::abs(glm::dot(offset, axes.right) - centre.x);
-        const double y = std::abs(glm::dot(offset, axes.up) - centre.y);
-        const double toward = glm::dot(offset, axes.backward) - centre.z;
-        distance = std::max(distance, toward + std::max(x / tanX, y / tanY));
-    }
-    const dvec3 target = pointsWorld.front() + centre.x * axes.right + centre.y * axes.up + centre.z * axes.backward;
+    const double back = std::max((right + left) / (2 * tanRight), (up + down) / (2 * tanUp));
+    const dvec3 middle = pointsWorld.front() + 0.5 * (right - left) * axes.right + 0.5 * (up - down) * axes.up;
     Camera camera;
-    camera.positionWorld = target + distance * axes.backward;
-    camera.targetWorld = target;
+    camera.positionWorld = middle + back * axes.backward;
+    camera.targetWorld = middle + 0.5 * (nearest + farthest) * axes.backward; // amid the points: what one orbits about
     camera.upWorld = upWorld;
     camera.fovYDegrees = kFovYDegrees;
-    camera.near = kNearShare * distance;
+    camera.near = kNearShare * (back - nearest);
     return camera;
 }
 
