@@ -77,8 +77,8 @@ Points lightSign(const scene::Light& light, const scene::Bounds& things, const s
         const auto [u, v] = acrossOf(light.directionWorld);
         // Five, as on a die: nine would hide one another.
         for (const dvec2& pip : {dvec2(0, 0), dvec2(1, 1), dvec2(1, -1), dvec2(-1, 1), dvec2(-1, -1)})
-            addArrow(points, arrow.tipWorld + 0.3 * arrow.length * (pip.x * u + pip.y * v), light.directionWorld,
-                     arrow.length);
+            addArrow(points, arrow.tipWorld + arrow.spread / std::sqrt(2.0) * (pip.x * u + pip.y * v),
+                     light.directionWorld, arrow.length);
         break;
     }
     case scene::LightType::spot: {

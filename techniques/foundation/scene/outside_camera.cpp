@@ -19,7 +19,8 @@ constexpr double kStageTimes = 1.5;
 // Lights farther away than that many times the size of things and eye together are not worth shrinking the picture for.
 constexpr double kNearLights = 4;
 
-constexpr double kEndOn = 0.8; ///< cosine: an arrow seen under less than 37 degrees is a dot
+constexpr double kEndOn = 0.8;    ///< cosine: an arrow seen under less than 37 degrees is a dot
+constexpr double kAgainst = -0.2; ///< cosine: light that travels toward the camera, more than only across
 
 constexpr double kFovYDegrees = 40;
 constexpr double kFilled = 0.85; ///< of the picture's half width and height: the rest is margin
@@ -97,6 +98,63 @@ Camera framing(const std::vector<dvec3>& pointsWorld, const Axes& axes, const dv
     return camera;
 }
 
+/// What the second camera has to show.
+struct Subject {
+    std::vector<dvec3> framed;  ///< points within its picture
+    std::vector<dvec3> seen;    ///< points that nothing should hide: the eye, the middle of the things, the lights
+    std::vector<dvec3> arrows;  ///< unit: directions of light that comes from no place
+    std::vector<dvec3> shining; ///< unit: the ways light travels where the things are
+};
+
+Subject subjectOf(const Scene& scene, const Bounds& things, const Camera& eye, double aspect) {
+    const dvec3 centre = things.isEmpty() ? eye.targetWorld : middle(things);
+    Subject subject;
+    subject.seen = subject.framed = {eye.positionWorld, centre};
+    for (int i = 0; i < 8 && !things.isEmpty(); ++i)
+        subject.framed.push_back(things.corner(i));
+    // Of the eye's view, what it has where the things are; all of it may be far larger than they.
+    for (const dvec3& corner : viewCorners(eye, aspect, glm::length(centre - eye.positionWorld)))
+        subject.framed.push_back(corner);
+    Bounds all = things;
+    all.include(centre);
+    all.include(eye.positionWorld);
+    for (const Light& light : scene.lights) {
+        dvec3 place = light.positionWorld;
+        if (light.type == LightType::directional) {
+            const ArrowPlace arrow = arrowPlace(things, light);
+            place = arrow.tipWorld - arrow.length * light.directionWorld;
+            subject.arrows.push_back(light.directionWorld);
+            for (int axis = 0; axis < 3; ++axis) // those around the middle one
+                for (const double side : {-arrow.spread, arrow.spread}) {
+                    subject.framed.push_back(place);
+                    subject.framed.back()[axis] += side;
+                }
+        }
+        if (glm::length(place - middle(all)) > kNearLights * size(all)) continue;
+        subject.framed.push_back(place);
+        subject.seen.push_back(place);
+        if (place != centre)
+            subject.shining.push_back(light.type == LightType::directional ? light.directionWorld
+                                                                           : glm::normalize(centre - place));
+    }
+    return subject;
+}
+
+/// How much is wrong with a place: points that a box hides, arrows seen end-on, and, half as bad, sides turned to the
+/// camera that are dark, because the light comes from behind the things.
+double faultsOf(const Camera& camera, const Subject& subject, const std::vector<Bounds>& boxes) {
+    double faults = 0;
+    for (const dvec3& point : subject.seen)
+        faults += std::ranges::any_of(
+            boxes, [&](const Bounds& box) { return !box.isEmpty() && isBetween(box, camera.positionWorld, point); });
+    const dvec3 forward = glm::normalize(camera.targetWorld - camera.positionWorld);
+    for (const dvec3& direction : subject.arrows)
+        faults += std::abs(glm::dot(direction, forward)) > kEndOn;
+    for (const dvec3& direction : subject.shining)
+        faults += 0.5 * (glm::dot(direction, forward) < kAgainst);
+    return faults;
+}
+
 } // namespace
 
 Bounds thingsBounds(const Scene& scene) {
@@ -119,54 +177,21 @@ ArrowPlace arrowPlace(const Bounds& things, const Light& directional) {
     if (things.isEmpty()) return {};
     const dvec3 half = 0.5 * (things.upperWorld - things.lowerWorld);
     const double reach = glm::dot(half, glm::abs(directional.directionWorld)); // of the box, toward the light
-    const double length = 0.4 * glm::length(half);
-    return {middle(things) - directional.directionWorld * (reach + 0.1 * length), length};
+    const double length = 0.3 * glm::length(half);
+    return {middle(things) - directional.directionWorld * (reach + 0.1 * length), length, 0.4 * length};
 }
 
 Camera outsideCameraFor(const Scene& scene, const Camera& eye, double aspect) {
-    const Bounds things = thingsBounds(scene);
-    Bounds all = things;
-    all.include(eye.positionWorld);
-    if (things.isEmpty()) all.include(eye.targetWorld);
-
-    std::vector<dvec3> points = {eye.positionWorld};
-    std::vector<dvec3> seen = {eye.positionWorld, things.isEmpty() ? eye.targetWorld : middle(things)};
-    if (things.isEmpty()) points.push_back(eye.targetWorld);
-    for (int i = 0; i < 8 && !things.isEmpty(); ++i)
-        points.push_back(things.corner(i));
-    // Of the eye's view, what it has where the things are; all of it may be far larger than they.
-    const double depth = glm::length(seen.back() - eye.positionWorld);
-    for (const dvec3& corner : viewCorners(eye, aspect, depth))
-        points.push_back(corner);
-    std::vector<dvec3> directions; // of light without a place
-    for (const Light& light : scene.lights) {
-        dvec3 place = light.positionWorld;
-        if (light.type == LightType::directional) {
-            const ArrowPlace arrow = arrowPlace(things, light);
-            directions.push_back(light.directionWorld);
-            place = arrow.tipWorld - arrow.length * light.directionWorld;
-        }
-        if (glm::length(place - middle(all)) > kNearLights * size(all)) continue;
-        points.push_back(place);
-        seen.push_back(place);
-    }
-
+    const Subject subject = subjectOf(scene, thingsBounds(scene), eye, aspect);
     const std::vector<Bounds> boxes = objectBounds(scene);
     Camera best;
-    std::size_t fewest = ~std::size_t{0};
+    double fewest = std::numeric_limits<double>::infinity();
     for (const double above : {27.0, 14.0, 42.0})
-        for (const double aside : {48.0, -48.0, 68.0, -68.0, 25.0, -25.0}) {
-            const Camera camera = framing(points, axesBeside(eye, aside, above), eye.upWorld, aspect);
-            std::size_t hidden = 0;
-            for (const dvec3& point : seen)
-                hidden += std::ranges::any_of(boxes, [&](const Bounds& box) {
-                    return !box.isEmpty() && isBetween(box, camera.positionWorld, point);
-                });
-            const dvec3 forward = glm::normalize(camera.targetWorld - camera.positionWorld);
-            for (const dvec3& direction : directions) // an arrow seen end-on has no direction
-                hidden += std::abs(glm::dot(direction, forward)) > kEndOn ? 1 : 0;
-            if (hidden >= fewest) continue;
-            fewest = hidden;
+        for (const double aside : {48.0, -48.0, 68.0, -68.0, 25.0, -25.0}) { // the first of equally good ones is taken
+            const Camera camera = framing(subject.framed, axesBeside(eye, aside, above), eye.upWorld, aspect);
+            const double faults = faultsOf(camera, subject, boxes);
+            if (faults >= fewest) continue;
+            fewest = faults;
             best = camera;
         }
     return best;

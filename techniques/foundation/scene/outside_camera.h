@@ -13,6 +13,7 @@ Bounds thingsBounds(const Scene& scene);
 struct ArrowPlace {
     dvec3 tipWorld{0.0}; ///< of the middle one
     double length = 1;   ///< metres
+    double spread = 0.4; ///< metres, from the middle one to those around it
 };
 ArrowPlace arrowPlace(const Bounds& things, const Light& directional);
 
