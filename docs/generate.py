@@ -83,9 +83,10 @@ class Program:
         return json.loads(result.stdout)[what]
 
     def stages_of(self, technique):
-        """A technique's own stages, and where it is wrong. What else the session derives looks alike for all: measuring.md."""
+        """A technique's own stages, where it is wrong, and what a second camera sees. What else the session derives looks
+        alike for all: measuring.md."""
         return [s for s in self.stages if s["technique"] == technique and not s["stage"].startswith("pass:")
-                and (not s["derived"] or s["stage"] == "error")]
+                and (not s["derived"] or s["stage"] in ("error", "outside"))]
 
     def passes_of(self, technique):
         return [s for s in self.stages if s["technique"] == technique and s["stage"].startswith("pass:")]

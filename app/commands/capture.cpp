@@ -223,7 +223,7 @@ private:
 
     session::Panel pictureOf(std::size_t i, const session::RenderedFrame& rendered, const View& view,
                              const session::Cell& cell) {
-        const session::Slot& slot = slots_[i];
+        session::Slot& slot = slots_[i];
         const std::optional<session::StageChoice>& chosen = stages_[i];
         session::Panel panel;
         if (chosen && !chosen->isPass && session::isDerived(chosen->key.id))

@@ -5,8 +5,10 @@
 
 #include "app/measure/verdict.h"
 #include "app/session/mesh_edges.h"
+#include "app/session/outside_view.h"
 #include "app/session/scanline_plot.h"
 #include "app/session/verdict_panels.h"
+#include "techniques/foundation/scene/outside_camera.h"
 
 namespace shadowlab::session {
 
@@ -14,6 +16,8 @@ namespace {
 
 const StageInfo kMeshEdges{"mesh-edges", "Edges where meshes are open, or no surface at all", StageKind::swatches,
                            false};
+const StageInfo kOutside{"outside", "Seen from outside: the eye, the light, and what lies between them",
+                         StageKind::swatches, true};
 
 /// Of techniques that publish their visibility.
 const StageInfo kDerived[] = {
@@ -22,6 +26,15 @@ const StageInfo kDerived[] = {
     {"scanline", "Visibility along one row, against the truth", StageKind::swatches, true},
 };
 
+Panel outsidePanel(Session& session, Slot& slot, const PictureEncoder& encoder, const DerivedRequest& request) {
+    const scene::Scene& scene = *session.snapshot();
+    View outside = request.view;
+    const double aspect = static_cast<double>(outside.size.x) / outside.size.y;
+    outside.camera = request.outside ? *request.outside : scene::outsideCameraFor(scene, request.view.camera, aspect);
+    const Stage stage = *OutsideView().render(session, slot, request.view, outside, request.stage.light);
+    return {encoder.encode(stage, kOutside.kind, scene.exposure), "", kOutside.kind, stage.display};
+}
+
 } // namespace
 
 std::vector<StageInfo> stagesOf(const TechniqueInfo& info) {
@@ -29,24 +42,27 @@ std::vector<StageInfo> stagesOf(const TechniqueInfo& info) {
     if (std::ranges::find(stages, "visibility", &StageInfo::id) != stages.end())
         stages.insert(stages.end(), std::begin(kDerived), std::end(kDerived));
     stages.push_back(kMeshEdges);
+    stages.push_back(kOutside);
     return stages;
 }
 
 bool isDerived(std::string_view stage) {
-    return stage == kMeshEdges.id || std::ranges::find(kDerived, stage, &StageInfo::id) != std::end(kDerived);
+    return stage == kMeshEdges.id || stage == kOutside.id ||
+           std::ranges::find(kDerived, stage, &StageInfo::id) != std::end(kDerived);
 }
 
 std::vector<StageKey> neededFor(const StageKey& stage) {
     if (!isDerived(stage.id)) return {stage};
-    if (stage.id == "truth" || stage.id == kMeshEdges.id) return {};
+    if (stage.id == "truth" || stage.id == kMeshEdges.id || stage.id == kOutside.id) return {};
     return {{"visibility", stage.light}};
 }
 
-Panel derivedPanel(Session& session, const Slot& slot, const RenderedFrame& rendered, const PictureEncoder& encoder,
+Panel derivedPanel(Session& session, Slot& slot, const RenderedFrame& rendered, const PictureEncoder& encoder,
                    const DerivedRequest& request) {
     if (request.stage.id == kMeshEdges.id)
         return meshEdgesPanel(encoder.encode(slot.target.color, session.snapshot()->exposure), *session.snapshot(),
                               session.buffers(), request.view);
+    if (request.stage.id == kOutside.id) return outsidePanel(session, slot, encoder, request);
     const int light = request.stage.light;
     const measure::Truth& truth = session.truth(request.view, light);
     if (request.stage.id == "truth") return truthPanel(truth, request.view.region);

@@ -1,5 +1,5 @@
-// Stages that no technique draws: the session derives them from a technique's `visibility` and the truth, or from the
-// scene alone.
+// Stages that no technique draws: the session derives them from a technique's `visibility` and the truth, from the
+// scene alone, or from what a technique has in the scene.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -24,10 +24,11 @@ std::vector<StageKey> neededFor(const StageKey& stage);
 struct DerivedRequest {
     StageKey stage;
     View view;
-    std::optional<int> row;            ///< of `scanline`; none: the one with most wrong pixels
-    const image::Font* font = nullptr; ///< for the numbers of `scanline`
+    std::optional<int> row;                 ///< of `scanline`; none: the one with most wrong pixels
+    const image::Font* font = nullptr;      ///< for the numbers of `scanline`
+    std::optional<scene::Camera> outside{}; ///< of `outside`; none: scene::outsideCameraFor
 };
-Panel derivedPanel(Session& session, const Slot& slot, const RenderedFrame& rendered, const PictureEncoder& encoder,
+Panel derivedPanel(Session& session, Slot& slot, const RenderedFrame& rendered, const PictureEncoder& encoder,
                    const DerivedRequest& request);
 
 } // namespace shadowlab::session

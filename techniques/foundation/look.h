@@ -31,6 +31,14 @@ inline const vec3 kOccluded = linearFromSrgb8(0xD5, 0x5E, 0x00);
 inline const vec3 kNothingStored = linearFromSrgb8(0x56, 0xB4, 0xE9);
 inline const vec3 kNotAsked = linearFromSrgb8(0x60, 0x60, 0x60);
 
+// What a second camera, looking on from outside, sees of the first one and of the lights: the eye and its rays; the light
+// that is looked at, the other ones; the cameras that a light has of its own.
+inline const vec3 kEye = linearFromSrgb8(0x56, 0xB4, 0xE9);
+inline const vec3 kEyeRay = linearFromSrgb8(0xF2, 0xF2, 0xF2);
+inline const vec3 kChosenLight = linearFromSrgb8(0xF0, 0xE4, 0x42);
+inline const vec3 kOtherLight = linearFromSrgb8(0xB0, 0xB0, 0xB0);
+inline const vec3 kLightFrustum = linearFromSrgb8(0xE6, 0x9F, 0x00);
+
 // A technique's visibility against the truth; what is right is the picture without its colours.
 inline const vec3 kFalseLit = linearFromSrgb8(0xE6, 0x9F, 0x00);
 inline const vec3 kFalseShadow = linearFromSrgb8(0x00, 0x72, 0xB2);

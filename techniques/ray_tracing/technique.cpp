@@ -13,6 +13,7 @@
 #include "techniques/foundation/look.h"
 #include "techniques/frame.h"
 #include "techniques/ray_tracing/picture.h"
+#include "techniques/ray_tracing/ray_shapes.h"
 #include "techniques/ray_tracing/upload.h"
 
 namespace shadowlab::ray_tracing {
@@ -111,6 +112,9 @@ public:
     }
 
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
+    std::vector<SceneShape> shapes(const scene::Snapshot&, const View& view, int light) override {
+        return rayShapes(tracer_, view, light);
+    }
     std::string remark(const scene::MeshReport&) const override {
         return "any triangles will do, closed or not, in any winding: rays meet them from both sides";
     }

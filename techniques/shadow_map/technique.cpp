@@ -3,6 +3,7 @@
 
 #include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/shadow_map/frusta.h"
 
 namespace shadowlab::shadow_map {
 
@@ -187,6 +188,10 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
         break;
     }
     return probe;
+}
+
+std::vector<SceneShape> ShadowMap::shapes(const scene::Snapshot&, const View&, int light) {
+    return frustumShapes(prepared_[static_cast<std::size_t>(light)].maps);
 }
 
 std::string ShadowMap::remark(const scene::MeshReport&) const { return "any mesh that can be drawn can be mapped"; }

@@ -35,6 +35,7 @@ public:
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override;
     Progress render(Frame& frame) override;
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
+    std::vector<SceneShape> shapes(const scene::Snapshot& snapshot, const View& view, int light) override;
     std::string remark(const scene::MeshReport& report) const override;
 
 private:

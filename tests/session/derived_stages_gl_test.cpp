@@ -154,6 +154,8 @@ TEST(DerivedStages, BelongToTechniquesThatPublishVisibility) {
         EXPECT_EQ(has("truth"), has("visibility")) << technique.info->id;
         EXPECT_EQ(has("error"), has("visibility"));
         EXPECT_EQ(has("scanline"), has("visibility"));
+        EXPECT_EQ(has("mesh-edges"), 1);
+        EXPECT_EQ(has("outside"), 1);
         for (const StageInfo& own : technique.info->stages)
             EXPECT_FALSE(isDerived(own.id)) << technique.info->id << " takes a reserved id: " << own.id;
     }

@@ -52,4 +52,14 @@ dvec3 rayDirectionWorld(const Camera& camera, dvec2 pixel, ivec2 size) {
     return glm::normalize(worldFromViewRotation(camera) * directionView);
 }
 
+std::array<dvec3, 4> viewCorners(const Camera& camera, double aspect, double depth) {
+    const dmat3 worldFromView = worldFromViewRotation(camera);
+    const double y = depth * tanHalfFovY(camera), x = y * aspect;
+    std::array<dvec3, 4> corners = {dvec3(-x, y, -depth), dvec3(x, y, -depth), dvec3(x, -y, -depth),
+                                    dvec3(-x, -y, -depth)};
+    for (dvec3& corner : corners)
+        corner = camera.positionWorld + worldFromView * corner;
+    return corners;
+}
+
 } // namespace shadowlab::scene

@@ -1,6 +1,7 @@
 // The eye, and the matrices that follow from it.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <limits>
 
 #include "techniques/foundation/math/types.h"
@@ -32,5 +33,9 @@ dmat4 clipFromView(const Camera& camera, double aspect);
 /// Unit direction, in world space, of the ray through a point of the picture.
 /// `pixel` counts from the upper left corner; (x + 0.5, y + 0.5) is a pixel's centre. `size` is in pixels.
 dvec3 rayDirectionWorld(const Camera& camera, dvec2 pixel, ivec2 size);
+
+/// Corners, in world space, of the rectangle that the camera sees of the plane at that depth (metres along its axis): upper
+/// left, upper right, lower right and lower left of the picture. `aspect` is width over height.
+std::array<dvec3, 4> viewCorners(const Camera& camera, double aspect, double depth);
 
 } // namespace shadowlab::scene

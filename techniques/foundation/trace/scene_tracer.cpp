@@ -99,6 +99,15 @@ std::uint32_t SceneTracer::blocker(const SurfacePoint& point, int light, ShadowS
                     [&](std::uint32_t primitive) { return primitive != itself && blocks[primitive]; });
 }
 
+std::optional<dvec3> SceneTracer::blockedAtWorld(const SurfacePoint& point, int light) const {
+    const std::vector<std::uint8_t>& blocks = lights_[static_cast<std::size_t>(light)].blocks;
+    const Ray ray = shadowRay(point, light, ShadowStart::exact);
+    const RayHit hit =
+        bvh_.closest(ray, [&](std::uint32_t primitive) { return primitive != point.primitive && blocks[primitive]; });
+    if (!hit) return std::nullopt;
+    return world_.originWorld + (ray.originCentred + hit.t * ray.directionCentred);
+}
+
 Visibility SceneTracer::visibility(const SurfacePoint& point, int light, ShadowStart start) const {
     if (!point) return Visibility::noSurface;
     if (!facesLight(point, light)) return Visibility::turnedAway;

@@ -73,7 +73,9 @@ public:
     /// The triangle that stands between the point and the light's centre, or kNoPrimitive: the first that is found.
     [[nodiscard]] std::uint32_t blocker(const SurfacePoint& point, int light,
                                         ShadowStart start = ShadowStart::exact) const;
-    /// Both, and whether the surface receives shadows at all.
+    /// Where, on the way from the point to the light's centre, the first thing stands; nothing where the way is free.
+    [[nodiscard]] std::optional<dvec3> blockedAtWorld(const SurfacePoint& point, int light) const;
+    /// Does it face the light, is it blocked, and does the surface receives shadows at all.
     [[nodiscard]] Visibility visibility(const SurfacePoint& point, int light,
                                         ShadowStart start = ShadowStart::exact) const;
 

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/ray_tracing/ray_shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "techniques/foundation/look.h"
+
+namespace shadowlab::ray_tracing {
+
+namespace {
+
+// Few enough to follow each ray by eye, enough to meet every larger thing in the view.
+constexpr int kColumns = 6, kRows = 4;
+
+// Points of a cell that are looked at, on a side: small shadows lie between the middles of the cells.
+constexpr int kTries = 8;
+
+// Toward the sun: a little beyond where the ray leaves the scene.
+constexpr double kBeyond = 1.05;
+
+/// Where a ray that starts within the scene's box and goes on for ever is no longer drawn.
+dvec3 endBeyond(const scene::Bounds& bounds, const dvec3& fromWorld, const dvec3& directionWorld) {
+    double leave = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis)
+        if (directionWorld[axis] != 0) {
+            const double side = directionWorld[axis] > 0 ? bounds.upperWorld[axis] : bounds.lowerWorld[axis];
+            leave = std::min(leave, std::max(0.0, (side - fromWorld[axis]) / directionWorld[axis]));
+        }
+    const double size = glm::length(bounds.upperWorld - bounds.lowerWorld);
+    return fromWorld + std::min(kBeyond * leave + 0.02 * size, size) * directionWorld;
+}
+
+/// Where the rays of one pixel go.
+struct RayPath {
+    dvec3 pointWorld;
+    bool isSent = false; ///< a ray to the light
+    std::optional<dvec3> blockerWorld;
+};
+
+/// Of a cell of the picture, the point in shadow whose blocker is farthest away, not one in a corner; else the middle.
+std::optional<RayPath> pathIn(const trace::SceneTracer& tracer, const trace::EyeRays& rays, dvec2 corner, dvec2 size,
+                              int light) {
+    const auto pathAt = [&](dvec2 pixel) -> std::optional<RayPath> {
+        const trace::SurfacePoint point = tracer.eyePoint(rays, pixel);
+        if (!point) return std::nullopt;
+        RayPath path{tracer.positionWorld(point), false, {}};
+        path.isSent = tracer.facesLight(point, light) && tracer.objectOf(point).receivesShadow;
+        if (path.isSent) path.blockerWorld = tracer.blockedAtWorld(point, light);
+        return path;
+    };
+    std::optional<RayPath> best = pathAt(corner + 0.5 * size);
+    double longest = 0;
+    for (int y = 0; y < kTries; ++y)
+        for (int x = 0; x < kTries; ++x) {
+            const auto path = pathAt(corner + (dvec2(x, y) + 0.5) / static_cast<double>(kTries) * size);
+            if (!path || !path->blockerWorld) continue;
+            const double length = glm::length(*path->blockerWorld - path->pointWorld);
+            if (length <= longest) continue;
+            best = path;
+            longest = length;
+        }
+    return best;
+}
+
+} // namespace
+
+std::vector<SceneShape> rayShapes(const trace::SceneTracer& tracer, const View& view, int light) {
+    using enum SceneShape::Kind;
+    SceneShape eyeRays{"eye rays, to what a pixel shows", look::kEyeRay, lines, {}};
+    SceneShape arriving{"shadow rays that arrive: lit", look::kEqualDepth, lines, {}};
+    SceneShape blocked{"shadow rays up to what blocks them: in shadow", look::kOccluded, lines, {}};
+    const scene::Light& source = tracer.scene().lights[static_cast<std::size_t>(light)];
+    scene::Bounds bounds;
+    for (const scene::Bounds& box : scene::objectBounds(tracer.scene()))
+        bounds.include(box);
+
+    const trace::EyeRays rays = tracer.eyeRays(view.camera, view.size);
+    const dvec2 cell = dvec2(view.size) / dvec2(kColumns, kRows);
+    for (int row = 0; row < kRows; ++row)
+        for (int column = 0; column < kColumns; ++column) {
+            const auto path = pathIn(tracer, rays, dvec2(column, row) * cell, cell, light);
+            if (!path) continue;
+            eyeRays.pointsWorld.insert(eyeRays.pointsWorld.end(), {view.camera.positionWorld, path->pointWorld});
+            if (!path->isSent) continue;
+            const dvec3 endWorld = path->blockerWorld ? *path->blockerWorld
+                                   : source.type == scene::LightType::directional
+                                       ? endBeyond(bounds, path->pointWorld, -source.directionWorld)
+                                       : source.positionWorld;
+            std::vector<dvec3>& points = (path->blockerWorld ? blocked : arriving).pointsWorld;
+            points.insert(points.end(), {path->pointWorld, endWorld});
+        }
+    return {eyeRays, arriving, blocked};
+}
+
+} // namespace shadowlab::ray_tracing
