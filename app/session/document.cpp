@@ -4,20 +4,26 @@
 #include <algorithm>
 #include <utility>
 
-#include "techniques/registry.h"
+#include "techniques/foundation/scene/outside_camera.h"
 
 namespace shadowlab::session {
 
 Document newDocument(scene::Snapshot scene, std::string sceneName) {
     Document document;
     document.sceneName = std::move(sceneName);
-    document.camera = document.outsideCamera = scene->camera;
+    document.camera = scene->camera;
+    document.outsideCamera = outsideCameraOf(*scene, scene->camera);
     document.scene = std::move(scene);
     constexpr std::array<const char*, kPanes> kFirst = {"shadow-map", "shadow-volume-zfail", "ray-traced",
                                                         "unshadowed"};
     for (std::size_t i = 0; i < kFirst.size(); ++i)
         document.panes[i].technique = kFirst[i];
     return document;
+}
+
+scene::Camera outsideCameraOf(const scene::Scene& scene, const scene::Camera& eye) {
+    constexpr double kAspect = 16.0 / 9; // of most screens
+    return scene::outsideCameraFor(scene, eye, kAspect);
 }
 
 int shownPanes(Layout layout) {

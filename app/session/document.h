@@ -29,6 +29,9 @@ struct Document {
 /// The document that a scene is first shown with: shadow map beside shadow volume, and what else there is behind them.
 Document newDocument(scene::Snapshot scene, std::string sceneName);
 
+/// Where the second camera stands before anybody moves it.
+scene::Camera outsideCameraOf(const scene::Scene& scene, const scene::Camera& eye);
+
 /// How many panes the layout shows, from the first.
 int shownPanes(Layout layout);
 

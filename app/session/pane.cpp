@@ -103,6 +103,10 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
         frame.stages.push_back(answers);
 
     session.setScene(request.snapshot);
+    if (stage && stage->key.id == "outside") {
+        converged_ = drawOutside(session, encoder, request, slot, work);
+        return;
+    }
     if (frame.stopAfter &&
         !(request.state.technique == drawn_.technique && request.state.values() == drawn_.values() && !passes_.empty()))
         passes_ = session.render(slot, request.view, {.deadline = work.deadline}).result.passes;
@@ -114,6 +118,22 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     if (!frame.stopAfter) passes_ = rendered.result.passes;
     drawn_ = request.state;
     rendered_ = std::move(rendered);
+}
+
+/// False when the technique was not ready in time.
+bool Pane::drawOutside(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Slot& slot,
+                       const PaneWork& work) {
+    if (!outside_) outside_ = std::make_unique<OutsideView>();
+    View outside = request.view;
+    outside.camera = request.outsideCamera;
+    const int light = request.snapshot->lights.empty() ? kNoLight : request.light;
+    const std::optional<Stage> seen = outside_->render(session, slot, request.view, outside, light, work.deadline);
+    if (!seen) return false;
+    const std::vector<StageInfo> known = stagesOf(*slot.info);
+    picture_ = {encoder.encodeInPlace(*seen, StageKind::swatches, request.snapshot->exposure), StageKind::swatches,
+                seen->display, std::string(std::ranges::find(known, seen->key.id, &StageInfo::id)->caption)};
+    drawn_ = request.state;
+    return true;
 }
 
 void Pane::encode(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Slot& slot,

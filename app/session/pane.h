@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/outside_view.h"
 #include "app/session/picture.h"
 #include "app/session/session.h"
 
@@ -76,10 +77,13 @@ public:
 
 private:
     void draw(Session& session, const PictureEncoder& encoder, const PaneRequest& request, const PaneWork& work);
+    bool drawOutside(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Slot& slot,
+                     const PaneWork& work);
     void encode(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Slot& slot,
                 const std::optional<StageChoice>& stage, const RenderedFrame& rendered);
 
     std::map<std::string, Slot> slots_; ///< by technique
+    std::unique_ptr<OutsideView> outside_; ///< made when it is first looked from there
     PanePicture picture_;
     RenderedFrame rendered_; ///< of the picture
     PaneRequest drawnFor_;

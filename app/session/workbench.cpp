@@ -121,13 +121,16 @@ void Workbench::setCamera(const scene::Camera& camera) {
     if (scene::hasView(camera)) document_.camera = camera;
 }
 
+void Workbench::resetOutsideCamera() { document_.outsideCamera = outsideCameraOf(*document_.scene, document_.camera); }
+
 void Workbench::activate(int pane) { document_.active = std::clamp(pane, 0, kPanes - 1); }
 
 void Workbench::showScene(scene::Snapshot scene, std::string sceneName) {
     history_.remember(document_, "");
     animation_.playing = false;
     animation_.seconds = 0;
-    document_.camera = document_.outsideCamera = scene->camera;
+    document_.camera = scene->camera;
+    document_.outsideCamera = outsideCameraOf(*scene, scene->camera);
     document_.light = 0;
     document_.scene = std::move(scene);
     document_.sceneName = std::move(sceneName);

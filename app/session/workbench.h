@@ -71,7 +71,7 @@ public:
     // --- changes that cannot, because undo should not run after the eye
     void setCamera(const scene::Camera& camera);
     void setOutsideCamera(const scene::Camera& camera) { document_.outsideCamera = camera; }
-    void resetOutsideCamera() { document_.outsideCamera = document_.camera; }
+    void resetOutsideCamera();
     void activate(int pane);
 
     /// Another scene in place of this one; layout, techniques and settings stay.

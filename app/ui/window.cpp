@@ -25,6 +25,7 @@
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/gl/debug.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/scene/write_scene.h"
 
 namespace shadowlab::ui {
 
@@ -199,9 +200,15 @@ private:
         }
     }
 
+    [[nodiscard]] std::string sceneText() const {
+        return scene::sceneText(*desk_->bench.shownScene(), desk_->bench.document().camera,
+                                std::filesystem::current_path());
+    }
+
     void saveScene() {
         try {
             const std::filesystem::path file = freeName({".json"}).string() + ".json";
+            image::writeWhole(file, sceneText());
             screen_->say("saved " + file.string());
         } catch (const std::exception& fault) {
             screen_->complain(fault.what());
@@ -211,8 +218,12 @@ private:
     void saveScreenshot() {
         try {
             const std::string stem = freeName({".json", ".png", ".txt"}).string();
+            image::writeWhole(stem + ".json", sceneText());
             std::vector<std::string> words =
                 session::captureWords(desk_->bench.document(), stem + ".json", stem + ".png", screen_->pictureSize());
+            for (const std::filesystem::path& folder : scene::foldersToAllow(
+                     *desk_->bench.shownScene(), std::filesystem::current_path(), session::assetsRoot()))
+                words.insert(words.end(), {"--allow", folder.string()});
             image::writeWhole(stem + ".txt", "shadowlab " + session::asCommandLine(words) + "\n");
             screen_->say("saving " + stem + ".png");
             program_.start(std::move(words));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +28,16 @@ struct Material {
     double glossDegrees = 0.0;
     double translucencyDegrees = 0.0;
     std::string alphaMap; ///< resolved path of the image that cuts holes; empty: none
+    bool ofMesh = false;  ///< it comes with a mesh file, and not from the scene's own list
+};
+
+/// Where an object comes from, so that it can be written down again (write_scene.h).
+struct ObjectSource {
+    std::string shape;          ///< kind and numbers, "box 1 2 1"; empty: a mesh file
+    std::filesystem::path mesh; ///< canonical path of that file
+    std::string material;       ///< the scene's material it was given; empty: none
+    std::string normals;        ///< "file", "flat" or "smooth"; empty: not said
+    dvec3 scale{1.0}, rotateDegrees{0.0}, translateWorld{0.0};
 };
 
 struct Scene;
@@ -40,7 +51,8 @@ struct Object {
     bool castsShadow = true;
     bool receivesShadow = true;
     dvec3 velocityWorld{0.0}; ///< metres per unit of shutter time
-    int emitterOfLight = -1;  ///< index of the light whose surface this object is; -1: an ordinary object
+    ObjectSource source;
+    int emitterOfLight = -1; ///< index of the light whose surface this object is; -1: an ordinary object
 };
 
 /// Mesh space (what the vertex buffers hold) to world space.

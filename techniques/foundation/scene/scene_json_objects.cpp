@@ -28,12 +28,14 @@ private:
     struct LoadedMesh {
         std::shared_ptr<const Mesh> mesh;
         std::vector<std::uint32_t> partMaterials;
+        std::string shape;          ///< ShapeRequest::id
+        std::filesystem::path file; ///< canonical
     };
 
     JsonObject checkedKeys(const JsonValue& value, const std::string& what) const;
     LoadedMesh meshOf(const JsonObject& keys);
     LoadedMesh loadedFile(const JsonObject& keys, NormalMode mode);
-    std::shared_ptr<const Mesh> shape(const JsonObject& keys, NormalMode mode);
+    LoadedMesh shape(const JsonObject& keys, NormalMode mode);
     std::uint32_t materialOfFile(const std::filesystem::path& canonical, const ObjFile& file, const std::string& name);
     std::uint32_t materialIndex(const JsonObject& keys) const;
     dvec3 scaleOf(const JsonObject& keys) const;
@@ -101,12 +103,12 @@ void ObjectReader::checkTriangles(const JsonObject& keys, std::uint64_t more) co
                                ExitStatus::overLimit);
 }
 
-std::shared_ptr<const Mesh> ObjectReader::shape(const JsonObject& keys, NormalMode mode) {
+ObjectReader::LoadedMesh ObjectReader::shape(const JsonObject& keys, NormalMode mode) {
     const ShapeRequest request = readShape(reading_, keys);
     checkTriangles(keys, request.triangles); // before anything is built
     std::shared_ptr<const Mesh>& mesh = shapes_[{request.id, mode}];
     if (!mesh) mesh = std::make_shared<const Mesh>(withNormals(request.make(), mode));
-    return mesh;
+    return {mesh, {kWhite}, request.id, {}};
 }
 
 /// Index of a material that an MTL file defines, added to the scene on first use. A name that is taken gets the mesh
@@ -118,6 +120,7 @@ std::uint32_t ObjectReader::materialOfFile(const std::filesystem::path& canonica
     const auto [entry, isNew] = materialOfFile_.try_emplace({canonical.string(), name}, 0);
     if (!isNew) return entry->second;
     Material material = *found;
+    material.ofMesh = true;
     for (int attempt = 1; materialIndex_.contains(material.name); ++attempt)
         material.name = name + " (" + canonical.stem().string() +
                         (attempt == 1 ? std::string() : " no. " + std::to_string(attempt)) + ")";
@@ -138,6 +141,7 @@ ObjectReader::LoadedMesh ObjectReader::loadedFile(const JsonObject& keys, Normal
     for (const MeshPart& part : obj.mesh.parts)
         loaded.partMaterials.push_back(materialOfFile(file.canonical, obj, part.materialName));
     loaded.mesh = std::make_shared<const Mesh>(std::move(obj.mesh));
+    loaded.file = file.canonical;
     std::vector<std::string>& notes = reading_.scene.notes;
     for (std::string& note : obj.notes)
         if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
@@ -153,7 +157,7 @@ ObjectReader::LoadedMesh ObjectReader::meshOf(const JsonObject& keys) {
         if (found == modes.end()) keys.fail("normals", "is " + inQuotes(text) + "; " + suggestion(text, modes));
         mode = static_cast<NormalMode>(found - modes.begin());
     }
-    LoadedMesh loaded = keys.find("mesh") ? loadedFile(keys, mode) : LoadedMesh{shape(keys, mode), {kWhite}};
+    LoadedMesh loaded = keys.find("mesh") ? loadedFile(keys, mode) : shape(keys, mode);
     if (keys.find("material")) std::ranges::fill(loaded.partMaterials, materialIndex(keys));
     return loaded;
 }
@@ -202,9 +206,15 @@ void ObjectReader::read(const JsonValue& value, const std::string& what) {
     names_.insert(object.name);
     object.mesh = std::move(loaded.mesh);
     object.partMaterials = std::move(loaded.partMaterials);
+    object.source = {.shape = loaded.shape,
+                     .mesh = loaded.file,
+                     .material = keys.find("material") ? keys.text("material") : "",
+                     .normals = keys.find("normals") ? keys.text("normals") : "",
+                     .scale = scaleOf(keys),
+                     .rotateDegrees = keys.vector("rotateDegrees", reading_.anyNumber(), dvec3(0)),
+                     .translateWorld = keys.vector("translate", reading_.anyNumber(), dvec3(0))};
     object.worldFromObject =
-        worldFromObjectOf(scaleOf(keys), keys.vector("rotateDegrees", reading_.anyNumber(), dvec3(0)),
-                          keys.vector("translate", reading_.anyNumber(), dvec3(0)));
+        worldFromObjectOf(object.source.scale, object.source.rotateDegrees, object.source.translateWorld);
     object.castsShadow = keys.boolean("castsShadow", true);
     object.receivesShadow = keys.boolean("receivesShadow", true);
     object.velocityWorld = keys.vector("velocity", reading_.anyNumber(), dvec3(0));

@@ -1,11 +1,13 @@
 // A bare mesh made presentable: floor, key light and camera, all in proportion to the mesh, whatever its size.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/message_text.h"
 
 namespace shadowlab::scene {
 
@@ -29,7 +31,8 @@ Object placedMesh(ObjFile& obj, Stage& stage) {
     const bool isFlat = extent.y < 0.02 * stage.size;
     const double lift = isFlat ? 0.3 * stage.size : 0.0;
     const dvec3 centre = 0.5 * (bounds.lowerWorld + bounds.upperWorld);
-    object.worldFromObject[3] = dvec4(-centre.x, lift - bounds.lowerWorld.y, -centre.z, 1.0);
+    object.source.translateWorld = dvec3(-centre.x, lift - bounds.lowerWorld.y, -centre.z);
+    object.worldFromObject[3] = dvec4(object.source.translateWorld, 1.0);
     stage.meshWorld = boundsWorld(object);
     // Just under the mesh: 1/1024 of its size is too little to see and enough for a 24-bit depth buffer to tell a flat
     // underside from the floor at the distance of this camera.
@@ -42,7 +45,10 @@ Object floorUnder(const Stage& stage) {
     floor.name = "floor";
     const double extent = 40.0 * stage.size; // reaches the horizon of this camera
     floor.mesh = std::make_shared<const Mesh>(makeQuad({extent, extent}));
-    floor.worldFromObject[3] = dvec4(0.0, stage.floorWorld, 0.0, 1.0);
+    floor.source.shape = "quad " + numberText(extent) + " " + numberText(extent);
+    floor.source.material = "floor";
+    floor.source.translateWorld = dvec3(0.0, stage.floorWorld, 0.0);
+    floor.worldFromObject[3] = dvec4(floor.source.translateWorld, 1.0);
     return floor;
 }
 
@@ -126,6 +132,8 @@ Camera framing(const Stage& stage, const Object& object, const Light& light) {
     return camera;
 }
 
+constexpr std::uint32_t kClay = 2;
+
 /// Material 0: white, as in every scene; 1: the floor; 2: clay, for parts without a material of their own.
 std::vector<std::uint32_t> addMaterials(Scene& scene, const Mesh& mesh, const std::vector<Material>& fromFile) {
     Material floor, clay;
@@ -136,11 +144,12 @@ std::vector<std::uint32_t> addMaterials(Scene& scene, const Mesh& mesh, const st
     scene.materials = {Material{}, floor, clay};
     std::vector<std::uint32_t> partMaterials;
     for (const MeshPart& part : mesh.parts) {
-        partMaterials.push_back(2);
+        partMaterials.push_back(kClay);
         for (const Material& material : fromFile) {
             if (part.materialName.empty() || material.name != part.materialName) continue;
             partMaterials.back() = static_cast<std::uint32_t>(scene.materials.size());
             scene.materials.push_back(material);
+            scene.materials.back().ofMesh = true;
             for (int i = 0; i < 3; ++i) // parts have different names, so only the three above can be in the way
                 if (scene.materials[i].name == material.name) scene.materials.back().name += " (of the mesh)";
             break;
@@ -161,6 +170,11 @@ std::shared_ptr<const Scene> stageObj(const std::filesystem::path& file, const L
     Object object = placedMesh(obj, stage);
     object.name = scene->name;
     object.partMaterials = addMaterials(*scene, *object.mesh, obj.materials);
+    std::error_code ignored; // it was read a moment ago
+    object.source.mesh = std::filesystem::weakly_canonical(file, ignored);
+    // Where the file has materials of its own, parts without one are clay here, and white once written down and read.
+    if (std::ranges::all_of(object.partMaterials, [](std::uint32_t material) { return material == kClay; }))
+        object.source.material = "clay";
     Object floor = floorUnder(stage);
     floor.partMaterials = {1};
     scene->lights = {keyLight(stage)};
