@@ -39,7 +39,8 @@ TEST_F(CaptureTest, PictureIsOpaqueRgbOfTheSize) {
 
 TEST_F(CaptureTest, TwiceTheSameBytes) {
     for (const Words& options : {Words{}, Words{"-t", "shadow-map,shadow-volume-zfail"}, Words{"--stage", "visibility"},
-                                 Words{"-t", "shadow-map", "--stage", "light-depth", "--supersample", "2"}})
+                                 Words{"-t", "shadow-map", "--stage", "light-depth", "--supersample", "2"},
+                                 Words{"-t", "shadow-map,ray-traced", "--stage", "outside@sun"}})
         EXPECT_EQ(picture(options), picture(options));
 }
 
