@@ -19,6 +19,7 @@
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/png.h"
 #include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/outside_camera.h"
 
 namespace shadowlab::commands {
 
@@ -138,7 +139,7 @@ private:
         View view;
         view.camera = moment.camera;
 
-        const std::vector<session::Cell> cells =
+        std::vector<session::Cell> cells =
             session::layoutCells(options_.layout, static_cast<int>(slots_.size()), options_.size, options_.split);
         const std::filesystem::path path = numbered(options_.output, frame);
         if (options_.layout == session::Layout::diff) {
@@ -166,6 +167,10 @@ private:
                 image::writeWhole(path, image::encodeGreyAlpha(visibility.width, visibility.height,
                                                                visibility.greyAlpha, stats_->pngText()));
                 return;
+            }
+            if (stage && stage->key.id == "outside") { // a picture of its own, no band of a larger one
+                cells[i].pictureSize = {cells[i].width, cells[i].height};
+                cells[i].cropX = 0;
             }
             panels.push_back(panel(i, rendered, view, cells[i]));
         }
@@ -214,6 +219,19 @@ private:
         return *font_;
     }
 
+    /// The second camera that was asked for, its other properties those of the scene's.
+    [[nodiscard]] std::optional<scene::Camera> outsideCamera() const {
+        if (!options_.outside) return {};
+        const auto& [x, y, z, targetX, targetY, targetZ] = *options_.outside;
+        scene::Camera camera = scene::outsideCameraFor(*base_, base_->camera);
+        camera.positionWorld = {x, y, z};
+        camera.targetWorld = {targetX, targetY, targetZ};
+        if (!scene::hasView(camera))
+            throw Error(ExitStatus::usage, "--outside: from there nothing can be seen; choose a target apart from the "
+                                           "camera, and not straight above or below it");
+        return camera;
+    }
+
     session::Panel panel(std::size_t i, const session::RenderedFrame& rendered, const View& view,
                          const session::Cell& cell) {
         session::Panel panel = pictureOf(i, rendered, view, cell);
@@ -228,7 +246,7 @@ private:
         session::Panel panel;
         if (chosen && !chosen->isPass && session::isDerived(chosen->key.id))
             return session::derivedPanel(*session_, slot, rendered, *encoder_,
-                                         {chosen->key, view, options_.row, &font()});
+                                         {chosen->key, view, options_.row, &font(), outsideCamera(), cell.pictureSize});
         if (!chosen || chosen->isPass) {
             if (chosen) session::requirePassRan(rendered, chosen->key, *slot.info);
             panel.picture = encoder_->encode(slot.target.color, base_->exposure, options_.supersample);

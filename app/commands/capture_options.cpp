@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include <CLI/CLI.hpp>
 
@@ -75,6 +76,25 @@ std::vector<std::string> stagesFor(const GivenOptions& given, std::size_t slots)
     return stages;
 }
 
+/// "3,2,5,0,0,0": where the second camera stands, and where it looks.
+std::array<double, 6> outsideFor(const GivenOptions& given, const std::vector<std::string>& stages) {
+    const std::string text = given.text("--outside");
+    if (std::ranges::none_of(stages, [](const std::string& stage) { return stage.starts_with("outside"); }))
+        refuseUsage("--outside: only the stage outside has a second camera; add --stage outside");
+    std::array<double, 6> numbers{};
+    const char *at = text.data(), *const last = text.data() + text.size();
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const auto [end, error] = std::from_chars(at, last, numbers[i]);
+        const bool follows = i + 1 < numbers.size() ? end != last && *end == ',' : end == last;
+        if (error != std::errc{} || !follows || !std::isfinite(numbers[i]))
+            refuseUsage("--outside: '" + text +
+                        "' is not six numbers; write X,Y,Z of the camera and of what it looks at, "
+                        "as 3,2,5,0,0,0");
+        at = end + 1;
+    }
+    return numbers;
+}
+
 std::string stageId(const std::string& stage) { return stage.substr(0, stage.find('@')); }
 
 int rowFor(const GivenOptions& given, const std::vector<std::string>& stages, ivec2 size) {
@@ -113,6 +133,8 @@ void describeCapture(CLI::App& command) {
         "an intermediate picture: STAGE, STAGE@LIGHT or pass:ID (`list stages`), of all techniques or of one; may be "
         "repeated");
     add("--row", "Y", "the row of the stage scanline, from the top (default: the one with most wrong pixels)");
+    add("--outside", "X,Y,Z,X,Y,Z",
+        "where the second camera of the stage outside stands, and where it looks (default: a good place)");
     add("--size", "WxH", "width and height of the whole picture in pixels (default 1280x720)");
     add("--supersample", "N",
         "average N x N samples a pixel in linear light (default 1; never for stages about visibility)");
@@ -151,6 +173,7 @@ CaptureOptions captureOptions(const CLI::App& command) {
             return stageId(stage) == "visibility" || session::isDerived(stageId(stage));
         }))
         options.supersample = 1;
+    if (given.has("--outside")) options.outside = outsideFor(given, options.stages);
     if (given.has("--row")) options.row = rowFor(given, options.stages, options.size);
     options.settings = given.texts("--set");
     options.light = given.text("--light");

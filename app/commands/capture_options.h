@@ -1,6 +1,7 @@
 // What `capture` is asked to do: its options, described and checked.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -28,9 +29,10 @@ struct CaptureOptions {
     std::vector<std::string> techniques{"shadow-volume-zfail"};
     session::Layout layout = session::Layout::single;
     bool labels = true;
-    std::vector<std::string> stages; ///< one for each technique; empty: the picture
-    double split = 0.5;              ///< share of the width that the left one of two bands has
-    std::optional<int> row;          ///< of stage `scanline`
+    std::vector<std::string> stages;              ///< one for each technique; empty: the picture
+    double split = 0.5;                           ///< share of the width that the left one of two bands has
+    std::optional<int> row;                       ///< of stage `scanline`
+    std::optional<std::array<double, 6>> outside; ///< position and target of the second camera; none: a good place
     ivec2 size{1280, 720};
     int supersample = 1;
     std::vector<std::string> settings; ///< [SLOT:]ID.PARAM=VALUE

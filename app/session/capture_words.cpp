@@ -46,6 +46,17 @@ std::vector<std::string> captureWords(const Document& document, const std::files
         "-t",      techniques,         "--size", std::to_string(size.x) + "x" + std::to_string(size.y)};
     if (!single) words.insert(words.end(), {"--layout", std::string(layoutName(document.layout))});
     if (document.layout == Layout::split) words.insert(words.end(), {"--split", exactText(document.split)});
+    bool outside = false;
+    for (int i = 0; i < count; ++i)
+        outside = outside ||
+                  document.panes[static_cast<std::size_t>(single ? document.active : i)].stage.starts_with("outside");
+    if (outside) {
+        std::string place;
+        for (const dvec3& point : {document.outsideCamera.positionWorld, document.outsideCamera.targetWorld})
+            for (int axis = 0; axis < 3; ++axis)
+                place += (place.empty() ? "" : ",") + exactText(point[axis]);
+        words.insert(words.end(), {"--outside=" + place});
+    }
     const auto& lights = document.scene->lights;
     if (document.light > 0 && document.light < static_cast<int>(lights.size()))
         words.insert(words.end(), {"--light", lights[static_cast<std::size_t>(document.light)].name});

@@ -29,8 +29,13 @@ const StageInfo kDerived[] = {
 Panel outsidePanel(Session& session, Slot& slot, const PictureEncoder& encoder, const DerivedRequest& request) {
     const scene::Scene& scene = *session.snapshot();
     View outside = request.view;
+    if (request.outsideSize.x > 0) {
+        outside.size = request.outsideSize;
+        outside.region = {};
+    }
     const double aspect = static_cast<double>(outside.size.x) / outside.size.y;
-    outside.camera = request.outside ? *request.outside : scene::outsideCameraFor(scene, request.view.camera, aspect);
+    outside.camera = request.outside ? scene::widenedFor(*request.outside, aspect)
+                                     : scene::outsideCameraFor(scene, request.view.camera, aspect);
     const Stage stage = *OutsideView().render(session, slot, request.view, outside, request.stage.light);
     return {encoder.encode(stage, kOutside.kind, scene.exposure), "", kOutside.kind, stage.display};
 }

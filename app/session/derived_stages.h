@@ -27,6 +27,7 @@ struct DerivedRequest {
     std::optional<int> row;                 ///< of `scanline`; none: the one with most wrong pixels
     const image::Font* font = nullptr;      ///< for the numbers of `scanline`
     std::optional<scene::Camera> outside{}; ///< of `outside`; none: scene::outsideCameraFor
+    ivec2 outsideSize{0};                   ///< of its picture; zero: that of the view
 };
 Panel derivedPanel(Session& session, Slot& slot, const RenderedFrame& rendered, const PictureEncoder& encoder,
                    const DerivedRequest& request);

@@ -5,6 +5,7 @@
 
 #include "app/session/derived_stages.h"
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/scene/outside_camera.h"
 
 namespace shadowlab::session {
 
@@ -35,7 +36,7 @@ bool operator==(const PaneRequest& a, const PaneRequest& b) {
            a.state.values() == b.state.values() && a.snapshot == b.snapshot && a.view.camera == b.view.camera &&
            a.view.size == b.view.size && a.view.region.corner == b.view.region.corner &&
            a.view.region.size == b.view.region.size && a.light == b.light &&
-           (!outside || a.outsideCamera == b.outsideCamera);
+           (!outside || (a.outsideCamera == b.outsideCamera && a.outsideSize == b.outsideSize));
 }
 
 Slot& Pane::slotFor(const PaneState& state) {
@@ -125,7 +126,10 @@ bool Pane::drawOutside(Session& session, const PictureEncoder& encoder, const Pa
                        const PaneWork& work) {
     if (!outside_) outside_ = std::make_unique<OutsideView>();
     View outside = request.view;
-    outside.camera = request.outsideCamera;
+    outside.size = request.outsideSize;
+    outside.camera =
+        scene::widenedFor(request.outsideCamera, static_cast<double>(outside.size.x) / outside.size.y);
+    outside.region = {};
     const int light = request.snapshot->lights.empty() ? kNoLight : request.light;
     const std::optional<Stage> seen = outside_->render(session, slot, request.view, outside, light, work.deadline);
     if (!seen) return false;

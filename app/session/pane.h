@@ -30,7 +30,8 @@ struct PaneRequest {
     PaneState state;
     scene::Snapshot snapshot;
     View view;
-    scene::Camera outsideCamera; ///< for the stage `outside`
+    scene::Camera outsideCamera; ///< for the stage `outside`, which is a picture of its own size:
+    ivec2 outsideSize{0};        ///< that of the pane, also where the other stages show a band of a larger picture
     int light = 0;               ///< for stages of one light that do not name theirs
     friend bool operator==(const PaneRequest&, const PaneRequest&);
 };
@@ -82,7 +83,7 @@ private:
     void encode(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Slot& slot,
                 const std::optional<StageChoice>& stage, const RenderedFrame& rendered);
 
-    std::map<std::string, Slot> slots_; ///< by technique
+    std::map<std::string, Slot> slots_;    ///< by technique
     std::unique_ptr<OutsideView> outside_; ///< made when it is first looked from there
     PanePicture picture_;
     RenderedFrame rendered_; ///< of the picture

@@ -56,6 +56,7 @@ PaneRequest Workbench::requestFor(const PlacedPane& placed, int draft) const {
         request.view.region = {corner, end - corner};
     }
     request.outsideCamera = document_.outsideCamera;
+    request.outsideSize = glm::max(ivec2(1), (ivec2(cell.width, cell.height) + draft - 1) / draft);
     request.light = document_.light;
     return request;
 }

@@ -7,6 +7,7 @@
 
 #include "app/session/derived_stages.h"
 #include "app/session/stepping.h"
+#include "app/ui/error_panel.h"
 #include "app/ui/parameter_panel.h"
 #include "techniques/registry.h"
 
@@ -232,7 +233,7 @@ void topBar(Desk& desk, const Area& area, const Theme& theme) {
     ImGui::End();
 }
 
-void sidePanel(Desk& desk, const Area& area, const Theme& theme) {
+void sidePanel(Desk& desk, const session::LiveErrors& errors, const Area& area, const Theme& theme) {
     beginIn("settings", area);
     if (desk.requests.focusPanel) ImGui::SetWindowFocus();
     const session::Document& document = desk.bench.document();
@@ -250,6 +251,10 @@ void sidePanel(Desk& desk, const Area& area, const Theme& theme) {
     techniquePart(desk);
     stagePart(desk);
     if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) parameterPanel(desk, theme);
+    if (ImGui::CollapsingHeader("Errors", ImGuiTreeNodeFlags_DefaultOpen)) {
+        errorTable(desk, errors);
+        historyPlot(desk, errors, theme);
+    }
     if (ImGui::CollapsingHeader("Time", ImGuiTreeNodeFlags_DefaultOpen)) timesPart(desk);
     if (ImGui::CollapsingHeader("Animation")) animationPart(desk, theme);
     ImGui::Separator();

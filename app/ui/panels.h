@@ -9,7 +9,7 @@ namespace shadowlab::ui {
 
 // Each draws its window into the area it is given.
 void topBar(Desk& desk, const Area& area, const Theme& theme);
-void sidePanel(Desk& desk, const Area& area, const Theme& theme);
+void sidePanel(Desk& desk, const session::LiveErrors& errors, const Area& area, const Theme& theme);
 /// What the step that is on show does, and why.
 void stepPanel(Desk& desk, const Area& area, const Theme& theme);
 

@@ -39,14 +39,17 @@ std::string titleOf(const Desk& desk, int pane) {
     return title;
 }
 
-void drawPlate(ImDrawList& list, ImVec2 corner, const std::string& text, const Theme& theme, ImFont* font,
+/// A title in the upper left corner, wrapped where the pane is too narrow for it.
+void drawPlate(ImDrawList& list, ImVec2 corner, float widest, const std::string& text, const Theme& theme,
                bool active) {
-    const float pad = theme.em * 0.4f;
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
-    list.AddRectFilled(corner, {corner.x + size.x + 2 * pad, corner.y + size.y + 2 * pad}, kPlateColor);
-    if (active)
-        list.AddRectFilled(corner, {corner.x + std::max(3.0f, theme.em * 0.2f), corner.y + size.y + 2 * pad}, kAccent);
-    list.AddText(font, font->FontSize, {corner.x + pad + theme.em * 0.2f, corner.y + pad}, kPlateText, text.c_str());
+    const float mark = theme.em * 0.2f, pad = theme.em * 0.4f, room = std::max(theme.em, widest - 2 * pad - mark);
+    ImFont* const font = theme.heading;
+    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, room, text.c_str());
+    const ImVec2 end(corner.x + size.x + 2 * pad + mark, corner.y + size.y + 2 * pad);
+    list.AddRectFilled(corner, end, kPlateColor);
+    if (active) list.AddRectFilled(corner, {corner.x + std::max(3.0f, mark), end.y}, kAccent);
+    list.AddText(font, font->FontSize, {corner.x + pad + mark, corner.y + pad}, kPlateText, text.c_str(), nullptr,
+                 room);
 }
 
 /// The picture of a size of its own, a light's view of the scene, as large as fits, in the middle.
@@ -114,14 +117,15 @@ void drawPane(ImDrawList& list, const Desk& desk, const session::LiveErrors& err
     } else if (session::isJudged(document.panes[static_cast<std::size_t>(shown.pane)].stage)) {
         drawJudged(list, errors.picture(shown.pane), pane, shown, theme);
     } else if (const gl::Texture2D& texture = pane.picture().texture) {
-        if (texture.size() == pane.drawnFor().view.size)
+        const bool fromOutside = pane.drawnFor().state.stage.starts_with("outside");
+        if (!fromOutside && texture.size() == pane.drawnFor().view.size)
             drawWhole(list, texture, shown);
         else
             drawFitted(list, texture, shown.area);
         drawLegend(list, pane.picture(), false, shown.area.corner, shown.area.size, theme);
     }
     const bool active = shown.pane == document.active && document.layout != Layout::single;
-    drawPlate(list, low, title, theme, theme.heading, active);
+    drawPlate(list, low, high.x - low.x, title, theme, active);
     drawNote(list, shown, noteOf(desk, pane), pane.failure().empty() ? kPlateText : kAccent, theme);
     list.PopClipRect();
 }

@@ -125,7 +125,7 @@ void Screen::drawWidgets() {
     const int top = pictures.corner.y;
     topBar(desk_, {{0, 0}, {size_.x, top}}, theme_);
     if (desk_.shown.panel)
-        sidePanel(desk_, {{pictures.size.x, top}, {size_.x - pictures.size.x, size_.y - top}}, theme_);
+        sidePanel(desk_, errors_, {{pictures.size.x, top}, {size_.x - pictures.size.x, size_.y - top}}, theme_);
     int below = pictures.corner.y + pictures.size.y;
     if (isStepping(desk_)) {
         const auto height = static_cast<int>(stepPanelHeight(desk_, theme_, static_cast<float>(pictures.size.x)));

@@ -197,4 +197,11 @@ Camera outsideCameraFor(const Scene& scene, const Camera& eye, double aspect) {
     return best;
 }
 
+Camera widenedFor(Camera outside, double aspect) {
+    constexpr double kUsual = 16.0 / 9.0;
+    const double half = std::tan(glm::radians(outside.fovYDegrees) / 2) * std::max(1.0, kUsual / aspect);
+    outside.fovYDegrees = 2 * glm::degrees(std::atan(half));
+    return outside;
+}
+
 } // namespace shadowlab::scene

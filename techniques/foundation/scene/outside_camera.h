@@ -22,4 +22,7 @@ ArrowPlace arrowPlace(const Bounds& things, const Light& directional);
 /// hide least. `aspect` is width over height.
 Camera outsideCameraFor(const Scene& scene, const Camera& eye, double aspect = 16.0 / 9.0);
 
+/// That camera for a picture of another shape: one narrower than 16:9 sees as much to the sides, and more above and below.
+Camera widenedFor(Camera outside, double aspect);
+
 } // namespace shadowlab::scene
