@@ -176,25 +176,28 @@ int Planar::mostMarkedTag(const Frame& frame) {
 
 void Planar::publishFlattened(Frame& frame, int light, int tag) const {
     constexpr float kAlpha = 0.45f; // the layers of a closed caster, front and back, stay distinguishable
+    constexpr float kNearer = 16;   // steps of depth: the plane itself does not hide them, what stands before it does
     const vec3 between = look::kOccluded, beyond = look::kMultipleEdge, behind = look::kAwayFromLight;
-    frame.drawOverTarget("flattened", light, true,
-                         [&] {
-                             const std::vector<PlaneOfLight> planes = planesOf(frame, light, false);
-                             const auto shown = std::ranges::find(
-                                 planes, tag, [](const PlaneOfLight& plane) { return plane.receiver->tag; });
-                             if (shown == planes.end()) return; // no plane is lit, or nothing falls on one
-                             glDisable(GL_DEPTH_TEST);
-                             glEnable(GL_BLEND);
-                             glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-                             paintFlattened_.use();
-                             const auto paint = [&](const vec3& color, Part part) {
-                                 paintFlattened_.set("color", unexposed(frame, color, kAlpha));
-                                 drawFlattened(frame, paintFlattened_, *shown, part);
-                             };
-                             paint(behind, Part::behindPlane);
-                             paint(beyond, Part::beyondLight);
-                             paint(between, Part::between);
-                         },
+    const std::vector<PlaneOfLight> planes = planesOf(frame, light, false);
+    const auto shown = std::ranges::find(planes, tag, [](const PlaneOfLight& plane) { return plane.receiver->tag; });
+    const auto draw = [&] {
+        if (shown == planes.end()) return; // no plane is lit, or nothing falls on one
+        glDepthFunc(GL_LEQUAL);
+        glDepthMask(GL_FALSE);
+        glEnable(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(0, -kNearer);
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+        paintFlattened_.use();
+        const auto paint = [&](const vec3& color, Part part) {
+            paintFlattened_.set("color", unexposed(frame, color, kAlpha));
+            drawFlattened(frame, paintFlattened_, *shown, part);
+        };
+        paint(behind, Part::behindPlane);
+        paint(beyond, Part::beyondLight);
+        paint(between, Part::between);
+    };
+    frame.drawOverTarget("flattened", light, true, draw,
                          {.unit = "",
                           .key = {{between, "from between light and plane: the shadow"},
                                   {beyond, "from beyond the light: an anti-shadow"},

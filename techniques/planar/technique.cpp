@@ -205,13 +205,16 @@ void Planar::markShadows(const Frame& frame, const std::vector<PlaneOfLight>& pl
 }
 
 void Planar::drawFlattened(const Frame& frame, const gl::Program& program, const PlaneOfLight& plane, Part part) const {
+    glEnable(GL_CLIP_DISTANCE0);
+    glEnable(GL_CLIP_DISTANCE1);
     const bool clipped = part != Part::wherever && part != Part::whereverTurnedOver;
-    for (const GLenum distance : {GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE1})
-        clipped ? glEnable(distance) : glDisable(distance);
+    const dvec4 always(0, 0, 0, 1); // as a row: 1 everywhere, so nothing is clipped
     // The weight is negative beyond the light. With all signs turned over the same homogeneous points have a positive one.
     const bool beyond = part == Part::beyondLight || part == Part::whereverTurnedOver;
     program.set("sheet", beyond ? -1.0f : 1.0f);
     for (const auto& [caster, viewFromMesh, contact] : plane.casters) {
+        // Most of the plane's own object lies in the plane or behind it, and unclipped it would cover all of the plane.
+        if (part != Part::between && caster->object == plane.receiver->receiver.object) continue;
         dvec4 weightRow = plane.projection.weightRow(viewFromMesh),
               heightRow = plane.projection.heightRow(viewFromMesh);
         if (part == Part::beyondLight) weightRow = -weightRow;
@@ -219,8 +222,8 @@ void Planar::drawFlattened(const Frame& frame, const gl::Program& program, const
         heightRow.w -= contact;
         program.set("clipFromMeshFlattened",
                     mat4(frame.eye().clipFromView * plane.projection.flattenedFromView * viewFromMesh));
-        program.set("weightRow", vec4(weightRow));
-        program.set("heightRow", vec4(heightRow));
+        program.set("weightRow", vec4(clipped ? weightRow : always));
+        program.set("heightRow", vec4(clipped ? heightRow : always));
         drawRuns(frame.buffers().mesh(caster->object), caster->blocking);
     }
 }
