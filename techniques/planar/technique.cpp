@@ -167,8 +167,8 @@ void Planar::tagReceivers(const Frame& frame) {
     }
     for (std::size_t i = 0; i < chosen_.size(); ++i)
         glGetQueryObjectiv(queries[i].id(), GL_QUERY_RESULT, &chosen_[i].pixels);
-    // What is hidden needs no shadows. Naive drawing puts them elsewhere, so there nothing is left out.
-    if (params_.cull && params_.stencil)
+    // What is hidden needs no shadows; naive drawing would put them where they surprise everybody.
+    if (params_.cull || !params_.stencil)
         std::erase_if(chosen_, [](const ChosenReceiver& receiver) { return receiver.pixels == 0; });
     std::ranges::stable_sort(chosen_, std::ranges::greater{}, &ChosenReceiver::pixels);
 }
