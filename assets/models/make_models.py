@@ -5,7 +5,7 @@
     python3 make_models.py
 
 Every model is a list of closed shells: each edge has exactly two faces, and every face is counter-clockwise seen from
-outside, which is what shadow volumes ask of a mesh. Where two shells meet (a leg and the table top) they overlap by a
+outside, which is what shadow volumes ask of a mesh. Only leaves are open on purpose: thin sheets, seen from both sides. Where two shells meet (a leg and the table top) they overlap by a
 few millimetres, so that no light leaks through the joint. Units are metres, y is up. The same script gives the same bytes.
 """
 
@@ -13,6 +13,8 @@ from math import acos, cos, degrees, pi, sin, sqrt
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
+
+OPEN = {"leaf"}  # shells of these materials are sheets
 
 # Name: (Kd, Ks, Ns, Ke). Linear RGB, as everywhere in this program.
 MATERIALS = {
@@ -23,6 +25,10 @@ MATERIALS = {
     "wax": ((0.72, 0.68, 0.60), (0, 0, 0), 32, (0.06, 0.042, 0.02)),  # a little of the flame shines through
     "wick": ((0.08, 0.07, 0.06), (0, 0, 0), 32),
     "brass": ((0.46, 0.32, 0.12), (0.12, 0.09, 0.04), 60),
+    "clay": ((0.60, 0.19, 0.07), (0, 0, 0), 32),
+    "soil": ((0.10, 0.08, 0.06), (0, 0, 0), 32),
+    "stem": ((0.24, 0.30, 0.13), (0, 0, 0), 32),
+    "leaf": ((0.20, 0.34, 0.13), (0.03, 0.03, 0.03), 40),
 }
 
 
@@ -177,6 +183,13 @@ def corner_normals(shell, crease_degrees):
     return out
 
 
+def check_sheet(name, shell):
+    """Every directed edge at most once: consistently wound; and some edges without an opposite: open."""
+    edges = [(face[i - 1], face[i]) for face in shell[1] for i in range(len(face))]
+    if len(set(edges)) != len(edges) or {(b, a) for a, b in edges} == set(edges):
+        raise SystemExit(f"{name}: a sheet is wound two ways, or is not open")
+
+
 def check_closed(name, shell):
     """Every directed edge once, and its opposite once: closed and consistently wound; and the volume is positive."""
     points, faces = shell
@@ -201,7 +214,7 @@ def write_model(name, description, parts, crease_degrees=40.0):
     first, count = 1, 0
     current = None
     for material, shell in parts:
-        check_closed(name, shell)
+        (check_sheet if material in OPEN else check_closed)(name, shell)
         points, faces = shell
         lines += ["v " + " ".join(number(x, 5) for x in point) for point in points]
         corners = []
@@ -386,6 +399,71 @@ def flame():
     write_model("flame", "A candle flame, 0.05 m high", [("wax", lathe(profile, 24))], 60.0)
 
 
+def rod(centres, across, radii, around):
+    """A closed rod along points of a plane whose normal is `across`: round, and pointed at both ends."""
+    rows = [[centres[0]]]
+    for i in range(1, len(centres) - 1):
+        tangent = unit(sub(centres[i + 1], centres[i - 1]))
+        up = cross(across, tangent)
+        angles = [2 * pi * j / around for j in range(around)]
+        rows.append([add(centres[i], mul(add(mul(up, cos(a)), mul(across, sin(a))), radii[i])) for a in angles])
+    return grid(rows + [[centres[-1]]], closed_rows=False)
+
+
+def leaf(base, along, up, length, width):
+    """A sheet from `base` along the unit vector `along`, its upper side toward `up`: folded at the middle, drooping at the tip."""
+    steps, fold, droop = 8, 0.30, 0.38
+    side = unit(cross(along, up))
+    up = cross(side, along)
+    points, faces = [base], []
+    for i in range(1, steps):
+        s = i / steps
+        half = 0.5 * width * sin(pi * s**0.8) ** 0.8
+        middle = add(base, add(mul(along, length * (s - 0.12 * s**3)), mul(up, length * (0.1 * s - droop * s * s))))
+        rise = mul(up, fold * half)
+        points += [add(add(middle, mul(side, -half)), rise), middle, add(add(middle, mul(side, half)), rise)]
+    points.append(add(base, add(mul(along, length * 0.88), mul(up, length * (0.1 - droop)))))
+    last = len(points) - 1
+    faces += [[0, 2, 1], [0, 3, 2], [last - 3, last - 2, last], [last - 2, last - 1, last]]
+    for i in range(steps - 2):
+        a = 1 + 3 * i
+        faces += [[a, a + 1, a + 4, a + 3], [a + 1, a + 2, a + 5, a + 4]]
+    return triangles((points, faces))
+
+
+def plant():
+    """A pot plant, 0.75 m high: arching stems with pairs of leaves, each an open sheet."""
+    pot = [(0, 0), (0.085, 0), (0.09, 0.004), (0.118, 0.150), (0.130, 0.152), (0.133, 0.156), (0.136, 0.186)]
+    pot += [(0.133, 0.190), (0.126, 0.190), (0.122, 0.186), (0.105, 0.10), (0.082, 0.016), (0, 0.014)]
+    soil = [(0, 0.10), (0.103, 0.10), (0.115, 0.160), (0.110, 0.168), (0.06, 0.174), (0, 0.176)]
+    parts = [("clay", lathe(pot, 64)), ("soil", lathe(soil, 48))]
+    stems, leaves = [], []
+    for k in range(9):
+        azimuth = k * pi * (3 - sqrt(5))  # the golden angle: no two stems above one another
+        outward = (cos(azimuth), 0, -sin(azimuth))
+        across = (sin(azimuth), 0, cos(azimuth))
+        lean = 0.16 + 0.034 * k  # the first stand upright, the last lean far out
+        height = 0.60 - 0.026 * k
+
+        def at(t):
+            return add(mul(outward, 0.02 + 0.004 * k + lean * (0.35 * t + 0.65 * t * t)), (0, 0.165 + height * (t - 0.16 * t * t), 0))
+
+        steps = 14
+        stems.append(rod([at(i / steps) for i in range(steps + 1)], across, [0.0065 * (1 - 0.75 * i / steps) for i in range(steps + 1)], 6))
+        for pair in range(6):
+            t = 0.34 + 0.62 * pair / 5
+            tangent = unit(sub(at(t + 0.01), at(t - 0.01)))
+            upward = unit(cross(across, tangent))
+            upward = upward if upward[1] > 0 else mul(upward, -1)
+            size = 0.155 * (0.72 + 0.28 * sin(pi * pair / 5)) * (1 - 0.015 * k)
+            for s in (-1, 1):
+                along = unit(add(add(mul(across, s), mul(tangent, 0.55 + 0.1 * pair)), mul(upward, 0.15 * sin(7 * k + 3 * pair + s))))
+                leaves.append(leaf(at(t), along, upward, size, 0.40 * size))
+        leaves.append(leaf(at(1), unit(sub(at(1), at(0.97))), unit(add(mul(outward, -0.5), (0, 1, 0))), 0.13, 0.052))
+    parts += [("stem", stem) for stem in stems] + [("leaf", one) for one in leaves]
+    write_model("plant", "A plant in a pot, 0.75 m high; its leaves are open sheets", parts, 60.0)
+
+
 if __name__ == "__main__":
-    for model in (torus_knot, column, entablature, table, vase, pawn, candle, flame):
+    for model in (torus_knot, column, entablature, table, vase, pawn, candle, flame, plant):
         model()

@@ -16,7 +16,7 @@ void setBaselineState() {
     glStencilFunc(GL_ALWAYS, 0, 0xff);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     for (const GLenum capability : {GL_BLEND, GL_STENCIL_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL,
-                                    GL_DEPTH_CLAMP, GL_CLIP_DISTANCE0, GL_DITHER, GL_MULTISAMPLE})
+                                    GL_DEPTH_CLAMP, GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE1, GL_DITHER, GL_MULTISAMPLE})
         glDisable(capability);
     glFrontFace(GL_CCW);
     glCullFace(GL_BACK);

@@ -76,11 +76,20 @@ struct ProgramTraits {
     static GLuint create() { return glCreateProgram(); }
     static void destroy(GLuint id) { glDeleteProgram(id); }
 };
+struct QueryTraits {
+    static GLuint create() {
+        GLuint id = 0;
+        glGenQueries(1, &id);
+        return id;
+    }
+    static void destroy(GLuint id) { glDeleteQueries(1, &id); }
+};
 
 using BufferHandle = Handle<BufferTraits>;
 using VertexArrayHandle = Handle<VertexArrayTraits>;
 using TextureHandle = Handle<TextureTraits>;
 using FramebufferHandle = Handle<FramebufferTraits>;
 using ProgramHandle = Handle<ProgramTraits>;
+using QueryHandle = Handle<QueryTraits>;
 
 } // namespace shadowlab::gl
