@@ -169,7 +169,7 @@ def every_technique(program):
     count = len(program.techniques)
     columns = count if count <= 3 else math.ceil(math.sqrt(count))
     rows = math.ceil(count / columns)
-    layout, cell = ("side", (480, 360)) if rows == 1 else ("grid", (480, 270))
+    layout, cell = ("side", (480, 360)) if rows == 1 else ("grid", (400, 225))
     ids = ",".join(t["id"] for t in program.techniques)
     return f"-t {ids} --layout {layout} --size {columns * cell[0]}x{rows * cell[1]}"
 
