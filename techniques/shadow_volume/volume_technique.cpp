@@ -75,7 +75,7 @@ void VolumeTechnique::count(Frame& frame, const CountPass& pass, int light) {
     frame.pass(
         passInfo(counting_.passes, pass.id),
         [&] {
-            glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+            frame.target().withoutColor.bind();
             glDepthMask(GL_FALSE);
             glEnable(GL_STENCIL_TEST);
             glStencilFunc(GL_ALWAYS, 0, 0xff);
