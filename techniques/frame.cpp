@@ -16,6 +16,11 @@ Frame::Frame(const scene::Snapshot& snapshot, const View& view, const gl::SceneB
                                                                      static_cast<double>(view.size.x) / view.size.y)),
       eye_(gl::eyeMatrices(camera_, view.size)), buffers_(buffers), target_(target), request_(std::move(request)) {}
 
+void Frame::useNearPlaneOfView() {
+    camera_ = view_.camera;
+    eye_ = gl::eyeMatrices(camera_, view_.size);
+}
+
 void Frame::pass(const PassInfo& info, const std::function<void()>& draw, int light) {
     if (stopped_) return;
     const StageKey key{std::string(info.id), light};

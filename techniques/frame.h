@@ -53,6 +53,8 @@ public:
     /// The view's camera, its near plane moved out as far as what is in view allows (scene/depth_fit.h): draw with
     /// this.
     [[nodiscard]] const scene::Camera& camera() const { return camera_; }
+    /// From here on camera() and eye() have the near plane of the view itself: for an algorithm in which it cuts.
+    void useNearPlaneOfView();
     [[nodiscard]] const gl::EyeMatrices& eye() const { return eye_; }
     [[nodiscard]] const gl::SceneBuffers& buffers() const { return buffers_; }
     [[nodiscard]] const gl::Target& target() const { return target_; }

@@ -14,7 +14,8 @@ const PassInfo kPasses[] = {
      "Emission and ambient light are counted once; the depth buffer now holds the visible point of every pixel.",
      "depth test LESS, depth write on", false},
     {"depth", "Render the scene from the light and keep the depth",
-     "The map stores, for every direction from the light, how far the first surface is: all the light ever sees.",
+     "The map stores, for every direction from the light, how far the first surface is: all the light ever sees. It "
+     "stays as it is until light, casters or parameters change; the eye may move.",
      "depth only, depth test LESS, depth clamp, slope-scaled polygon offset", true},
     {"light", "Render the scene from the eye and compare",
      "Transform each point into the light's coordinates; if the map holds something nearer, the point is in shadow.",
@@ -38,6 +39,10 @@ constexpr int kMapUnit = gl::kFirstFreeUnit;
 // before the comparison. It covers the rounding of interpolated float positions, about 2^-21 here, twenty times over,
 // and is a thousandth of a texel at most.
 constexpr double kRoundingPull = 1e-5;
+
+// Every light keeps its map from frame to frame while all together stay below a quarter of a gigabyte (four bytes a texel).
+// Beyond that all lights share one, and it is drawn anew for each.
+constexpr double kMostKeptTexels = 64.0 * 1024 * 1024;
 
 } // namespace
 
@@ -83,7 +88,8 @@ Progress ShadowMap::render(Frame& frame) {
 
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
         const DrawnMap map = chooseMap(frame, light);
-        frame.pass(passInfo(kPasses, "depth"), [&] { drawDepth(frame, map); }, light);
+        frame.pass(
+            passInfo(kPasses, "depth"), [&] { redrawUnlessKept(frame, light, map); }, light);
         publishStages(frame, light, map);
         frame.pass(
             passInfo(kPasses, "light"),
@@ -110,13 +116,33 @@ void ShadowMap::choosePrograms() {
 DrawnMap ShadowMap::chooseMap(Frame& frame, int light) {
     const PreparedLight& prepared = prepared_[static_cast<std::size_t>(light)];
     const std::vector<std::size_t> all = scene::allCasters(frame.scene());
-    if (map_.side() != params_.resolution || map_.layers() != prepared.maps.layers())
-        map_ = gl::DepthTextureArray(GL_DEPTH_COMPONENT24, params_.resolution, prepared.maps.layers(), "shadow map");
-    const DrawnMap map{prepared.maps, params_.cull ? prepared.usefulCasters : all, &map_};
+    KeptMap& kept = keptMap(light);
+    if (kept.depth.side() != params_.resolution || kept.depth.layers() != prepared.maps.layers())
+        kept = {gl::DepthTextureArray(GL_DEPTH_COMPONENT24, params_.resolution, prepared.maps.layers(), "shadow map"),
+                std::nullopt};
+    const DrawnMap map{prepared.maps, params_.cull ? prepared.usefulCasters : all, &kept.depth};
     frame.count("casters", static_cast<double>(map.casters.size()), static_cast<double>(all.size()), "objects");
     frame.count("map-texels", static_cast<double>(map.maps.layers()) * params_.resolution * params_.resolution, 0,
                 "texels");
     return map;
+}
+
+KeptMap& ShadowMap::keptMap(int light) {
+    double texels = 0;
+    for (const PreparedLight& prepared : prepared_)
+        texels += static_cast<double>(prepared.maps.layers()) * params_.resolution * params_.resolution;
+    const bool oneEach = texels <= kMostKeptTexels;
+    maps_.resize(oneEach ? prepared_.size() : 1);
+    return maps_[oneEach ? static_cast<std::size_t>(light) : 0];
+}
+
+void ShadowMap::redrawUnlessKept(Frame& frame, int light, const DrawnMap& map) {
+    KeptMap& kept = keptMap(light);
+    const MapOrigin origin{frame.scene().revisions, light, params_, gl::shaderReloads()};
+    const bool redraw = kept.drawnFrom != origin;
+    if (redraw) drawDepth(frame, map);
+    kept.drawnFrom = origin;
+    frame.count("maps-redrawn", redraw ? 1 : 0, 1, "maps");
 }
 
 void ShadowMap::drawDepth(const Frame& frame, const DrawnMap& map) const {
@@ -142,8 +168,7 @@ void ShadowMap::drawDepth(const Frame& frame, const DrawnMap& map) const {
     }
 }
 
-void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light,
-                              const DrawnMap& map) const {
+void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const {
     const LightMaps& maps = map.maps;
     program.use();
     gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);

@@ -13,6 +13,7 @@ struct ShadowMapParams {
     double slopeBias = 1.0;
     double constantBias = 1.0;
     bool cull = true;
+    friend bool operator==(const ShadowMapParams&, const ShadowMapParams&) = default;
     [[nodiscard]] int kernelRadius() const { return filter == Filter::pcf ? pcfRadius : 0; }
 };
 
@@ -21,6 +22,21 @@ struct DrawnMap {
     LightMaps maps;
     std::vector<std::size_t> casters;
     const gl::DepthTextureArray* depth = nullptr;
+};
+
+/// All that a drawn map depends on. The camera is not part of it: maps are fitted to the scene.
+struct MapOrigin {
+    scene::Revisions revisions;
+    int light = kNoLight;
+    ShadowMapParams params;
+    int shaderReloads = 0;
+    friend bool operator==(const MapOrigin&, const MapOrigin&) = default;
+};
+
+/// A map, and what it was drawn from: as long as that stays, so does the map, wherever the eye goes.
+struct KeptMap {
+    gl::DepthTextureArray depth;
+    std::optional<MapOrigin> drawnFrom;
 };
 
 /// What one light needs, as long as neither the scene nor the map's size changes.
@@ -41,6 +57,8 @@ public:
 private:
     void choosePrograms();
     DrawnMap chooseMap(Frame& frame, int light);
+    KeptMap& keptMap(int light);
+    void redrawUnlessKept(Frame& frame, int light, const DrawnMap& map);
     void drawDepth(const Frame& frame, const DrawnMap& map) const;
     void drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const;
 
@@ -63,7 +81,7 @@ private:
     std::vector<PreparedLight> prepared_;
     Display shownDistance_;                               ///< scale of the current light's depth pictures
     std::optional<ShadowMapParams::Filter> chosenFilter_; ///< that shade_ and visibility_ were made for
-    gl::DepthTextureArray map_;
+    std::vector<KeptMap> maps_;
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program unshadowed_{"surface.vert", "shade_light.frag"};
     gl::Program depth_{"position.vert", "nothing.frag"};

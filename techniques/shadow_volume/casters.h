@@ -29,6 +29,10 @@ public:
     bool buildNext(const scene::Snapshot& snapshot);
     /// The casters of one light, their buffers on the card.
     const std::vector<CasterVolume>& upload(const scene::Snapshot& snapshot, int light);
+    /// The same, as they are.
+    [[nodiscard]] const std::vector<CasterVolume>& of(int light) const {
+        return perLight_[static_cast<std::size_t>(light)];
+    }
 
 private:
     struct SharedMesh { ///< kept per mesh, whatever the number of objects and lights

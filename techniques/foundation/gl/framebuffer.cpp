@@ -11,10 +11,12 @@ namespace shadowlab::gl {
 Framebuffer::Framebuffer(const Texture2D* color, const Texture2D* depthStencil, std::string_view name)
     : handle_(FramebufferHandle::create()), size_(color ? color->size() : depthStencil->size()) {
     glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
-    if (color)
+    if (color) {
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color->id(), 0);
-    else
+    } else {
         glDrawBuffer(GL_NONE);
+        glReadBuffer(GL_NONE);
+    }
     if (depthStencil)
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depthStencil->id(), 0);
     requireComplete(name);

@@ -32,10 +32,13 @@ private:
 struct Target {
     Texture2D color, depthStencil;
     Framebuffer framebuffer;
+    /// The same without the colour, for passes that only count or only write depth. Masking the colour off is not the same:
+    /// a software renderer still loads, blends and stores what is masked, which was a third of the time of counting.
+    Framebuffer withoutColor;
     Target() = default;
     Target(ivec2 size, std::string_view name)
         : color(GL_RGBA16F, size, name), depthStencil(GL_DEPTH24_STENCIL8, size, name),
-          framebuffer(&color, &depthStencil, name) {}
+          framebuffer(&color, &depthStencil, name), withoutColor(nullptr, &depthStencil, name) {}
     [[nodiscard]] ivec2 size() const { return color.size(); }
 };
 

@@ -63,6 +63,8 @@ Program::Program(std::string vertexFile, std::string fragmentFile, std::vector<s
 
 void reloadShaders() { ++reloads; }
 
+int shaderReloads() { return reloads; }
+
 std::vector<std::string> takeShaderFaults() { return std::exchange(faults(), {}); }
 
 void Program::use() const {

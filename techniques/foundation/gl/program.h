@@ -52,6 +52,8 @@ private:
 /// From now on every program compiles its files anew before it is used again. One that no longer compiles stays as it was,
 /// and the fault is kept for takeShaderFaults(): a picture that is on show does not vanish over a slip of the pen.
 void reloadShaders();
+/// How often reloadShaders() was called: what was drawn before the last time is out of date.
+int shaderReloads();
 /// The faults since the last call, each `FILE:LINE: message; mend the shader`.
 std::vector<std::string> takeShaderFaults();
 

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_volume/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/gtc/constants.hpp>
+
+#include "techniques/foundation/look.h"
+#include "techniques/foundation/scene/facing.h"
+
+namespace shadowlab::shadow_volume {
+
+namespace {
+
+// How far beyond the scene things end that have no end, as a share of the scene's size: enough to be seen to go on.
+constexpr double kBeyond = 0.02;
+
+scene::Bounds somewhatLarger(scene::Bounds bounds) {
+    const double more = kBeyond * glm::length(bounds.upperWorld - bounds.lowerWorld);
+    bounds.lowerWorld -= more;
+    bounds.upperWorld += more;
+    return bounds;
+}
+
+/// Where the way from a point inside a box leaves it.
+dvec3 leaving(const scene::Bounds& box, const dvec3& pointWorld, const dvec3& directionWorld) {
+    double stretch = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double wall = directionWorld[axis] > 0 ? box.upperWorld[axis] : box.lowerWorld[axis];
+        if (directionWorld[axis] != 0) stretch = std::min(stretch, (wall - pointWorld[axis]) / directionWorld[axis]);
+    }
+    return std::isfinite(stretch) ? pointWorld + stretch * directionWorld : pointWorld;
+}
+
+} // namespace
+
+std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view, int light,
+                                     std::span<const CasterVolume* const> casters, bool withCaps) {
+    SceneShape edges{"silhouette edges", look::kSilhouette, SceneShape::Kind::lines, {}};
+    SceneShape sides{"volume: sides", look::kMultipleEdge, SceneShape::Kind::faces, {}};
+    SceneShape caps{"volume: top and bottom cap", look::kTowardLight, SceneShape::Kind::faces, {}};
+    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+    const dvec4 lightWorld = scene::homogeneousPositionWorld(source);
+    scene::Bounds all;
+    for (const scene::Bounds& box : scene::objectBounds(scene))
+        all.include(box);
+    const scene::Bounds end = somewhatLarger(all);
+
+    for (const CasterVolume* caster : casters) {
+        const scene::Object& object = scene.objects[caster->object];
+        const scene::Mesh& mesh = *object.mesh;
+        std::vector<std::int8_t> facing = scene::facingSigns(object, source);
+        if (caster->report.isClosed()) std::ranges::replace(facing, std::int8_t{-1}, std::int8_t{0});
+        const auto silhouette = silhouetteEdges(scene::buildTopology(mesh), facing);
+        // Vertices twice, as they are and at the end of the scene: the numbering of Volume.
+        const dmat4 worldFromMesh = scene::worldFromMesh(object);
+        const std::size_t n = mesh.positionsMesh.size();
+        std::vector<dvec3> pointsWorld(2 * n);
+        for (std::size_t v = 0; v < n; ++v) {
+            pointsWorld[v] = transformPoint(worldFromMesh, dvec3(mesh.positionsMesh[v]));
+            pointsWorld[n + v] = leaving(end, pointsWorld[v], pointsWorld[v] * lightWorld.w - dvec3(lightWorld));
+        }
+        const auto add = [&](SceneShape& shape, const std::vector<std::uint32_t>& indices) {
+            for (const std::uint32_t index : indices)
+                shape.pointsWorld.push_back(pointsWorld[index]);
+        };
+        for (const SilhouetteEdge& edge : silhouette)
+            add(edges, {edge.a, edge.b});
+        const Volume volume = buildVolume(mesh, facing, silhouette, /*directional=*/false);
+        add(sides, volume.sides);
+        add(caps, volume.topCap);
+        add(caps, volume.topCapReversed);
+        add(caps, volume.bottomCap);
+    }
+    std::vector<SceneShape> shapes;
+    shapes.push_back(std::move(sides));
+    if (withCaps) shapes.push_back(std::move(caps));
+    shapes.push_back(std::move(edges));
+    shapes.push_back(nearClipPyramid(scene, view, light));
+    return shapes;
+}
+
+SceneShape nearClipPyramid(const scene::Scene& scene, const View& view, int light) {
+    const scene::Camera& camera = view.camera;
+    const dmat4 worldFromView = glm::inverse(scene::viewFromWorld(camera));
+    const double halfHeight = camera.near * std::tan(camera.fovYDegrees * glm::pi<double>() / 360.0);
+    const double halfWidth = halfHeight * view.size.x / view.size.y;
+    scene::Bounds all;
+    for (const scene::Bounds& box : scene::objectBounds(scene))
+        all.include(box);
+    all.include(camera.positionWorld);
+    const scene::Bounds end = somewhatLarger(all);
+    const dvec4 lightWorld = scene::homogeneousPositionWorld(scene.lights[static_cast<std::size_t>(light)]);
+
+    SceneShape pyramid{"near-clip pyramid", look::kAwayFromLight, SceneShape::Kind::lines, {}};
+    constexpr int kAround[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    const auto corner = [&](int i) {
+        return transformPoint(worldFromView,
+                              dvec3(kAround[i % 4][0] * halfWidth, kAround[i % 4][1] * halfHeight, -camera.near));
+    };
+    for (int i = 0; i < 4; ++i) {
+        const dvec3 apexWorld = lightWorld.w == 0 ? leaving(end, corner(i), dvec3(lightWorld)) : dvec3(lightWorld);
+        pyramid.pointsWorld.insert(pyramid.pointsWorld.end(), {corner(i), corner(i + 1), corner(i), apexWorld});
+    }
+    return pyramid;
+}
+
+} // namespace shadowlab::shadow_volume

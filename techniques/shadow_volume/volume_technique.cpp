@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_volume/volume_technique.h"
+
+#include <chrono>
+
+#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/shadow_volume/shapes.h"
+
+namespace shadowlab::shadow_volume {
+
+params::ParamList VolumeTechnique::sharedParams() {
+    return {
+        params::boolean("two-sided", params_.twoSided,
+                        "Count back and front faces in one pass; false: the lecture's two steps, one after the other."),
+        params::boolean("cull", params_.cull,
+                        "Skip volumes that cannot reach the view, or in which nothing lies; the picture is the same."),
+        params::boolean("wrap", params_.wrap,
+                        "Let the stencil wrap around; false: it sticks at 0 and 255, and counts get lost (teaching)."),
+    };
+}
+
+Progress VolumeTechnique::prepare(const scene::Snapshot& snapshot, Deadline deadline) {
+    while (!casters_.buildNext(snapshot))
+        if (std::chrono::steady_clock::now() >= deadline) return {0.5, false};
+    return {};
+}
+
+Progress VolumeTechnique::render(Frame& frame) {
+    const scene::Scene& scene = frame.scene();
+    frame.pass(passInfo(counting_.passes, "lights-off"),
+               [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
+    if (frame.wants("lights-off")) frame.publishTarget("lights-off");
+
+    const int lights = static_cast<int>(scene.lights.size());
+    for (int light = 0; light < lights; ++light) {
+        chooseVolumes(frame, light);
+        publishVisibility(frame, light);
+        publishStencilStages(frame, light);
+        clearAndCount(frame, light);
+        frame.pass(
+            passInfo(counting_.passes, "light"),
+            [&] {
+                gl::setAddLightState();
+                drawLit(frame, shade_, light);
+            },
+            light);
+    }
+    for (int light = 0; light < lights; ++light)
+        publishOverPicture(frame, light);
+    return {};
+}
+
+void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
+    const std::vector<CasterVolume>& casters = casters_.upload(frame.snapshot(), light);
+    const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
+    drawn_.clear();
+    for (const CasterVolume& caster : casters)
+        if (!params_.cull || (counts(caster) && volumeMayBeInView(caster.bounds, source, frame.eye())))
+            drawn_.push_back(&caster);
+    frame.count("volumes", static_cast<double>(drawn_.size()), static_cast<double>(casters.size()), "casters");
+}
+
+void VolumeTechnique::clearAndCount(Frame& frame, int light) {
+    frame.pass(
+        passInfo(counting_.passes, "clear-stencil"), [] { glClear(GL_STENCIL_BUFFER_BIT); }, light);
+    if (params_.twoSided) {
+        count(frame, counting_.both, light);
+        return;
+    }
+    count(frame, counting_.first, light);
+    count(frame, counting_.second, light);
+}
+
+void VolumeTechnique::count(Frame& frame, const CountPass& pass, int light) {
+    frame.pass(
+        passInfo(counting_.passes, pass.id),
+        [&] {
+            frame.target().withoutColor.bind();
+            glDepthMask(GL_FALSE);
+            glEnable(GL_STENCIL_TEST);
+            glStencilFunc(GL_ALWAYS, 0, 0xff);
+            setCountState();
+            if (pass.culled != GL_NONE) {
+                glEnable(GL_CULL_FACE);
+                glCullFace(pass.culled);
+            }
+            drawFaces(frame, light);
+        },
+        light);
+}
+
+void VolumeTechnique::drawSides(const Frame& frame, const CasterVolume& caster, int light) const {
+    setExtrusion(extrude_, frame, caster, light);
+    setFrontFace(frame.scene().objects[caster.object], false);
+    caster.buffers->drawSides();
+}
+
+void VolumeTechnique::drawLit(Frame& frame, const gl::Program& program, int light) const {
+    program.use();
+    gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+    gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [](const scene::Object& object) {
+        glStencilFunc(object.receivesShadow ? GL_EQUAL : GL_ALWAYS, 0,
+                      0xff); // what receives no shadow ignores the count
+        return true;
+    });
+}
+
+void VolumeTechnique::publishVisibility(Frame& frame, int light) {
+    if (!frame.wants("visibility", light)) return;
+    clearAndCount(frame, light);
+    frame.drawStage("visibility", light, GL_RG32F, [&] {
+        // Every surface first, as if in shadow; then those the light reaches.
+        glDepthFunc(GL_EQUAL);
+        glDepthMask(GL_FALSE);
+        glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_FALSE);
+        visibility_.use();
+        gl::drawSurfaces(visibility_, frame.scene(), frame.buffers(), frame.eye());
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        gl::setVisibilityState();
+        drawLit(frame, visibility_, light);
+    });
+}
+
+void VolumeTechnique::publishStencilStages(Frame& frame, int light) {
+    if (frame.wants(counting_.stageAfterFirst, light)) {
+        frame.pass(
+            passInfo(counting_.passes, "clear-stencil"), [] { glClear(GL_STENCIL_BUFFER_BIT); }, light);
+        count(frame, counting_.first, light);
+        pictures_.publishCount(frame, counting_.stageAfterFirst, light, false);
+    }
+    if (frame.wants("stencil", light)) {
+        clearAndCount(frame, light);
+        pictures_.publishCount(frame, "stencil", light, true);
+    }
+}
+
+void VolumeTechnique::publishOverPicture(Frame& frame, int light) {
+    const std::vector<const CasterVolume*> casters = usefulCasters(light);
+    if (frame.wants("facing", light)) pictures_.publishFacing(frame, light);
+    if (frame.wants("silhouettes", light)) pictures_.publishSilhouettes(frame, light, casters);
+    if (frame.wants("volume-signs", light)) pictures_.publishFaces(frame, light, casters, false);
+    if (frame.wants("volume-parts", light)) pictures_.publishFaces(frame, light, casters, true);
+}
+
+std::vector<const CasterVolume*> VolumeTechnique::usefulCasters(int light) const {
+    std::vector<const CasterVolume*> casters;
+    for (const CasterVolume& caster : casters_.of(light))
+        if (caster.useful || !params_.cull) casters.push_back(&caster);
+    return casters;
+}
+
+std::vector<SceneShape> VolumeTechnique::shapes(const scene::Snapshot& snapshot, const View& view, int light) {
+    return volumeShapes(*snapshot, view, light, usefulCasters(light), hasCaps());
+}
+
+Probe VolumeTechnique::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
+    Probe probe = Technique::probe(snapshot, view, pixel, light);
+    const trace::ExactVisibility exact(snapshot);
+    const auto hit = exact.eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
+    if (!hit || light < 0 || light >= static_cast<int>(snapshot->lights.size())) return probe;
+    const int crossed = exact.crossings(*hit, light);
+    probe.facts.push_back({"casting triangles between the point and the light", std::to_string(crossed), ""});
+    return probe;
+}
+
+std::string VolumeTechnique::remark(const scene::MeshReport& report) const {
+    if (report.isClosed()) return "closed: every silhouette edge separates two faces";
+    return "not closed (" + std::to_string(report.boundaryEdges) + " boundary, " +
+           std::to_string(report.multipleEdges) + " multiple, " + std::to_string(report.inconsistentEdges) +
+           " inconsistently wound edges): handled exactly by signed edge counts";
+}
+
+} // namespace shadowlab::shadow_volume

@@ -1,0 +1,79 @@
+// What the two ways of counting share: the passes around the count, the stages, what there is to say about a pixel.
+//
+// Depth pass (zpass.h) walks from the eye to the visible point, depth fail (zfail.h) from the point on to infinity. Both
+// count the faces of the same volumes into the stencil and light what counts zero.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/frame.h"
+#include "techniques/shadow_volume/casters.h"
+#include "techniques/shadow_volume/stage_pictures.h"
+
+namespace shadowlab::shadow_volume {
+
+/// A pass that counts volume faces, and the side it leaves out; GL_NONE: both sides count at once.
+struct CountPass {
+    std::string_view id;
+    GLenum culled = GL_NONE;
+};
+
+/// How a technique counts: at once, or in the lecture's two steps.
+struct Counting {
+    std::span<const PassInfo> passes; ///< of the technique
+    CountPass both, first, second;
+    std::string_view stageAfterFirst; ///< the stage that shows the count between the two steps
+};
+
+struct VolumeParams {
+    bool twoSided = true;
+    bool cull = true;
+    bool wrap = true;
+};
+
+class VolumeTechnique : public Technique {
+public:
+    Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override;
+    Progress render(Frame& frame) override;
+    Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
+    std::vector<SceneShape> shapes(const scene::Snapshot& snapshot, const View& view, int light) override;
+    std::string remark(const scene::MeshReport& report) const override;
+
+protected:
+    explicit VolumeTechnique(const Counting& counting) : counting_(counting) {}
+
+    /// The state in which a face that is drawn counts, up or down by the side it turns to the viewer.
+    virtual void setCountState() const = 0;
+    /// Draws the faces of all volumes that can change a pixel.
+    virtual void drawFaces(const Frame& frame, int light) const = 0;
+    /// Of the volumes that reach the view: does this one count?
+    virtual bool counts(const CasterVolume&) const { return true; }
+    /// Are the caps part of what is drawn?
+    [[nodiscard]] virtual bool hasCaps() const = 0;
+
+    params::ParamList sharedParams();
+    void drawSides(const Frame& frame, const CasterVolume& caster, int light) const;
+    [[nodiscard]] std::span<const CasterVolume* const> drawn() const { return drawn_; }
+    [[nodiscard]] const VolumeParams& volumeParams() const { return params_; }
+
+    gl::Program extrude_{"shadow_volume/extrude.vert", "nothing.frag"};
+
+private:
+    [[nodiscard]] std::vector<const CasterVolume*> usefulCasters(int light) const;
+    void chooseVolumes(Frame& frame, int light);
+    void clearAndCount(Frame& frame, int light);
+    void count(Frame& frame, const CountPass& pass, int light);
+    void drawLit(Frame& frame, const gl::Program& program, int light) const;
+    void publishVisibility(Frame& frame, int light);
+    void publishStencilStages(Frame& frame, int light);
+    void publishOverPicture(Frame& frame, int light);
+
+    const Counting counting_;
+    VolumeParams params_;
+    Casters casters_;
+    std::vector<const CasterVolume*> drawn_; ///< volumes of the current light that can change a pixel
+    gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
+    gl::Program shade_{"surface.vert", "shade_light.frag"};
+    gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
+    StagePictures pictures_;
+};
+
+} // namespace shadowlab::shadow_volume

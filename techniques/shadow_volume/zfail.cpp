@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_volume/zfail.h"
+
+namespace shadowlab::shadow_volume {
+
+namespace {
+
+const PassInfo kPasses[] = {
+    {"lights-off", "Render the scene with all light sources turned off",
+     "Emission and ambient light are counted once; the depth buffer now holds the visible point of every pixel.",
+     "depth test LESS, depth write on", false},
+    {"clear-stencil", "Clear the stencil buffer", "Each light counts from zero.", "stencil write mask 0xff", true},
+    {"volumes", "Count the volume faces behind each visible point",
+     "Back faces add one and front faces take one where they fail the depth test: what is left is not zero inside a "
+     "volume.",
+     "colour and depth writes off, depth LESS, stencil depth-fail INCR_WRAP (back) and DECR_WRAP (front), depth clamp "
+     "for what reaches infinity",
+     true},
+    {"volumes-back", "Render all volume faces that face away from the viewer",
+     "The stencil goes up by one for each point that fails the depth test.",
+     "colour and depth writes off, cull FRONT, depth LESS, stencil depth-fail INCR_WRAP", true},
+    {"volumes-front", "Render all volume faces that face toward the viewer",
+     "The stencil goes down by one for each point that fails the depth test: faces in front and behind cancel.",
+     "colour and depth writes off, cull BACK, depth LESS, stencil depth-fail DECR_WRAP", true},
+    {"light", "Render the scene again with the light turned on, only where the stencil is zero",
+     "As many faces entered as left: the point is outside every volume, so the light sees it.",
+     "colour writes on, depth EQUAL, stencil EQUAL 0, blending ONE ONE", true},
+};
+
+const StageInfo kStages[] = {
+    {"facing", "Faces by the sign of N·L", StageKind::swatches, true},
+    {"lights-off", "Scene with lights off", StageKind::radiance, false},
+    {"silhouettes", "Silhouettes seen from the light", StageKind::radiance, true},
+    {"volume-signs", "Volume faces by the side they turn to the viewer", StageKind::radiance, true},
+    {"volume-parts", "Volume faces by part: top cap, sides, bottom cap", StageKind::radiance, true},
+    {"stencil-back", "Stencil after the back faces: +1 for each behind the point", StageKind::count, true},
+    {"stencil", "Stencil after all faces: zero is lit", StageKind::count, true},
+    {"visibility", "Visibility of the light", StageKind::visibility, true},
+};
+
+} // namespace
+
+ZFail::ZFail()
+    : VolumeTechnique({.passes = kPasses,
+                       .both = {"volumes"},
+                       .first = {"volumes-back", GL_FRONT},
+                       .second = {"volumes-front", GL_BACK},
+                       .stageAfterFirst = "stencil-back"}) {}
+
+params::ParamList ZFail::params() {
+    params::ParamList list = sharedParams();
+    list.push_back(
+        params::boolean("caps", params_.caps, "Close the volumes with caps; false: depth fail miscounts (teaching)."));
+    list.push_back(
+        params::choice("depth-test", params_.depthTest, {"less", "lequal"},
+                       "Depth test of the volume faces; lequal: top caps fight with their own surface (teaching)."));
+    return list;
+}
+
+void ZFail::setCountState() const {
+    glDepthFunc(params_.depthTest == ZFailParams::DepthTest::less ? GL_LESS : GL_LEQUAL);
+    const bool wrap = volumeParams().wrap;
+    glStencilOpSeparate(GL_BACK, GL_KEEP, wrap ? GL_INCR_WRAP : GL_INCR, GL_KEEP);
+    glStencilOpSeparate(GL_FRONT, GL_KEEP, wrap ? GL_DECR_WRAP : GL_DECR, GL_KEEP);
+}
+
+void ZFail::drawFaces(const Frame& frame, int light) const {
+    // Sides and bottom caps reach infinity: nothing may clip them there, so their depth is clamped.
+    glEnable(GL_DEPTH_CLAMP);
+    extrude_.use();
+    for (const CasterVolume* caster : drawn()) {
+        drawSides(frame, *caster, light);
+        if (params_.caps) caster->buffers->drawBottomCap();
+    }
+    // Top caps lie on the casters' surfaces and must get the very depths the surfaces got: same vertices, same order,
+    // same program text, and no clamp, because the surfaces themselves were clipped at the near plane.
+    glDisable(GL_DEPTH_CLAMP);
+    if (!params_.caps) return;
+    cap_.use();
+    for (const CasterVolume* caster : drawn()) {
+        const scene::Object& object = frame.scene().objects[caster->object];
+        cap_.set("clipFromMesh", mat4(frame.eye().clipFromMesh(object)));
+        setFrontFace(object, false);
+        caster->buffers->drawTopCap();
+        setFrontFace(object, true);
+        caster->buffers->drawTopCapReversed();
+    }
+}
+
+TechniqueInfo zfailInfo() {
+    using enum scene::LightType;
+    return {
+        .id = "shadow-volume-zfail",
+        .title = "Shadow volume (z-fail)",
+        .paper = "Crow 1977, Shadow Algorithms for Computer Graphics; Everitt and Kilgard 2002, Practical and Robust "
+                 "Stenciled Shadow Volumes",
+        .getsWrong =
+            "soft shadows (a light is a point); points behind exactly 256 casting triangles; isolated pixels at cracks",
+        .order = 40,
+        .lightTypes = {point, directional, spot, rect, sphere},
+        .passes = {std::begin(kPasses), std::end(kPasses)},
+        .stages = {std::begin(kStages), std::end(kStages)},
+        .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ZFail>(); },
+    };
+}
+
+} // namespace shadowlab::shadow_volume

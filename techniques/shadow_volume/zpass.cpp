@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_volume/zpass.h"
+
+namespace shadowlab::shadow_volume {
+
+namespace {
+
+const PassInfo kPasses[] = {
+    {"lights-off", "Render the scene with all light sources turned off",
+     "Emission and ambient light are counted once; the depth buffer now holds the visible point of every pixel.",
+     "depth test LESS, depth write on", false},
+    {"clear-stencil", "Clear the stencil buffer",
+     "Each light counts from zero: taken for granted is that the eye is in no volume.", "stencil write mask 0xff",
+     true},
+    {"volumes", "Count the volume faces between the eye and each visible point",
+     "Front faces add one and back faces take one where they pass the depth test: n_f - n_b is not zero inside a "
+     "volume. "
+     "Wrong where the eye is in a volume, or the near plane cuts one: the face that was entered is never met.",
+     "colour and depth writes off, depth LESS, stencil depth-pass INCR_WRAP (front) and DECR_WRAP (back)", true},
+    {"volumes-front", "Render all volume faces that face toward the viewer",
+     "n_f: the stencil goes up by one for each that passes the depth test, where a volume is entered.",
+     "colour and depth writes off, cull BACK, depth LESS, stencil depth-pass INCR_WRAP", true},
+    {"volumes-back", "Render all volume faces that face away from the viewer",
+     "n_b: the stencil goes down by one for each that passes the depth test, where a volume is left.",
+     "colour and depth writes off, cull FRONT, depth LESS, stencil depth-pass DECR_WRAP", true},
+    {"light", "Render the scene again with the light turned on, only where the stencil is zero",
+     "n_f = n_b: the line from the eye to the point left every volume that it entered, so the point is illuminated.",
+     "colour writes on, depth EQUAL, stencil EQUAL 0, blending ONE ONE", true},
+};
+
+const StageInfo kStages[] = {
+    {"facing", "Faces by the sign of N·L", StageKind::swatches, true},
+    {"lights-off", "Scene with lights off", StageKind::radiance, false},
+    {"silhouettes", "Silhouettes seen from the light", StageKind::radiance, true},
+    {"volume-signs", "Volume faces by the side they turn to the viewer", StageKind::radiance, true},
+    {"volume-parts", "Volume faces by part: of these, only the sides are counted", StageKind::radiance, true},
+    {"stencil-front", "Stencil after the front faces: +1 for each before the point", StageKind::count, true},
+    {"stencil", "Stencil after all faces: zero is lit", StageKind::count, true},
+    {"visibility", "Visibility of the light", StageKind::visibility, true},
+};
+
+} // namespace
+
+ZPass::ZPass()
+    : VolumeTechnique({.passes = kPasses,
+                       .both = {"volumes"},
+                       .first = {"volumes-front", GL_BACK},
+                       .second = {"volumes-back", GL_FRONT},
+                       .stageAfterFirst = "stencil-front"}) {}
+
+Progress ZPass::render(Frame& frame) {
+    // Moved out to the nearest surface, as it is for others, the near plane would cut far more volumes.
+    frame.useNearPlaneOfView();
+    return VolumeTechnique::render(frame);
+}
+
+void ZPass::setCountState() const {
+    const bool wrap = volumeParams().wrap;
+    glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, wrap ? GL_INCR_WRAP : GL_INCR);
+    glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, wrap ? GL_DECR_WRAP : GL_DECR);
+}
+
+void ZPass::drawFaces(const Frame& frame, int light) const {
+    extrude_.use();
+    for (const CasterVolume* caster : drawn())
+        drawSides(frame, *caster, light);
+}
+
+std::string ZPass::remark(const scene::MeshReport& report) const {
+    return VolumeTechnique::remark(report) +
+           "; wrong from an eye in its shadow, or so near that the near plane cuts it";
+}
+
+TechniqueInfo zpassInfo() {
+    using enum scene::LightType;
+    return {
+        .id = "shadow-volume-zpass",
+        .title = "Shadow volume (z-pass)",
+        .paper = "Crow 1977, Shadow Algorithms for Computer Graphics; Heidmann 1991, Real Shadows, Real Time",
+        .getsWrong =
+            "any pixel, when the eye is in shadow or the near plane cuts a volume (the textbook algorithm); soft "
+            "shadows (a light is a point)",
+        .order = 35,
+        .lightTypes = {point, directional, spot, rect, sphere},
+        .passes = {std::begin(kPasses), std::end(kPasses)},
+        .stages = {std::begin(kStages), std::end(kStages)},
+        .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ZPass>(); },
+    };
+}
+
+} // namespace shadowlab::shadow_volume

@@ -1,0 +1,28 @@
+// Stencil shadow volumes, counted with depth pass: the volume faces between the eye and each visible point.
+//
+// Heidmann, "Real Shadows, Real Time", 1991: the textbook algorithm, faults included. The walk starts at the eye, and the
+// stencil at zero: that is right only where the eye is in no volume. What lies before the near plane is not drawn, so it
+// is as wrong where the near plane cuts a volume. Depth fail (zfail.h) asks nothing of the eye. Neither cap is needed:
+// the walk ends at the visible point, and no surface that casts lies before it.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/shadow_volume/volume_technique.h"
+
+namespace shadowlab::shadow_volume {
+
+class ZPass final : public VolumeTechnique {
+public:
+    ZPass();
+    params::ParamList params() override { return sharedParams(); }
+    Progress render(Frame& frame) override;
+    std::string remark(const scene::MeshReport& report) const override;
+
+private:
+    void setCountState() const override;
+    void drawFaces(const Frame& frame, int light) const override;
+    [[nodiscard]] bool hasCaps() const override { return false; }
+};
+
+TechniqueInfo zpassInfo();
+
+} // namespace shadowlab::shadow_volume

@@ -1,0 +1,99 @@
+// A map that is kept from frame to frame: never a map of something else, and not drawn again while only the eye moves.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "app/session/picture.h"
+#include "app/session/settings.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/scenes.h"
+
+namespace shadowlab {
+namespace {
+
+using KeptMapTest = testing::GlTest;
+
+constexpr ivec2 kSize{160, 120};
+
+struct Drawn {
+    image::Image picture;
+    double redrawn = -1, of = -1;
+};
+
+Drawn draw(session::Session& session, session::Slot& slot) {
+    View view;
+    view.camera = session.snapshot()->camera;
+    view.size = kSize;
+    const session::RenderedFrame frame = session.render(slot, view);
+    Drawn drawn{session::PictureEncoder().encode(slot.target.color, 1)};
+    const auto counter = std::ranges::find(frame.result.counters, "maps-redrawn", &Counter::id);
+    if (counter != frame.result.counters.end()) drawn.redrawn = counter->built, drawn.of = counter->of;
+    return drawn;
+}
+
+scene::Scene threeLights() {
+    scene::Scene scene = testing::simpleScene();
+    scene.lights = {testing::directionalLight({0.5, -1, 0.25}), testing::directionalLight({-0.5, -1, 0.25}),
+                    testing::directionalLight({0, -1, -0.5})};
+    for (scene::Light& light : scene.lights)
+        light.intensity = 0.5;
+    return scene;
+}
+
+/// The same with a slot that has no map yet.
+image::Image fresh(const scene::Scene& scene, const std::vector<std::string>& settings) {
+    session::Session session(testing::snapshot(scene));
+    std::vector<session::Slot> slots;
+    slots.push_back(session::Session::makeSlot("shadow-map"));
+    session::applySettings(slots, settings);
+    return draw(session, slots[0]).picture;
+}
+
+TEST_F(KeptMapTest, AMovingEyeRedrawsNone) {
+    scene::Scene scene = threeLights();
+    session::Session session(testing::snapshot(scene));
+    session::Slot slot = session::Session::makeSlot("shadow-map");
+    const Drawn first = draw(session, slot);
+    EXPECT_EQ(first.redrawn, 3);
+    for (const double x : {1.0, 2.0}) {
+        scene.camera.positionWorld.x = x;
+        session.setScene(testing::snapshot(scene));
+        const Drawn moved = draw(session, slot);
+        EXPECT_EQ(moved.redrawn, 0);
+        EXPECT_EQ(moved.of, 3);
+        EXPECT_EQ(moved.picture, fresh(scene, {}));
+        EXPECT_NE(moved.picture, first.picture);
+    }
+}
+
+TEST_F(KeptMapTest, EveryParameterThatMattersRedrawsIt) {
+    const scene::Scene scene = threeLights();
+    session::Session session(testing::snapshot(scene));
+    std::vector<session::Slot> slots;
+    slots.push_back(session::Session::makeSlot("shadow-map"));
+    draw(session, slots[0]);
+    std::vector<std::string> settings;
+    for (const std::string setting : {"resolution=256", "slope-bias=0", "constant-bias=0", "pcf-radius=3",
+                                      "filter=hard", "slope-bias=1", "resolution=512"}) {
+        settings.push_back("shadow-map." + setting);
+        session::applySettings(slots, settings);
+        const Drawn changed = draw(session, slots[0]);
+        EXPECT_EQ(changed.redrawn, 3) << setting;
+        EXPECT_EQ(changed.picture, fresh(scene, settings)) << setting;
+        EXPECT_EQ(draw(session, slots[0]).redrawn, 0) << setting;
+    }
+}
+
+TEST_F(KeptMapTest, WhereMapsWouldTakeTooMuchMemoryTheyShareOneAndTheSamePictureComes) {
+    const scene::Scene scene = threeLights();
+    session::Session session(testing::snapshot(scene));
+    std::vector<session::Slot> slots;
+    slots.push_back(session::Session::makeSlot("shadow-map"));
+    const std::vector<std::string> large = {"shadow-map.resolution=5120"}; // three of them are 79 million texels
+    session::applySettings(slots, large);
+    const Drawn first = draw(session, slots[0]), second = draw(session, slots[0]);
+    EXPECT_EQ(second.redrawn, 3);
+    EXPECT_EQ(second.picture, first.picture);
+}
+
+} // namespace
+} // namespace shadowlab
