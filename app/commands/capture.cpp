@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/commands/capture_stats.h"
+#include "app/commands/capture_window.h"
 #include "app/commands/command_line.h"
 #include "app/commands/messages.h"
 #include "app/context/signals.h"
@@ -24,19 +25,6 @@
 namespace shadowlab::commands {
 
 namespace {
-
-/// `name_####.png` with the hashes replaced by the frame's number, counted from 1, padded with zeros to their width.
-std::filesystem::path numbered(const std::filesystem::path& pattern, int frame) {
-    std::string name = pattern.filename().string();
-    const std::size_t first = name.find('#');
-    if (first == std::string::npos) return pattern;
-    const std::size_t width = name.find_first_not_of('#', first) == std::string::npos
-                                  ? name.size() - first
-                                  : name.find_first_not_of('#', first) - first;
-    std::string number = std::to_string(frame + 1);
-    if (number.size() < width) number.insert(0, width - number.size(), '0');
-    return pattern.parent_path() / name.replace(first, width, number);
-}
 
 /// The file that SCENE stands for; it may not exist.
 std::filesystem::path sceneFile(const std::string& scene) {
@@ -279,6 +267,6 @@ private:
 
 } // namespace
 
-int capture(const CaptureOptions& options) { return Capture(options).run(); }
+int capture(const CaptureOptions& options) { return options.ui ? captureWindow(options) : Capture(options).run(); }
 
 } // namespace shadowlab::commands

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/session/derived_stages.h"
+#include "app/session/document.h"
 #include "techniques/foundation/error.h"
 
 namespace shadowlab::commands {
@@ -111,6 +112,18 @@ int rowFor(const GivenOptions& given, const std::vector<std::string>& stages, iv
 
 } // namespace
 
+std::filesystem::path numbered(const std::filesystem::path& pattern, int frame) {
+    std::string name = pattern.filename().string();
+    const std::size_t first = name.find('#');
+    if (first == std::string::npos) return pattern;
+    const std::size_t width = name.find_first_not_of('#', first) == std::string::npos
+                                  ? name.size() - first
+                                  : name.find_first_not_of('#', first) - first;
+    std::string number = std::to_string(frame + 1);
+    if (number.size() < width) number.insert(0, width - number.size(), '0');
+    return pattern.parent_path() / name.replace(first, width, number);
+}
+
 void requirePlaceForNumbers(const CaptureOptions& options, int frames) {
     if (frames > 1 && options.output.filename().string().find('#') == std::string::npos)
         refuseUsage("-o: '" + options.output.string() + "' has no place for the numbers of " + std::to_string(frames) +
@@ -141,6 +154,9 @@ void describeCapture(CLI::App& command) {
     add("--set", "[SLOT:]ID.PARAM=VALUE", "a parameter (`list parameters`), of all slots or of one; may be repeated");
     add("--light", "NAME", "the light that the stage is about (default: the first)");
     add("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    command.add_flag("--ui")->description("the window with all its widgets around the pictures, as `demo` shows it");
+    command.add_flag("--presenter")->description("with --ui: large type and high contrast");
+    command.add_flag("--keys")->description("with --ui: the list of all keys over it");
     add("--stats", "FILE.json", "writes times in milliseconds, counters and settings");
     describeMotion(command);
     add("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
@@ -166,6 +182,15 @@ CaptureOptions captureOptions(const CLI::App& command) {
     if (options.layout == session::Layout::diff && anyStage)
         refuseUsage("--stage: --layout diff compares the finished pictures; leave one of them out");
     if (given.has("--split")) options.split = splitFor(given, options.layout, options.techniques.size());
+    options.ui = command.count("--ui") > 0;
+    options.presenter = command.count("--presenter") > 0;
+    options.keys = command.count("--keys") > 0;
+    if (!options.ui && (options.presenter || options.keys))
+        refuseUsage(std::string(options.presenter ? "--presenter" : "--keys") + ": only the window has it; add --ui");
+    if (options.ui && options.techniques.size() > session::kPanes)
+        refuseUsage("--ui: the window has " + std::to_string(session::kPanes) + " panes, " +
+                    std::to_string(options.techniques.size()) + " techniques are given with -t; leave some out");
+    if (options.ui && given.has("--stats")) refuseUsage("--stats: not with --ui; leave one of them out");
     options.size = sizeFrom("--size", given.text("--size", "1280x720"), kLongestSide);
     options.supersample = countFrom("--supersample", given.text("--supersample", "1"), kMostSupersample);
     // A visibility image, and what is derived from one, holds the answers at the pixels' centres, not an average.

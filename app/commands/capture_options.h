@@ -29,6 +29,9 @@ struct CaptureOptions {
     std::vector<std::string> techniques{"shadow-volume-zfail"};
     session::Layout layout = session::Layout::single;
     bool labels = true;
+    bool ui = false;                              ///< the window with its widgets, not the pictures alone
+    bool presenter = false;                       ///< its large type
+    bool keys = false;                            ///< its list of keys
     std::vector<std::string> stages;              ///< one for each technique; empty: the picture
     double split = 0.5;                           ///< share of the width that the left one of two bands has
     std::optional<int> row;                       ///< of stage `scanline`
@@ -48,6 +51,9 @@ void describeCapture(CLI::App& command);
 /// From what was written to what is meant. Throws Error (usage, overLimit) for what is wrong in itself; what depends on
 /// the scene, or on the graphics card, is seen later.
 CaptureOptions captureOptions(const CLI::App& command);
+
+/// `name_####.png` with the hashes replaced by the frame's number, counted from 1, padded with zeros to their width.
+std::filesystem::path numbered(const std::filesystem::path& pattern, int frame);
 
 /// Throws Error (usage) when several pictures would have one name.
 void requirePlaceForNumbers(const CaptureOptions& options, int frames);

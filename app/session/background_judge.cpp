@@ -110,7 +110,7 @@ void requireSound(const JudgeTask& task) {
 
 } // namespace
 
-BackgroundJudge::BackgroundJudge() : thread_([this] { work(); }) {}
+BackgroundJudge::BackgroundJudge(bool yields) : thread_([this, yields] { work(yields); }) {}
 
 BackgroundJudge::~BackgroundJudge() {
     ending_ = true;
@@ -154,8 +154,8 @@ std::shared_ptr<const JudgeAnswer> BackgroundJudge::newest() {
     return newest_;
 }
 
-void BackgroundJudge::work() {
-    yieldToAllOthers();
+void BackgroundJudge::work(bool yields) {
+    if (yields) yieldToAllOthers();
     Judge judge;
     while (true) {
         const int rung = bell_; // read first: whoever rings from here on is not slept through

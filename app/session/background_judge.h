@@ -66,7 +66,8 @@ struct JudgeAnswer {
 /// a second.
 class BackgroundJudge {
 public:
-    BackgroundJudge();
+    /// Without `yields` it takes its share like everybody else: where no hand waits, and the answer is waited for.
+    explicit BackgroundJudge(bool yields = true);
     ~BackgroundJudge();
     BackgroundJudge(const BackgroundJudge&) = delete;
     BackgroundJudge& operator=(const BackgroundJudge&) = delete;
@@ -96,7 +97,7 @@ private:
     };
     std::uint64_t send(std::optional<JudgeTask> task);
     void dropAll();
-    void work();
+    void work(bool yields);
 
     // Of the thread that draws.
     std::uint64_t submitted_ = 0;

@@ -36,8 +36,8 @@ struct JudgedPicture {
 
 class LiveErrors {
 public:
-    /// The font is for the numbers of the stage `scanline`. It must live as long.
-    explicit LiveErrors(const image::Font& font) : font_(font), history_(kHistory) {}
+    /// The font is for the numbers of the stage `scanline`. It must live as long. `yields`: see BackgroundJudge.
+    LiveErrors(const image::Font& font, bool yields) : font_(font), judge_(yields), history_(kHistory) {}
 
     /// Before the panes are drawn: which of them are to publish their answers.
     void ask(Workbench& bench, ivec2 areaSize, double seconds);

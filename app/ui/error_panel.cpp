@@ -108,13 +108,17 @@ void errorTable(const Desk& desk, const session::LiveErrors& errors) {
             }
         }
         ImGui::TableNextColumn();
-        ImGui::Text("%.0f ms", desk.bench.pane(pane).rendered().frameMs);
+        if (desk.live)
+            ImGui::Text("%.0f ms", desk.bench.pane(pane).rendered().frameMs);
+        else
+            ImGui::TextDisabled("- ms");
     }
     ImGui::EndTable();
     ImGui::TextDisabled(allExact ? "exact, at rest" : "without ties; exact when all is at rest");
 }
 
 void historyPlot(const Desk& desk, const session::LiveErrors& errors, const Theme& theme) {
+    if (!desk.live) return; // a plot over time is never the same twice
     chart(desk, errors, theme, "frame", "ms",
           [](const session::SlotSample& s) { return s.frameMs > 0 ? std::optional(s.frameMs) : std::nullopt; });
     chart(desk, errors, theme, "edge error", "px", [](const session::SlotSample& s) { return s.edgeErrorPx; });

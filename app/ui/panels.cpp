@@ -187,10 +187,16 @@ void timesPart(const Desk& desk) {
         ImGui::TableNextColumn();
         ImGui::Text(format, values...);
     };
-    row("frame", "%.1f ms", frame.frameMs);
-    row("  prepare", "%.1f ms", frame.prepareMs);
+    const auto time = [&](const std::string& name, double ms) {
+        if (desk.live)
+            row(name, "%.1f ms", ms);
+        else
+            row(name, "- ms");
+    };
+    time("frame", frame.frameMs);
+    time("  prepare", frame.prepareMs);
     for (const gl::PassTimer::Result& pass : frame.result.passMs)
-        row("  " + pass.name, "%.1f ms", pass.elapsedMs);
+        time("  " + pass.name, pass.elapsedMs);
     for (const Counter& counter : frame.result.counters)
         if (counter.of > 0)
             row(counter.id, "%.0f of %.0f %s", counter.built, counter.of, counter.unit.c_str());

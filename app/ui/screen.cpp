@@ -15,9 +15,6 @@ namespace shadowlab::ui {
 
 namespace {
 
-// How long the drawing of one frame may take before it goes on in the next: hands wait a tenth of a second at most.
-constexpr auto kPatience = std::chrono::milliseconds(60);
-
 float panelWidth(const Theme& theme, int windowWidth) {
     return std::round(std::min(theme.em * 23, static_cast<float>(windowWidth) * 0.36f));
 }
@@ -28,7 +25,7 @@ void Screen::ContextDeleter::operator()(ImGuiContext* context) const { ImGui::De
 
 Screen::Screen(Desk& desk, std::filesystem::path fontFile)
     : desk_(desk), fontFile_(std::move(fontFile)), imgui_(ImGui::CreateContext()), labels_(fontFile_),
-      errors_(labels_) {
+      errors_(labels_, desk.live) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // what is kept between runs is our own business
     io.LogFilename = nullptr;
@@ -87,7 +84,7 @@ bool Screen::frame(double seconds) {
     desk_.bench.drawWhole(desk_.shown.magnifier || desk_.shown.blink);
     desk_.bench.advance(seconds);
     errors_.ask(desk_.bench, area.size, clock_);
-    const bool drawn = desk_.bench.update(area.size, std::chrono::steady_clock::now() + kPatience);
+    const bool drawn = desk_.bench.update(area.size, std::chrono::steady_clock::now() + patience_);
     const bool judged = errors_.update(desk_.bench, area.size, clock_);
     const bool small = updateStrip();
     settled_ = !drawn && !moved && !judged && !small && errors_.isDone() && ran_.empty() && desk_.bench.isAtRest();

@@ -2,6 +2,7 @@
 // it, a headless capture writes it down; the bytes are the same.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -35,6 +36,9 @@ public:
     /// Before ImGui's own input is fed: makes type and framebuffer fit a window of that many pixels on a screen of that
     /// scale. A size of zero is a window that is not seen; nothing is drawn then.
     void fit(ivec2 windowPixels, float contentScale);
+
+    /// How long the drawing of one frame may take before it goes on in the next.
+    void setPatience(std::chrono::milliseconds patience) { patience_ = patience; }
 
     /// One frame: keys and mouse as ImGui has them, the pictures that have changed, the widgets. `seconds` is the time
     /// since the last frame. Returns false when there was nothing to draw to.
@@ -80,6 +84,8 @@ private:
     std::vector<Message> messages_;
     std::vector<std::string> ran_;
     double clock_ = 0;
+    // Hands wait a tenth of a second at most; what else belongs to a frame takes its part of it.
+    std::chrono::milliseconds patience_{60};
     bool settled_ = false;
 };
 

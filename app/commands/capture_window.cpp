@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/capture_window.h"
+
+#include <chrono>
+#include <thread>
+
+#include "app/commands/messages.h"
+#include "app/context/signals.h"
+#include "app/session/assets.h"
+#include "app/session/motion.h"
+#include "app/session/settings.h"
+#include "app/ui/screen.h"
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/scene/load.h"
+
+namespace shadowlab::commands {
+
+namespace {
+
+/// What the command line asks for, as the window would have it after some clicks.
+session::Document documentFor(const CaptureOptions& options, const scene::Snapshot& scene) {
+    session::Document document = session::newDocument(scene, options.scene);
+    document.layout = options.techniques.size() == 1 ? session::Layout::single : options.layout;
+    document.split = options.split;
+    if (!options.light.empty()) document.light = session::lightIndex(*scene, options.light);
+    if (options.outside) {
+        const auto& [x, y, z, targetX, targetY, targetZ] = *options.outside;
+        document.outsideCamera.positionWorld = {x, y, z};
+        document.outsideCamera.targetWorld = {targetX, targetY, targetZ};
+    }
+    // The settings are checked, and written as the panes keep them, by slots like those of any other capture.
+    std::vector<session::Slot> slots;
+    for (const std::string& id : options.techniques)
+        slots.push_back(session::Session::makeSlot(id));
+    session::applySettings(slots, options.settings);
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        session::PaneState& state = document.panes[i];
+        state.technique = options.techniques[i];
+        state.stage = options.stages[i];
+        if (!state.stage.empty()) session::parseStage(state.stage, *slots[i].info, *scene, document.light);
+        for (const params::Param& param : slots[i].params)
+            if (params::valueText(param) != params::initialText(param))
+                state.settings[state.technique][param.id] = params::valueText(param);
+    }
+    return document;
+}
+
+/// Frames until nothing changes any more: stages are drawn, errors are exact, ImGui has laid out what it measured.
+void settle(ui::Screen& screen) {
+    constexpr int kLayoutFrames = 3; // a window that is as high as its text is measured in one and placed in the next
+    constexpr double kFrameSeconds = 1.0 / 30; // of the screen's own clock, which knows no other time
+    constexpr auto kForOthers =
+        std::chrono::milliseconds(5); // exact errors are found by threads that yield to this one
+    for (int settled = 0; settled < kLayoutFrames;) {
+        context::throwIfInterrupted();
+        screen.frame(kFrameSeconds);
+        settled = screen.isSettled() ? settled + 1 : 0;
+        if (settled == 0) std::this_thread::sleep_for(kForOthers);
+    }
+}
+
+} // namespace
+
+int captureWindow(const CaptureOptions& options) {
+    image::probeWritable(numbered(options.output, 0));
+    const scene::Snapshot scene = scene::loadScene(
+        options.scene, {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = {}});
+    const session::Motion motion = motionOf(options.motion, *scene);
+    requirePlaceForNumbers(options, motion.frames);
+    const std::unique_ptr<context::Context> context = context::createContext(options.backend);
+    ui::Desk desk(documentFor(options, scene));
+    desk.live = false;
+    desk.scenes = scene::builtInScenes(session::assetsRoot());
+    if (options.presenter) ui::togglePresenter(desk);
+    desk.shown.keys = options.keys;
+    desk.bench.allowDraft(false);
+    ui::Screen screen(desk, session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+    screen.fit(options.size, 1);
+    screen.setPatience(std::chrono::hours(1)); // nobody waits, and the picture must not depend on the clock
+    for (int frame = 0; frame < motion.frames; ++frame) {
+        const session::Moment moment = session::momentAt(motion, scene, frame, desk.bench.document().scene);
+        desk.bench.changeScene("", [&](const scene::Snapshot&) { return moment.snapshot; });
+        desk.bench.setCamera(moment.camera);
+        settle(screen);
+        image::writeWhole(
+            numbered(options.output, frame),
+            image::encodePng(session::PictureEncoder::read(screen.picture()), {.opaque = true, .text = {}}));
+    }
+    for (const ui::Message& message : screen.messages())
+        if (message.fault) note(message.text);
+    return 0;
+}
+
+} // namespace shadowlab::commands
