@@ -78,7 +78,8 @@ bool LiveErrors::update(Workbench& bench, ivec2 areaSize, double seconds) {
         return true;
     } catch (const std::exception& fault) {
         failure_ = fault.what();
-        return false;
+        done_ = true; // there will be no better answer
+        return true;
     }
 }
 

@@ -127,8 +127,7 @@ bool Pane::drawOutside(Session& session, const PictureEncoder& encoder, const Pa
     if (!outside_) outside_ = std::make_unique<OutsideView>();
     View outside = request.view;
     outside.size = request.outsideSize;
-    outside.camera =
-        scene::widenedFor(request.outsideCamera, static_cast<double>(outside.size.x) / outside.size.y);
+    outside.camera = scene::widenedFor(request.outsideCamera, static_cast<double>(outside.size.x) / outside.size.y);
     outside.region = {};
     const int light = request.snapshot->lights.empty() ? kNoLight : request.light;
     const std::optional<Stage> seen = outside_->render(session, slot, request.view, outside, light, work.deadline);

@@ -10,16 +10,21 @@ std::string passStage(const StageKey& pass, const scene::Scene& scene) {
 }
 
 std::optional<std::size_t> stepOf(const std::string& stage, const std::vector<StageKey>& passes,
-                                  const scene::Scene& scene) {
-    for (std::size_t i = 0; i < passes.size(); ++i)
-        if (passStage(passes[i], scene) == stage) return i;
+                                  const scene::Scene& scene, int light) {
+    const bool named = stage.find('@') != std::string::npos;
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+        const std::string pass = passStage(passes[i], scene);
+        if (pass == stage) return i;
+        if (!named && passes[i].light == light && pass.starts_with(stage + "@")) return i;
+    }
     return {};
 }
 
-std::string stepped(const std::string& stage, const std::vector<StageKey>& passes, const scene::Scene& scene, int by) {
+std::string stepped(const std::string& stage, const std::vector<StageKey>& passes, const scene::Scene& scene, int light,
+                    int by) {
     if (passes.empty()) return {};
     const auto count = static_cast<int>(passes.size());
-    const std::optional<std::size_t> now = stepOf(stage, passes, scene);
+    const std::optional<std::size_t> now = stepOf(stage, passes, scene, light);
     // The finished picture stands before the first pass and after the last.
     const int next = now ? static_cast<int>(*now) + by : by > 0 ? by - 1 : count + by;
     return next < 0 || next >= count ? std::string() : passStage(passes[static_cast<std::size_t>(next)], scene);

@@ -12,12 +12,14 @@ namespace shadowlab::session {
 /// A pass as a stage of `capture`: "pass:light@sun".
 std::string passStage(const StageKey& pass, const scene::Scene& scene);
 
-/// Where among the passes a stage stands; nothing when it is no pass, or none of these.
+/// Where among the passes a stage stands; nothing when it is no pass, or none of these. A pass of one light that names
+/// none is that of `light`.
 std::optional<std::size_t> stepOf(const std::string& stage, const std::vector<StageKey>& passes,
-                                  const scene::Scene& scene);
+                                  const scene::Scene& scene, int light);
 
 /// The stage after `stage`, `by` passes on (or back, for less than zero). From the finished picture (an empty stage)
 /// forward is the first pass; past the last pass, and before the first, is the finished picture again.
-std::string stepped(const std::string& stage, const std::vector<StageKey>& passes, const scene::Scene& scene, int by);
+std::string stepped(const std::string& stage, const std::vector<StageKey>& passes, const scene::Scene& scene, int light,
+                    int by);
 
 } // namespace shadowlab::session

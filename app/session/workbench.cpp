@@ -29,9 +29,17 @@ const std::vector<scene::Bounds>& Workbench::bounds() {
     return bounds_;
 }
 
+ivec2 Workbench::shownSize(ivec2 areaSize) const {
+    const Layout layout = document_.layout;
+    if (layout == Layout::side || layout == Layout::grid) areaSize.x -= areaSize.x % 2;
+    if (layout == Layout::grid) areaSize.y -= areaSize.y % 2;
+    return areaSize;
+}
+
 std::vector<PlacedPane> Workbench::placed(ivec2 areaSize) const {
     const int count = shownPanes(document_.layout);
     std::vector<PlacedPane> placed;
+    areaSize = shownSize(areaSize);
     if (areaSize.x < 1 || areaSize.y < 1) return placed;
     const std::vector<Cell> cells = layoutCells(document_.layout, count, areaSize, document_.split);
     for (int i = 0; i < count; ++i) {

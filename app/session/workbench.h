@@ -37,6 +37,8 @@ public:
     [[nodiscard]] Session& session() { return session_; }
     [[nodiscard]] const PictureEncoder& encoder() const { return encoder_; }
 
+    /// What of the picture area is used: panes of a grid are all of one size, so that one truth serves them all.
+    [[nodiscard]] ivec2 shownSize(ivec2 areaSize) const;
     /// The panes of the layout, in a picture area of that size. Empty where the area is too small for them.
     [[nodiscard]] std::vector<PlacedPane> placed(ivec2 areaSize) const;
     /// What a placed pane has to show, drawn with 1 / `draft` of the pixels in each direction.

@@ -42,7 +42,7 @@ void step(Desk& desk, int by) {
     const int active = desk.bench.document().active;
     const session::Pane& pane = desk.bench.pane(active);
     chooseStage(desk, session::stepped(desk.bench.document().panes[static_cast<std::size_t>(active)].stage,
-                                       pane.passes(), *desk.bench.shownScene(), by));
+                                       pane.passes(), *desk.bench.shownScene(), desk.bench.document().light, by));
 }
 
 void moveSelected(Desk& desk, const dvec3& byWorld, const std::string& gesture) {

@@ -51,7 +51,7 @@ struct Desk {
     int dragPart = -1, dragPane = 0; ///< of the handle that is held: an axis, or -1 for its disc; and where
     std::vector<std::string> scenes; ///< built-in ones
     bool live = true; ///< hands are at it. Else: no times, which are never the same twice, and exact errors at once
-    bool panelHasKeys = false;       ///< the arrows walk through the settings, and not around the scene
+    bool panelHasKeys = false; ///< the arrows walk through the settings, and not around the scene
 
     /// Seconds since it last moved, by hand or by itself.
     double restSeconds = 0;

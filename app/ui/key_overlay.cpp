@@ -38,6 +38,28 @@ std::vector<KeyRow> keyRows() {
 constexpr float kKeysEm = 9.5f; ///< room for the longest name of keys
 constexpr std::size_t kMouseRows = 8;
 
+constexpr std::size_t kHeadings = 12; ///< lines that the headings of the groups take
+
+/// How large the type can be so that the whole list is seen at once, and in how many columns.
+struct Fit {
+    float scale = 1;
+    int columns = 1;
+};
+
+Fit fitOf(std::size_t rows, const Theme& theme) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    Fit fit;
+    for (; fit.scale > 0.5f; fit.scale -= 0.05f) { // half of the size that is right for all else is the least
+        const float em = theme.em * fit.scale;
+        fit.columns = std::clamp(static_cast<int>(room.x / (26 * em)), 1, 3);
+        // A fifth of the rows takes two lines.
+        const float lines =
+            1.2f * static_cast<float>(rows + kMouseRows + kHeadings) / static_cast<float>(fit.columns) + 3;
+        if (lines * em * 1.3f < room.y) break;
+    }
+    return fit;
+}
+
 } // namespace
 
 void keyOverlay(ivec2 windowSize, const Theme& theme) {
@@ -49,11 +71,13 @@ void keyOverlay(ivec2 windowSize, const Theme& theme) {
     ImGui::Begin("All keys", nullptr,
                  ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
-    const float widest = theme.em * 26;
-    const int columns = std::clamp(static_cast<int>(ImGui::GetContentRegionAvail().x / widest), 1, 3);
     const std::vector<KeyRow> rows = keyRows();
+    const Fit fit = fitOf(rows.size(), theme);
+    ImGui::SetWindowFontScale(fit.scale);
+    const float keysWidth = theme.em * kKeysEm * fit.scale;
+    const int columns = fit.columns;
     // Columns of about equal length; the mouse stands below the keys of the last.
-    const std::size_t perColumn = (rows.size() + kMouseRows + 12) / static_cast<std::size_t>(columns) + 1;
+    const std::size_t perColumn = (rows.size() + kMouseRows + kHeadings) / static_cast<std::size_t>(columns) + 1;
     if (ImGui::BeginTable("keys", columns)) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
@@ -72,7 +96,7 @@ void keyOverlay(ivec2 windowSize, const Theme& theme) {
             }
             group = row.group;
             ImGui::TextUnformatted(row.keys.c_str());
-            ImGui::SameLine(theme.em * kKeysEm);
+            ImGui::SameLine(keysWidth);
             ImGui::TextWrapped("%s", row.help);
             ++lines;
         }
@@ -87,7 +111,7 @@ void keyOverlay(ivec2 windowSize, const Theme& theme) {
              {"drop", "a .json or .obj file: shows it"}}};
         for (const auto& [what, does] : kMouse) {
             ImGui::TextUnformatted(what);
-            ImGui::SameLine(theme.em * kKeysEm);
+            ImGui::SameLine(keysWidth);
             ImGui::TextWrapped("%s", does);
         }
         ImGui::EndTable();

@@ -311,7 +311,7 @@ void stepPanel(Desk& desk, const Area& area, const Theme& theme) {
     const session::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
     const std::vector<StageKey>& passes = desk.bench.pane(document.active).passes();
     const scene::Scene& scene = *desk.bench.shownScene();
-    const auto now = session::stepOf(state.stage, passes, scene);
+    const auto now = session::stepOf(state.stage, passes, scene, document.light);
     beginIn("step", area);
     if (!now) {
         ImGui::TextWrapped("This step does not run with these settings; PageDown goes to the first that does.");

@@ -86,6 +86,7 @@ bool Screen::frame(double seconds) {
     errors_.ask(desk_.bench, area.size, clock_);
     const bool drawn = desk_.bench.update(area.size, std::chrono::steady_clock::now() + patience_);
     const bool judged = errors_.update(desk_.bench, area.size, clock_);
+    if (!errors_.failure().empty()) complain("errors cannot be found: " + errors_.failure());
     const bool small = updateStrip();
     settled_ = !drawn && !moved && !judged && !small && errors_.isDone() && ran_.empty() && desk_.bench.isAtRest();
 

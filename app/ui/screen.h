@@ -47,7 +47,7 @@ public:
     [[nodiscard]] const gl::Framebuffer& framebuffer() const { return framebuffer_; }
     [[nodiscard]] const gl::Texture2D& picture() const { return picture_; }
     /// Pixels of the picture area: what a capture of the pictures alone has.
-    [[nodiscard]] ivec2 pictureSize() const { return pictureArea().size; }
+    [[nodiscard]] ivec2 pictureSize() const { return desk_.bench.shownSize(pictureArea().size); }
     /// Would the next frame look just like this one, if no hand moves and no time goes by?
     [[nodiscard]] bool isSettled() const { return settled_; }
     [[nodiscard]] const session::LiveErrors& errors() const { return errors_; }
