@@ -1,6 +1,7 @@
 // Receiver planes and projecting rays as they lie in the scene, for whoever looks on from outside.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <array>
 
 #include "techniques/foundation/look.h"
 #include "techniques/planar/technique.h"
@@ -23,6 +24,37 @@ void addFace(const ChosenReceiver& one, const scene::Scene& scene, SceneShape& o
             }
 }
 
+/// Rays from the light over the four highest corners of each caster's box, where they end within the frame of the face: two
+/// points each, in world space.
+std::vector<dvec3> raysOnto(const ChosenReceiver& one, const Projection& projection, const std::vector<Caster>& casters,
+                            const std::vector<scene::Bounds>& bounds, const gl::EyeMatrices& eye) {
+    const dmat4 worldFromView = glm::inverse(eye.viewFromWorld);
+    const dvec3 across = one.frameView[1] - one.frameView[0], along = one.frameView[3] - one.frameView[0];
+    std::vector<dvec3> rays;
+    for (const Caster& caster : casters) {
+        if (caster.object == one.receiver.object) continue;
+        std::array<dvec4, 8> corners;
+        for (int i = 0; i < 8; ++i)
+            corners[static_cast<std::size_t>(i)] = eye.viewFromWorld * dvec4(bounds[caster.object].corner(i), 1.0);
+        const auto height = [&](const dvec4& corner) { return glm::dot(projection.planeView, corner); };
+        std::ranges::sort(corners, std::ranges::greater{}, height);
+        // What lies on the plane has no ray to be seen: a millionth of the frame is rounding.
+        if (height(corners[0]) <= 1e-6 * (glm::length(across) + glm::length(along))) continue;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const dvec4 shadow = projection.flattenedFromView * corners[i];
+            if (height(corners[i]) <= 0 || shadow.w <= 0) continue;
+            const dvec3 endView = dvec3(shadow) / shadow.w, offset = endView - one.frameView[0];
+            const double u = glm::dot(offset, across) / glm::dot(across, across);
+            const double v = glm::dot(offset, along) / glm::dot(along, along);
+            if (u < 0 || u > 1 || v < 0 || v > 1) continue;
+            const dvec3 fromView = projection.lightView.w > 0 ? dvec3(projection.lightView) : dvec3(corners[i]);
+            rays.push_back(transformPoint(worldFromView, fromView));
+            rays.push_back(transformPoint(worldFromView, endView));
+        }
+    }
+    return rays;
+}
+
 } // namespace
 
 std::vector<SceneShape> Planar::shapes(const scene::Snapshot& snapshot, const View& view, int light) {
@@ -35,32 +67,15 @@ std::vector<SceneShape> Planar::shapes(const scene::Snapshot& snapshot, const Vi
     std::vector<SceneShape> shapes = {outline, area};
     if (light < 0 || light >= static_cast<int>(snapshot->lights.size())) return shapes;
 
-    // Rays over the corners of the casters' boxes, to the largest plane that the eye sees lit.
+    // Rays onto one plane only, or nothing could be told apart: the one that the eye sees lit and most rays end on.
     const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->lights[static_cast<std::size_t>(light)]);
+    const std::vector<scene::Bounds> bounds = scene::objectBounds(*snapshot);
     SceneShape rays{"ray from the light to the plane", look::kSilhouette, SceneShape::Kind::lines, {}};
     for (const ChosenReceiver& one : chosen) {
         const auto projection = projectOnto(one.planeView, eye.viewFromWorld * lightWorld);
         if (!projection || projection->planeView.w <= 0) continue;
-        const dmat4 worldFromView = glm::inverse(eye.viewFromWorld);
-        const std::vector<scene::Bounds> bounds = scene::objectBounds(*snapshot);
-        scene::Bounds all;
-        for (const scene::Bounds& box : bounds)
-            all.include(box);
-        const double longest = all.isEmpty() ? 0 : 2 * glm::length(all.upperWorld - all.lowerWorld);
-        for (const Caster& caster : casters_.of(light))
-            for (int i = 0; i < 8; ++i) {
-                const dvec3 cornerWorld = bounds[caster.object].corner(i);
-                const dvec4 corner = eye.viewFromWorld * dvec4(cornerWorld, 1.0);
-                const dvec4 shadow = projection->flattenedFromView * corner;
-                // On the plane there is no ray to be seen, beyond the light none goes on to the plane.
-                const double shortest = 1e-6 * longest; // what is nearer lies on the plane
-                if (glm::dot(projection->planeView, corner) <= shortest || shadow.w <= 0) continue;
-                const dvec3 endWorld = transformPoint(worldFromView, dvec3(shadow) / shadow.w);
-                const dvec3 fromWorld = lightWorld.w > 0 ? dvec3(lightWorld) : cornerWorld;
-                if (glm::length(endWorld - cornerWorld) > longest) continue; // hardly below the light's height
-                rays.pointsWorld.insert(rays.pointsWorld.end(), {fromWorld, endWorld});
-            }
-        break;
+        std::vector<dvec3> onto = raysOnto(one, *projection, casters_.of(light), bounds, eye);
+        if (onto.size() > rays.pointsWorld.size()) rays.pointsWorld = std::move(onto);
     }
     shapes.push_back(std::move(rays));
     return shapes;

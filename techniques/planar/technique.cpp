@@ -23,9 +23,8 @@ const PassInfo kPasses[] = {
     {"shadows", "Project the casters onto each plane and mark where they fall",
      "The line from the light P_L through P meets the plane in P', with N·P' + D = 0: P' is in shadow. Only what lies "
      "between light and plane casts; a mark set twice is still one mark.",
-     "colour and depth writes off, depth test off, clip distances at the light's height and at the plane, stencil "
-     "EQUAL "
-     "the plane's number, REPLACE, write mask 0x80",
+     "colour and depth writes off, depth test off, clip distances at the light's height and at the plane, "
+     "stencil EQUAL the plane's number, REPLACE, write mask 0x80",
      true},
     {"light", "Render the scene again with the light turned on, only where there is no mark",
      "What is not marked is seen by the light; what is no plane can have no mark.",
