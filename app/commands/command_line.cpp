@@ -128,8 +128,8 @@ int run(int argc, char** argv) {
     addOption(*demoCommand, "--allow", "DIR", "a further folder that scenes may take meshes from; may be repeated");
 
     CLI::App* listCommand =
-        addCommand(app, "list", "What there is: techniques, parameters, stages, scenes, backends, limits");
-    addOption(*listCommand, "WHAT", "", "techniques, parameters, stages, scenes, decks, lessons, backends or limits");
+        addCommand(app, "list", "What there is: techniques, parameters, stages, scenes, keys of the window, backends, limits");
+    addOption(*listCommand, "WHAT", "", "techniques, parameters, stages, scenes, decks, lessons, backends, keys or limits");
     listCommand->add_flag("--json")->description("one JSON object instead of lines with tabs");
 
     CLI::App* inspectCommand =

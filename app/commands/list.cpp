@@ -12,6 +12,7 @@
 #include "app/session/assets.h"
 #include "app/session/derived_stages.h"
 #include "app/session/path.h"
+#include "app/ui/actions.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/load.h"
@@ -102,6 +103,13 @@ void addDriverLimits(Table& table) {
     }
 }
 
+Table keysTable() {
+    Table table{{"action", "group", "keys", "help"}, {}};
+    for (const ui::Action& action : ui::actions())
+        table.rows.push_back({action.id, action.group, action.keys, action.help});
+    return table;
+}
+
 Table limitsTable() {
     const scene::Limits limits;
     const auto number = [](auto value) { return std::to_string(static_cast<std::uint64_t>(value)); };
@@ -162,6 +170,7 @@ int list(const ListOptions& options) {
         {"decks", [] { return filesTable("decks"); }},
         {"lessons", [] { return filesTable("lessons"); }},
         {"backends", backendsTable},
+        {"keys", keysTable},
         {"limits", limitsTable}};
     std::vector<std::string> known;
     for (const auto& [name, make] : tables) {

@@ -2,6 +2,7 @@
 #include "app/ui/desk.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/session/camera_control.h"
 #include "app/session/derived_stages.h"
@@ -71,7 +72,10 @@ void resetSettings(Desk& desk) {
 
 void togglePresenter(Desk& desk) {
     desk.shown.presenter = !desk.shown.presenter;
-    desk.shown.panel = !desk.shown.presenter;
+    if (desk.shown.presenter)
+        desk.panelOnDesk = std::exchange(desk.shown.panel, false);
+    else
+        desk.shown.panel = desk.panelOnDesk;
 }
 
 void resetCamera(Desk& desk) {

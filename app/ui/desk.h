@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,7 +52,13 @@ struct Desk {
     int dragPart = -1, dragPane = 0; ///< of the handle that is held: an axis, or -1 for its disc; and where
     std::vector<std::string> scenes; ///< built-in ones
     bool live = true; ///< hands are at it. Else: no times, which are never the same twice, and exact errors at once
+    bool panelOnDesk = true;   ///< whether the settings come back after presenter mode
     bool panelHasKeys = false; ///< the arrows walk through the settings, and not around the scene
+
+    // Where the mouse went down since the last frame: a quick hand is elsewhere by the time the frame is drawn. And where
+    // it was when what it holds was last moved. Pixels of the window.
+    std::optional<dvec2> pressedAt;
+    dvec2 heldAt{0.0};
 
     /// Seconds since it last moved, by hand or by itself.
     double restSeconds = 0;

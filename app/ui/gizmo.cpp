@@ -143,14 +143,14 @@ bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& 
         session::handles(*desk.bench.shownScene(), desk.bench.bounds(), document.camera);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const bool free = desk.drag == Drag::none && !io.WantCaptureMouse;
-    bool clicked = false;
 
     for (const ShownPane& pane : panes) {
         const session::PaneState& state = document.panes[static_cast<std::size_t>(pane.pane)];
         if (state.stage.starts_with("outside")) continue; // it shows the lights itself, from elsewhere
         const Seen seen{
             pane, document.camera, {static_cast<int>(pane.pictureSize.x), static_cast<int>(pane.pictureSize.y)}};
-        const bool over = pane.area.contains(io.MousePos);
+        const ImVec2 place = pressPlace(desk);
+        const bool over = pane.area.contains(place);
         // The selected thing first: its arrows may lie over other handles.
         const Handle* hovered = nullptr;
         int part = -1;
@@ -158,7 +158,7 @@ bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& 
             for (const Handle& handle : handles) {
                 const bool selected = handle.what == desk.selection;
                 if (selected != selectedOnes || hovered || !over || !free) continue;
-                if (const auto under = partUnder(seen, handle, selected, io.MousePos, theme)) {
+                if (const auto under = partUnder(seen, handle, selected, place, theme)) {
                     hovered = &handle;
                     part = *under;
                 }
@@ -179,7 +179,7 @@ bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& 
             desk.drag = Drag::handle;
             desk.dragPart = part;
             desk.dragPane = pane.pane;
-            clicked = true;
+            desk.heldAt = {place.x, place.y};
         }
     }
     if (desk.drag != Drag::handle) return false;
@@ -189,16 +189,27 @@ bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& 
         return false;
     }
     for (const ShownPane& pane : panes) {
-        if (pane.pane != desk.dragPane || clicked) continue;
+        if (pane.pane != desk.dragPane) continue;
         const Seen seen{
             pane, document.camera, {static_cast<int>(pane.pictureSize.x), static_cast<int>(pane.pictureSize.y)}};
         const auto held = std::ranges::find(handles, desk.selection, &Handle::what);
-        if (held == handles.end() || (io.MouseDelta.x == 0 && io.MouseDelta.y == 0)) continue;
-        const ImVec2 before(io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y);
+        const ImVec2 before(static_cast<float>(desk.heldAt.x), static_cast<float>(desk.heldAt.y));
+        if (held == handles.end() || (io.MousePos.x == before.x && io.MousePos.y == before.y)) continue;
+        desk.heldAt = {io.MousePos.x, io.MousePos.y};
         if (const auto byWorld = pulled(seen, *held, desk.dragPart, before, io.MousePos))
             moveSelected(desk, *byWorld, "drag a handle");
     }
     return true;
+}
+
+std::vector<std::pair<std::string, dvec2>> handlePlaces(Desk& desk, const ShownPane& pane) {
+    const scene::Camera& camera = desk.bench.document().camera;
+    const Seen seen{pane, camera, {static_cast<int>(pane.pictureSize.x), static_cast<int>(pane.pictureSize.y)}};
+    std::vector<std::pair<std::string, dvec2>> places;
+    for (const Handle& handle : session::handles(*desk.bench.shownScene(), desk.bench.bounds(), camera))
+        if (const auto place = seen.place(handle.positionWorld); place && pane.area.contains(*place))
+            places.emplace_back(handle.label, dvec2(place->x, place->y));
+    return places;
 }
 
 } // namespace shadowlab::ui

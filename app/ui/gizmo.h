@@ -9,4 +9,7 @@ namespace shadowlab::ui {
 /// level with the ground (with Shift up and down), an arrow along its axis. True while one is held.
 bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& theme);
 
+/// Where the handles of lights and objects lie in a pane, by name, in pixels of the window; those that are seen.
+std::vector<std::pair<std::string, dvec2>> handlePlaces(Desk& desk, const ShownPane& pane);
+
 } // namespace shadowlab::ui

@@ -186,19 +186,27 @@ void drawPictures(const Desk& desk, const session::LiveErrors& errors, const std
     if (hasSplitLine(desk)) drawSplitLine(list, desk, area, theme);
 }
 
+ImVec2 pressPlace(const Desk& desk) {
+    if (!desk.pressedAt) return ImGui::GetIO().MousePos;
+    return {static_cast<float>(desk.pressedAt->x), static_cast<float>(desk.pressedAt->y)};
+}
+
 bool handleMouse(Desk& desk, const std::vector<ShownPane>& panes, const Area& area, const Theme& theme) {
     const ImGuiIO& io = ImGui::GetIO();
     static_assert(ImGuiMouseButton_Left == 0);
-    const bool over = area.contains(io.MousePos) && !io.WantCaptureMouse;
+    const ImVec2 place = pressPlace(desk);
+    const bool over = area.contains(place) && !io.WantCaptureMouse;
     const float lineX = splitLineX(desk, area);
-    const bool onLine = over && hasSplitLine(desk) && std::abs(io.MousePos.x - lineX) <= kLineGrip * theme.em;
+    const bool onLine = over && hasSplitLine(desk) && std::abs(place.x - lineX) <= kLineGrip * theme.em;
     if (onLine) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
 
-    if (over && (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2))) {
+    if (over && desk.drag == Drag::none &&
+        (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2))) {
         desk.drag = onLine && ImGui::IsMouseClicked(0) ? Drag::splitLine : Drag::camera;
         if (desk.drag == Drag::camera)
             for (const ShownPane& pane : panes)
-                if (pane.area.contains(io.MousePos)) desk.bench.activate(pane.pane);
+                if (pane.area.contains(place)) desk.bench.activate(pane.pane);
+        desk.heldAt = {place.x, place.y};
     }
     if (!ImGui::IsMouseDown(0) && !ImGui::IsMouseDown(1) && !ImGui::IsMouseDown(2) &&
         (desk.drag == Drag::camera || desk.drag == Drag::splitLine)) {
@@ -206,12 +214,14 @@ bool handleMouse(Desk& desk, const std::vector<ShownPane>& panes, const Area& ar
         desk.bench.endGesture();
     }
 
-    const double height = std::max(1, area.size.y), right = io.MouseDelta.x / height, down = io.MouseDelta.y / height;
+    const dvec2 byPixels = dvec2(io.MousePos.x, io.MousePos.y) - desk.heldAt;
+    const double height = std::max(1, area.size.y), right = byPixels.x / height, down = byPixels.y / height;
+    if (desk.drag == Drag::splitLine || desk.drag == Drag::camera) desk.heldAt = {io.MousePos.x, io.MousePos.y};
     bool moved = false;
     if (desk.drag == Drag::splitLine) {
         const double share = (io.MousePos.x - static_cast<float>(area.corner.x)) / std::max(1, area.size.x);
         desk.bench.change("split", [&](session::Document& document) { document.split = std::clamp(share, 0.0, 1.0); });
-        moved = io.MouseDelta.x != 0;
+        moved = byPixels.x != 0;
     } else if (desk.drag == Drag::camera && (right != 0 || down != 0)) {
         moved = true;
         const bool pan = ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(0) && io.KeyShift);

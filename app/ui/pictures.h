@@ -31,6 +31,9 @@ std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double sec
 void drawPictures(const Desk& desk, const session::LiveErrors& errors, const std::vector<ShownPane>& panes,
                   const Area& area, const Theme& theme);
 
+/// Where the mouse went down, when it did since the last frame; else where it is.
+ImVec2 pressPlace(const Desk& desk);
+
 /// What the mouse does over the pictures: orbit, pan, zoom, fly, drag the split line, choose the active pane. True while
 /// it moves something.
 bool handleMouse(Desk& desk, const std::vector<ShownPane>& panes, const Area& area, const Theme& theme);

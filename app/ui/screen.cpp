@@ -76,9 +76,10 @@ bool Screen::frame(double seconds) {
     ran_ = runKeys(desk_);
 
     const Area area = pictureArea();
-    const std::vector<ShownPane> panes = shownPanes(desk_, area, clock_);
+    const std::vector<ShownPane> panes = panes_ = ui::shownPanes(desk_, area, clock_);
     const bool held = handleGizmos(desk_, panes, theme_);
     const bool moved = handleMouse(desk_, panes, area, theme_) || held;
+    desk_.pressedAt.reset();
     desk_.bench.setMoving(moved);
     desk_.restSeconds = moved ? 0 : desk_.restSeconds + seconds;
     desk_.bench.drawWhole(desk_.shown.magnifier || desk_.shown.blink);

@@ -51,6 +51,7 @@ public:
     /// Would the next frame look just like this one, if no hand moves and no time goes by?
     [[nodiscard]] bool isSettled() const { return settled_; }
     [[nodiscard]] const session::LiveErrors& errors() const { return errors_; }
+    [[nodiscard]] const std::vector<ShownPane>& shownPanes() const { return panes_; }
     /// The ids of the actions that keys have run in the last frame.
     [[nodiscard]] const std::vector<std::string>& ran() const { return ran_; }
 
@@ -83,6 +84,7 @@ private:
     ivec2 size_{0};
     std::vector<Message> messages_;
     std::vector<std::string> ran_;
+    std::vector<ShownPane> panes_; ///< of the last frame
     double clock_ = 0;
     // Hands wait a tenth of a second at most; what else belongs to a frame takes its part of it.
     std::chrono::milliseconds patience_{60};

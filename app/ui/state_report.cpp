@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/ui/state_report.h"
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "app/session/capture_words.h"
+#include "app/ui/gizmo.h"
 #include "techniques/foundation/gl/handle.h"
 
 namespace shadowlab::ui {
@@ -16,9 +19,17 @@ nlohmann::ordered_json cameraJson(const scene::Camera& camera) {
     return {{"position", numbers(camera.positionWorld)}, {"target", numbers(camera.targetWorld)}};
 }
 
+/// The same for the same pixels, and hardly ever for others (FNV-1a: Fowler, Noll and Vo).
+std::string fingerprint(const gl::Texture2D& picture) {
+    std::uint64_t hash = 14695981039346656037ull;
+    for (const std::uint8_t channel : session::PictureEncoder::read(picture).rgba)
+        hash = (hash ^ channel) * 1099511628211ull;
+    return std::to_string(hash);
+}
+
 } // namespace
 
-std::string stateReport(const Desk& desk, const Screen& screen) {
+std::string stateReport(Desk& desk, const Screen& screen) {
     const session::Document& document = desk.bench.document();
     nlohmann::ordered_json json;
     json["ran"] = screen.ran();
@@ -64,8 +75,16 @@ std::string stateReport(const Desk& desk, const Screen& screen) {
     json["messages"] = nlohmann::ordered_json::array();
     for (const Message& message : screen.messages())
         json["messages"].push_back(message.text);
+    json["handles"] = nlohmann::ordered_json::object();
+    for (const ShownPane& pane : screen.shownPanes())
+        for (const auto& [name, place] : handlePlaces(desk, pane))
+            json["handles"][name] = {std::lround(place.x), std::lround(place.y)};
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    json["mouse"] =
+        ImGui::IsMousePosValid(&mouse) ? nlohmann::ordered_json{mouse.x, mouse.y} : nlohmann::ordered_json();
     const ivec2 size = screen.framebuffer().size();
     json["size"] = {size.x, size.y};
+    if (screen.isSettled()) json["picture"] = fingerprint(screen.picture());
     json["glObjects"] = gl::liveObjects;
     return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }

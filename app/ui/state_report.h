@@ -9,6 +9,6 @@
 namespace shadowlab::ui {
 
 /// {"ran": [...], "settled": ..., "scene": ..., "layout": ..., "active": ..., "panes": [...], "camera": {...}, ...}
-std::string stateReport(const Desk& desk, const Screen& screen);
+std::string stateReport(Desk& desk, const Screen& screen);
 
 } // namespace shadowlab::ui

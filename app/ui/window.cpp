@@ -66,6 +66,13 @@ public:
         glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
             static_cast<Window*>(glfwGetWindowUserPointer(window))->press(key, scancode, action, modifiers);
         });
+        glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
+            static_cast<Window*>(glfwGetWindowUserPointer(window))->cursor_ = {x, y};
+        });
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int action, int) {
+            auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
+            if (action == GLFW_PRESS) self.desk_->pressedAt = self.cursor_ * self.pixelsPerPoint_;
+        });
         ImGui_ImplGlfw_InitForOpenGL(window_, true); // it calls what was set before it
     }
     ~Window() { ImGui_ImplGlfw_Shutdown(); }
@@ -104,6 +111,7 @@ private:
         glfwGetWindowSize(window_, &points.x, &points.y);
         float scale = 1, scaleY = 1;
         glfwGetWindowContentScale(window_, &scale, &scaleY);
+        if (points.x > 0) pixelsPerPoint_ = static_cast<double>(pixels.x) / points.x;
         ImGuiIO& io = ImGui::GetIO();
         if (points.x > 0 && points.x != pixels.x && io.MousePos.x > -1e30f) { // window coordinates are not pixels
             io.MousePos.x *= static_cast<float>(pixels.x) / static_cast<float>(points.x);
@@ -301,6 +309,8 @@ private:
     std::vector<std::string> shaderFaults_;
     bool shadersReloaded_ = false;
     std::string reported_;
+    dvec2 cursor_{0.0}; ///< of the last event, in window coordinates
+    double pixelsPerPoint_ = 1;
     ivec2 place_{0}, windowed_{1280, 720}; ///< of the window before it filled the screen
 };
 

@@ -1,0 +1,345 @@
+#!/usr/bin/env python3
+"""Drives the window as a hand would: a display of its own (Xvfb), real keys and a real mouse (xdotool), and what the
+program says is on its screen (`demo --report`).
+
+drive_window.py PROGRAM tries every key of `list keys`, the mouse, and resizes (a thousand of them with SHADOWLAB_LONG). It never
+waits by the clock: each step ends when a report shows what was asked for, or fails after TIMEOUT seconds without one.
+"""
+# SPDX-License-Identifier: MIT
+import json
+import os
+import queue
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+TIMEOUT = 90  # seconds without the expected report: far beyond any frame, also on a busy machine
+
+PLACE = (100, 400)  # of the mouse: in the first pane, away from handles and the split line
+
+
+class Display:
+    """An X server nobody else uses: keys go where the test means them to go."""
+
+    def __enter__(self):
+        read, write = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1920x1200x24", "-noreset", "-nolisten", "tcp"],
+            pass_fds=[write], stderr=subprocess.DEVNULL)
+        os.close(write)
+        with os.fdopen(read) as numbers:
+            self.name = ":" + numbers.readline().strip()
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait()
+
+
+class Window:
+    """The program's window, its reports, and hands for it."""
+
+    def __init__(self, program, display, folder, *arguments):
+        self.environment = {**os.environ, "DISPLAY": display.name, "XDG_CONFIG_HOME": folder}
+        self.environment.pop("WAYLAND_DISPLAY", None)
+        self.started = time.monotonic()
+        self.process = subprocess.Popen([program, "demo", "--report", *arguments], cwd=folder, env=self.environment,
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.reports = queue.Queue()
+        self.state = {}
+        threading.Thread(target=self._listen, daemon=True).start()
+        self.first_frame = None
+        self.wait("the first picture", lambda s: s["settled"])
+
+    def _listen(self):
+        for line in self.process.stdout:
+            if self.first_frame is None:
+                self.first_frame = time.monotonic() - self.started
+            self.reports.put(json.loads(line))
+        self.reports.put(None)
+
+    def wait(self, what, shown, fresh=False):
+        """The next state for which `shown` holds; the present one, too, unless it has to be `fresh`."""
+        end = time.monotonic() + TIMEOUT
+        if self.state and not fresh and shown(self.state):
+            return self.state
+        while True:
+            try:
+                report = self.reports.get(timeout=max(0.01, end - time.monotonic()))
+            except queue.Empty:
+                raise AssertionError(f"{what}: not seen in {TIMEOUT} s; the last state was {self.state}") from None
+            if report is None:
+                raise AssertionError(f"{what}: the program has ended: {self.process.stderr.read()}")
+            self.state = report
+            if shown(report):
+                return report
+
+    def hand(self, *words):
+        subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=True)
+
+    def key(self, keys, action):
+        """Presses keys, and waits until that action has run and its picture is on the screen."""
+        before = self.state
+        self.hand("key", keys)
+        self.wait(f"{keys} ({action})", lambda s: action in s["ran"], fresh=True)
+        return before, self.wait(f"the picture after {keys} ({action})", lambda s: s["settled"] or s["playing"]
+                                 or s["shown"]["blink"])
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait()
+
+
+def pane(state, number=None):
+    return state["panes"][(state["active"] if number is None else number) - 1]
+
+
+def check(condition, what, *states):
+    if not condition:
+        raise AssertionError(what + "".join(f"\n  {s}" for s in states))
+
+
+def changed(*keys):
+    """The state differs in what these keys lead to, and so does the picture."""
+    def compare(before, after):
+        a, b = before, after
+        for key in keys:
+            a, b = a[key], b[key]
+        check(a != b, f"{'.'.join(map(str, keys))} stays {a}")
+        check(before["picture"] != after.get("picture"), "the picture stays as it was")
+    return compare
+
+
+def state_only(*keys):
+    def compare(before, after):
+        a, b = before, after
+        for key in keys:
+            a, b = a[key], b[key]
+        check(a != b, f"{'.'.join(map(str, keys))} stays {a}")
+    return compare
+
+
+def stage(name):
+    return lambda before, after: check(pane(after)["stage"].startswith(name) if name else pane(after)["stage"] == "",
+                                       f"the stage is {pane(after)['stage']}, not {name}")
+
+
+def every_key(window, program):
+    """Each action of `list keys` once, in an order in which each has something to do."""
+    w = window
+    keys = [line.split("\t") for line in
+            subprocess.run([program, "list", "keys"], capture_output=True, text=True, check=True).stdout.splitlines()]
+    names = {"Left": "Left", "Right": "Right", "Up": "Up", "Down": "Down", "PageDown": "Next", "PageUp": "Prior",
+             "Esc": "Escape", "Space": "space", "Enter": "Return", "[": "bracketleft", "]": "bracketright",
+             "+": "plus", "-": "minus", ",": "comma", ".": "period", "Tab": "Tab"}
+    spelled = {}
+    for action, _, written, _ in keys:
+        *modifiers, key = written.split("+") if written != "+" else ["+"]
+        spelled[action] = "+".join([m.lower() for m in modifiers] + [names.get(key, key if key[0] == "F" and len(key) > 1
+                                                                               else key.lower())])
+    tried = set()
+
+    def press(action, compare=None):
+        before, after = w.key(spelled[action], action)
+        tried.add(action)
+        if compare:
+            try:
+                compare(before, after)
+            except AssertionError as error:
+                raise AssertionError(f"{action} ({spelled[action]}): {error}") from None
+        check(not pane(after)["fault"], f"{action}: {pane(after)['fault']}")
+        return after
+
+    press("panel", state_only("shown", "panel"))  # its times differ from frame to frame; pictures are compared below
+    for number in range(1, 10):
+        before = pane(w.state)["technique"]
+        after = press(f"technique-{number}")
+        known = [line.split("\t")[0] for line in subprocess.run(
+            [program, "list", "techniques"], capture_output=True, text=True, check=True).stdout.splitlines()]
+        expected = known[number - 1] if number <= len(known) else before
+        check(pane(after)["technique"] == expected, f"key {number} shows {pane(after)['technique']}, not {expected}")
+    press("undo", lambda b, a: check(pane(b)["technique"] != pane(a)["technique"], "nothing was taken back"))
+    press("redo", lambda b, a: check(pane(b)["technique"] != pane(a)["technique"], "nothing was made again"))
+    press("next-pane", state_only("active"))
+    press("next-pane", state_only("active"))
+    press("split-left", changed("split"))
+    press("split-right", changed("split"))
+    press("magnifier", changed("shown", "magnifier"))
+    press("magnifier", changed("shown", "magnifier"))
+    press("blink", state_only("shown", "blink"))
+    press("blink", state_only("shown", "blink"))
+    press("previous-layout", changed("layout"))
+    press("next-layout", changed("layout"))
+    check(w.state["layout"] == "split", "the layouts do not go to and fro", w.state)
+
+    finished = w.state["picture"]
+    press("step-forward", stage("pass:"))
+    first = pane(w.state)["stage"]
+    press("step-forward-n", stage("pass:"))
+    check(pane(w.state)["stage"] != first, "the second step is the first", w.state)
+    press("step-back", stage(first))
+    press("step-back-n", stage(""))
+    check(w.state["picture"] == finished, "after the steps the picture is another", w.state)
+    for action, name in (("error", "error"), ("truth", "truth"), ("outside", "outside")):
+        press(action, stage(name))
+        check(w.state["picture"] != finished, f"{action} looks like the finished picture", w.state)
+        press(action, stage(""))
+    check(w.state["picture"] == finished, "after the stages the picture is another", w.state)
+    press("strip", changed("shown", "strip"))
+    press("strip", changed("shown", "strip"))
+    press("next-light")
+
+    for action in ("left", "right", "up", "down", "pan-left", "pan-right", "lift", "lower", "fly-left", "fly-right",
+                   "fly-forward", "fly-back", "nearer", "farther"):
+        press(action, changed("camera"))
+    press("left")
+    press("reset-camera", changed("camera"))
+    check(w.state["picture"] == finished, "the scene's own camera shows another picture", w.state)
+    press("select-next", lambda b, a: check(a["selection"] == a["lights"][0]["name"], "no light is selected", a))
+    for action in ("right", "up", "lift"):
+        press(action, changed("lights", 0))
+    press("undo", changed("lights", 0))
+    press("select-previous", lambda b, a: check(a["selection"] == "", "something is still selected", a))
+    press("handles", state_only("shown", "handles"))
+    press("handles", state_only("shown", "handles"))
+
+    press("play", lambda b, a: check(a["playing"], "it does not play", a))
+    w.wait("lights that move", lambda s: s["lights"] != w.state["lights"] or s["lights"][0] != finished)
+    press("faster", state_only("speed"))
+    press("slower", state_only("speed"))
+    press("play", lambda b, a: check(not a["playing"], "it still plays", a))
+    press("save-scene", lambda b, a: check(any("saved" in m for m in a["messages"]), "nothing was saved", a))
+    press("screenshot")
+    w.wait("a saved picture", lambda s: any("saved" in m and ".png" in m for m in s["messages"]))
+    scene = w.state["scene"]
+    press("next-scene")
+    w.wait("another scene", lambda s: s["scene"] != scene and s["settled"])
+    press("previous-scene")
+    w.wait("the scene again", lambda s: s["scene"] == scene and s["settled"])
+
+    press("keys", changed("shown", "keys"))
+    press("leave", changed("shown", "keys"))
+    press("keys-f1", changed("shown", "keys"))
+    press("keys-f1", changed("shown", "keys"))
+    press("focus-panel", state_only("shown", "panelHasKeys"))
+    w.hand("key", "Escape")
+    w.wait("the keyboard back", lambda s: not s["shown"]["panelHasKeys"] and s["settled"])
+    press("panel", state_only("shown", "panel"))
+    press("presenter", changed("shown", "presenter"))
+    press("presenter", changed("shown", "presenter"))
+    press("reset-settings")
+    press("reload-shaders")
+    w.wait("shaders compiled", lambda s: any("shaders compiled" in m for m in s["messages"]))
+    size = w.state["size"]
+    press("full-screen")
+    w.wait("a full screen", lambda s: s["size"] == [1920, 1200] and s["settled"])
+    press("full-screen-f11")
+    w.wait("a window again", lambda s: s["size"] == size and s["settled"])
+
+    missing = {action for action, *_ in keys} - tried - {"quit"}
+    check(not missing, f"keys that nothing tried: {sorted(missing)}")
+    check(len(tried) >= 50, f"only {len(tried)} keys were tried")
+    w.hand("key", spelled["quit"])
+    check(w.process.wait(timeout=TIMEOUT) == 0, "the program did not end well")
+    error = w.process.stderr.read()
+    check(error == "", f"something was said on standard error: {error}")
+    return len(tried) + 1
+
+
+def mouse(window):
+    """Orbit, pan, wheel, split line, a handle: each by dragging."""
+    w = window
+
+    def drag(button, start, end, what, *modifiers):
+        w.hand("mousemove", *start)
+        before = w.wait(f"the mouse before {what}", lambda s: s["mouse"] == list(start) and s["settled"])
+        for modifier in modifiers:
+            w.hand("keydown", modifier)
+        w.hand("mousedown", button, "mousemove", (start[0] + end[0]) // 2, (start[1] + end[1]) // 2, "mousemove", *end)
+        after = w.wait(what, lambda s: any(s[k] != before[k] for k in ("camera", "split", "lights")))
+        w.hand("mouseup", button)
+        for modifier in modifiers:
+            w.hand("keyup", modifier)
+        return before, w.wait(f"rest after {what}", lambda s: s["settled"]), after
+
+    x, y = PLACE
+    for button, what, modifiers in ((1, "orbit", ()), (2, "pan", ()), (3, "a look around", ()), (1, "pan", ("shift",))):
+        before, after, _ = drag(button, (x, y), (x + 60, y + 20), what, *modifiers)
+        check(before["camera"] != after["camera"], f"{what}: the camera stays")
+        check(before["split"] == after["split"] and before["lights"] == after["lights"], f"{what} moves something else")
+        w.hand("key", "0")
+        w.wait("the scene's own camera", lambda s: s["settled"] and "reset-camera" not in s["ran"])
+    before = w.state
+    w.hand("mousemove", x, y, "click", 4)
+    w.wait("nearer by the wheel", lambda s: s["camera"] != before["camera"])
+    width = w.state["size"][0]
+    line = round(w.state["split"] * width)
+    before, after, _ = drag(1, (line, y), (line - 150, y), "the split line")
+    check(abs(after["split"] - (line - 150) / width) < 0.02, "the line is not where the hand let go", after)
+    w.hand("key", "ctrl+z")
+    w.wait("the line back", lambda s: s["split"] == before["split"] and s["settled"])
+
+    # A thing goes where its handle is dragged; then along one axis alone, by its arrow.
+    w.hand("key", "0")
+    w.wait("the scene's own camera", lambda s: s["settled"] and "reset-camera" not in s["ran"], fresh=True)
+    name, place = next((n, p) for n, p in w.state["handles"].items() if abs(p[0] - line) > 40)
+    start, target = w.state, (place[0] + 40, place[1] + 25)
+    w.hand("mousemove", *place)
+    w.wait("the mouse at a handle", lambda s: s["mouse"] == place and s["settled"])
+    w.hand("mousedown", 1, "mousemove", *target)
+    w.wait("a dragged handle", lambda s: s["handles"].get(name, place) != place)
+    w.hand("mouseup", 1)
+    after = w.wait("rest after a dragged handle", lambda s: s["settled"])
+    check(after["selection"] == name, f"{name} was dragged, selected is {after['selection']}")
+    check(all(abs(a - b) <= 3 for a, b in zip(after["handles"][name], target)),
+          f"{name} is at {after['handles'][name]}, the hand at {target}")
+    check(after["camera"] == start["camera"], "the camera moved with it")
+    check(after["picture"] != start["picture"], "the picture stays")
+    w.hand("key", "ctrl+z")
+    w.wait("the handle back", lambda s: s["handles"].get(name) == place and s["settled"])
+    w.close()
+
+
+def rough_days(window, folder):
+    """Many resizes, a broken scene: no fault stays, and no GL object is lost."""
+    w = window
+    identity = subprocess.run(["xdotool", "search", "--name", "^Shadowlab$"], env=w.environment, capture_output=True,
+                              text=True, check=True).stdout.split()[0]
+    start = w.state
+    rounds = 1000 if os.environ.get("SHADOWLAB_LONG") else 60
+    for i in range(rounds):
+        w.hand("windowsize", identity, 300 + i * 37 % 900, 200 + i * 53 % 700)
+    w.hand("windowsize", identity, *start["size"])
+    end = w.wait("the first size again", lambda s: s["size"] == start["size"] and s["settled"])
+    check(end["glObjects"] == start["glObjects"],
+          f"{start['glObjects']} GL objects before {rounds} resizes, {end['glObjects']} after")
+    check(all(not p["fault"] for p in end["panes"]), "a fault stays", end)
+    w.hand("windowunmap", identity)
+    w.hand("windowmap", identity)
+    w.hand("key", "--window", identity, "h")
+    w.close()
+
+
+def main():
+    program = os.path.abspath(sys.argv[1])
+    with Display() as display, tempfile.TemporaryDirectory() as folder:
+        small = ["three-lights", "--keep-settings", "false", "--size", "700x450"]
+        window = Window(program, display, folder, *small)
+        window.hand("mousemove", *PLACE)
+        print(f"start to first report: {window.first_frame:.2f} s")
+        keys = every_key(window, program)
+        written = sorted(os.listdir(folder))
+        check([n.split(".")[-1] for n in written] == ["json", "json", "png", "txt"], f"written were {written}")
+        window = Window(program, display, folder, *small)
+        window.hand("mousemove", *PLACE)
+        window.key("i", "panel")
+        mouse(window)
+        window = Window(program, display, folder, *small)
+        rough_days(window, folder)
+        print(f"{keys} keys, mouse and resizes: all as expected")
+
+
+if __name__ == "__main__":
+    main()
