@@ -72,17 +72,7 @@ bool volumeMayBeInView(const scene::Bounds& caster, const scene::Light& light, c
         points[i] = clipFromWorld * dvec4(corner, 1.0);
         points[8 + i] = clipFromWorld * dvec4(corner * lightWorld.w - dvec3(lightWorld), 0.0);
     }
-    // Left, right, bottom, top, near; the far plane is at infinity. Rounding must not cull what grazes a plane.
-    constexpr double kMargin = 1e-6;
-    const dvec4 planes[5] = {{1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}, {0, 0, 1, 1}};
-    for (const dvec4& plane : planes) {
-        bool allOutside = true;
-        for (const dvec4& point : points)
-            allOutside = allOutside && glm::dot(plane, point) < -kMargin * (std::abs(point.x) + std::abs(point.y) +
-                                                                            std::abs(point.z) + std::abs(point.w));
-        if (allOutside) return false;
-    }
-    return true;
+    return scene::mayTouch(points, eye.part.value_or(scene::PicturePart{}));
 }
 
 } // namespace shadowlab::shadow_volume
