@@ -25,7 +25,8 @@ bool Casters::buildNext(const scene::Snapshot& snapshot) {
     for (const std::size_t o : scene::allCasters(*snapshot)) {
         const scene::Object& object = snapshot->objects[o];
         const SharedMesh& mesh = shared(object.mesh);
-        const std::vector<std::int8_t> facing = scene::facingSigns(object, light);
+        std::vector<std::int8_t> facing = scene::facingSigns(object, light);
+        keepFrontFacesAlone(facing, mesh.outward, scene::lightMesh(object, light));
         CasterVolume caster{o,
                             {},
                             silhouetteEdges(mesh.topology, facing),
@@ -58,6 +59,7 @@ Casters::SharedMesh& Casters::shared(const std::shared_ptr<const scene::Mesh>& m
         shared.mesh = mesh;
         shared.topology = scene::buildTopology(*mesh);
         shared.report = scene::reportMesh(*mesh, shared.topology);
+        shared.outward = outwardParts(*mesh, shared.topology);
     }
     return shared;
 }

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "techniques/foundation/gl/surfaces.h"
+#include "techniques/shadow_volume/outward_parts.h"
 #include "techniques/shadow_volume/volume.h"
 #include "techniques/shadow_volume/volume_buffers.h"
 
@@ -39,6 +40,7 @@ private:
         std::shared_ptr<const scene::Mesh> mesh;
         scene::MeshTopology topology;
         scene::MeshReport report;
+        OutwardParts outward;
         std::unique_ptr<ExtrusionVertices> vertices;
     };
     SharedMesh& shared(const std::shared_ptr<const scene::Mesh>& mesh);
