@@ -57,7 +57,7 @@ void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
     const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
     drawn_.clear();
     for (const CasterVolume& caster : casters)
-        if (!params_.cull || (counts(caster) && volumeMayBeInView(caster.bounds, source, frame.eye())))
+        if (!params_.cull || (counts(caster) && volumeMayBeInView(caster, source, frame.eye())))
             drawn_.push_back(&caster);
     frame.count("volumes", static_cast<double>(drawn_.size()), static_cast<double>(casters.size()), "casters");
 }
