@@ -14,12 +14,16 @@ Frame::Frame(const scene::Snapshot& snapshot, const View& view, const gl::SceneB
              const gl::Target& target, FrameRequest request)
     : snapshot_(snapshot), view_(view), camera_(scene::withTightNear(view.camera, *snapshot, buffers.bounds(),
                                                                      static_cast<double>(view.size.x) / view.size.y)),
-      eye_(gl::eyeMatrices(camera_, view.size)), buffers_(buffers), target_(target), request_(std::move(request)) {}
+      eye_(gl::eyeMatrices(camera_, view.size)), buffers_(buffers), target_(target), request_(std::move(request)) {
+    eye_.part = scene::picturePart(view.region.corner, view.region.size, view.size);
+}
 
 void Frame::useNearPlaneOfView() {
     camera_ = view_.camera;
-    eye_ = gl::eyeMatrices(camera_, view_.size);
+    eye_.clipFromView = gl::eyeMatrices(camera_, view_.size).clipFromView;
 }
+
+void Frame::drawWhatIsOutOfView() { eye_.part.reset(); }
 
 void Frame::pass(const PassInfo& info, const std::function<void()>& draw, int light) {
     if (stopped_) return;

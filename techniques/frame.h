@@ -55,6 +55,8 @@ public:
     [[nodiscard]] const scene::Camera& camera() const { return camera_; }
     /// From here on camera() and eye() have the near plane of the view itself: for an algorithm in which it cuts.
     void useNearPlaneOfView();
+    /// From here on drawSurfaces with eye() draws what is out of view as well: for a technique told to leave nothing out.
+    void drawWhatIsOutOfView();
     [[nodiscard]] const gl::EyeMatrices& eye() const { return eye_; }
     [[nodiscard]] const gl::SceneBuffers& buffers() const { return buffers_; }
     [[nodiscard]] const gl::Target& target() const { return target_; }

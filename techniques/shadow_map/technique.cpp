@@ -60,7 +60,8 @@ params::ParamList ShadowMap::params() {
         params::real("constant-bias", params_.constantBias, 0, 1000, "",
                      "Depth offset against rounding; 1 is what float positions and 24-bit depths need."),
         params::boolean("cull", params_.cull,
-                        "Leave casters out that cannot shadow anything in a map; the picture is the same."),
+                        "Leave out casters that cannot shadow anything in a map, and what is out of view; the picture "
+                        "is the same."),
     };
 }
 
@@ -82,6 +83,7 @@ Progress ShadowMap::prepare(const scene::Snapshot& snapshot, Deadline) {
 Progress ShadowMap::render(Frame& frame) {
     choosePrograms();
     const scene::Scene& scene = frame.scene();
+    if (!params_.cull) frame.drawWhatIsOutOfView();
     frame.pass(passInfo(kPasses, "lights-off"),
                [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
     if (frame.wants("without-shadows")) publishWithoutShadows(frame);

@@ -5,6 +5,7 @@
 
 #include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/facing.h"
+#include "techniques/shadow_volume/volume_end.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -20,21 +21,26 @@ bool Casters::buildNext(const scene::Snapshot& snapshot) {
     if (perLight_.size() == snapshot->lights.size()) return true;
 
     const scene::Light& light = snapshot->lights[perLight_.size()];
+    scene::Bounds sceneBounds;
+    for (const scene::Bounds& bounds : scene::objectBounds(*snapshot))
+        sceneBounds.include(bounds);
     const std::vector<std::size_t> useful = scene::usefulCasters(*snapshot, light);
     std::vector<CasterVolume> casters;
     for (const std::size_t o : scene::allCasters(*snapshot)) {
         const scene::Object& object = snapshot->objects[o];
         const SharedMesh& mesh = shared(object.mesh);
-        const std::vector<std::int8_t> facing = scene::facingSigns(object, light);
-        CasterVolume caster{o,
-                            {},
-                            silhouetteEdges(mesh.topology, facing),
-                            scene::boundsWorld(object),
-                            std::ranges::binary_search(useful, o),
-                            mesh.report,
-                            nullptr};
-        caster.volume =
-            buildVolume(*object.mesh, facing, caster.silhouette, light.type == scene::LightType::directional);
+        std::vector<std::int8_t> facing = scene::facingSigns(object, light);
+        keepFrontFacesAlone(facing, mesh.outward, scene::lightMesh(object, light));
+        const scene::Bounds bounds = scene::boundsWorld(object);
+        CasterVolume caster{.object = o,
+                            .volume = {},
+                            .silhouette = silhouetteEdges(mesh.topology, facing),
+                            .bounds = bounds,
+                            .endWorld = endPlaneWorld(bounds, light, sceneBounds),
+                            .useful = std::ranges::binary_search(useful, o),
+                            .report = mesh.report,
+                            .buffers = nullptr};
+        caster.volume = buildVolume(*object.mesh, facing, caster.silhouette);
         casters.push_back(std::move(caster));
     }
     perLight_.push_back(std::move(casters));
@@ -58,31 +64,23 @@ Casters::SharedMesh& Casters::shared(const std::shared_ptr<const scene::Mesh>& m
         shared.mesh = mesh;
         shared.topology = scene::buildTopology(*mesh);
         shared.report = scene::reportMesh(*mesh, shared.topology);
+        shared.outward = outwardParts(*mesh, shared.topology);
     }
     return shared;
 }
 
-bool volumeMayBeInView(const scene::Bounds& caster, const scene::Light& light, const gl::EyeMatrices& eye) {
-    // The volume lies in the convex hull of the box's corners and their images at infinity, all as clip coordinates.
+bool volumeMayBeInView(const CasterVolume& caster, const scene::Light& light, const gl::EyeMatrices& eye) {
+    // The volume lies in the convex hull of the box's corners and their images at the end, all as clip coordinates.
     const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
     const dvec4 lightWorld = scene::homogeneousPositionWorld(light);
     dvec4 points[16];
     for (int i = 0; i < 8; ++i) {
-        const dvec3 corner = caster.corner(i);
+        const dvec3 corner = caster.bounds.corner(i);
         points[i] = clipFromWorld * dvec4(corner, 1.0);
-        points[8 + i] = clipFromWorld * dvec4(corner * lightWorld.w - dvec3(lightWorld), 0.0);
+        points[8 + i] = clipFromWorld * (caster.endWorld ? dvec4(pushedToPlane(corner, light, *caster.endWorld), 1.0)
+                                                         : dvec4(corner * lightWorld.w - dvec3(lightWorld), 0.0));
     }
-    // Left, right, bottom, top, near; the far plane is at infinity. Rounding must not cull what grazes a plane.
-    constexpr double kMargin = 1e-6;
-    const dvec4 planes[5] = {{1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}, {0, 0, 1, 1}};
-    for (const dvec4& plane : planes) {
-        bool allOutside = true;
-        for (const dvec4& point : points)
-            allOutside = allOutside && glm::dot(plane, point) < -kMargin * (std::abs(point.x) + std::abs(point.y) +
-                                                                            std::abs(point.z) + std::abs(point.w));
-        if (allOutside) return false;
-    }
-    return true;
+    return scene::mayTouch(points, eye.part.value_or(scene::PicturePart{}));
 }
 
 } // namespace shadowlab::shadow_volume

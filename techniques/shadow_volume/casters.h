@@ -3,9 +3,11 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 
 #include "techniques/foundation/gl/surfaces.h"
+#include "techniques/shadow_volume/outward_parts.h"
 #include "techniques/shadow_volume/volume.h"
 #include "techniques/shadow_volume/volume_buffers.h"
 
@@ -17,7 +19,8 @@ struct CasterVolume {
     Volume volume;
     std::vector<SilhouetteEdge> silhouette;
     scene::Bounds bounds;
-    bool useful = true; ///< its shadow can fall on something (scene/casters.h)
+    std::optional<dvec4> endWorld; ///< the plane where the volume ends; none: at infinity (volume_end.h)
+    bool useful = true;            ///< its shadow can fall on something (scene/casters.h)
     scene::MeshReport report;
     std::unique_ptr<VolumeBuffers> buffers; ///< made when first drawn
 };
@@ -39,6 +42,7 @@ private:
         std::shared_ptr<const scene::Mesh> mesh;
         scene::MeshTopology topology;
         scene::MeshReport report;
+        OutwardParts outward;
         std::unique_ptr<ExtrusionVertices> vertices;
     };
     SharedMesh& shared(const std::shared_ptr<const scene::Mesh>& mesh);
@@ -48,8 +52,8 @@ private:
     std::vector<std::vector<CasterVolume>> perLight_;
 };
 
-/// False when the volume certainly touches nothing in view: the caster's box and the directions in which it is extruded
-/// all lie outside one plane of the view. A picture with and without such a caster is the same.
-bool volumeMayBeInView(const scene::Bounds& caster, const scene::Light& light, const gl::EyeMatrices& eye);
+/// False when the volume certainly touches nothing in view: the caster's box and what it is extruded to all lie outside one
+/// plane of the view. A picture with and without such a caster is the same.
+bool volumeMayBeInView(const CasterVolume& caster, const scene::Light& light, const gl::EyeMatrices& eye);
 
 } // namespace shadowlab::shadow_volume

@@ -68,7 +68,7 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
         };
         for (const SilhouetteEdge& edge : silhouette)
             add(edges, {edge.a, edge.b});
-        const Volume volume = buildVolume(mesh, facing, silhouette, /*directional=*/false);
+        const Volume volume = buildVolume(mesh, facing, silhouette);
         add(sides, volume.sides);
         add(caps, volume.topCap);
         add(caps, volume.topCapReversed);

@@ -46,6 +46,8 @@ void setFrontFace(const scene::Object& object, bool clockwise) {
 void setExtrusion(const gl::Program& program, const Frame& frame, const CasterVolume& caster, int light) {
     const scene::Object& object = frame.scene().objects[caster.object];
     program.set("clipFromMesh", mat4(frame.eye().clipFromMesh(object)));
+    // A plane is transformed by the transposed inverse of the points' matrix: mesh from world by that of world from mesh.
+    program.set("endMesh", vec4(glm::transpose(scene::worldFromMesh(object)) * caster.endWorld.value_or(dvec4(0.0))));
     program.set("lightMesh", vec4(scene::lightMesh(object, frame.scene().lights[static_cast<std::size_t>(light)])));
 }
 
@@ -103,22 +105,20 @@ void StagePictures::publishFaces(Frame& frame, int light, std::span<const Caster
     const vec3 plus = look::diverging()[6], minus = look::diverging()[2];
     const vec3 top = look::kTowardLight, side = look::kSilhouette, bottom = look::kMultipleEdge;
     const std::vector<KeyEntry> parts = {
-        {top, "top cap"}, {side, "side"}, {bottom, "bottom cap (drawn near; it is at infinity)"}};
+        {top, "top cap"}, {side, "side"}, {bottom, "bottom cap (drawn near; it is far away)"}};
     const std::vector<KeyEntry> signs = {{plus, "faces the viewer (front)"},
                                          {minus, "faces away from the viewer (back)"}};
 
     const auto drawCaster = [&](const CasterVolume& caster, float share) {
         const scene::Object& object = frame.scene().objects[caster.object];
         const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
-        // The volume that is counted ends at infinity, toward the sun in one point; the one shown gets a bottom cap in
-        // any case.
+        // The volume that is counted ends far away, with a cap of another cut; the one shown is the lecture's.
         std::vector<std::int8_t> facing = scene::facingSigns(object, source);
         // Of a closed mesh only the lit side, as the lecture draws it: the other half would double every face.
         if (caster.report.isClosed()) std::ranges::replace(facing, std::int8_t{-1}, std::int8_t{0});
         const auto silhouette = silhouetteEdges(scene::buildTopology(*object.mesh), facing);
         const ExtrusionVertices vertices(*object.mesh);
-        const VolumeBuffers buffers(buildVolume(*object.mesh, facing, silhouette, /*directional=*/false), silhouette,
-                                    vertices);
+        const VolumeBuffers buffers(buildVolume(*object.mesh, facing, silhouette), silhouette, vertices);
         setExtrusion(faces_, frame, caster, light);
         faces_.set("shownStretch", static_cast<float>(shownStretch(caster, source)));
         const auto choose = [&](const vec3& partColor, float alpha) {

@@ -21,9 +21,9 @@ std::vector<SilhouetteEdge> silhouetteEdges(const scene::MeshTopology& topology,
 }
 
 Volume buildVolume(const scene::Mesh& mesh, std::span<const std::int8_t> facing,
-                   std::span<const SilhouetteEdge> silhouette, bool directional) {
+                   std::span<const SilhouetteEdge> silhouette) {
     Volume volume;
-    const auto atInfinity = static_cast<std::uint32_t>(mesh.positionsMesh.size());
+    const auto far = static_cast<std::uint32_t>(mesh.positionsMesh.size());
 
     // Caps. The top cap keeps the order in which the mesh itself is drawn: with another order the rasteriser's depth
     // may differ in the last bit and the cap would fight with the very surface it lies on.
@@ -32,20 +32,16 @@ Volume buildVolume(const scene::Mesh& mesh, std::span<const std::int8_t> facing,
         const uvec3& corner = mesh.triangles[t];
         std::vector<std::uint32_t>& top = facing[t] > 0 ? volume.topCap : volume.topCapReversed;
         top.insert(top.end(), {corner.x, corner.y, corner.z});
-        if (directional) continue;
         const std::uint32_t second = facing[t] > 0 ? corner.z : corner.y; // the bottom looks the other way
         const std::uint32_t third = facing[t] > 0 ? corner.y : corner.z;
-        volume.bottomCap.insert(volume.bottomCap.end(),
-                                {corner.x + atInfinity, second + atInfinity, third + atInfinity});
+        volume.bottomCap.insert(volume.bottomCap.end(), {corner.x + far, second + far, third + far});
     }
 
-    // Sides. The cap runs a -> b, so the side that joins it there runs b -> a.
+    // Sides. The cap runs a -> b, so the side that joins it there runs b -> a, and where it joins the bottom cap a -> b.
     for (const SilhouetteEdge& edge : silhouette) {
-        const std::uint32_t farA = edge.a + atInfinity, farB = edge.b + atInfinity;
-        for (std::uint32_t i = 0; i < edge.multiplicity; ++i) {
-            volume.sides.insert(volume.sides.end(), {edge.b, edge.a, farA});
-            if (!directional) volume.sides.insert(volume.sides.end(), {edge.b, farA, farB});
-        }
+        const std::uint32_t farA = edge.a + far, farB = edge.b + far;
+        for (std::uint32_t i = 0; i < edge.multiplicity; ++i)
+            volume.sides.insert(volume.sides.end(), {edge.b, edge.a, farA, edge.b, farA, farB});
     }
     return volume;
 }

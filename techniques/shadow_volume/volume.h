@@ -28,17 +28,16 @@ struct SilhouetteEdge {
 /// (scene/facing.h); a triangle with sign 0 is seen edge-on, covers nothing, and is left out.
 std::vector<SilhouetteEdge> silhouetteEdges(const scene::MeshTopology& topology, std::span<const std::int8_t> facing);
 
-/// Triangle lists over 2 n vertices: index v is vertex v itself, index v + n is v pushed away from the light to
-/// infinity (w = 0). Triangles are counter-clockwise seen from outside the volume.
+/// Triangle lists over 2 n vertices: index v is vertex v itself, index v + n is v pushed away from the light, to the
+/// volume's end. Triangles are counter-clockwise seen from outside the volume.
 struct Volume {
     std::vector<std::uint32_t> topCap;         ///< triangles with sign +1, in the mesh's own order and corner order
     std::vector<std::uint32_t> topCapReversed; ///< triangles with sign -1, likewise: these are clockwise from outside
     std::vector<std::uint32_t> sides;          ///< extruded silhouette edges
-    std::vector<std::uint32_t> bottomCap;      ///< all triangles pushed to infinity; empty for a directional light,
-                                               ///< whose volume ends in a single point
+    std::vector<std::uint32_t> bottomCap;      ///< the triangles of both top caps, at the end
 };
 
 Volume buildVolume(const scene::Mesh& mesh, std::span<const std::int8_t> facing,
-                   std::span<const SilhouetteEdge> silhouette, bool directional);
+                   std::span<const SilhouetteEdge> silhouette);
 
 } // namespace shadowlab::shadow_volume

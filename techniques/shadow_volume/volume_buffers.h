@@ -6,7 +6,7 @@
 
 namespace shadowlab::shadow_volume {
 
-/// The vertices of a mesh twice: as they are (extrudable = 0) and to be pushed to infinity (extrudable = 1).
+/// The vertices of a mesh twice: as they are (extrudable = 0) and to be pushed to the volume's end (extrudable = 1).
 /// One per mesh, whatever the number of lights.
 class ExtrusionVertices {
 public:

@@ -13,7 +13,8 @@ params::ParamList VolumeTechnique::sharedParams() {
         params::boolean("two-sided", params_.twoSided,
                         "Count back and front faces in one pass; false: the lecture's two steps, one after the other."),
         params::boolean("cull", params_.cull,
-                        "Skip volumes that cannot reach the view, or in which nothing lies; the picture is the same."),
+                        "Skip what is out of view, and volumes that cannot reach it or in which nothing lies; the "
+                        "picture is the same."),
         params::boolean("wrap", params_.wrap,
                         "Let the stencil wrap around; false: it sticks at 0 and 255, and counts get lost (teaching)."),
     };
@@ -27,6 +28,7 @@ Progress VolumeTechnique::prepare(const scene::Snapshot& snapshot, Deadline dead
 
 Progress VolumeTechnique::render(Frame& frame) {
     const scene::Scene& scene = frame.scene();
+    if (!params_.cull) frame.drawWhatIsOutOfView();
     frame.pass(passInfo(counting_.passes, "lights-off"),
                [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
     if (frame.wants("lights-off")) frame.publishTarget("lights-off");
@@ -55,7 +57,7 @@ void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
     const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
     drawn_.clear();
     for (const CasterVolume& caster : casters)
-        if (!params_.cull || (counts(caster) && volumeMayBeInView(caster.bounds, source, frame.eye())))
+        if (!params_.cull || (counts(caster) && volumeMayBeInView(caster, source, frame.eye())))
             drawn_.push_back(&caster);
     frame.count("volumes", static_cast<double>(drawn_.size()), static_cast<double>(casters.size()), "casters");
 }

@@ -65,7 +65,7 @@ void ZFail::setCountState() const {
 }
 
 void ZFail::drawFaces(const Frame& frame, int light) const {
-    // Sides and bottom caps reach infinity: nothing may clip them there, so their depth is clamped.
+    // Sides and bottom caps may reach infinity: nothing may clip them there, so their depth is clamped.
     glEnable(GL_DEPTH_CLAMP);
     extrude_.use();
     for (const CasterVolume* caster : drawn()) {

@@ -2,7 +2,7 @@
 //
 // Bilodeau and Songy 1999, Carmack 2000; Everitt and Kilgard, "Practical and Robust Stenciled Shadow Volumes", 2002.
 // The walk from the point away from the eye ends outside every volume, wherever the eye is; the price are the caps, which
-// close each volume at the caster and at infinity.
+// close each volume at the caster and at its end.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/shadow_volume/volume_technique.h"

@@ -62,8 +62,12 @@ void ZPass::setCountState() const {
 
 void ZPass::drawFaces(const Frame& frame, int light) const {
     extrude_.use();
-    for (const CasterVolume* caster : drawn())
+    const dvec4 eyeWorld(frame.camera().positionWorld, 1.0);
+    for (const CasterVolume* caster : drawn()) {
         drawSides(frame, *caster, light);
+        // From beyond its end one looks into a volume through the bottom.
+        if (caster->endWorld && glm::dot(*caster->endWorld, eyeWorld) > 0) caster->buffers->drawBottomCap();
+    }
 }
 
 std::string ZPass::remark(const scene::MeshReport& report) const {

@@ -2,8 +2,9 @@
 //
 // Heidmann, "Real Shadows, Real Time", 1991: the textbook algorithm, faults included. The walk starts at the eye, and the
 // stencil at zero: that is right only where the eye is in no volume. What lies before the near plane is not drawn, so it
-// is as wrong where the near plane cuts a volume. Depth fail (zfail.h) asks nothing of the eye. Neither cap is needed:
-// the walk ends at the visible point, and no surface that casts lies before it.
+// is as wrong where the near plane cuts a volume. Depth fail (zfail.h) asks nothing of the eye. The top cap is not
+// needed: the walk ends at the visible point, and no surface that casts lies before it; nor is the bottom cap, as long as the
+// eye is not beyond it.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/shadow_volume/volume_technique.h"

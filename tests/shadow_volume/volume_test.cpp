@@ -26,18 +26,16 @@ Built build(const scene::Object& object, const scene::Light& light) {
     const auto topology = scene::buildTopology(*object.mesh);
     const auto facing = scene::facingSigns(object, light);
     Built built{shadow_volume::silhouetteEdges(topology, facing), {}};
-    built.volume =
-        shadow_volume::buildVolume(*object.mesh, facing, built.silhouette, light.type == scene::LightType::directional);
+    built.volume = shadow_volume::buildVolume(*object.mesh, facing, built.silhouette);
     return built;
 }
 
 /// How often each directed edge is left over once opposite ones have cancelled, with vertices named by position:
 /// nothing, for a surface without boundary.
-int unmatchedEdges(const scene::Mesh& mesh, const Volume& volume, bool directional) {
+int unmatchedEdges(const scene::Mesh& mesh, const Volume& volume) {
     const auto n = static_cast<std::uint32_t>(mesh.positionsMesh.size());
     using Key = std::array<float, 4>;
     const auto key = [&](std::uint32_t index) -> Key {
-        if (index >= n && directional) return {0, 0, 0, 1}; // one point at infinity
         const vec3 p = mesh.positionsMesh[index % n];
         return {p.x, p.y, p.z, index >= n ? 1.0f : 0.0f};
     };
@@ -70,8 +68,8 @@ TEST(Volume, ABoxLitFromACornerHasSixSilhouetteEdges) {
         EXPECT_EQ(edge.multiplicity, 2u); // front and back both count
     EXPECT_EQ(built.volume.topCap.size(), 6u * 3);
     EXPECT_EQ(built.volume.topCapReversed.size(), 6u * 3);
-    EXPECT_EQ(built.volume.sides.size(), 12u * 3); // one triangle per edge: all meet at one point at infinity
-    EXPECT_TRUE(built.volume.bottomCap.empty());
+    EXPECT_EQ(built.volume.sides.size(), 24u * 3); // two triangles for each edge, each twice
+    EXPECT_EQ(built.volume.bottomCap.size(), 12u * 3);
 }
 
 TEST(Volume, ABoxLitFromStraightAboveHasFour) {
@@ -81,7 +79,7 @@ TEST(Volume, ABoxLitFromStraightAboveHasFour) {
     // The four sides are edge-on: N.L = 0, they are left out and the silhouette is both the upper and the lower square.
     EXPECT_EQ(built.volume.topCap.size(), 2u * 3);
     EXPECT_EQ(built.silhouette.size(), 8u);
-    EXPECT_EQ(unmatchedEdges(*box.mesh, built.volume, true), 0);
+    EXPECT_EQ(unmatchedEdges(*box.mesh, built.volume), 0);
 }
 
 TEST(Volume, ASheetHasItsBoundaryForSilhouette) {
@@ -94,7 +92,7 @@ TEST(Volume, ASheetHasItsBoundaryForSilhouette) {
             EXPECT_EQ(edge.triangles, 1u);
         EXPECT_EQ(built.volume.sides.size(), 4u * 6);
         EXPECT_EQ(built.volume.bottomCap.size(), 2u * 3);
-        EXPECT_EQ(unmatchedEdges(*sheet.mesh, built.volume, false), 0);
+        EXPECT_EQ(unmatchedEdges(*sheet.mesh, built.volume), 0);
     }
 }
 
@@ -107,7 +105,7 @@ TEST(Volume, ThreeSheetsOnOneEdgeExtrudeItOnceOrThrice) {
     const auto shared = std::ranges::find(built.silhouette, 3u, &SilhouetteEdge::triangles);
     ASSERT_NE(shared, built.silhouette.end());
     EXPECT_EQ(shared->multiplicity, 3u) << "all three lie to one side of it";
-    EXPECT_EQ(unmatchedEdges(*fan.mesh, built.volume, false), 0);
+    EXPECT_EQ(unmatchedEdges(*fan.mesh, built.volume), 0);
 }
 
 // The boundary of a sum of triangles is a cycle, so the volume closes whatever the triangles are.
@@ -119,10 +117,7 @@ TEST(Volume, IsClosedForEveryHardScene) {
                 const scene::Scene scene = testing::hardScene(hardClass, i, directional);
                 for (const scene::Object& object : scene.objects) {
                     const Built built = build(object, scene.lights[0]);
-                    EXPECT_EQ(unmatchedEdges(*object.mesh, built.volume,
-                                             scene.lights[0].type == scene::LightType::directional),
-                              0)
-                        << toText(hardClass) << " " << i;
+                    EXPECT_EQ(unmatchedEdges(*object.mesh, built.volume), 0) << toText(hardClass) << " " << i;
                     ++volumes;
                 }
             }
@@ -138,8 +133,8 @@ TEST(Volume, ASecondOpinionOnAFacingSignOpensIt) {
     auto facing = scene::facingSigns(torus, light);
     const auto silhouette = shadow_volume::silhouetteEdges(topology, facing);
     facing[10] = static_cast<std::int8_t>(-facing[10]);
-    const Volume volume = shadow_volume::buildVolume(*torus.mesh, facing, silhouette, false);
-    EXPECT_GT(unmatchedEdges(*torus.mesh, volume, false), 0);
+    const Volume volume = shadow_volume::buildVolume(*torus.mesh, facing, silhouette);
+    EXPECT_GT(unmatchedEdges(*torus.mesh, volume), 0);
 }
 
 } // namespace

@@ -115,6 +115,40 @@ TEST_F(ZFailTest, MirroredAndScaledCasters) {
     }
 }
 
+// Solids whose front faces alone are counted (outward_parts.h): mirrored, within each other, hollow, around the light.
+TEST_F(ZFailTest, FrontFacesAloneCountLikeAll) {
+    scene::Scene scene = testing::floorScene();
+    dmat4 mirror = testing::translation({-1.5, 1, 0});
+    mirror[0][0] = -1;
+    testing::addObject(scene, scene::makeSphere(0.75, 24), mirror);
+    testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({1, 0.5, 0.5}));
+    testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({1.5, 0.75, 0.25}));
+    testing::addObject(scene, scene::makeBox({0.25, 4, 0.25}), testing::translation({0, 0, -1})); // through the floor
+    scene::Mesh hollow = scene::makeBox({1, 1, 1});
+    for (std::size_t t = 0; t < 12; ++t) { // an inner wall, the other way round
+        const uvec3 triangle = hollow.triangles[t];
+        std::uint32_t added[3] = {triangle.x, triangle.z, triangle.y};
+        for (std::uint32_t& v : added) {
+            hollow.positionsMesh.push_back(0.75f * hollow.positionsMesh[v]);
+            hollow.normalsMesh.push_back(-hollow.normalsMesh[v]);
+            v = static_cast<std::uint32_t>(hollow.positionsMesh.size()) - 1;
+        }
+        hollow.triangles.emplace_back(added[0], added[1], added[2]);
+    }
+    hollow.parts[0].triangleCount = 24;
+    testing::addObject(scene, hollow, testing::translation({-0.5, 0.5, 2}));
+    scene.lights = {testing::pointLight({2, 5, 3}), testing::directionalLight({0.5, -1, 0.25}),
+                    testing::pointLight({1, 0.625, 0.5}),    // within both boxes
+                    testing::pointLight({-0.5, 0.5, 2.25})}; // in the hollow
+    for (int light = 0; light < 4; ++light) {
+        const TruthComparison sum =
+            compareWithTruth(testing::snapshot(scene), "shadow-volume-zfail", {}, {320, 240}, light, kTiePx);
+        EXPECT_GT(sum.lit, light < 2 ? 10000 : -1); // a light in a box lights nothing that is seen
+        EXPECT_GT(sum.shadowed, 1500);
+        EXPECT_LE(sum.wrong(), 2) << light << ": " << sum;
+    }
+}
+
 TEST_F(ZFailTest, WhatReceivesNoShadowIsLitAndWhatCastsNoneBlocksNothing) {
     scene::Scene scene = testing::simpleScene();
     scene.objects[0].receivesShadow = false;

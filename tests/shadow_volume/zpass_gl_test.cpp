@@ -121,6 +121,24 @@ TEST_F(ZPassTest, FailsWhereTheNearPlaneCutsAVolumeWhereDepthFailHolds) {
     }
 }
 
+// The volumes end where the scene does. An eye beyond that looks into them through the bottom.
+TEST_F(ZPassTest, IsExactFromBeyondTheEndOfTheVolumes) {
+    scene::Scene scene = testing::floorScene();
+    testing::addObject(scene, scene::makeBox({2, 1.5, 1}), testing::translation({0, 0.75, 0}));
+    testing::addObject(scene, scene::makeSphere(0.5, 24), testing::translation({-2, 0.75, 1}));
+    scene.camera.positionWorld = {4, 1.5, 12};
+    scene.camera.targetWorld = {-0.5, 0.5, 2};
+    scene.camera.fovYDegrees = 30;
+    for (const scene::Light& light : {testing::directionalLight({0, -0.1, 1}), testing::pointLight({0, 1.75, -6})}) {
+        scene.lights = {light};
+        ASSERT_FALSE(inShadow(scene, scene.camera.positionWorld, light));
+        const TruthComparison sum = compareWithTruth(testing::snapshot(scene), kZPass, {}, {320, 240}, 0, kTiePx);
+        EXPECT_GT(sum.lit, 1000);
+        EXPECT_GT(sum.shadowed, 1000);
+        EXPECT_LE(sum.wrong(), 2) << sum;
+    }
+}
+
 TEST_F(ZPassTest, TwoPassesGiveTheSamePixelsAsOne) {
     for (const HardClass hardClass : testing::kHardClasses) {
         const auto scene = testing::snapshot(testing::hardScene(hardClass, 3, false));

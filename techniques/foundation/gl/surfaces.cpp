@@ -36,13 +36,16 @@ void drawParts(const Program& program, const scene::Scene& scene, const SceneBuf
 } // namespace
 
 EyeMatrices eyeMatrices(const scene::Camera& camera, ivec2 size) {
-    return {scene::viewFromWorld(camera), scene::clipFromView(camera, static_cast<double>(size.x) / size.y)};
+    return {scene::viewFromWorld(camera), scene::clipFromView(camera, static_cast<double>(size.x) / size.y),
+            std::nullopt};
 }
 
 void drawSurfaces(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
                   const EyeMatrices& eye, const ObjectSetup& setup) {
+    const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const scene::Object& object = scene.objects[i];
+        if (eye.part && !scene::mayTouch(buffers.bounds()[i], clipFromWorld, *eye.part)) continue;
         if (setup && !setup(object)) continue;
         const dmat4 viewFromMesh = eye.viewFromWorld * scene::worldFromMesh(object);
         const bool rectSurface =

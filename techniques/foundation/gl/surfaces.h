@@ -5,9 +5,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
+#include <optional>
 
 #include "techniques/foundation/gl/program.h"
 #include "techniques/foundation/gl/scene_buffers.h"
+#include "techniques/foundation/scene/picture_part.h"
 #include "techniques/foundation/scene/scene.h"
 
 namespace shadowlab::gl {
@@ -15,6 +17,8 @@ namespace shadowlab::gl {
 /// Double, so that what is composed with them loses nothing far from the world's origin; cast to float last.
 struct EyeMatrices {
     dmat4 viewFromWorld{1.0}, clipFromView{1.0};
+    /// The part of the picture that is drawn. Objects that cannot touch it are left out; none: all are drawn.
+    std::optional<scene::PicturePart> part = std::nullopt;
     [[nodiscard]] dmat4 clipFromMesh(const scene::Object& object) const {
         return clipFromView * (viewFromWorld * scene::worldFromMesh(object));
     }
@@ -28,7 +32,7 @@ constexpr int kFirstFreeUnit = 1;
 /// Called for each object with the program in use, before its parts are drawn; false leaves the object out.
 using ObjectSetup = std::function<bool(const scene::Object&)>;
 
-/// Draws all objects in their order, setting the uniforms that shaders/surface.vert and shaders/material.glsl name.
+/// Draws all objects that may be seen in their order, setting the uniforms that shaders/surface.vert and shaders/material.glsl name.
 /// The program must be in use.
 void drawSurfaces(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
                   const EyeMatrices& eye, const ObjectSetup& setup = {});
