@@ -94,7 +94,7 @@ SceneShape nearClipPyramid(const scene::Scene& scene, const View& view, int ligh
     const scene::Bounds end = somewhatLarger(all);
     const dvec4 lightWorld = scene::homogeneousPositionWorld(scene.lights[static_cast<std::size_t>(light)]);
 
-    SceneShape pyramid{"near-clip pyramid", look::kAwayFromLight, SceneShape::Kind::lines, {}};
+    SceneShape pyramid{"near-clip pyramid", look::kBoundaryEdge, SceneShape::Kind::lines, {}};
     constexpr int kAround[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     const auto corner = [&](int i) {
         return transformPoint(worldFromView,
