@@ -139,6 +139,16 @@ def techniques_table(program, folder):
     return table(("technique", "paper", "folder", "what it gets wrong"), rows)
 
 
+def keys_table(program):
+    rows = []
+    for key in program.list("keys"):
+        if rows and rows[-1][3] == key["help"]:
+            rows[-1][1] += ", " + code(key["keys"])
+        else:
+            rows.append([key["group"], code(key["keys"]), key["help"].replace("|", "\\|"), key["help"]])
+    return table(["where", "keys", "what they do"], [row[:3] for row in rows])
+
+
 def pages_list(program):
     ids = {t["id"] for t in program.techniques}
     first = ["tour", "conventions", "measuring", "outside", "scene_format", "adding_a_technique"]
@@ -157,7 +167,7 @@ def regenerated(program, path, text):
         name, technique = match.group(2), path.stem
         makers = {"techniques": lambda: techniques_table(program, path.parent), "pages": lambda: pages_list(program),
                   "parameters": lambda: parameters_table(program, technique), "passes": lambda: passes_table(program, technique),
-                  "stages": lambda: stages_table(program, technique)}
+                  "stages": lambda: stages_table(program, technique), "keys": lambda: keys_table(program)}
         if name not in makers:
             sys.exit(f"generate.py: {path}: there is no generated part '{name}'; there are {', '.join(makers)}")
         return match.group(1) + "\n" + makers[name]() + "\n" + match.group(3)

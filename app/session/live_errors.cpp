@@ -10,8 +10,8 @@ namespace shadowlab::session {
 
 namespace {
 
-constexpr double kBetweenTasks = 0.35; ///< seconds, while something moves: a judged frame costs more than others
-constexpr double kRest = 0.2;          ///< seconds without motion, before the exact answer is worth its work
+constexpr double kBetweenTasks = 1.0; ///< seconds, while something moves: a judged frame costs more than others
+constexpr double kRest = 0.2;         ///< seconds without motion, before the exact answer is worth its work
 
 /// The visibility that a pane's technique can be judged by; a pass, or a scene without that light, has none.
 bool canBeJudged(const PaneRequest& request) {

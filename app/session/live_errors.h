@@ -1,7 +1,7 @@
 // How wrong the pictures of the window are, found while they are on show: what is to be judged is handed to the judge in
 // the background, and what it says is made ready to be seen.
 //
-// While something moves, one pane after the other is judged, a few times a second and without ties: each time the pane is
+// While something moves, one pane after the other is judged, about once a second and without ties: each time the pane is
 // drawn with its answers as well, which costs a little. When all is at rest, every pane is judged exactly, once.
 // SPDX-License-Identifier: MIT
 #pragma once

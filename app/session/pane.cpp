@@ -117,6 +117,9 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
     encode(session, encoder, request, slot, stage, rendered);
     if (!frame.stopAfter) passes_ = rendered.result.passes;
+    // Passes are timed now and then; between, the last times stand.
+    const bool same = drawn_.technique == request.state.technique;
+    if (rendered.result.passMs.empty() && same) rendered.result.passMs = std::move(rendered_.result.passMs);
     drawn_ = request.state;
     rendered_ = std::move(rendered);
 }

@@ -13,6 +13,7 @@ namespace {
 // Hands notice a picture that comes later than a tenth of a second; coarser pictures come in time. Finer ones return only
 // when there is room to spare, so that it does not flicker between two.
 constexpr double kTooSlowMs = 90, kRoomToSpareMs = 45;
+constexpr double kWorthIt = 0.7; ///< of the time of full pictures, that coarse ones may take at most
 constexpr int kCoarsest = 4;
 
 } // namespace
@@ -79,11 +80,25 @@ bool Workbench::update(ivec2 areaSize, Deadline deadline) {
         Pane& pane = panes_[static_cast<std::size_t>(placed.pane)];
         drawn = pane.update(session_, encoder_, requestFor(placed, draft_), work) || drawn;
     }
-    if (!drawn || isAtRest() || !draftAllowed_) return drawn;
-    const double tookMs = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-    if (tookMs > kTooSlowMs) draft_ = std::min(2 * draft_, kCoarsest);
-    if (tookMs * 4 < kRoomToSpareMs) draft_ = std::max(draft_ / 2, 1); // twice as fine has four times the pixels
+    if (drawn) chooseDraft(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
     return drawn;
+}
+
+void Workbench::chooseDraft(double tookMs) {
+    if (isAtRest() || !draftAllowed_) {
+        fullMs_ = 0;
+        draftHelps_ = true;
+        return;
+    }
+    if (draft_ == 1) fullMs_ = tookMs;
+    // Fewer pixels are no quicker where triangles are what takes the time: then they are only uglier.
+    if (draft_ > 1 && tookMs > kWorthIt * fullMs_) draftHelps_ = false;
+    if (!draftHelps_)
+        draft_ = 1;
+    else if (tookMs > kTooSlowMs)
+        draft_ = std::min(2 * draft_, kCoarsest);
+    else if (tookMs * 4 < kRoomToSpareMs) // twice as fine has four times the pixels
+        draft_ = std::max(draft_ / 2, 1);
 }
 
 void Workbench::drawAnew() {

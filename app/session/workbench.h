@@ -86,6 +86,7 @@ public:
 
 private:
     void settle();
+    void chooseDraft(double tookMs);
     void show(Document document);
 
     Document document_;
@@ -99,6 +100,8 @@ private:
     std::array<Pane, kPanes> panes_;
     bool moving_ = false, timePasses_ = true, draftAllowed_ = true, whole_ = false;
     int draft_ = 1;
+    bool draftHelps_ = true;
+    double fullMs_ = 0; ///< what the last frame took that was drawn in full
     std::vector<int> answering_;
 };
 

@@ -15,6 +15,8 @@ namespace shadowlab::ui {
 
 namespace {
 
+constexpr double kBetweenTimes = 0.7; ///< seconds, while something moves
+
 float panelWidth(const Theme& theme, int windowWidth) {
     return std::round(std::min(theme.em * 23, static_cast<float>(windowWidth) * 0.36f));
 }
@@ -84,6 +86,11 @@ bool Screen::frame(double seconds) {
     desk_.restSeconds = moved ? 0 : desk_.restSeconds + seconds;
     desk_.bench.drawWhole(desk_.shown.magnifier || desk_.shown.blink);
     desk_.bench.advance(seconds);
+    // A clock around every pass keeps the driver from doing two things at once: not in every frame of a motion.
+    const bool atRest = !moved && !desk_.bench.animation().playing;
+    const bool timed = atRest || clock_ - timed_ >= kBetweenTimes;
+    if (timed) timed_ = clock_;
+    desk_.bench.setTimePasses(timed);
     errors_.ask(desk_.bench, area.size, clock_);
     const bool drawn = desk_.bench.update(area.size, std::chrono::steady_clock::now() + patience_);
     const bool judged = errors_.update(desk_.bench, area.size, clock_);

@@ -85,7 +85,7 @@ private:
     std::vector<Message> messages_;
     std::vector<std::string> ran_;
     std::vector<ShownPane> panes_; ///< of the last frame
-    double clock_ = 0;
+    double clock_ = 0, timed_ = 0;
     // Hands wait a tenth of a second at most; what else belongs to a frame takes its part of it.
     std::chrono::milliseconds patience_{60};
     bool settled_ = false;

@@ -131,11 +131,15 @@ private:
     }
 
     void report() {
+        ++frames_;
         if (!settings_.report) return;
         const std::string state = stateReport(*desk_, *screen_);
         if (state == reported_) return;
         reported_ = state;
-        std::printf("%s\n", state.c_str());
+        // Frames since the first, and seconds: how quick the window is, for whoever watches it play.
+        const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
+        std::printf("%s, \"frames\": %ld, \"seconds\": %.4f}\n", state.substr(0, state.size() - 1).c_str(), frames_,
+                    seconds);
         std::fflush(stdout);
     }
 
@@ -309,6 +313,8 @@ private:
     std::vector<std::string> shaderFaults_;
     bool shadersReloaded_ = false;
     std::string reported_;
+    long frames_ = 0;
+    Clock::time_point began_ = Clock::now();
     dvec2 cursor_{0.0}; ///< of the last event, in window coordinates
     double pixelsPerPoint_ = 1;
     ivec2 place_{0}, windowed_{1280, 720}; ///< of the window before it filled the screen
