@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "techniques/foundation/error.h"
 #include "techniques/registry.h"
 
 namespace shadowlab::ui {
@@ -79,7 +80,15 @@ std::optional<double> widget(const params::Param& param) {
 void parameterPanel(Desk& desk, const Theme& theme) {
     const session::Document& document = desk.bench.document();
     const session::PaneState state = document.panes[static_cast<std::size_t>(document.active)];
-    session::Slot& slot = desk.bench.pane(document.active).slotFor(state);
+    session::Slot* found = nullptr;
+    try {
+        found = &desk.bench.pane(document.active).slotFor(state);
+    } catch (const Error&) {
+        // The pane says what is wrong with a value; here is the way out.
+        if (ImGui::Button("All as by default  (R)")) resetSettings(desk);
+        return;
+    }
+    session::Slot& slot = *found;
     if (slot.params.empty()) ImGui::TextDisabled("This technique has nothing to set.");
     const float reset = ImGui::GetFrameHeight();
     if (!slot.params.empty() && ImGui::BeginTable("parameters", 3)) {

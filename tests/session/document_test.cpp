@@ -1,0 +1,95 @@
+// Undo, steps, and the command line that makes the picture on show.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "app/session/capture_words.h"
+#include "app/session/document.h"
+#include "app/session/stepping.h"
+#include "app/session/window_settings.h"
+#include "tests/foundation/scene/scene_files.h"
+
+namespace shadowlab::session {
+namespace {
+
+Document someDocument() {
+    auto scene = std::make_shared<scene::Scene>();
+    scene->name = "some";
+    scene->lights.resize(2);
+    scene->lights[0].name = "key";
+    scene->lights[1].name = "the sun";
+    return newDocument(scene, "some");
+}
+
+TEST(UndoHistory, ARunOfOneGestureIsOneStep) {
+    UndoHistory history;
+    Document document = someDocument();
+    for (const double split : {0.4, 0.3, 0.2}) {
+        history.remember(document, "split");
+        document.split = split;
+    }
+    history.endGesture();
+    history.remember(document, "split");
+    document.split = 0.1;
+    document = history.undo(document);
+    EXPECT_EQ(document.split, 0.2);
+    document = history.undo(document);
+    EXPECT_EQ(document.split, 0.5) << "three changes of one drag";
+    EXPECT_FALSE(history.canUndo());
+    document = history.redo(history.redo(document));
+    EXPECT_EQ(document.split, 0.1);
+    EXPECT_FALSE(history.canRedo());
+    document = history.undo(document);
+    history.remember(document, "");
+    EXPECT_FALSE(history.canRedo()) << "a new change ends what was undone";
+}
+
+TEST(Stepping, GoesThroughThePassesAndOutAtBothEnds) {
+    const Document document = someDocument();
+    const scene::Scene& scene = *document.scene;
+    const std::vector<StageKey> passes = {{"lights-off", kNoLight}, {"light", 0}, {"light", 1}};
+    std::string stage;
+    std::vector<std::string> seen;
+    for (int i = 0; i < 5; ++i)
+        seen.push_back(stage = stepped(stage, passes, scene, 0, 1));
+    EXPECT_EQ(seen, (std::vector<std::string>{"pass:lights-off", "pass:light@key", "pass:light@the sun", "",
+                                              "pass:lights-off"}));
+    EXPECT_EQ(stepped("", passes, scene, 0, -1), "pass:light@the sun");
+    EXPECT_EQ(stepped("pass:lights-off", passes, scene, 0, -1), "");
+    EXPECT_EQ(stepOf("pass:light", passes, scene, 1), 2u) << "of the light that is asked about";
+    EXPECT_FALSE(stepOf("visibility", passes, scene, 0));
+    EXPECT_EQ(stepped("pass:gone", passes, scene, 0, 1), "pass:lights-off");
+    EXPECT_EQ(stepped("", {}, scene, 0, 1), "");
+}
+
+TEST(CaptureWords, SayAllThatThePictureDependsOn) {
+    Document document = someDocument();
+    document.split = 0.3125;
+    document.light = 1;
+    document.panes[0].stage = "error@the sun";
+    document.panes[1].settings["shadow-volume-zfail"]["caps"] = "false";
+    document.panes[1].settings["shadow-map"]["resolution"] = "64"; // of a technique that is not shown there
+    const std::string line = asCommandLine(captureWords(document, "/a b/scene.json", "out.png", {1000, 500}));
+    EXPECT_EQ(line, "capture '/a b/scene.json' -o out.png -t shadow-map,shadow-volume-zfail --size 1000x500 "
+                    "--layout split --split 0.3125 --light 'the sun' --stage '1:error@the sun' "
+                    "--set 2:shadow-volume-zfail.caps=false");
+    document.layout = Layout::single;
+    document.active = 2;
+    EXPECT_EQ(asCommandLine(captureWords(document, "s.json", "o.png", {10, 20})),
+              "capture s.json -o o.png -t ray-traced --size 10x20 --light 'the sun'");
+    EXPECT_EQ(asCommandLine({"it's"}), "'it'\\''s'");
+}
+
+TEST(WindowMemory, ComesBackAndABrokenFileIsAsNone) {
+    const scene::TempFolder folder;
+    const auto file = folder.path() / "deep" / "window.json";
+    EXPECT_EQ(readWindowMemory(file), WindowMemory{});
+    const WindowMemory memory{{1024, 768}, false, true, true, false};
+    writeWindowMemory(file, memory);
+    EXPECT_EQ(readWindowMemory(file), memory);
+    for (const std::string text : {"", "[1, 2", "[]", R"({"width": "wide", "panel": 3})"})
+        EXPECT_EQ(readWindowMemory(folder.write("w.json", text)), WindowMemory{}) << text;
+    EXPECT_EQ(readWindowMemory(folder.write("w.json", R"({"width": -5, "height": 99999999})")).size, ivec2(320, 7680));
+}
+
+} // namespace
+} // namespace shadowlab::session
