@@ -10,7 +10,7 @@ namespace shadowlab::session {
 
 namespace {
 
-constexpr double kBetweenTasks = 1.0; ///< seconds, while something moves: a judged frame costs more than others
+constexpr double kBetweenTasks = 1.5; ///< seconds, while something moves: a judged frame costs more than others
 constexpr double kRest = 0.2;         ///< seconds without motion, before the exact answer is worth its work
 
 /// The visibility that a pane's technique can be judged by; a pass, or a scene without that light, has none.
@@ -70,11 +70,11 @@ bool LiveErrors::update(Workbench& bench, ivec2 areaSize, double seconds) {
         done_ = true; // nothing on show can be judged
     }
     try {
-        const std::shared_ptr<const JudgeAnswer> answer = judge_.newest();
-        if (!answer || answer->number == taken_) return false;
-        take(bench, *answer, seconds);
         // The reduced answer of an exact task comes before its exact one, under the same number.
-        if (answer->exact || !submitted_.contains(answer->number)) taken_ = answer->number;
+        std::shared_ptr<const JudgeAnswer> answer = judge_.newest();
+        if (!answer || answer == taken_) return false;
+        taken_ = std::move(answer);
+        take(bench, *taken_, seconds);
         return true;
     } catch (const std::exception& fault) {
         failure_ = fault.what();

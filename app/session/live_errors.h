@@ -1,7 +1,7 @@
 // How wrong the pictures of the window are, found while they are on show: what is to be judged is handed to the judge in
 // the background, and what it says is made ready to be seen.
 //
-// While something moves, one pane after the other is judged, about once a second and without ties: each time the pane is
+// While something moves, one pane after the other is judged, every second or so and without ties: each time the pane is
 // drawn with its answers as well, which costs a little. When all is at rest, every pane is judged exactly, once.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -73,7 +73,7 @@ private:
     const image::Font& font_;
     BackgroundJudge judge_;
     std::map<std::uint64_t, Submitted> submitted_;
-    std::uint64_t taken_ = 0;
+    std::shared_ptr<const JudgeAnswer> taken_; ///< the last answer
     std::map<int, PaneErrors> errors_;
     std::map<int, JudgedPicture> pictures_;
     std::optional<JudgedPicture> difference_;

@@ -93,7 +93,7 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     if (!request.state.stage.empty()) stage = parseStage(request.state.stage, *slot.info, scene, request.light);
 
     FrameRequest frame;
-    frame.timePasses = work.timePasses;
+    frame.timePasses = frame.waitForGl = work.timePasses;
     frame.deadline = work.deadline;
     if (stage && stage->isPass) frame.stopAfter = stage->key;
     if (stage && !stage->isPass && !isDerived(stage->key.id)) frame.stages = {stage->key};
@@ -117,9 +117,12 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
     encode(session, encoder, request, slot, stage, rendered);
     if (!frame.stopAfter) passes_ = rendered.result.passes;
-    // Passes are timed now and then; between, the last times stand.
-    const bool same = drawn_.technique == request.state.technique;
-    if (rendered.result.passMs.empty() && same) rendered.result.passMs = std::move(rendered_.result.passMs);
+    // Times are taken now and then; between, the last ones stand.
+    if (!work.timePasses && drawn_.technique == request.state.technique) {
+        rendered.result.passMs = std::move(rendered_.result.passMs);
+        rendered.frameMs = rendered_.frameMs;
+        rendered.prepareMs = rendered_.prepareMs;
+    }
     drawn_ = request.state;
     rendered_ = std::move(rendered);
 }

@@ -48,7 +48,7 @@ struct PanePicture {
 /// How a pane is drawn, apart from what it shows.
 struct PaneWork {
     Deadline deadline = Deadline::max();
-    bool timePasses = true;
+    bool timePasses = true;  ///< and wait until all is drawn; else the driver may go on while others draw
     bool visibility = false; ///< publish the technique's answers for the request's light as well, to be judged
 };
 

@@ -46,7 +46,7 @@ RenderedFrame Session::render(Slot& slot, const View& view, const FrameRequest& 
     do {
         Frame frame(snapshot_, sampled, buffers_, slot.target, request);
         rendered.converged = slot.technique->render(frame).converged;
-        glFinish();
+        if (request.waitForGl) glFinish();
         rendered.frameMs = elapsedMs(start);
         rendered.result = frame.takeResult();
         ++sampled.sample;

@@ -10,10 +10,11 @@ namespace shadowlab::session {
 
 namespace {
 
-// Hands notice a picture that comes later than a tenth of a second; coarser pictures come in time. Finer ones return only
-// when there is room to spare, so that it does not flicker between two.
-constexpr double kTooSlowMs = 90, kRoomToSpareMs = 45;
-constexpr double kWorthIt = 0.7; ///< of the time of full pictures, that coarse ones may take at most
+// Fifteen frames a second are what the eye still takes for motion; a hand notices no delay then either. Full frames that
+// take longer on average are drawn coarser; single slow ones (a judged frame, another program) are not.
+constexpr double kTooSlowMs = 1000.0 / 15;
+constexpr double kWorthIt = 0.7;   ///< of the time of full pictures, that coarse ones may take at most
+constexpr double kNewShare = 0.25; ///< of a new frame's time in the average
 constexpr int kCoarsest = 4;
 
 } // namespace
@@ -80,25 +81,28 @@ bool Workbench::update(ivec2 areaSize, Deadline deadline) {
         Pane& pane = panes_[static_cast<std::size_t>(placed.pane)];
         drawn = pane.update(session_, encoder_, requestFor(placed, draft_), work) || drawn;
     }
-    if (drawn) chooseDraft(std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+    // From one frame to the next, for the driver may still be drawing now.
+    if (drawn && begun_) chooseDraft(std::chrono::duration<double, std::milli>(begin - *begun_).count());
+    begun_ = drawn ? std::optional(begin) : std::nullopt;
     return drawn;
 }
 
 void Workbench::chooseDraft(double tookMs) {
     if (isAtRest() || !draftAllowed_) {
-        fullMs_ = 0;
+        fullMs_ = draftMs_ = 0;
         draftHelps_ = true;
         return;
     }
-    if (draft_ == 1) fullMs_ = tookMs;
+    double& averageMs = draft_ == 1 ? fullMs_ : draftMs_;
+    averageMs = averageMs == 0 ? tookMs : glm::mix(averageMs, tookMs, kNewShare);
     // Fewer pixels are no quicker where triangles are what takes the time: then they are only uglier.
-    if (draft_ > 1 && tookMs > kWorthIt * fullMs_) draftHelps_ = false;
-    if (!draftHelps_)
+    if (draft_ > 1 && draftMs_ > kWorthIt * fullMs_) draftHelps_ = false;
+    if (!draftHelps_ || fullMs_ < kTooSlowMs)
         draft_ = 1;
-    else if (tookMs > kTooSlowMs)
+    else if (draft_ == 1 || draftMs_ > kTooSlowMs) {
         draft_ = std::min(2 * draft_, kCoarsest);
-    else if (tookMs * 4 < kRoomToSpareMs) // twice as fine has four times the pixels
-        draft_ = std::max(draft_ / 2, 1);
+        draftMs_ = 0;
+    }
 }
 
 void Workbench::drawAnew() {

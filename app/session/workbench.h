@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
+#include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -101,7 +103,8 @@ private:
     bool moving_ = false, timePasses_ = true, draftAllowed_ = true, whole_ = false;
     int draft_ = 1;
     bool draftHelps_ = true;
-    double fullMs_ = 0; ///< what the last frame took that was drawn in full
+    std::optional<std::chrono::steady_clock::time_point> begun_; ///< the last frame, if something was drawn in it
+    double fullMs_ = 0, draftMs_ = 0; ///< what frames take, on average: those in full, and those of the present draft
     std::vector<int> answering_;
 };
 

@@ -84,6 +84,14 @@ void changeSpeed(Desk& desk, double factor) {
         animation.speed = std::clamp(animation.speed * factor, session::kSlowest, session::kFastest);
     });
 }
+/// Lights and objects, the camera alone, all of them, and around again.
+void nextMovers(Desk& desk) {
+    desk.bench.setAnimation([](session::Animation& animation) {
+        const bool lightsAlone = animation.lights && !animation.camera, all = animation.lights && animation.camera;
+        animation.lights = animation.objects = !lightsAlone;
+        animation.camera = lightsAlone || !all;
+    });
+}
 void nextLight(Desk& desk) {
     const auto count = static_cast<int>(desk.bench.shownScene()->lights.size());
     if (count == 0) return;
@@ -209,6 +217,8 @@ const Action kActions[] = {
      [](Desk& d) { changeSpeed(d, 0.5); }},
     {"faster", "Animation and scenes", ".", "twice as fast", GLFW_KEY_PERIOD, false, false, false,
      [](Desk& d) { changeSpeed(d, 2); }},
+    {"movers", "Animation and scenes", "A", "what moves: lights and objects, the camera, all", GLFW_KEY_A, false, false,
+     false, nextMovers},
     {"next-scene", "Animation and scenes", "Ctrl+PageDown", "the next scene", GLFW_KEY_PAGE_DOWN, true, false, false,
      [](Desk& d) { nextScene(d, 1); }},
     {"previous-scene", "Animation and scenes", "Ctrl+PageUp", "the scene before", GLFW_KEY_PAGE_UP, true, false, false,

@@ -63,10 +63,13 @@ void drawFitted(ImDrawList& list, const gl::Texture2D& texture, const Area& area
     list.AddImage(imguiTexture(texture), corner, {corner.x + shown.x, corner.y + shown.y}, {0, 1}, {1, 0});
 }
 
-void drawWhole(ImDrawList& list, const gl::Texture2D& texture, const ShownPane& shown) {
-    list.AddImage(imguiTexture(texture), shown.pictureCorner,
-                  {shown.pictureCorner.x + shown.pictureSize.x, shown.pictureCorner.y + shown.pictureSize.y}, {0, 1},
-                  {1, 0});
+/// In the place of the whole picture; verdicts let what is below shine through.
+void drawWhole(ImDrawList& list, const gl::Texture2D& texture, const ShownPane& shown, bool opaque) {
+    const ImVec2 low = shown.pictureCorner, high(low.x + shown.pictureSize.x, low.y + shown.pictureSize.y);
+    if (opaque)
+        addOpaqueImage(list, texture, low, high);
+    else
+        list.AddImage(imguiTexture(texture), low, high, {0, 1}, {1, 0});
 }
 
 /// A sentence in the middle of the pane, on a plate.
@@ -86,12 +89,12 @@ void drawNote(ImDrawList& list, const ShownPane& shown, const std::string& note,
 void drawJudged(ImDrawList& list, const session::JudgedPicture* judged, const session::Pane& pane,
                 const ShownPane& shown, const Theme& theme) {
     if (!judged) {
-        if (pane.picture().texture) drawWhole(list, pane.picture().texture, shown);
+        if (pane.picture().texture) drawWhole(list, pane.picture().texture, shown, true);
         drawNote(list, shown, "finding the exact answer ...", kPlateText, theme);
         return;
     }
-    if (judged->ground) drawWhole(list, judged->ground, shown);
-    if (judged->verdicts) drawWhole(list, judged->verdicts, shown);
+    if (judged->ground) drawWhole(list, judged->ground, shown, true);
+    if (judged->verdicts) drawWhole(list, judged->verdicts, shown, false);
     drawLegend(list, judged->legend, true, shown.area.corner, shown.area.size, theme);
 }
 
@@ -109,7 +112,8 @@ void drawPane(ImDrawList& list, const Desk& desk, const session::LiveErrors& err
     const session::Document& document = desk.bench.document();
     const ImVec2 low = imVec(shown.area.corner), high = imVec(shown.area.corner + shown.area.size);
     list.PushClipRect(low, high, true);
-    list.AddRectFilled(low, high, IM_COL32(12, 12, 14, 255));
+    if (!pane.picture().texture || pane.picture().texture.size() != pane.drawnFor().view.size)
+        list.AddRectFilled(low, high, IM_COL32(12, 12, 14, 255));
     std::string title = titleOf(desk, shown.pane);
     if (document.layout == Layout::diff) {
         title += " against " + titleOf(desk, 1 - shown.pane);
@@ -119,7 +123,7 @@ void drawPane(ImDrawList& list, const Desk& desk, const session::LiveErrors& err
     } else if (const gl::Texture2D& texture = pane.picture().texture) {
         const bool fromOutside = pane.drawnFor().state.stage.starts_with("outside");
         if (!fromOutside && texture.size() == pane.drawnFor().view.size)
-            drawWhole(list, texture, shown);
+            drawWhole(list, texture, shown, true);
         else
             drawFitted(list, texture, shown.area);
         drawLegend(list, pane.picture(), false, shown.area.corner, shown.area.size, theme);

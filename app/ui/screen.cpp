@@ -15,7 +15,7 @@ namespace shadowlab::ui {
 
 namespace {
 
-constexpr double kBetweenTimes = 0.7; ///< seconds, while something moves
+constexpr double kBetweenTimes = 1.5; ///< seconds, while something moves
 
 float panelWidth(const Theme& theme, int windowWidth) {
     return std::round(std::min(theme.em * 23, static_cast<float>(windowWidth) * 0.36f));
@@ -96,7 +96,8 @@ bool Screen::frame(double seconds) {
     const bool judged = errors_.update(desk_.bench, area.size, clock_);
     if (!errors_.failure().empty()) complain("errors cannot be found: " + errors_.failure());
     const bool small = updateStrip();
-    settled_ = !drawn && !moved && !judged && !small && errors_.isDone() && ran_.empty() && desk_.bench.isAtRest();
+    busy_ = drawn || moved || judged || small || !ran_.empty() || !desk_.bench.isAtRest();
+    settled_ = !busy_ && errors_.isDone();
 
     drawPictures(desk_, errors_, panes, area, theme_);
     drawMagnifiers(desk_, panes, theme_);

@@ -46,6 +46,8 @@ public:
 
     [[nodiscard]] const gl::Framebuffer& framebuffer() const { return framebuffer_; }
     [[nodiscard]] const gl::Texture2D& picture() const { return picture_; }
+    /// Is the next frame wanted at once? Not while nothing is left but to wait for exact errors, which need the processor.
+    [[nodiscard]] bool isBusy() const { return busy_; }
     /// Pixels of the picture area: what a capture of the pictures alone has.
     [[nodiscard]] ivec2 pictureSize() const { return desk_.bench.shownSize(pictureArea().size); }
     /// Would the next frame look just like this one, if no hand moves and no time goes by?
@@ -88,7 +90,7 @@ private:
     double clock_ = 0, timed_ = 0;
     // Hands wait a tenth of a second at most; what else belongs to a frame takes its part of it.
     std::chrono::milliseconds patience_{60};
-    bool settled_ = false;
+    bool settled_ = false, busy_ = true;
 };
 
 } // namespace shadowlab::ui

@@ -63,6 +63,9 @@ std::string stateReport(Desk& desk, const Screen& screen) {
                         : desk.selection.kind == Kind::object ? scene.objects[index].name
                                                               : std::string();
     json["playing"] = desk.bench.animation().playing;
+    json["moves"] = {{"lights", desk.bench.animation().lights},
+                     {"camera", desk.bench.animation().camera},
+                     {"objects", desk.bench.animation().objects}};
     json["speed"] = desk.bench.animation().speed;
     const Shown& shown = desk.shown;
     json["shown"] = {{"keys", shown.keys},       {"panel", shown.panel},

@@ -8,6 +8,12 @@
 
 namespace shadowlab::ui {
 
+void addOpaqueImage(ImDrawList& list, const gl::Texture2D& texture, ImVec2 low, ImVec2 high) {
+    list.AddCallback([](const ImDrawList*, const ImDrawCmd*) { glDisable(GL_BLEND); }, nullptr);
+    list.AddImage(imguiTexture(texture), low, high, {0, 1}, {1, 0});
+    list.AddCallback([](const ImDrawList*, const ImDrawCmd*) { glEnable(GL_BLEND); }, nullptr);
+}
+
 WidgetRenderer::WidgetRenderer()
     : program_("ui/widgets.vert", "ui/widgets.frag"), vertexArray_(gl::VertexArrayHandle::create()),
       vertices_(gl::BufferHandle::create()), indices_(gl::BufferHandle::create()) {

@@ -37,6 +37,8 @@ using Clock = std::chrono::steady_clock;
 constexpr int kFramesAfter = 3;
 /// How long a window sleeps in which nothing happens, between looks at files and loaders.
 constexpr double kIdleSeconds = 0.1;
+/// The same while exact errors are being found, which only the processor's idle time is given to.
+constexpr double kWaitSeconds = 0.04;
 
 class Window {
 public:
@@ -87,7 +89,7 @@ public:
             if (busy > 0)
                 glfwPollEvents();
             else
-                glfwWaitEventsTimeout(kIdleSeconds);
+                glfwWaitEventsTimeout(screen_->isSettled() ? kIdleSeconds : kWaitSeconds);
             if (takeWhatArrived()) busy = kFramesAfter;
             const Clock::time_point now = Clock::now();
             const double seconds = std::min(0.25, std::chrono::duration<double>(now - last).count());
@@ -96,7 +98,7 @@ public:
                 busy = 0; // minimised: nothing to draw to
                 continue;
             }
-            busy = screen_->isSettled() && !desk_->shown.blink ? std::max(0, busy - 1) : kFramesAfter;
+            busy = screen_->isBusy() || desk_->shown.blink ? kFramesAfter : std::max(0, busy - 1);
             doRequests();
         }
         keepMemory();

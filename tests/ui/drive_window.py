@@ -205,6 +205,9 @@ def every_key(window, program):
     press("handles", state_only("shown", "handles"))
     press("handles", state_only("shown", "handles"))
 
+    for expected in ({"lights": False, "camera": True, "objects": False}, dict.fromkeys(("lights", "camera", "objects"), True),
+                     {"lights": True, "camera": False, "objects": True}):
+        press("movers", lambda b, a: check(a["moves"] == expected, f"{a['moves']} move, not {expected}"))
     press("play", lambda b, a: check(a["playing"], "it does not play", a))
     w.wait("lights that move", lambda s: s["lights"] != w.state["lights"] or s["lights"][0] != finished)
     press("faster", state_only("speed"))

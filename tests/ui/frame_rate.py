@@ -41,7 +41,8 @@ def main():
         print("switch of technique to picture  " + ", ".join(f"{ms:.0f}" for ms in switches) + " ms, xdotool included")
         window.hand("key", "3")
         window.wait("rest", lambda s: s["settled"])
-        for what, keys in (("light turns, settings shown", ()), ("light turns, pictures alone", ("i",))):
+        for what, keys in (("light turns, settings shown", ()), ("camera turns, settings shown", ("a",)),
+                           ("camera turns, pictures alone", ("i",))):
             for key in keys:
                 window.hand("key", key)
             window.wait("rest", lambda s: s["settled"])
