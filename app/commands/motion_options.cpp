@@ -22,6 +22,8 @@ MotionOptions motionOptions(const GivenOptions& given) {
         options.orbitCameraDegrees = degreesFrom("--orbit-camera", given.text("--orbit-camera"));
     options.path = given.text("--path");
     if (!options.orbitLightDegrees && !options.orbitCameraDegrees) return options;
+    if (options.orbitLightDegrees && options.orbitCameraDegrees)
+        refuseUsage("--orbit-light and --orbit-camera both say how things move; give one of them, or both in a --path");
     const std::string orbit = options.orbitLightDegrees ? "--orbit-light" : "--orbit-camera";
     if (!options.path.empty()) refuseUsage(orbit + " and --path both say how things move; give one of them");
     if (options.frames.value_or(1) == 1)

@@ -68,7 +68,7 @@ void drawCurves(image::Image& picture, const Plot& plot, const Scanline& scanlin
         if (isWrong(verdict))
             fillRect(picture, x, plot.top, 1, plot.height,
                      encoded(verdict == Verdict::falseLit ? look::kFalseLit : look::kFalseShadow));
-        if (verdict == Verdict::tie) fillRect(picture, x, plot.top, 1, plot.height, encoded(look::kTie));
+        if (verdict == Verdict::tie) fillRect(picture, x, plot.top, 1, plot.height, encoded(look::kTieOnPicture));
         if (scanline.visibility.alpha(x, row) != 255) {
             before = -1;
             continue;
@@ -139,7 +139,7 @@ Panel scanlinePanel(image::Image picture, const Scanline& scanline, std::optiona
                    {kCurve, scanline.technique},
                    {look::kFalseLit, "false lit"},
                    {look::kFalseShadow, "false shadow"},
-                   {look::kTie, "tie"}};
+                   {look::kTieOnPicture, "tie"}};
     return {std::move(picture), "", StageKind::swatches, std::move(display)};
 }
 

@@ -85,7 +85,7 @@ Panel truthPanel(const measure::Truth& truth, const Region& region) {
 Panel errorOverlay(const measure::Truth& truth, const measure::Judgement& judgement, const Region& region) {
     std::array<Meaning, 4> meanings = {{{look::kFalseLit, "false lit (should be in shadow)"},
                                         {look::kFalseShadow, "false shadow (should be lit)"},
-                                        {look::kTie, "tie"},
+                                        {look::kTieOnPicture, "tie"},
                                         {look::kStray, nullptr}}};
     Panel panel = emptyPanel(truth.size);
     forEachShown(region, truth.size, [&](int x, int y) {

@@ -96,7 +96,7 @@ void Workbench::chooseDraft(double tookMs) {
     double& averageMs = draft_ == 1 ? fullMs_ : draftMs_;
     averageMs = averageMs == 0 ? tookMs : glm::mix(averageMs, tookMs, kNewShare);
     // Fewer pixels are no quicker where triangles are what takes the time: then they are only uglier.
-    if (draft_ > 1 && draftMs_ > kWorthIt * fullMs_) draftHelps_ = false;
+    if (draft_ == kCoarsest && draftMs_ > kWorthIt * fullMs_) draftHelps_ = false;
     if (!draftHelps_ || fullMs_ < kTooSlowMs)
         draft_ = 1;
     else if (draft_ == 1 || draftMs_ > kTooSlowMs) {

@@ -45,6 +45,7 @@ inline const vec3 kFalseShadow = linearFromSrgb8(0x00, 0x72, 0xB2);
 inline const vec3 kFalseLitSecond = linearFromSrgb8(0xD5, 0x5E, 0x00);    ///< of the second of two techniques
 inline const vec3 kFalseShadowSecond = linearFromSrgb8(0x56, 0xB4, 0xE9);
 inline const vec3 kTie = linearFromSrgb8(0x99, 0x99, 0x99);
+inline const vec3 kTieOnPicture = linearFromSrgb8(0x40, 0x40, 0x44); ///< darker than the lifted ground gets anywhere
 inline const vec3 kStray = linearFromSrgb8(0xCC, 0x79, 0xA7);
 
 // The truth itself.

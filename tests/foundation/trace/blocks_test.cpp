@@ -215,5 +215,61 @@ TEST(Blocks, OfTrianglesThatAreToldTheRaysFindTheirPoints) {
     }
 }
 
+// A triangle that a shadow ray leaves out is missed by nobody as long as others lie behind it. Here each of thousands is the
+// only one between its own piece of the floor and the sun, by construction: no other tracer is asked.
+TEST(Blocks, EachOfThousandsOfTrianglesBlocksItsOwnRays) {
+    constexpr int kSide = 60; // triangles in a row, in cells of 0.1 m; the floor has 12 m
+    constexpr double kCell = 0.1;
+    scene::Scene scene = floorScene();
+    scene::Mesh mesh;
+    mesh.positionsMesh.reserve(3 * kSide * kSide);
+    const auto corner = [](int i) { return static_cast<float>((i - kSide / 2) * kCell); };
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const float x = corner(i % kSide), z = corner(i / kSide), half = 0.02f;
+        const auto first = static_cast<std::uint32_t>(mesh.positionsMesh.size());
+        for (const vec3& position : {vec3(x - half, 1, z - half), vec3(x + half, 1, z - half), vec3(x, 1, z + half)}) {
+            mesh.positionsMesh.push_back(position);
+            mesh.normalsMesh.emplace_back(0, 1, 0);
+        }
+        mesh.triangles.emplace_back(first, first + 1, first + 2);
+    }
+    mesh.parts = {{"", 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
+    addObject(scene, std::move(mesh));
+    // Half a cell aside: what is under a triangle, seen from the eye far above, is never in its shadow's way.
+    scene.lights = {directionalLight({kCell / 2, -1, kCell / 2})};
+    scene.camera.positionWorld = {0, 5000, 0};
+    scene.camera.targetWorld = {0, 0, 0};
+    scene.camera.upWorld = {0, 0, -1};
+    const ivec2 size(960, 960); // 8 pixels a quarter of a cell and more
+    scene.camera.fovYDegrees = 2 * glm::degrees(std::atan(3.0 / 5000));
+    SceneTracer tracer;
+    tracer.advance(snapshot(scene), std::chrono::steady_clock::time_point::max());
+    const EyeRays rays = tracer.eyeRays(scene.camera, size);
+    std::vector<SurfacePoint> shadowed, lit;
+    for (int i = 0; i < kSide * kSide; ++i) {
+        const dvec2 place(corner(i % kSide), corner(i / kSide));
+        for (const auto& [points, shift] :
+             {std::pair(&shadowed, dvec2(kCell / 2)), std::pair(&lit, dvec2(kCell / 2, 0))}) {
+            const dvec2 pixel = (place + shift + 3.0) / 6.0 * dvec2(size);
+            if (pixel.x < 1 || pixel.y < 1 || pixel.x > size.x - 1 || pixel.y > size.y - 1) continue;
+            points->push_back(tracer.eyePoint(rays, pixel));
+            ASSERT_TRUE(points->back());
+            ASSERT_EQ(tracer.world().objects[points->back().primitive], 0u) << "the floor";
+        }
+    }
+    EXPECT_GT(shadowed.size(), 3000u);
+    for (const auto& [points, wanted] :
+         {std::pair(&shadowed, Visibility::shadowed), std::pair(&lit, Visibility::lit)}) {
+        for (const SurfacePoint& point : *points)
+            ASSERT_EQ(tracer.visibility(point, 0), wanted);
+        for (const BlockKernels* kernels : allKernels()) {
+            tracer.useBlockKernels(*kernels);
+            std::vector<Visibility> answers(points->size());
+            tracer.visibilities(*points, 0, answers);
+            EXPECT_EQ(std::ranges::count(answers, wanted), static_cast<std::ptrdiff_t>(points->size()));
+        }
+    }
+}
+
 } // namespace
 } // namespace shadowlab::trace
