@@ -30,7 +30,7 @@ bool Casters::buildNext(const scene::Snapshot& snapshot) {
         const scene::Object& object = snapshot->objects[o];
         const SharedMesh& mesh = shared(object.mesh);
         std::vector<std::int8_t> facing = scene::facingSigns(object, light);
-        keepFrontFacesAlone(facing, mesh.outward, scene::lightMesh(object, light));
+        scene::keepFrontFacesAlone(facing, mesh.outward, scene::lightMesh(object, light));
         const scene::Bounds bounds = scene::boundsWorld(object);
         CasterVolume caster{.object = o,
                             .volume = {},
@@ -64,13 +64,14 @@ Casters::SharedMesh& Casters::shared(const std::shared_ptr<const scene::Mesh>& m
         shared.mesh = mesh;
         shared.topology = scene::buildTopology(*mesh);
         shared.report = scene::reportMesh(*mesh, shared.topology);
-        shared.outward = outwardParts(*mesh, shared.topology);
+        shared.outward = scene::outwardParts(*mesh, shared.topology);
     }
     return shared;
 }
 
-bool volumeMayBeInView(const CasterVolume& caster, const scene::Light& light, const gl::EyeMatrices& eye) {
-    // The volume lies in the convex hull of the box's corners and their images at the end, all as clip coordinates.
+VolumeInView volumeInView(const CasterVolume& caster, const scene::Light& light, const gl::EyeMatrices& eye) {
+    // The volume lies in the convex hull of the box's corners and their images at the end, all as clip coordinates: the top
+    // cap among the former, the bottom cap among the latter.
     const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
     const dvec4 lightWorld = scene::homogeneousPositionWorld(light);
     dvec4 points[16];
@@ -80,7 +81,10 @@ bool volumeMayBeInView(const CasterVolume& caster, const scene::Light& light, co
         points[8 + i] = clipFromWorld * (caster.endWorld ? dvec4(pushedToPlane(corner, light, *caster.endWorld), 1.0)
                                                          : dvec4(corner * lightWorld.w - dvec3(lightWorld), 0.0));
     }
-    return scene::mayTouch(points, eye.part.value_or(scene::PicturePart{}));
+    const scene::PicturePart part = eye.part.value_or(scene::PicturePart{});
+    const std::span<const dvec4> all(points);
+    return {&caster, scene::mayTouch(all, part), scene::mayTouch(all.first(8), part),
+            scene::mayTouch(all.last(8), part)};
 }
 
 } // namespace shadowlab::shadow_volume

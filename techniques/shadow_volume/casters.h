@@ -7,7 +7,7 @@
 #include <unordered_map>
 
 #include "techniques/foundation/gl/surfaces.h"
-#include "techniques/shadow_volume/outward_parts.h"
+#include "techniques/foundation/scene/outward_parts.h"
 #include "techniques/shadow_volume/volume.h"
 #include "techniques/shadow_volume/volume_buffers.h"
 
@@ -42,7 +42,7 @@ private:
         std::shared_ptr<const scene::Mesh> mesh;
         scene::MeshTopology topology;
         scene::MeshReport report;
-        OutwardParts outward;
+        scene::OutwardParts outward;
         std::unique_ptr<ExtrusionVertices> vertices;
     };
     SharedMesh& shared(const std::shared_ptr<const scene::Mesh>& mesh);
@@ -52,8 +52,14 @@ private:
     std::vector<std::vector<CasterVolume>> perLight_;
 };
 
-/// False when the volume certainly touches nothing in view: the caster's box and what it is extruded to all lie outside one
-/// plane of the view. A picture with and without such a caster is the same.
-bool volumeMayBeInView(const CasterVolume& caster, const scene::Light& light, const gl::EyeMatrices& eye);
+/// What of a volume may touch something in view. A picture with and without the rest is the same.
+struct VolumeInView {
+    const CasterVolume* caster = nullptr;
+    bool any = true, topCap = true, bottomCap = true;
+};
+
+/// False for what certainly does not: the caster's box, what it is extruded to, or for `any` both together, lie outside one
+/// plane of the view.
+VolumeInView volumeInView(const CasterVolume& caster, const scene::Light& light, const gl::EyeMatrices& eye);
 
 } // namespace shadowlab::shadow_volume

@@ -10,7 +10,7 @@ namespace {
 
 // The end stays this share of the scene's size beyond it: far more than the depth buffer's steps, which it must not be
 // mistaken for the last receiver by, and far less than would cost anything.
-constexpr double kBeyond = 0.001;
+constexpr double kBeyond = 0.0001;
 
 // In units of the scene's size. A grazing light meets no side soon; what is gained by ending the volume there is little, and
 // the rounding of its far corners grows with the way.

@@ -56,9 +56,12 @@ void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
     const std::vector<CasterVolume>& casters = casters_.upload(frame.snapshot(), light);
     const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
     drawn_.clear();
-    for (const CasterVolume& caster : casters)
-        if (!params_.cull || (counts(caster) && volumeMayBeInView(caster, source, frame.eye())))
-            drawn_.push_back(&caster);
+    for (const CasterVolume& caster : casters) {
+        if (!params_.cull)
+            drawn_.push_back({.caster = &caster});
+        else if (const VolumeInView seen = volumeInView(caster, source, frame.eye()); seen.any && counts(caster))
+            drawn_.push_back(seen);
+    }
     frame.count("volumes", static_cast<double>(drawn_.size()), static_cast<double>(casters.size()), "casters");
 }
 

@@ -51,7 +51,7 @@ protected:
 
     params::ParamList sharedParams();
     void drawSides(const Frame& frame, const CasterVolume& caster, int light) const;
-    [[nodiscard]] std::span<const CasterVolume* const> drawn() const { return drawn_; }
+    [[nodiscard]] std::span<const VolumeInView> drawn() const { return drawn_; }
     [[nodiscard]] const VolumeParams& volumeParams() const { return params_; }
 
     gl::Program extrude_{"shadow_volume/extrude.vert", "nothing.frag"};
@@ -69,7 +69,7 @@ private:
     const Counting counting_;
     VolumeParams params_;
     Casters casters_;
-    std::vector<const CasterVolume*> drawn_; ///< volumes of the current light that can change a pixel
+    std::vector<VolumeInView> drawn_; ///< volumes of the current light that can change a pixel
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program shade_{"surface.vert", "shade_light.frag"};
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};

@@ -68,22 +68,23 @@ void ZFail::drawFaces(const Frame& frame, int light) const {
     // Sides and bottom caps may reach infinity: nothing may clip them there, so their depth is clamped.
     glEnable(GL_DEPTH_CLAMP);
     extrude_.use();
-    for (const CasterVolume* caster : drawn()) {
-        drawSides(frame, *caster, light);
-        if (params_.caps) caster->buffers->drawBottomCap();
+    for (const VolumeInView& volume : drawn()) {
+        drawSides(frame, *volume.caster, light);
+        if (params_.caps && volume.bottomCap) volume.caster->buffers->drawBottomCap();
     }
     // Top caps lie on the casters' surfaces and must get the very depths the surfaces got: same vertices, same order,
     // same program text, and no clamp, because the surfaces themselves were clipped at the near plane.
     glDisable(GL_DEPTH_CLAMP);
     if (!params_.caps) return;
     cap_.use();
-    for (const CasterVolume* caster : drawn()) {
-        const scene::Object& object = frame.scene().objects[caster->object];
+    for (const VolumeInView& volume : drawn()) {
+        if (!volume.topCap) continue;
+        const scene::Object& object = frame.scene().objects[volume.caster->object];
         cap_.set("clipFromMesh", mat4(frame.eye().clipFromMesh(object)));
         setFrontFace(object, false);
-        caster->buffers->drawTopCap();
+        volume.caster->buffers->drawTopCap();
         setFrontFace(object, true);
-        caster->buffers->drawTopCapReversed();
+        volume.caster->buffers->drawTopCapReversed();
     }
 }
 

@@ -63,10 +63,11 @@ void ZPass::setCountState() const {
 void ZPass::drawFaces(const Frame& frame, int light) const {
     extrude_.use();
     const dvec4 eyeWorld(frame.camera().positionWorld, 1.0);
-    for (const CasterVolume* caster : drawn()) {
-        drawSides(frame, *caster, light);
+    for (const VolumeInView& volume : drawn()) {
+        const CasterVolume& caster = *volume.caster;
+        drawSides(frame, caster, light);
         // From beyond its end one looks into a volume through the bottom.
-        if (caster->endWorld && glm::dot(*caster->endWorld, eyeWorld) > 0) caster->buffers->drawBottomCap();
+        if (caster.endWorld && glm::dot(*caster.endWorld, eyeWorld) > 0) caster.buffers->drawBottomCap();
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/scenes.h"
 
+#include "techniques/foundation/scene/outward_parts.h"
 #include "techniques/foundation/scene/shapes.h"
 
 namespace shadowlab::testing {
@@ -23,7 +24,7 @@ scene::Mesh triangleSoup(const std::vector<dvec3>& corners) {
 scene::Object& addObject(scene::Scene& scene, scene::Mesh mesh, const dmat4& worldFromObject) {
     scene::Object object;
     object.name = "object" + std::to_string(scene.objects.size() + 1);
-    object.mesh = std::make_shared<const scene::Mesh>(std::move(mesh));
+    object.mesh = scene::sharedMesh(std::move(mesh));
     object.worldFromObject = worldFromObject;
     object.partMaterials.assign(object.mesh->parts.size(), 0);
     scene.objects.push_back(std::move(object));

@@ -57,7 +57,13 @@ void drawSurfaces(const Program& program, const scene::Scene& scene, const Scene
         program.set("mirrored", scene::isMirrored(object) ? 1 : 0);
         program.set("receivesShadow", object.receivesShadow ? 1 : 0);
         program.set("emitsFromFrontOnly", rectSurface ? 1 : 0);
+        // Back faces that front faces hide are left out: half of the triangles of most objects.
+        if (object.mesh->outward && scene::isBeyondNearPlane(buffers.bounds()[i], clipFromWorld)) {
+            glEnable(GL_CULL_FACE);
+            glCullFace(scene::isMirrored(object) ? GL_FRONT : GL_BACK);
+        }
         drawParts(program, scene, buffers, i);
+        glDisable(GL_CULL_FACE);
     }
 }
 

@@ -28,6 +28,7 @@ struct Mesh {
     std::vector<uvec3> triangles;       ///< vertex indices, counter-clockwise seen from the front
     std::vector<MeshPart> parts;        ///< in order, covering all triangles
     std::uint32_t droppedTriangles = 0; ///< degenerate triangles of the source that were left out
+    bool outward = false; ///< from outside, every back face is hidden by a front face (outward_parts.h); else not known
 };
 
 } // namespace shadowlab::scene

@@ -21,7 +21,10 @@ PicturePart picturePart(ivec2 corner, ivec2 size, ivec2 pictureSize);
 /// before the near plane. The points are clip coordinates; w = 0 stands for a direction.
 bool mayTouch(std::span<const dvec4> pointsClip, const PicturePart& part);
 
-/// The same for a box.
+/// True when all of the box certainly lies behind the near plane, as seen from the eye, which then is outside the box.
+bool isBeyondNearPlane(const Bounds& bounds, const dmat4& clipFromWorld);
+
+/// Whether a box may touch that part.
 bool mayTouch(const Bounds& bounds, const dmat4& clipFromWorld, const PicturePart& part);
 
 } // namespace shadowlab::scene

@@ -6,6 +6,7 @@
 
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/message_text.h"
+#include "techniques/foundation/scene/outward_parts.h"
 #include "techniques/foundation/scene/scene_json.h"
 
 namespace shadowlab::scene {
@@ -107,7 +108,7 @@ ObjectReader::LoadedMesh ObjectReader::shape(const JsonObject& keys, NormalMode 
     const ShapeRequest request = readShape(reading_, keys);
     checkTriangles(keys, request.triangles); // before anything is built
     std::shared_ptr<const Mesh>& mesh = shapes_[{request.id, mode}];
-    if (!mesh) mesh = std::make_shared<const Mesh>(withNormals(request.make(), mode));
+    if (!mesh) mesh = sharedMesh(withNormals(request.make(), mode));
     return {mesh, {kWhite}, request.id, {}};
 }
 
@@ -140,7 +141,7 @@ ObjectReader::LoadedMesh ObjectReader::loadedFile(const JsonObject& keys, Normal
     ObjFile obj = loadObj(file.path, mode, options);
     for (const MeshPart& part : obj.mesh.parts)
         loaded.partMaterials.push_back(materialOfFile(file.canonical, obj, part.materialName));
-    loaded.mesh = std::make_shared<const Mesh>(std::move(obj.mesh));
+    loaded.mesh = sharedMesh(std::move(obj.mesh));
     loaded.file = file.canonical;
     std::vector<std::string>& notes = reading_.scene.notes;
     for (std::string& note : obj.notes)

@@ -8,6 +8,7 @@
 
 #include "techniques/foundation/scene/load.h"
 #include "techniques/foundation/scene/message_text.h"
+#include "techniques/foundation/scene/outward_parts.h"
 
 namespace shadowlab::scene {
 
@@ -22,7 +23,7 @@ struct Stage {
 
 Object placedMesh(ObjFile& obj, Stage& stage) {
     Object object;
-    object.mesh = std::make_shared<const Mesh>(std::move(obj.mesh));
+    object.mesh = sharedMesh(std::move(obj.mesh));
     const Bounds bounds = boundsWorld(object);
     const dvec3 extent = bounds.upperWorld - bounds.lowerWorld;
     stage.size = glm::max(extent.x, glm::max(extent.y, extent.z));

@@ -51,5 +51,21 @@ TEST(PicturePart, BoxesThatAreLeftOutHoldNoPointOfThePart) {
     EXPECT_GT(leftOut, 500) << "what is never left out saves nothing";
 }
 
+TEST(PicturePart, WhatIsBeyondTheNearPlaneIsNeitherCutByItNorAroundTheEye) {
+    scene::Camera camera;
+    camera.positionWorld = {0, 1, 5};
+    camera.targetWorld = {0, 1, 0}; // along -z
+    const double nearPlane = 5 - camera.near;
+    const dmat4 clipFromWorld = scene::clipFromView(camera, 1.0) * scene::viewFromWorld(camera);
+    const auto beyond = [&](double lower, double upper) {
+        return scene::isBeyondNearPlane({dvec3(-1, 0, lower), dvec3(1, 2, upper)}, clipFromWorld);
+    };
+    EXPECT_TRUE(beyond(-3, nearPlane - 0.01));
+    EXPECT_FALSE(beyond(-3, nearPlane + 0.01)) << "cut by the plane";
+    EXPECT_FALSE(beyond(nearPlane + 0.01, 4.99)) << "before it";
+    EXPECT_FALSE(beyond(3, 7)) << "around the eye";
+    EXPECT_FALSE(beyond(6, 7)) << "behind the eye";
+}
+
 } // namespace
 } // namespace shadowlab

@@ -1,6 +1,6 @@
 // Which parts of a mesh are never inside out, and what would be wrong if a weaker test let others pass.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_volume/outward_parts.h"
+#include "techniques/foundation/scene/outward_parts.h"
 
 #include <gtest/gtest.h>
 
@@ -15,9 +15,9 @@
 namespace shadowlab {
 namespace {
 
-using shadow_volume::OutwardParts;
+using scene::OutwardParts;
 
-OutwardParts partsOf(const scene::Mesh& mesh) { return shadow_volume::outwardParts(mesh, scene::buildTopology(mesh)); }
+OutwardParts partsOf(const scene::Mesh& mesh) { return scene::outwardParts(mesh, scene::buildTopology(mesh)); }
 
 bool allPass(const scene::Mesh& mesh) {
     const OutwardParts parts = partsOf(mesh);
@@ -114,7 +114,7 @@ TEST(OutwardParts, ALightWithinTheBoxKeepsBackFaces) {
     const OutwardParts parts = partsOf(mesh);
     const auto left = [&](const dvec4& light) {
         std::vector<std::int8_t> facing(mesh.triangles.size(), -1);
-        shadow_volume::keepFrontFacesAlone(facing, parts, light);
+        scene::keepFrontFacesAlone(facing, parts, light);
         return std::ranges::count(facing, -1);
     };
     EXPECT_EQ(left({0, 0.5, 0, 1}), 12);

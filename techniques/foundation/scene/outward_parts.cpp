@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_volume/outward_parts.h"
+#include "techniques/foundation/scene/outward_parts.h"
 
+#include <algorithm>
 #include <numeric>
 
-namespace shadowlab::shadow_volume {
+namespace shadowlab::scene {
 
 namespace {
 
 /// The piece that each triangle belongs to, named by one of its triangles. Union-find with path halving (Tarjan 1975).
-std::vector<std::uint32_t> pieces(std::size_t triangles, const scene::MeshTopology& topology) {
+std::vector<std::uint32_t> pieces(std::size_t triangles, const MeshTopology& topology) {
     std::vector<std::uint32_t> parent(triangles);
     std::iota(parent.begin(), parent.end(), 0u);
     const auto root = [&](std::uint32_t t) {
@@ -16,7 +17,7 @@ std::vector<std::uint32_t> pieces(std::size_t triangles, const scene::MeshTopolo
             t = parent[t] = parent[parent[t]];
         return t;
     };
-    for (const scene::Edge& edge : topology.edges)
+    for (const Edge& edge : topology.edges)
         for (std::uint32_t u = 1; u < edge.useCount; ++u)
             parent[root(topology.uses[edge.firstUse + u].triangle)] = root(topology.uses[edge.firstUse].triangle);
     for (std::uint32_t t = 0; t < triangles; ++t)
@@ -43,7 +44,7 @@ bool sweepsInward(const dvec3 (&corner)[3], const dvec3& middle, unsigned axes) 
 
 } // namespace
 
-OutwardParts outwardParts(const scene::Mesh& mesh, const scene::MeshTopology& topology) {
+OutwardParts outwardParts(const Mesh& mesh, const MeshTopology& topology) {
     const std::size_t triangles = mesh.triangles.size();
     const std::vector<std::uint32_t> pieceOf = pieces(triangles, topology);
     std::vector<OutwardParts::Box> boxOf(triangles);
@@ -57,9 +58,8 @@ OutwardParts outwardParts(const scene::Mesh& mesh, const scene::MeshTopology& to
     }
     // Per piece, the ways that are still open: one bit for each of kAxisSets.
     std::vector<std::uint8_t> open(triangles, 0x7f);
-    for (const scene::Edge& edge : topology.edges)
-        if (scene::kindOf(topology, edge) != scene::EdgeKind::closed)
-            open[pieceOf[topology.uses[edge.firstUse].triangle]] = 0;
+    for (const Edge& edge : topology.edges)
+        if (kindOf(topology, edge) != EdgeKind::closed) open[pieceOf[topology.uses[edge.firstUse].triangle]] = 0;
     for (std::size_t t = 0; t < triangles; ++t) {
         const OutwardParts::Box& box = boxOf[pieceOf[t]];
         const dvec3 middle = 0.5 * (box.lowerMesh + box.upperMesh);
@@ -82,6 +82,17 @@ OutwardParts outwardParts(const scene::Mesh& mesh, const scene::MeshTopology& to
     return parts;
 }
 
+bool isOutward(const Mesh& mesh) {
+    const OutwardParts parts = outwardParts(mesh, buildTopology(mesh));
+    return !parts.boxes.empty() &&
+           std::ranges::find(parts.partOfTriangle, OutwardParts::kNone) == parts.partOfTriangle.end();
+}
+
+std::shared_ptr<const Mesh> sharedMesh(Mesh mesh) {
+    mesh.outward = isOutward(mesh);
+    return std::make_shared<const Mesh>(std::move(mesh));
+}
+
 void keepFrontFacesAlone(std::span<std::int8_t> facing, const OutwardParts& parts, const dvec4& lightMesh) {
     std::vector<bool> outside;
     for (const OutwardParts::Box& box : parts.boxes)
@@ -93,4 +104,4 @@ void keepFrontFacesAlone(std::span<std::int8_t> facing, const OutwardParts& part
             facing[t] = 0;
 }
 
-} // namespace shadowlab::shadow_volume
+} // namespace shadowlab::scene
