@@ -14,52 +14,49 @@ namespace shadowlab::session {
 
 namespace {
 
-/// Numbers of shaders/session/encode.frag.
-int mode(StageKind kind) {
-    switch (kind) {
-    case StageKind::radiance: return 0;
-    case StageKind::swatches: return 1;
-    case StageKind::scalar:
-    case StageKind::count: return 2;
-    case StageKind::visibility: return 3;
-    }
-    return 0;
+gl::Program encoderOf(std::vector<std::string> what) {
+    return {"fullscreen.vert", "session/encode.frag", std::move(what)};
 }
-
-constexpr int kGroundMode = 4;
 
 } // namespace
 
-PictureEncoder::PictureEncoder() : program_("fullscreen.vert", "session/encode.frag") {}
+PictureEncoder::PictureEncoder()
+    : radiance_(encoderOf({"RADIANCE"})), oneSample_(encoderOf({"RADIANCE", "ONE_SAMPLE"})),
+      ground_(encoderOf({"GROUND"})), swatches_(encoderOf({"SWATCHES"})), palette_(encoderOf({"PALETTE"})),
+      visibility_(encoderOf({"VISIBILITY"})) {}
 
 gl::Texture2D PictureEncoder::encodeInPlace(const gl::Texture2D& radiance, float exposure, int supersample,
                                             const Region& region) const {
-    program_.use();
-    program_.set("mode", mode(StageKind::radiance));
-    program_.set("exposure", exposure);
-    return draw(radiance, supersample, region);
+    const gl::Program& program = supersample == 1 ? oneSample_ : radiance_;
+    program.use();
+    program.set("exposure", exposure);
+    return draw(program, radiance, supersample, region);
 }
 
 gl::Texture2D PictureEncoder::encodeInPlace(const Stage& stage, StageKind kind, float exposure, int supersample) const {
+    // A stage may have a size of its own (a shadow map's view of the scene): only those of the target's are
+    // supersampled.
+    switch (kind) {
+    case StageKind::radiance: return encodeInPlace(stage.texture, exposure, supersample);
+    case StageKind::swatches: return draw(swatches_, stage.texture, supersample, {});
+    case StageKind::visibility: return draw(visibility_, stage.texture, supersample, {});
+    case StageKind::scalar:
+    case StageKind::count: break;
+    }
     const look::Palette& palette = kind == StageKind::count ? look::diverging() : look::viridis();
     std::array<vec4, std::tuple_size_v<look::Palette>> stops;
     std::ranges::transform(palette, stops.begin(), [](const vec3& color) { return vec4(color, 1); });
-    program_.use();
-    program_.set("mode", mode(kind));
-    program_.set("exposure", exposure);
-    program_.set("minimum", static_cast<float>(stage.display.minimum));
-    program_.set("maximum", static_cast<float>(stage.display.maximum));
-    program_.set("palette", std::span<const vec4>(stops));
-    // A stage may have a size of its own (a shadow map's view of the scene): only those of the target's are
-    // supersampled.
-    return draw(stage.texture, supersample, {});
+    palette_.use();
+    palette_.set("minimum", static_cast<float>(stage.display.minimum));
+    palette_.set("maximum", static_cast<float>(stage.display.maximum));
+    palette_.set("palette", std::span<const vec4>(stops));
+    return draw(palette_, stage.texture, supersample, {});
 }
 
 gl::Texture2D PictureEncoder::encodeGround(const gl::Texture2D& radiance, float exposure, const Region& region) const {
-    program_.use();
-    program_.set("mode", kGroundMode);
-    program_.set("exposure", exposure);
-    return draw(radiance, 1, region);
+    ground_.use();
+    ground_.set("exposure", exposure);
+    return draw(ground_, radiance, 1, region);
 }
 
 image::Image PictureEncoder::encode(const gl::Texture2D& radiance, float exposure, int supersample) const {
@@ -70,7 +67,8 @@ image::Image PictureEncoder::encode(const Stage& stage, StageKind kind, float ex
     return read(encodeInPlace(stage, kind, exposure, supersample));
 }
 
-gl::Texture2D PictureEncoder::draw(const gl::Texture2D& source, int supersample, const Region& region) const {
+gl::Texture2D PictureEncoder::draw(const gl::Program& program, const gl::Texture2D& source, int supersample,
+                                   const Region& region) {
     const ivec2 size = source.size() / supersample;
     gl::Texture2D encoded(GL_RGBA8, size, "encoded picture");
     const gl::Framebuffer framebuffer(&encoded, nullptr, "encoded picture");
@@ -81,8 +79,9 @@ gl::Texture2D PictureEncoder::draw(const gl::Texture2D& source, int supersample,
         glEnable(GL_SCISSOR_TEST); // GL counts rows from below
         glScissor(region.corner.x, size.y - region.corner.y - region.size.y, region.size.x, region.size.y);
     }
-    program_.set("supersample", supersample);
-    program_.set("source", 0);
+    program.use();
+    program.set("supersample", supersample);
+    program.set("source", 0);
     source.bind(0);
     gl::drawFullscreenTriangle();
     gl::check("encode");

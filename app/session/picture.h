@@ -36,8 +36,10 @@ public:
     [[nodiscard]] static gl::Texture2D copyOf(const gl::Texture2D& encoded);
 
 private:
-    [[nodiscard]] gl::Texture2D draw(const gl::Texture2D& source, int supersample, const Region& region) const;
-    gl::Program program_;
+    [[nodiscard]] static gl::Texture2D draw(const gl::Program& program, const gl::Texture2D& source, int supersample,
+                                            const Region& region);
+    gl::Program radiance_, oneSample_, ground_, swatches_, palette_,
+        visibility_; ///< shaders/session/encode.frag, of each kind
 };
 
 /// Grey and alpha, two bytes a pixel, row 0 on top: 255 x the visible fraction; alpha 255 where there is a surface.

@@ -1,28 +1,45 @@
 #version 330 core
 // The last step of every picture: average the samples of a pixel in linear light, expose, clamp, encode as sRGB.
+// One of these is defined: what the source holds. A program for each, because processors that stand in for graphics cards
+// would compute all of them for every pixel, and this runs in every frame.
+//   RADIANCE    radiance, to be exposed
+//   GROUND      the same, without its colours and its shadows lifted: the ground under verdicts
+//   SWATCHES    colours as they are
+//   PALETTE     a value, shown through the palette
+//   VISIBILITY  a share of a light
+// And, where a pixel is one texel, ONE_SAMPLE: no loops then.
 uniform sampler2D source;
-uniform int supersample;  // N: a pixel is the average of N x N texels
-uniform int mode;         // 0 radiance, 1 colours as they are, 2 value through the palette, 3 visibility, 4 ground under verdicts
-uniform float exposure;
-uniform float minimum, maximum;
-uniform vec4 palette[9];
+#ifdef ONE_SAMPLE
+const int supersample = 1;
+#else
+uniform int supersample; // N: a pixel is the average of N x N texels
+#endif
 out vec4 encoded;
 
 // Where a picture has no value at all: a dark neutral that no palette contains.
 const vec3 kNoValue = vec3(0.012);
 
-vec3 throughPalette(float value) {
-    float at = clamp((value - minimum) / (maximum - minimum), 0.0, 1.0) * 8.0;
-    int below = min(int(at), 7);
-    return mix(palette[below].rgb, palette[below + 1].rgb, at - float(below));
-}
+#if defined(RADIANCE) || defined(GROUND)
+uniform float exposure;
+
+vec3 linearColor(vec4 texel) { return exposure * texel.rgb; }
+
+#elif defined(PALETTE)
+uniform float minimum, maximum;
+uniform vec4 palette[9];
 
 vec3 linearColor(vec4 texel) {
-    if (mode == 2) return texel.g > 0.5 ? throughPalette(texel.r) : kNoValue;
-    if (mode == 3) return texel.g > 0.5 ? vec3(texel.r) : kNoValue;
-    if (mode == 1 && texel.a < 0.5) return kNoValue;
-    return texel.rgb;
+    float at = clamp((texel.r - minimum) / (maximum - minimum), 0.0, 1.0) * 8.0;
+    int below = min(int(at), 7);
+    return texel.g > 0.5 ? mix(palette[below].rgb, palette[below + 1].rgb, at - float(below)) : kNoValue;
 }
+
+#elif defined(VISIBILITY)
+vec3 linearColor(vec4 texel) { return texel.g > 0.5 ? vec3(texel.r) : kNoValue; }
+
+#elif defined(SWATCHES)
+vec3 linearColor(vec4 texel) { return texel.a < 0.5 ? kNoValue : texel.rgb; }
+#endif
 
 // IEC 61966-2-1.
 vec3 srgbFromLinear(vec3 color) {
@@ -34,9 +51,10 @@ void main() {
     vec3 sum = vec3(0.0);
     for (int y = 0; y < supersample; ++y)
         for (int x = 0; x < supersample; ++x) sum += linearColor(texelFetch(source, first + ivec2(x, y), 0));
-    vec3 color = sum / float(supersample * supersample);
-    if (mode == 0 || mode == 4) color *= exposure;
+    vec3 color = clamp(sum / float(supersample * supersample), 0.0, 1.0);
+#ifdef GROUND
     // Rec. 709 luminance; as much of white is added as app/session/verdict_panels.cpp adds.
-    if (mode == 4) color = vec3(mix(0.3, 1.0, dot(clamp(color, 0.0, 1.0), vec3(0.2126, 0.7152, 0.0722))));
-    encoded = vec4(srgbFromLinear(clamp(color, 0.0, 1.0)), 1.0);
+    color = vec3(mix(0.3, 1.0, dot(color, vec3(0.2126, 0.7152, 0.0722))));
+#endif
+    encoded = vec4(srgbFromLinear(color), 1.0);
 }
