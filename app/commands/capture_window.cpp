@@ -75,7 +75,7 @@ int captureWindow(const CaptureOptions& options) {
     desk.scenes = scene::builtInScenes(session::assetsRoot());
     if (options.presenter) ui::togglePresenter(desk);
     desk.shown.keys = options.keys;
-    desk.bench.allowDraft(false);
+    desk.shown.coarse = false;
     ui::Screen screen(desk, session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
     screen.fit(options.size, 1);
     screen.setPatience(std::chrono::hours(1)); // nobody waits, and the picture must not depend on the clock

@@ -31,7 +31,7 @@ std::vector<PaneRequest> requestsOf(const Workbench& bench, const std::vector<Pl
 
 } // namespace
 
-void LiveErrors::ask(Workbench& bench, ivec2 areaSize, double seconds) {
+bool LiveErrors::ask(Workbench& bench, ivec2 areaSize, double seconds) {
     wanted_.clear();
     const std::vector<PlacedPane> placed = bench.placed(areaSize);
     const std::vector<PaneRequest> requests = requestsOf(bench, placed);
@@ -51,6 +51,7 @@ void LiveErrors::ask(Workbench& bench, ivec2 areaSize, double seconds) {
         }
     }
     bench.wantVisibility(wanted_);
+    return !wanted_.empty();
 }
 
 bool LiveErrors::update(Workbench& bench, ivec2 areaSize, double seconds) {

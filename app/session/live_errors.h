@@ -39,8 +39,8 @@ public:
     /// The font is for the numbers of the stage `scanline`. It must live as long. `yields`: see BackgroundJudge.
     LiveErrors(const image::Font& font, bool yields) : font_(font), judge_(yields), history_(kHistory) {}
 
-    /// Before the panes are drawn: which of them are to publish their answers.
-    void ask(Workbench& bench, ivec2 areaSize, double seconds);
+    /// Before the panes are drawn: which of them are to publish their answers. True if any is.
+    bool ask(Workbench& bench, ivec2 areaSize, double seconds);
     /// After they are drawn: hands over what they published, and takes what has been found. True if a picture has changed.
     bool update(Workbench& bench, ivec2 areaSize, double seconds);
 

@@ -33,6 +33,7 @@ WindowMemory readWindowMemory(const std::filesystem::path& file) {
     flag("strip", memory.strip);
     flag("presenter", memory.presenter);
     flag("handles", memory.handles);
+    flag("coarse", memory.coarse);
     const auto length = [&](const char* key, int& value) {
         // A window may be no smaller than its widgets, and no larger than any screen.
         if (json.contains(key) && json[key].is_number_integer())
@@ -48,7 +49,8 @@ void writeWindowMemory(const std::filesystem::path& file, const WindowMemory& me
     std::filesystem::create_directories(file.parent_path(), ignored);
     const nlohmann::ordered_json json = {{"width", memory.size.x},        {"height", memory.size.y},
                                          {"panel", memory.panel},         {"strip", memory.strip},
-                                         {"presenter", memory.presenter}, {"handles", memory.handles}};
+                                         {"presenter", memory.presenter}, {"handles", memory.handles},
+                                         {"coarse", memory.coarse}};
     image::writeWhole(file, json.dump(2) + "\n");
 }
 

@@ -10,7 +10,7 @@ namespace shadowlab::session {
 
 struct WindowMemory {
     ivec2 size{1280, 720};
-    bool panel = true, strip = false, presenter = false, handles = true;
+    bool panel = true, strip = false, presenter = false, handles = true, coarse = true;
     friend bool operator==(const WindowMemory&, const WindowMemory&) = default;
 };
 

@@ -90,6 +90,7 @@ bool Workbench::update(ivec2 areaSize, Deadline deadline) {
 void Workbench::chooseDraft(double tookMs) {
     if (isAtRest() || !draftAllowed_) {
         fullMs_ = draftMs_ = 0;
+        draft_ = 1;
         draftHelps_ = true;
         return;
     }

@@ -239,6 +239,8 @@ const Action kActions[] = {
      [](Desk& d) { d.shown.panel = d.requests.focusPanel = d.panelHasKeys = true; }},
     {"presenter", "Window", "D", "presenter mode: large type, high contrast", GLFW_KEY_D, false, false, false,
      togglePresenter},
+    {"coarse", "Window", "C", "coarse pictures while it moves, where full ones come late", GLFW_KEY_C, false, false,
+     false, [](Desk& d) { d.shown.coarse = !d.shown.coarse; }},
     {"full-screen", "Window", "F", "full screen", GLFW_KEY_F, false, false, false,
      [](Desk& d) { d.requests.fullScreen = true; }},
     {"full-screen-f11", "Window", "F11", "full screen", GLFW_KEY_F11, false, false, false,

@@ -21,6 +21,7 @@ struct Shown {
     bool presenter = false;
     bool handles = true; ///< of lights and objects, to be dragged
     bool plot = true;    ///< of times and errors
+    bool coarse = true;  ///< fewer pixels while something moves, where all of them would come too late
     friend bool operator==(const Shown&, const Shown&) = default;
 };
 

@@ -84,14 +84,16 @@ bool Screen::frame(double seconds) {
     desk_.pressedAt.reset();
     desk_.bench.setMoving(moved);
     desk_.restSeconds = moved ? 0 : desk_.restSeconds + seconds;
+    desk_.bench.allowDraft(desk_.shown.coarse);
     desk_.bench.drawWhole(desk_.shown.magnifier || desk_.shown.blink);
     desk_.bench.advance(seconds);
-    // A clock around every pass keeps the driver from doing two things at once: not in every frame of a motion.
+    const bool asked = errors_.ask(desk_.bench, area.size, clock_);
+    // A clock around every pass keeps the driver from doing two things at once: not in every frame of a motion, and not in
+    // one that has more to draw than others.
     const bool atRest = !moved && !desk_.bench.animation().playing;
-    const bool timed = atRest || clock_ - timed_ >= kBetweenTimes;
+    const bool timed = atRest || (clock_ - timed_ >= kBetweenTimes && !asked);
     if (timed) timed_ = clock_;
     desk_.bench.setTimePasses(timed);
-    errors_.ask(desk_.bench, area.size, clock_);
     const bool drawn = desk_.bench.update(area.size, std::chrono::steady_clock::now() + patience_);
     const bool judged = errors_.update(desk_.bench, area.size, clock_);
     if (!errors_.failure().empty()) complain("errors cannot be found: " + errors_.failure());

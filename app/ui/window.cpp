@@ -58,6 +58,7 @@ public:
         desk_->shown.panel = memory_.panel;
         desk_->shown.strip = memory_.strip;
         desk_->shown.handles = memory_.handles;
+        desk_->shown.coarse = memory_.coarse;
         if (settings.presenter && !memory_.presenter) togglePresenter(*desk_);
         desk_->shown.presenter = desk_->shown.presenter || memory_.presenter;
         screen_.emplace(*desk_, session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
@@ -292,6 +293,7 @@ private:
         memory.panel = desk_->shown.panel;
         memory.strip = desk_->shown.strip;
         memory.handles = desk_->shown.handles;
+        memory.coarse = desk_->shown.coarse;
         memory.presenter = desk_->shown.presenter;
         const std::filesystem::path file = session::windowMemoryFile();
         if (memory == memory_ || file.empty()) return;

@@ -230,6 +230,8 @@ def every_key(window, program):
     w.hand("key", "Escape")
     w.wait("the keyboard back", lambda s: not s["shown"]["panelHasKeys"] and s["settled"])
     press("panel", state_only("shown", "panel"))
+    press("coarse", state_only("shown", "coarse"))
+    press("coarse", state_only("shown", "coarse"))
     press("presenter", changed("shown", "presenter"))
     press("presenter", changed("shown", "presenter"))
     press("reset-settings")

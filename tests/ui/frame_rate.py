@@ -41,8 +41,10 @@ def main():
         print("switch of technique to picture  " + ", ".join(f"{ms:.0f}" for ms in switches) + " ms, xdotool included")
         window.hand("key", "3")
         window.wait("rest", lambda s: s["settled"])
+        window.hand("key", "c")
         for what, keys in (("light turns, settings shown", ()), ("camera turns, settings shown", ("a",)),
-                           ("camera turns, pictures alone", ("i",))):
+                           ("camera turns, pictures alone", ("i",)),
+                           ("camera turns, coarse where slow", ("i", "c"))):
             for key in keys:
                 window.hand("key", key)
             window.wait("rest", lambda s: s["settled"])
