@@ -31,6 +31,8 @@ constexpr int kNoLight = -1;
 struct PassInfo {
     std::string_view id, title, why, glState;
     bool perLight = false;
+    /// The stage that shows what the pass wrote, where that is not the picture (but a stencil, a map, answers of rays).
+    std::string_view shownBy = {};
 };
 
 /// What a stage's texture holds, and so how it is shown.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/capture_words.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+
+#include "app/session/stepping.h"
 
 namespace shadowlab::session {
 
@@ -18,6 +21,18 @@ std::string exactText(double value) {
 bool isPlain(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
            std::string_view("-_./=:,@+").find(c) != std::string_view::npos;
+}
+
+/// What the pane shows, as `--stage` has it: for a step the stage that shows what the pass wrote, if there is one.
+std::string stageWord(const Document& document, const PaneState& state) {
+    if (!state.stage.starts_with("pass:")) return state.stage;
+    const TechniqueInfo& info = findTechnique(state.technique);
+    const auto& lights = document.scene->lights;
+    const int light = lights.empty() ? kNoLight : std::max(0, document.light);
+    const StageChoice shown = shownInStep(parseStage(state.stage, info, *document.scene, light), info, light);
+    if (shown.isPass) return state.stage;
+    return shown.key.light == kNoLight ? shown.key.id
+                                       : shown.key.id + "@" + lights[static_cast<std::size_t>(shown.key.light)].name;
 }
 
 } // namespace
@@ -37,7 +52,7 @@ std::vector<std::string> captureWords(const Document& document, const std::files
         const PaneState& state = document.panes[static_cast<std::size_t>(single ? document.active : i)];
         const std::string slot = single ? "" : std::to_string(i + 1) + ":";
         techniques += (i ? "," : "") + state.technique;
-        if (!state.stage.empty()) more.insert(more.end(), {"--stage", slot + state.stage});
+        if (!state.stage.empty()) more.insert(more.end(), {"--stage", slot + stageWord(document, state)});
         for (const auto& [param, value] : state.values())
             more.insert(more.end(), {"--set", slot + state.technique + "." + param + "=" + value});
     }

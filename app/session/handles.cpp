@@ -2,6 +2,7 @@
 #include "app/session/handles.h"
 
 #include <cmath>
+#include <limits>
 
 #include "techniques/foundation/scene/edit_scene.h"
 #include "techniques/foundation/scene/load.h"
@@ -60,6 +61,22 @@ std::optional<dvec2> pixelOf(const scene::Camera& camera, ivec2 size, const dvec
     const dvec4 clip = scene::clipFromView(camera, aspect) * (scene::viewFromWorld(camera) * dvec4(positionWorld, 1.0));
     if (clip.w <= camera.near) return {};
     return dvec2(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w) * dvec2(size);
+}
+
+std::optional<EdgeMark> edgeMarkOf(const scene::Camera& camera, ivec2 size, double margin, const dvec3& positionWorld) {
+    const dvec2 extent(size);
+    const std::optional<dvec2> pixel = pixelOf(camera, size, positionWorld);
+    if (pixel && glm::all(glm::greaterThanEqual(*pixel, dvec2(0.0))) && glm::all(glm::lessThanEqual(*pixel, extent)))
+        return {};
+    // Also for what lies behind the eye: turning the camera that way brings it into view.
+    const dvec3 positionView = transformPoint(scene::viewFromWorld(camera), positionWorld);
+    const dvec2 across(positionView.x, -positionView.y);
+    const dvec2 outward = glm::length(across) > 0 ? glm::normalize(across) : dvec2(0, 1);
+    const dvec2 half = glm::max(0.5 * extent - margin, dvec2(0.0));
+    double reach = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 2; ++axis)
+        if (outward[axis] != 0) reach = std::min(reach, half[axis] / std::abs(outward[axis]));
+    return EdgeMark{0.5 * extent + reach * outward, outward};
 }
 
 std::optional<dvec3> pointOnPlane(const scene::Camera& camera, ivec2 size, dvec2 pixel, const dvec3& throughWorld,

@@ -34,6 +34,14 @@ scene::Snapshot withMoved(const scene::Snapshot& snapshot, const Selection& what
 /// Where a point lies in the picture, in pixels from its upper left corner; nothing behind the eye.
 std::optional<dvec2> pixelOf(const scene::Camera& camera, ivec2 size, const dvec3& positionWorld);
 
+/// A mark at the picture's edge for a point that the picture does not show.
+struct EdgeMark {
+    dvec2 pixel{0.0};   ///< `margin` pixels within the picture
+    dvec2 outward{0.0}; ///< unit, x to the right and y down: the way to turn the camera to see the point
+};
+/// Nothing for a point that is in the picture.
+std::optional<EdgeMark> edgeMarkOf(const scene::Camera& camera, ivec2 size, double margin, const dvec3& positionWorld);
+
 /// The point of the plane that a pixel shows; nothing where the plane is not seen there, or edge-on.
 std::optional<dvec3> pointOnPlane(const scene::Camera& camera, ivec2 size, dvec2 pixel, const dvec3& throughWorld,
                                   const dvec3& normalWorld);

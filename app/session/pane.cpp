@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/session/derived_stages.h"
+#include "app/session/stepping.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/scene/outside_camera.h"
 
@@ -91,6 +92,8 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     const scene::Scene& scene = *request.snapshot;
     std::optional<StageChoice> stage;
     if (!request.state.stage.empty()) stage = parseStage(request.state.stage, *slot.info, scene, request.light);
+    const std::optional<StageKey> step = stage && stage->isPass ? std::optional(stage->key) : std::nullopt;
+    if (step) stage = shownInStep(*stage, *slot.info, scene.lights.empty() ? kNoLight : std::max(0, request.light));
 
     FrameRequest frame;
     frame.timePasses = frame.waitForGl = work.timePasses;
@@ -115,6 +118,7 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     converged_ = rendered.converged;
     progress_ = rendered.prepared;
     if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
+    if (step) requirePassRan(rendered, *step, *slot.info);
     encode(session, encoder, request, slot, stage, rendered);
     if (!frame.stopAfter) passes_ = rendered.result.passes;
     // Times are taken now and then; between, the last ones stand.
@@ -149,7 +153,6 @@ void Pane::encode(Session& session, const PictureEncoder& encoder, const PaneReq
                   const std::optional<StageChoice>& stage, const RenderedFrame& rendered) {
     const float exposure = request.snapshot->exposure;
     if (!stage || stage->isPass) {
-        if (stage) requirePassRan(rendered, stage->key, *slot.info);
         picture_ = {
             encoder.encodeInPlace(slot.target.color, exposure, 1, request.view.region), StageKind::radiance, {}, ""};
         return;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/stepping.h"
 
+#include "techniques/frame.h"
+
 namespace shadowlab::session {
 
 std::string passStage(const StageKey& pass, const scene::Scene& scene) {
@@ -28,6 +30,14 @@ std::string stepped(const std::string& stage, const std::vector<StageKey>& passe
     // The finished picture stands before the first pass and after the last.
     const int next = now ? static_cast<int>(*now) + by : by > 0 ? by - 1 : count + by;
     return next < 0 || next >= count ? std::string() : passStage(passes[static_cast<std::size_t>(next)], scene);
+}
+
+StageChoice shownInStep(const StageChoice& pass, const TechniqueInfo& info, int light) {
+    const std::string_view stage = passInfo(info.passes, pass.key.id).shownBy;
+    if (stage.empty()) return pass;
+    const int shown = !stageInfo(info, stage).perLight ? kNoLight : pass.key.light != kNoLight ? pass.key.light : light;
+    if (stageInfo(info, stage).perLight && shown == kNoLight) return pass;
+    return {{std::string(stage), shown}, false};
 }
 
 } // namespace shadowlab::session

@@ -22,4 +22,8 @@ std::optional<std::size_t> stepOf(const std::string& stage, const std::vector<St
 std::string stepped(const std::string& stage, const std::vector<StageKey>& passes, const scene::Scene& scene, int light,
                     int by);
 
+/// What shows a pass in step mode: the picture after it, or the stage that shows what it wrote elsewhere. A stage of one
+/// light is that of `light` (kNoLight: the scene has none, and no such stage), where the pass has none of its own.
+StageChoice shownInStep(const StageChoice& pass, const TechniqueInfo& info, int light);
+
 } // namespace shadowlab::session

@@ -47,10 +47,9 @@ WindowMemory readWindowMemory(const std::filesystem::path& file) {
 void writeWindowMemory(const std::filesystem::path& file, const WindowMemory& memory) {
     std::error_code ignored; // what cannot be made cannot be written to either, and that says why
     std::filesystem::create_directories(file.parent_path(), ignored);
-    const nlohmann::ordered_json json = {{"width", memory.size.x},        {"height", memory.size.y},
-                                         {"panel", memory.panel},         {"strip", memory.strip},
-                                         {"presenter", memory.presenter}, {"handles", memory.handles},
-                                         {"coarse", memory.coarse}};
+    const nlohmann::ordered_json json = {
+        {"width", memory.size.x},        {"height", memory.size.y},   {"panel", memory.panel},  {"strip", memory.strip},
+        {"presenter", memory.presenter}, {"handles", memory.handles}, {"coarse", memory.coarse}};
     image::writeWhole(file, json.dump(2) + "\n");
 }
 

@@ -46,7 +46,7 @@ struct Desk {
     Shown shown;
     Requests requests;
     std::vector<KeyPress> keys; ///< since the last frame, in order: none is lost, however quick the hand
-    session::Selection selection;
+    session::Selection selection, hovered;
     dvec2 lens{
         0.5}; ///< where the magnifier looks, as shares of a picture's width and height from its upper left corner
     Drag drag = Drag::none;

@@ -82,7 +82,6 @@ void errorTable(const Desk& desk, const session::LiveErrors& errors) {
         ImGui::TableNextColumn();
         ImGui::TextDisabled("%s", title);
     }
-    bool allExact = true;
     for (int i = 0; i < panesOf(desk); ++i) {
         const int pane = paneAt(desk, i);
         const session::PaneErrors* const known = errors.errors(pane);
@@ -90,7 +89,6 @@ void errorTable(const Desk& desk, const session::LiveErrors& errors) {
         ImGui::TableNextColumn();
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(paneColor(pane)), "%d", pane + 1);
         if (known) {
-            allExact = allExact && known->exact;
             ImGui::TableNextColumn();
             ImGui::Text("%d", known->counts.falseLit);
             ImGui::TableNextColumn();
@@ -101,7 +99,6 @@ void errorTable(const Desk& desk, const session::LiveErrors& errors) {
             else
                 ImGui::TextDisabled("-");
         } else {
-            allExact = false;
             for (int column = 0; column < 3; ++column) {
                 ImGui::TableNextColumn();
                 ImGui::TextDisabled("-");
@@ -114,7 +111,7 @@ void errorTable(const Desk& desk, const session::LiveErrors& errors) {
             ImGui::TextDisabled("- ms");
     }
     ImGui::EndTable();
-    ImGui::TextDisabled(allExact ? "exact, at rest" : "without ties; exact when all is at rest");
+    ImGui::TextDisabled(errors.isDone() ? "exact, at rest" : "without ties; exact when all is at rest");
 }
 
 void historyPlot(const Desk& desk, const session::LiveErrors& errors, const Theme& theme) {

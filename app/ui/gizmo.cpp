@@ -15,6 +15,7 @@ using session::Selection;
 
 constexpr float kGripEm = 1.1f;  ///< how near to a handle the mouse takes hold: easy to hit with a nervous hand
 constexpr float kArrowEm = 4.5f; ///< length of an axis arrow
+constexpr float kEdgeEm = 2.4f;  ///< how far within the picture, clear of titles, a light outside it has its mark
 constexpr ImU32 kDark = IM_COL32(16, 16, 18, 255);
 
 // One colour an axis (Okabe and Ito): x vermilion, y bluish green, z blue; the letters say it too.
@@ -35,10 +36,26 @@ struct Seen {
         return ImVec2(pane.pictureCorner.x + static_cast<float>(pixel->x),
                       pane.pictureCorner.y + static_cast<float>(pixel->y));
     }
+    /// For a light that the picture does not show.
+    [[nodiscard]] std::optional<session::EdgeMark> edgeMark(const Handle& handle, const Theme& theme) const {
+        if (handle.what.kind != Selection::Kind::light) return {};
+        auto mark = session::edgeMarkOf(camera, size, kEdgeEm * theme.em, handle.positionWorld);
+        if (mark) mark->pixel += dvec2(pane.pictureCorner.x, pane.pictureCorner.y);
+        return mark;
+    }
     [[nodiscard]] dvec2 pixel(ImVec2 mouse) const {
         return {mouse.x - pane.pictureCorner.x, mouse.y - pane.pictureCorner.y};
     }
 };
+
+Seen seenIn(const ShownPane& pane, const scene::Camera& camera) {
+    return {pane, camera, {static_cast<int>(pane.pictureSize.x), static_cast<int>(pane.pictureSize.y)}};
+}
+
+/// The second camera shows the lights itself, from elsewhere.
+bool showsHandles(const Desk& desk, const ShownPane& pane) {
+    return !desk.bench.document().panes[static_cast<std::size_t>(pane.pane)].stage.starts_with("outside");
+}
 
 double distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
@@ -58,9 +75,13 @@ std::optional<ImVec2> arrowEnd(const Seen& seen, const Handle& handle, int i, fl
 
 /// -1 the disc, 0..2 an arrow.
 std::optional<int> partUnder(const Seen& seen, const Handle& handle, bool selected, ImVec2 mouse, const Theme& theme) {
+    const float grip = kGripEm * theme.em;
+    if (const auto mark = seen.edgeMark(handle, theme)) {
+        const dvec2 away = mark->pixel - dvec2(mouse.x, mouse.y);
+        return glm::length(away) <= grip ? std::optional(-1) : std::nullopt;
+    }
     const auto place = seen.place(handle.positionWorld);
     if (!place) return {};
-    const float grip = kGripEm * theme.em;
     if (distance(*place, mouse) <= grip) return -1;
     if (!selected) return {};
     for (int i = 0; i < 3; ++i)
@@ -69,8 +90,43 @@ std::optional<int> partUnder(const Seen& seen, const Handle& handle, bool select
     return {};
 }
 
+void drawLabel(ImDrawList& list, ImVec2 at, const std::string& label, const Theme& theme) {
+    const ImVec2 size = theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, label.c_str());
+    list.AddRectFilled({at.x - theme.em * 0.3f, at.y - theme.em * 0.15f},
+                       {at.x + size.x + theme.em * 0.3f, at.y + size.y + theme.em * 0.15f}, kPlateColor);
+    list.AddText(theme.text, theme.em, at, kPlateText, label.c_str());
+}
+
+/// A light outside the picture: a disc at the edge with a point toward it.
+void drawEdgeMark(ImDrawList& list, const session::EdgeMark& mark, const std::string& label, bool chosen,
+                  const Theme& theme) {
+    const auto at = [&](double outward, double across) {
+        const dvec2 p = mark.pixel + static_cast<double>(theme.em) *
+                                         (outward * mark.outward + across * dvec2(-mark.outward.y, mark.outward.x));
+        return ImVec2(static_cast<float>(p.x), static_cast<float>(p.y));
+    };
+    const ImU32 color = chosen ? kAccent : kPlateText;
+    list.AddTriangleFilled(at(1.3, 0), at(0.3, -0.75), at(0.3, 0.75), kDark);
+    list.AddCircleFilled(at(0, 0), theme.em * 0.62f, kDark);
+    list.AddTriangleFilled(at(1.1, 0), at(0.4, -0.5), at(0.4, 0.5), color);
+    list.AddCircleFilled(at(0, 0), theme.em * 0.42f, color);
+    if (!chosen) return;
+    const ImVec2 size = theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, label.c_str());
+    const ImVec2 inward = at(-1.4, 0); // the label lies on the picture's side of the mark
+    drawLabel(list,
+              {inward.x - (mark.outward.x > 0.3    ? size.x
+                           : mark.outward.x < -0.3 ? 0.0f
+                                                   : size.x / 2),
+               inward.y - size.y / 2},
+              label, theme);
+}
+
 void drawHandle(ImDrawList& list, const Seen& seen, const Handle& handle, bool selected, bool hovered,
                 const Theme& theme) {
+    if (const auto mark = seen.edgeMark(handle, theme)) {
+        drawEdgeMark(list, *mark, handle.label, selected || hovered, theme);
+        return;
+    }
     const auto place = seen.place(handle.positionWorld);
     if (!place) return;
     const bool light = handle.what.kind == Selection::Kind::light;
@@ -100,11 +156,7 @@ void drawHandle(ImDrawList& list, const Seen& seen, const Handle& handle, bool s
     }
     list.AddCircleFilled(*place, r, color);
     if (!selected && !hovered) return;
-    const ImVec2 at(place->x + theme.em * 1.2f, place->y - theme.em * 1.6f);
-    const ImVec2 size = theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, handle.label.c_str());
-    list.AddRectFilled({at.x - theme.em * 0.3f, at.y - theme.em * 0.15f},
-                       {at.x + size.x + theme.em * 0.3f, at.y + size.y + theme.em * 0.15f}, kPlateColor);
-    list.AddText(theme.text, theme.em, at, kPlateText, handle.label.c_str());
+    drawLabel(list, {place->x + theme.em * 1.2f, place->y - theme.em * 1.6f}, handle.label, theme);
 }
 
 /// How far the hand has moved the thing since the last frame.
@@ -136,19 +188,17 @@ std::optional<dvec3> pulled(const Seen& seen, const Handle& handle, int part, Im
 } // namespace
 
 bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& theme) {
+    desk.hovered = {};
     if (!desk.shown.handles) return false;
     const ImGuiIO& io = ImGui::GetIO();
     const session::Document& document = desk.bench.document();
     const std::vector<Handle> handles =
         session::handles(*desk.bench.shownScene(), desk.bench.bounds(), document.camera);
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
     const bool free = desk.drag == Drag::none && !io.WantCaptureMouse;
 
     for (const ShownPane& pane : panes) {
-        const session::PaneState& state = document.panes[static_cast<std::size_t>(pane.pane)];
-        if (state.stage.starts_with("outside")) continue; // it shows the lights itself, from elsewhere
-        const Seen seen{
-            pane, document.camera, {static_cast<int>(pane.pictureSize.x), static_cast<int>(pane.pictureSize.y)}};
+        if (!showsHandles(desk, pane)) continue;
+        const Seen seen = seenIn(pane, document.camera);
         const ImVec2 place = pressPlace(desk);
         const bool over = pane.area.contains(place);
         // The selected thing first: its arrows may lie over other handles.
@@ -163,17 +213,7 @@ bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& 
                     part = *under;
                 }
             }
-        list.PushClipRect({static_cast<float>(pane.area.corner.x), static_cast<float>(pane.area.corner.y)},
-                          {static_cast<float>(pane.area.corner.x + pane.area.size.x),
-                           static_cast<float>(pane.area.corner.y + pane.area.size.y)},
-                          true);
-        for (const Handle& handle : handles) {
-            const bool selected = handle.what == desk.selection;
-            // Objects show theirs when the mouse is near: a picture full of dots would be no picture.
-            if (handle.what.kind == Selection::Kind::object && !selected && &handle != hovered) continue;
-            drawHandle(list, seen, handle, selected, &handle == hovered, theme);
-        }
-        list.PopClipRect();
+        if (hovered) desk.hovered = hovered->what;
         if (hovered && ImGui::IsMouseClicked(0)) {
             desk.selection = hovered->what;
             desk.drag = Drag::handle;
@@ -190,8 +230,7 @@ bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& 
     }
     for (const ShownPane& pane : panes) {
         if (pane.pane != desk.dragPane) continue;
-        const Seen seen{
-            pane, document.camera, {static_cast<int>(pane.pictureSize.x), static_cast<int>(pane.pictureSize.y)}};
+        const Seen seen = seenIn(pane, document.camera);
         const auto held = std::ranges::find(handles, desk.selection, &Handle::what);
         const ImVec2 before(static_cast<float>(desk.heldAt.x), static_cast<float>(desk.heldAt.y));
         if (held == handles.end() || (io.MousePos.x == before.x && io.MousePos.y == before.y)) continue;
@@ -202,9 +241,32 @@ bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& 
     return true;
 }
 
+void drawGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& theme) {
+    if (!desk.shown.handles) return;
+    const session::Document& document = desk.bench.document();
+    const std::vector<Handle> handles =
+        session::handles(*desk.bench.shownScene(), desk.bench.bounds(), document.camera);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    for (const ShownPane& pane : panes) {
+        if (!showsHandles(desk, pane)) continue;
+        const Seen seen = seenIn(pane, document.camera);
+        list.PushClipRect({static_cast<float>(pane.area.corner.x), static_cast<float>(pane.area.corner.y)},
+                          {static_cast<float>(pane.area.corner.x + pane.area.size.x),
+                           static_cast<float>(pane.area.corner.y + pane.area.size.y)},
+                          true);
+        for (const Handle& handle : handles) {
+            const bool selected = handle.what == desk.selection;
+            // Objects show theirs when the mouse is near: a picture full of dots would be no picture.
+            if (handle.what.kind == Selection::Kind::object && !selected && handle.what != desk.hovered) continue;
+            drawHandle(list, seen, handle, selected, handle.what == desk.hovered, theme);
+        }
+        list.PopClipRect();
+    }
+}
+
 std::vector<std::pair<std::string, dvec2>> handlePlaces(Desk& desk, const ShownPane& pane) {
     const scene::Camera& camera = desk.bench.document().camera;
-    const Seen seen{pane, camera, {static_cast<int>(pane.pictureSize.x), static_cast<int>(pane.pictureSize.y)}};
+    const Seen seen = seenIn(pane, camera);
     std::vector<std::pair<std::string, dvec2>> places;
     for (const Handle& handle : session::handles(*desk.bench.shownScene(), desk.bench.bounds(), camera))
         if (const auto place = seen.place(handle.positionWorld); place && pane.area.contains(*place))

@@ -5,9 +5,12 @@
 
 namespace shadowlab::ui {
 
-/// Draws the handles in every pane that shows the scene through the eye's camera, and lets the mouse drag them: the disc
-/// level with the ground (with Shift up and down), an arrow along its axis. True while one is held.
+/// Lets the mouse drag the handles in every pane that shows the scene through the eye's camera: the disc level with the
+/// ground (with Shift up and down), an arrow along its axis. True while one is held.
 bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& theme);
+
+/// Draws them, over the pictures: those of lights, and those of the objects that are selected or under the mouse.
+void drawGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& theme);
 
 /// Where the handles of lights and objects lie in a pane, by name, in pixels of the window; those that are seen.
 std::vector<std::pair<std::string, dvec2>> handlePlaces(Desk& desk, const ShownPane& pane);

@@ -17,7 +17,7 @@ const PassInfo kPasses[] = {
      "depth test LESS, depth write on", false},
     {"tag-receivers", "Write the number of each receiver plane N·P + D = 0 into the stencil",
      "A shadow on a plane must end where the plane's surface ends, and where something stands before it.",
-     "colour and depth writes off, depth EQUAL, stencil GREATER, REPLACE, write mask 0x3f", false},
+     "colour and depth writes off, depth EQUAL, stencil GREATER, REPLACE, write mask 0x3f", false, "stencil-tags"},
     {"clear-marks", "Clear the shadow marks", "Each light casts shadows of its own; the numbers of the planes stay.",
      "stencil write mask 0x80", true},
     {"shadows", "Project the casters onto each plane and mark where they fall",
@@ -25,7 +25,7 @@ const PassInfo kPasses[] = {
      "between light and plane casts; a mark set twice is still one mark.",
      "colour and depth writes off, depth test off, clip distances at the light's height and at the plane, "
      "stencil EQUAL the plane's number, REPLACE, write mask 0x80",
-     true},
+     true, "shadow-marks"},
     {"light", "Render the scene again with the light turned on, only where there is no mark",
      "What is not marked is seen by the light; what is no plane can have no mark.",
      "depth EQUAL, stencil EQUAL 0 in the bits 0xc0, INVERT with write mask 0x40 (each pixel once), blending ONE ONE",

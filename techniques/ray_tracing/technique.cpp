@@ -25,12 +25,12 @@ const PassInfo kPasses[] = {
      "The rasteriser finds what eye rays would find; each ray only checks that it hits the triangle it is told. Only "
      "with "
      "receivers = id-buffer.",
-     "depth test LESS, depth write on; the numbers are read back", false},
+     "depth test LESS, depth write on; the numbers are read back", false, "primary-hits"},
     {"visibility", "Send a ray from the eye through every pixel, and from where it ends a ray to every light",
      "The nearest triangle that the eye ray hits is what the pixel shows. If the ray to a light hits anything on its "
      "way, "
      "whatever that is and however far, the point is in shadow: the first hit is enough.",
-     "none: the processor traces, on all cores, 64 neighbouring rays at a time", false},
+     "none: the processor traces, on all cores, 64 neighbouring rays at a time", false, "shadow-rays"},
     {"lights-off", "Show what is seen with all lights off", "Emission and ambient light are counted here, once.",
      "none: the processor shades; the picture is uploaded", false},
     {"light", "Add the light where its ray has arrived",

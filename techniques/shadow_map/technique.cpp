@@ -16,7 +16,7 @@ const PassInfo kPasses[] = {
     {"depth", "Render the scene from the light and keep the depth",
      "The map stores, for every direction from the light, how far the first surface is: all the light ever sees. It "
      "stays as it is until light, casters or parameters change; the eye may move.",
-     "depth only, depth test LESS, depth clamp, slope-scaled polygon offset", true},
+     "depth only, depth test LESS, depth clamp, slope-scaled polygon offset", true, "light-depth"},
     {"light", "Render the scene from the eye and compare",
      "Transform each point into the light's coordinates; if the map holds something nearer, the point is in shadow.",
      "depth EQUAL, blending ONE ONE, map sampled with comparison LEQUAL", true},

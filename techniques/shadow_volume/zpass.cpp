@@ -16,13 +16,14 @@ const PassInfo kPasses[] = {
      "Front faces add one and back faces take one where they pass the depth test: n_f - n_b is not zero inside a "
      "volume. "
      "Wrong where the eye is in a volume, or the near plane cuts one: the face that was entered is never met.",
-     "colour and depth writes off, depth LESS, stencil depth-pass INCR_WRAP (front) and DECR_WRAP (back)", true},
+     "colour and depth writes off, depth LESS, stencil depth-pass INCR_WRAP (front) and DECR_WRAP (back)", true,
+     "stencil"},
     {"volumes-front", "Render all volume faces that face toward the viewer",
      "n_f: the stencil goes up by one for each that passes the depth test, where a volume is entered.",
-     "colour and depth writes off, cull BACK, depth LESS, stencil depth-pass INCR_WRAP", true},
+     "colour and depth writes off, cull BACK, depth LESS, stencil depth-pass INCR_WRAP", true, "stencil-front"},
     {"volumes-back", "Render all volume faces that face away from the viewer",
      "n_b: the stencil goes down by one for each that passes the depth test, where a volume is left.",
-     "colour and depth writes off, cull FRONT, depth LESS, stencil depth-pass DECR_WRAP", true},
+     "colour and depth writes off, cull FRONT, depth LESS, stencil depth-pass DECR_WRAP", true, "stencil"},
     {"light", "Render the scene again with the light turned on, only where the stencil is zero",
      "n_f = n_b: the line from the eye to the point left every volume that it entered, so the point is illuminated.",
      "colour writes on, depth EQUAL, stencil EQUAL 0, blending ONE ONE", true},

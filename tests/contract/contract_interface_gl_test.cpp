@@ -80,6 +80,7 @@ TEST_P(Contract, DescriptionsAreCompleteAndUnique) {
         EXPECT_TRUE(kebab(pass.id)) << pass.id;
         EXPECT_TRUE(passes.insert(pass.id).second) << pass.id << " twice";
         EXPECT_FALSE(pass.title.empty() || pass.why.empty() || pass.glState.empty()) << pass.id;
+        EXPECT_TRUE(pass.shownBy.empty() || stages.contains(pass.shownBy)) << pass.id;
     }
 }
 

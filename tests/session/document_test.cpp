@@ -61,6 +61,29 @@ TEST(Stepping, GoesThroughThePassesAndOutAtBothEnds) {
     EXPECT_EQ(stepped("", {}, scene, 0, 1), "");
 }
 
+TEST(Stepping, AStepThatWritesNoPictureIsShownByItsStage) {
+    Document document = someDocument();
+    const auto shown = [&](const char* technique, const char* pass) {
+        const TechniqueInfo& info = findTechnique(technique);
+        const StageChoice choice = shownInStep(parseStage(pass, info, *document.scene, 1), info, 1);
+        return choice.key.id + (choice.key.light == kNoLight ? "" : std::to_string(choice.key.light)) +
+               (choice.isPass ? " itself" : "");
+    };
+    EXPECT_EQ(shown("shadow-volume-zfail", "pass:volumes-back@key"), "stencil-back0");
+    EXPECT_EQ(shown("shadow-volume-zfail", "pass:light@key"), "light0 itself");
+    EXPECT_EQ(shown("shadow-map", "pass:depth"), "light-depth1") << "of the light that is asked about";
+    EXPECT_EQ(shown("ray-traced", "pass:visibility"), "shadow-rays1");
+    EXPECT_EQ(shown("planar", "pass:tag-receivers"), "stencil-tags") << "of no light";
+    const TechniqueInfo& rays = findTechnique("ray-traced");
+    EXPECT_TRUE(shownInStep({{"visibility", kNoLight}, true}, rays, kNoLight).isPass)
+        << "no lights, no answers of rays";
+
+    document.layout = Layout::single;
+    document.panes[0].stage = "pass:depth@the sun";
+    const std::string line = asCommandLine(captureWords(document, "s.json", "o.png", {10, 20}));
+    EXPECT_NE(line.find("--stage 'light-depth@the sun'"), std::string::npos) << line;
+}
+
 TEST(CaptureWords, SayAllThatThePictureDependsOn) {
     Document document = someDocument();
     document.split = 0.3125;

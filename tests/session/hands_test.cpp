@@ -8,6 +8,8 @@
 namespace shadowlab::session {
 namespace {
 
+constexpr double kStepDegrees = 3;
+
 scene::Camera someCamera() {
     scene::Camera camera;
     camera.positionWorld = {3, 2.5, 5};
@@ -49,6 +51,38 @@ TEST(CameraControl, PanningMovesWhatIsSeenByThatShareOfThePicture) {
     ASSERT_TRUE(before && after);
     EXPECT_NEAR(after->x - before->x, 0.25 * 720, 1e-9);
     EXPECT_NEAR(after->y - before->y, 0.1 * 720, 1e-9) << "up is up: the picture counts down";
+}
+
+TEST(Handles, AMarkAtTheEdgeShowsWhichWayToTurn) {
+    const ivec2 size(1280, 720);
+    const double margin = 20;
+    const scene::Camera start = someCamera();
+    EXPECT_FALSE(edgeMarkOf(start, size, margin, start.targetWorld)) << "what is in view needs none";
+    int marked = 0, behind = 0;
+    for (int i = 0; i < 200; ++i) { // all around, no direction twice
+        const double turn = 2.399963 * i, height = -0.7 + 1.4 * i / 199;
+        const dvec3 place = start.positionWorld + 4.0 * dvec3(std::cos(turn), height, std::sin(turn));
+        const auto mark = edgeMarkOf(start, size, margin, place);
+        EXPECT_EQ(!mark, [&] {
+            const auto pixel = pixelOf(start, size, place);
+            return pixel && pixel->x >= 0 && pixel->y >= 0 && pixel->x <= size.x && pixel->y <= size.y;
+        }());
+        if (!mark) continue;
+        ++marked;
+        behind += !pixelOf(start, size, place);
+        EXPECT_NEAR(glm::length(mark->outward), 1, 1e-12);
+        const dvec2 fromEdge = glm::min(mark->pixel, dvec2(size) - mark->pixel);
+        EXPECT_NEAR(std::min(fromEdge.x, fromEdge.y), margin, 1e-9);
+        scene::Camera camera = start;
+        for (int steps = 0; steps < 1000; ++steps) {
+            const auto now = edgeMarkOf(camera, size, margin, place);
+            if (!now) break;
+            camera = turnedHead(camera, kStepDegrees * now->outward.x, -kStepDegrees * now->outward.y);
+        }
+        EXPECT_FALSE(edgeMarkOf(camera, size, margin, place)) << "turned that way, and still not in view: " << i;
+    }
+    EXPECT_GT(marked, 100);
+    EXPECT_GT(behind, 30);
 }
 
 TEST(CameraControl, ZoomingNeverReachesTheTarget) {

@@ -197,13 +197,14 @@ def every_key(window, program):
     press("left")
     press("reset-camera", changed("camera"))
     check(w.state["picture"] == finished, "the scene's own camera shows another picture", w.state)
-    press("select-next", lambda b, a: check(a["selection"] == a["lights"][0]["name"], "no light is selected", a))
+    press("select-next", changed("selection"))
+    check(w.state["selection"] == w.state["lights"][0]["name"], "no light is selected", w.state)
     for action in ("right", "up", "lift"):
         press(action, changed("lights", 0))
     press("undo", changed("lights", 0))
     press("select-previous", lambda b, a: check(a["selection"] == "", "something is still selected", a))
-    press("handles", state_only("shown", "handles"))
-    press("handles", state_only("shown", "handles"))
+    press("handles", changed("shown", "handles"))
+    press("handles", changed("shown", "handles"))
 
     for expected in ({"lights": False, "camera": True, "objects": False}, dict.fromkeys(("lights", "camera", "objects"), True),
                      {"lights": True, "camera": False, "objects": True}):
