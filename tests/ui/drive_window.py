@@ -17,6 +17,8 @@ import time
 
 TIMEOUT = 90  # seconds without the expected report: far beyond any frame, also on a busy machine
 
+DEBIAN_PYTHON = "/usr/bin/python3"  # the one that has the package python3-xlib, whatever else is first in the PATH
+DROP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "drop_file.py")
 PLACE = (100, 400)  # of the mouse: in the first pane, away from handles and the split line
 
 
@@ -324,7 +326,35 @@ def rough_days(window, folder):
     check(all(not p["fault"] for p in end["panes"]), "a fault stays", end)
     w.hand("windowunmap", identity)
     w.hand("windowmap", identity)
-    w.hand("key", "--window", identity, "h")
+    w.hand("mousemove", *PLACE)
+    w.key("h", "keys")
+    w.key("h", "keys")
+    check(w.state["picture"] == start["picture"], "minimised and back, it shows another picture", w.state)
+
+    def drop(name, text, expected):
+        path = os.path.join(folder, name)
+        if text is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+        subprocess.run([DEBIAN_PYTHON, DROP, identity, path], env=w.environment, check=True)
+        return w.wait(f"what comes of dropping {name}", lambda s: expected(s, path) and s["settled"])
+
+    def refused(*words):
+        return lambda s, path: any(path in m and all(word in m for word in words) for m in s["messages"])
+
+    for name, text, words in (("broken.json", '{\n  "camera": {"position": [0, 1, 2]},,\n}\n', (":2:",)),
+                              ("wrong.json", '{"camera": {"position": [3, 2, 5], "target": [0, 0, 0]},\n "lights": [{"typ": 1}]}\n',
+                               (":2:", "typ", ";")),
+                              ("broken.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", (":4:", "9")),
+                              ("empty.obj", "", ()), ("gone.json", None, ()), ("notes.txt", "hello", (".json", ".obj"))):
+        after = drop(name, text, refused(*words))
+        check(after["scene"] == start["scene"] and after["camera"] == start["camera"] and after["lights"] == start["lights"],
+              f"{name} changed the scene", after)
+        check(all(not p["fault"] for p in after["panes"]), f"{name} left a fault in a pane", after)
+    check(after["glObjects"] == start["glObjects"], "refused files left GL objects behind", after)
+    drop("good one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n",
+         lambda s, path: s["scene"] == path)
+    check(w.state["picture"] != start["picture"], "the dropped mesh is not seen")
     w.close()
 
 
