@@ -102,10 +102,12 @@ void nextLayout(Desk& desk, int by) {
     const int now = static_cast<int>(desk.bench.document().layout);
     chooseLayout(desk, static_cast<Layout>((now + by + kCount) % kCount));
 }
-/// Out of what lies nearest: the list of keys, what is selected, a stage.
+/// Out of what lies nearest: the list of keys, messages of faults, what is selected, a stage.
 void leave(Desk& desk) {
     if (desk.shown.keys)
         desk.shown.keys = false;
+    else if (std::erase_if(desk.messages, [](const Message& message) { return message.fault; }) > 0)
+        return;
     else if (desk.selection.kind != session::Selection::Kind::none)
         desk.selection = {};
     else if (!desk.bench.activeState().stage.empty())
@@ -251,8 +253,8 @@ const Action kActions[] = {
     {"reset-settings", "Window", "R", "the technique's own settings", GLFW_KEY_R, false, false, false, resetSettings},
     {"reload-shaders", "Window", "F5", "compiles all shaders anew", GLFW_KEY_F5, false, false, false,
      [](Desk& d) { d.requests.reloadShaders = true; }},
-    {"leave", "Window", "Esc", "out of the list, the selection, the stage", GLFW_KEY_ESCAPE, false, false, false,
-     leave},
+    {"leave", "Window", "Esc", "out of the list, messages, the selection, the stage", GLFW_KEY_ESCAPE, false, false,
+     false, leave},
     {"quit", "Window", "Ctrl+Q", "ends the program", GLFW_KEY_Q, true, false, false,
      [](Desk& d) { d.requests.quit = true; }},
 };

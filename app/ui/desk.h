@@ -38,6 +38,13 @@ struct KeyPress {
     bool ctrl = false, shift = false, alt = false, repeated = false;
 };
 
+/// A sentence over the pictures. Faults stay until they are clicked away or mended, news go by themselves.
+struct Message {
+    std::string text;
+    bool fault = false;
+    double untilSeconds = 0; ///< on the screen's clock; faults ignore it
+};
+
 /// What the mouse holds.
 enum class Drag { none, camera, splitLine, handle };
 
@@ -45,6 +52,7 @@ struct Desk {
     session::Workbench bench;
     Shown shown;
     Requests requests;
+    std::vector<Message> messages;
     std::vector<KeyPress> keys; ///< since the last frame, in order: none is lost, however quick the hand
     session::Selection selection, hovered;
     dvec2 lens{

@@ -147,20 +147,21 @@ void Screen::drawWidgets() {
 }
 
 void Screen::complain(const std::string& fault) {
-    for (const Message& message : messages_)
+    for (const Message& message : desk_.messages)
         if (message.text == fault) return;
-    messages_.push_back({fault, true, 0});
+    desk_.messages.push_back({fault, true, 0});
 }
 
 void Screen::withdraw(const std::string& beginning) {
-    std::erase_if(messages_, [&](const Message& message) { return message.text.starts_with(beginning); });
+    std::erase_if(desk_.messages, [&](const Message& message) { return message.text.starts_with(beginning); });
 }
 
 void Screen::drawMessages(const Area& pictures) {
-    std::erase_if(messages_, [&](const Message& message) { return !message.fault && clock_ > message.untilSeconds; });
+    std::erase_if(desk_.messages,
+                  [&](const Message& message) { return !message.fault && clock_ > message.untilSeconds; });
     float y = static_cast<float>(pictures.corner.y) + theme_.em * 3;
     int number = 0;
-    for (auto message = messages_.begin(); message != messages_.end();) {
+    for (auto message = desk_.messages.begin(); message != desk_.messages.end();) {
         const float width = std::min(static_cast<float>(size_.x) * 0.8f, theme_.em * 60);
         ImGui::SetNextWindowPos(
             {(static_cast<float>(pictures.size.x) - std::min(width, static_cast<float>(pictures.size.x))) / 2, y});
@@ -177,12 +178,12 @@ void Screen::drawMessages(const Area& pictures) {
         else
             ImGui::TextUnformatted(message->text.c_str());
         ImGui::PopTextWrapPos();
-        const bool away = message->fault && ImGui::Button("Close");
+        const bool away = message->fault && ImGui::Button("Close (Esc)");
         y += ImGui::GetWindowHeight() + theme_.em * 0.5f;
         ImGui::End();
         ImGui::PopStyleVar();
         ImGui::PopStyleColor();
-        message = away ? messages_.erase(message) : message + 1;
+        message = away ? desk_.messages.erase(message) : message + 1;
     }
 }
 

@@ -18,13 +18,6 @@ struct ImGuiContext;
 
 namespace shadowlab::ui {
 
-/// A sentence over the pictures. Faults stay until they are clicked away or mended, news go by themselves.
-struct Message {
-    std::string text;
-    bool fault = false;
-    double untilSeconds = 0; ///< on the screen's clock; faults ignore it
-};
-
 class Screen {
 public:
     /// Needs a current GL context for its whole life. `fontFile` is DejaVu Sans.
@@ -57,9 +50,9 @@ public:
     /// The ids of the actions that keys have run in the last frame.
     [[nodiscard]] const std::vector<std::string>& ran() const { return ran_; }
 
-    void say(const std::string& news) { messages_.push_back({news, false, clock_ + 6}); }
+    void say(const std::string& news) { desk_.messages.push_back({news, false, clock_ + 6}); }
     void complain(const std::string& fault);
-    [[nodiscard]] const std::vector<Message>& messages() const { return messages_; }
+    [[nodiscard]] const std::vector<Message>& messages() const { return desk_.messages; }
     /// Takes back a fault that has been mended.
     void withdraw(const std::string& beginning);
 
@@ -84,7 +77,6 @@ private:
     gl::Texture2D picture_;
     gl::Framebuffer framebuffer_;
     ivec2 size_{0};
-    std::vector<Message> messages_;
     std::vector<std::string> ran_;
     std::vector<ShownPane> panes_; ///< of the last frame
     double clock_ = 0, timed_ = 0;

@@ -159,6 +159,7 @@ private:
                     screen_->say(note);
             } else {
                 screen_->complain(loaded->fault);
+                loadFault_ = loaded->fault;
             }
         }
         if (const auto ended = program_.take()) {
@@ -179,6 +180,7 @@ private:
     void doRequests() {
         Requests& requests = desk_->requests;
         if (!requests.scene.empty()) {
+            if (!loadFault_.empty()) screen_->withdraw(std::exchange(loadFault_, {})); // one such message is enough
             loader_.begin(requests.scene);
             screen_->say("loading " + requests.scene);
             requests.scene.clear();
@@ -316,6 +318,7 @@ private:
     session::ShaderWatch watch_;
     std::vector<std::string> shaderFaults_;
     bool shadersReloaded_ = false;
+    std::string loadFault_; ///< of the last scene that could not be loaded
     std::string reported_;
     long frames_ = 0;
     Clock::time_point began_ = Clock::now();

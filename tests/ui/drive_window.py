@@ -351,6 +351,9 @@ def rough_days(window, folder):
         check(after["scene"] == start["scene"] and after["camera"] == start["camera"] and after["lights"] == start["lights"],
               f"{name} changed the scene", after)
         check(all(not p["fault"] for p in after["panes"]), f"{name} left a fault in a pane", after)
+    check(len(after["messages"]) <= 2, "messages pile up", after)
+    w.key("Escape", "leave")
+    check(not w.state["messages"], "a message stays", w.state)
     check(after["glObjects"] == start["glObjects"], "refused files left GL objects behind", after)
     drop("good one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n",
          lambda s, path: s["scene"] == path)
