@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "app/session/orbit.h"
 
@@ -94,16 +95,20 @@ void Workbench::chooseDraft(double tookMs) {
         draftHelps_ = true;
         return;
     }
+    // The first frame after a change waits for the driver, which is still drawing the last one before it.
+    if (std::exchange(draftIsNew_, false)) return;
     double& averageMs = draft_ == 1 ? fullMs_ : draftMs_;
     averageMs = averageMs == 0 ? tookMs : glm::mix(averageMs, tookMs, kNewShare);
     // Fewer pixels are no quicker where triangles are what takes the time: then they are only uglier.
     if (draft_ == kCoarsest && draftMs_ > kWorthIt * fullMs_) draftHelps_ = false;
+    const int before = draft_;
     if (!draftHelps_ || fullMs_ < kTooSlowMs)
         draft_ = 1;
-    else if (draft_ == 1 || draftMs_ > kTooSlowMs) {
+    else if (draft_ == 1 || draftMs_ > kTooSlowMs)
         draft_ = std::min(2 * draft_, kCoarsest);
-        draftMs_ = 0;
-    }
+    if (draft_ == before) return;
+    draftIsNew_ = true;
+    if (draft_ > 1) draftMs_ = 0;
 }
 
 void Workbench::drawAnew() {

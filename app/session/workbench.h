@@ -102,7 +102,7 @@ private:
     std::array<Pane, kPanes> panes_;
     bool moving_ = false, timePasses_ = true, draftAllowed_ = true, whole_ = false;
     int draft_ = 1;
-    bool draftHelps_ = true;
+    bool draftHelps_ = true, draftIsNew_ = false;
     std::optional<std::chrono::steady_clock::time_point> begun_; ///< the last frame, if something was drawn in it
     double fullMs_ = 0, draftMs_ = 0; ///< what frames take, on average: those in full, and those of the present draft
     std::vector<int> answering_;
