@@ -69,6 +69,11 @@ public:
     [[nodiscard]] const PanePicture& picture() const { return picture_; }
     [[nodiscard]] const RenderedFrame& rendered() const { return rendered_; }
     [[nodiscard]] const std::string& failure() const { return failure_; }
+    /// Whether what is shown is seen by the eye; a light's view of the scene and that of the second camera are not.
+    [[nodiscard]] bool showsTheEyesView() const {
+        return picture_.texture && picture_.texture.size() == drawnFor_.view.size &&
+               !drawnFor_.state.stage.starts_with("outside");
+    }
     [[nodiscard]] const PaneRequest& drawnFor() const { return drawnFor_; }
     /// The passes that run with the settings of the picture, in order, also where it stops after one of them.
     [[nodiscard]] const std::vector<StageKey>& passes() const { return passes_; }

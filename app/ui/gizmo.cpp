@@ -52,10 +52,8 @@ Seen seenIn(const ShownPane& pane, const scene::Camera& camera) {
     return {pane, camera, {static_cast<int>(pane.pictureSize.x), static_cast<int>(pane.pictureSize.y)}};
 }
 
-/// The second camera shows the lights itself, from elsewhere.
-bool showsHandles(const Desk& desk, const ShownPane& pane) {
-    return !desk.bench.document().panes[static_cast<std::size_t>(pane.pane)].stage.starts_with("outside");
-}
+/// What is seen from elsewhere, by the second camera or by a light, has other places for them.
+bool showsHandles(const Desk& desk, const ShownPane& pane) { return desk.bench.pane(pane.pane).showsTheEyesView(); }
 
 double distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
@@ -241,26 +239,15 @@ bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& 
     return true;
 }
 
-void drawGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& theme) {
-    if (!desk.shown.handles) return;
-    const session::Document& document = desk.bench.document();
-    const std::vector<Handle> handles =
-        session::handles(*desk.bench.shownScene(), desk.bench.bounds(), document.camera);
-    ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    for (const ShownPane& pane : panes) {
-        if (!showsHandles(desk, pane)) continue;
-        const Seen seen = seenIn(pane, document.camera);
-        list.PushClipRect({static_cast<float>(pane.area.corner.x), static_cast<float>(pane.area.corner.y)},
-                          {static_cast<float>(pane.area.corner.x + pane.area.size.x),
-                           static_cast<float>(pane.area.corner.y + pane.area.size.y)},
-                          true);
-        for (const Handle& handle : handles) {
-            const bool selected = handle.what == desk.selection;
-            // Objects show theirs when the mouse is near: a picture full of dots would be no picture.
-            if (handle.what.kind == Selection::Kind::object && !selected && handle.what != desk.hovered) continue;
-            drawHandle(list, seen, handle, selected, handle.what == desk.hovered, theme);
-        }
-        list.PopClipRect();
+void drawGizmos(ImDrawList& list, Desk& desk, const ShownPane& pane, const Theme& theme) {
+    if (!desk.shown.handles || !showsHandles(desk, pane)) return;
+    const scene::Camera& camera = desk.bench.document().camera;
+    const Seen seen = seenIn(pane, camera);
+    for (const Handle& handle : session::handles(*desk.bench.shownScene(), desk.bench.bounds(), camera)) {
+        const bool selected = handle.what == desk.selection, hovered = handle.what == desk.hovered;
+        // Objects show theirs when the mouse is near: a picture full of dots would be no picture.
+        if (handle.what.kind == Selection::Kind::object && !selected && !hovered) continue;
+        drawHandle(list, seen, handle, selected, hovered, theme);
     }
 }
 

@@ -9,8 +9,8 @@ namespace shadowlab::ui {
 /// ground (with Shift up and down), an arrow along its axis. True while one is held.
 bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& theme);
 
-/// Draws them, over the pictures: those of lights, and those of the objects that are selected or under the mouse.
-void drawGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& theme);
+/// Draws those of one pane: of lights, and of the objects that are selected or under the mouse.
+void drawGizmos(ImDrawList& list, Desk& desk, const ShownPane& pane, const Theme& theme);
 
 /// Where the handles of lights and objects lie in a pane, by name, in pixels of the window; those that are seen.
 std::vector<std::pair<std::string, dvec2>> handlePlaces(Desk& desk, const ShownPane& pane);

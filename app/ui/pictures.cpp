@@ -8,6 +8,7 @@
 #include <GLFW/glfw3.h>
 
 #include "app/session/camera_control.h"
+#include "app/ui/gizmo.h"
 #include "app/ui/legend.h"
 #include "app/ui/widget_renderer.h"
 
@@ -106,7 +107,7 @@ std::string noteOf(const Desk& desk, const session::Pane& pane) {
                : "";
 }
 
-void drawPane(ImDrawList& list, const Desk& desk, const session::LiveErrors& errors, const ShownPane& shown,
+void drawPane(ImDrawList& list, Desk& desk, const session::LiveErrors& errors, const ShownPane& shown,
               const Theme& theme) {
     const session::Pane& pane = desk.bench.pane(shown.pane);
     const session::Document& document = desk.bench.document();
@@ -115,19 +116,21 @@ void drawPane(ImDrawList& list, const Desk& desk, const session::LiveErrors& err
     if (!pane.picture().texture || pane.picture().texture.size() != pane.drawnFor().view.size)
         list.AddRectFilled(low, high, IM_COL32(12, 12, 14, 255));
     std::string title = titleOf(desk, shown.pane);
+    bool legend = false;
     if (document.layout == Layout::diff) {
         title += " against " + titleOf(desk, 1 - shown.pane);
         drawJudged(list, errors.difference(), pane, shown, theme);
     } else if (session::isJudged(document.panes[static_cast<std::size_t>(shown.pane)].stage)) {
         drawJudged(list, errors.picture(shown.pane), pane, shown, theme);
     } else if (const gl::Texture2D& texture = pane.picture().texture) {
-        const bool fromOutside = pane.drawnFor().state.stage.starts_with("outside");
-        if (!fromOutside && texture.size() == pane.drawnFor().view.size)
+        if (pane.showsTheEyesView())
             drawWhole(list, texture, shown, true);
         else
             drawFitted(list, texture, shown.area);
-        drawLegend(list, pane.picture(), false, shown.area.corner, shown.area.size, theme);
+        legend = true;
     }
+    drawGizmos(list, desk, shown, theme); // under the plates: a title has to be read, a handle can be moved
+    if (legend) drawLegend(list, pane.picture(), false, shown.area.corner, shown.area.size, theme);
     const bool active = shown.pane == document.active && document.layout != Layout::single;
     drawPlate(list, low, high.x - low.x, title, theme, active);
     drawNote(list, shown, noteOf(desk, pane), pane.failure().empty() ? kPlateText : kAccent, theme);
@@ -174,8 +177,8 @@ std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double sec
     return panes;
 }
 
-void drawPictures(const Desk& desk, const session::LiveErrors& errors, const std::vector<ShownPane>& panes,
-                  const Area& area, const Theme& theme) {
+void drawPictures(Desk& desk, const session::LiveErrors& errors, const std::vector<ShownPane>& panes, const Area& area,
+                  const Theme& theme) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     for (const ShownPane& pane : panes)
         drawPane(list, desk, errors, pane, theme);

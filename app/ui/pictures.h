@@ -28,8 +28,8 @@ struct ShownPane {
 std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double seconds);
 
 /// Draws pictures, titles, legends and the split line, behind all widgets.
-void drawPictures(const Desk& desk, const session::LiveErrors& errors, const std::vector<ShownPane>& panes,
-                  const Area& area, const Theme& theme);
+void drawPictures(Desk& desk, const session::LiveErrors& errors, const std::vector<ShownPane>& panes, const Area& area,
+                  const Theme& theme);
 
 /// Where the mouse went down, when it did since the last frame; else where it is.
 ImVec2 pressPlace(const Desk& desk);

@@ -102,7 +102,6 @@ bool Screen::frame(double seconds) {
     settled_ = !busy_ && errors_.isDone();
 
     drawPictures(desk_, errors_, panes, area, theme_);
-    drawGizmos(desk_, panes, theme_);
     drawMagnifiers(desk_, panes, theme_);
     drawWidgets();
     drawMessages(area);

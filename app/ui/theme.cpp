@@ -76,6 +76,7 @@ Theme applyTheme(float em, bool presenter, const std::filesystem::path& fontFile
     style.ScrollbarSize = std::round(em * 0.9f);
     style.GrabMinSize = em;
     style.WindowBorderSize = 1;
+    style.WindowMinSize = {1, 1}; // every panel knows its place; the bar is lower than ImGui thinks a window can be
     setColors(presenter);
     return theme;
 }
