@@ -23,6 +23,14 @@ std::string failureOf(const Work& work) {
     return {};
 }
 
+/// The steps of the algorithm: what was done again to publish a stage is no further step.
+std::vector<StageKey> distinct(const std::vector<StageKey>& passes) {
+    std::vector<StageKey> once;
+    for (const StageKey& pass : passes)
+        if (std::ranges::find(once, pass) == once.end()) once.push_back(pass);
+    return once;
+}
+
 } // namespace
 
 const Values& PaneState::values() const {
@@ -113,14 +121,14 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     }
     if (frame.stopAfter &&
         !(request.state.technique == drawn_.technique && request.state.values() == drawn_.values() && !passes_.empty()))
-        passes_ = session.render(slot, request.view, {.deadline = work.deadline}).result.passes;
+        passes_ = distinct(session.render(slot, request.view, {.deadline = work.deadline}).result.passes);
     RenderedFrame rendered = session.render(slot, request.view, frame);
     converged_ = rendered.converged;
     progress_ = rendered.prepared;
     if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
     if (step) requirePassRan(rendered, *step, *slot.info);
     encode(session, encoder, request, slot, stage, rendered);
-    if (!frame.stopAfter) passes_ = rendered.result.passes;
+    if (!frame.stopAfter) passes_ = distinct(rendered.result.passes);
     // Times are taken now and then; between, the last ones stand.
     if (!work.timePasses && drawn_.technique == request.state.technique) {
         rendered.result.passMs = std::move(rendered_.result.passMs);

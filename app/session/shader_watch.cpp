@@ -30,7 +30,7 @@ bool ShaderWatch::changed() {
 }
 
 std::filesystem::file_time_type ShaderWatch::newest() const {
-    std::filesystem::file_time_type latest{};
+    auto latest = std::filesystem::file_time_type::min(); // zero is in the year 2174
     std::error_code failed;
     if (folder_.empty()) return latest;
     for (std::filesystem::recursive_directory_iterator file(folder_, failed), end; !failed && file != end;

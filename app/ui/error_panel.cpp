@@ -51,7 +51,7 @@ void chart(const Desk& desk, const session::LiveErrors& errors, const Theme& the
                 continue;
             }
             const ImVec2 at(high.x - static_cast<float>(age / kPlotSeconds) * width,
-                            high.y - static_cast<float>(*value / top) * (height - 2) - 1);
+                            high.y - static_cast<float>(*value / top) * (height - theme.em * 1.1f) - 1);
             if (joined) list.AddLine(before, at, paneColor(pane), 2);
             list.AddCircleFilled(at, 2, paneColor(pane));
             before = at;

@@ -36,7 +36,7 @@ bool place(Plate& plate, ivec2 corner, ivec2 size) {
     return true;
 }
 
-void drawBar(Plate plate, const session::PanePicture& picture, ivec2 corner, ivec2 size, const Theme& theme) {
+ImVec2 drawBar(Plate plate, const session::PanePicture& picture, ivec2 corner, ivec2 size, const Theme& theme) {
     const Display& display = picture.display;
     const std::string low = shortNumber(display.minimum), high = shortNumber(display.maximum);
     const float widest = std::max(4 * theme.em, static_cast<float>(size.x) - 2 * plate.pad);
@@ -44,7 +44,7 @@ void drawBar(Plate plate, const session::PanePicture& picture, ivec2 corner, ive
     const ImVec2 unit = theme.text->CalcTextSizeA(theme.em, FLT_MAX, width, display.unit.c_str());
     const float barHeight = theme.em * 0.7f, unitHeight = display.unit.empty() ? 0 : unit.y;
     plate.size = {std::max(width, unit.x) + 2 * plate.pad, unitHeight + barHeight + theme.em + 3 * plate.pad};
-    if (!place(plate, corner, size)) return;
+    if (!place(plate, corner, size)) return {};
     plate.draw();
     ImDrawList& list = plate.list;
     const ImVec2 at(plate.corner.x + plate.pad, plate.corner.y + plate.pad);
@@ -65,9 +65,10 @@ void drawBar(Plate plate, const session::PanePicture& picture, ivec2 corner, ive
         const auto share = static_cast<float>(-display.minimum / (display.maximum - display.minimum));
         list.AddText(theme.text, theme.em, {at.x + share * width - textWidth("0") / 2, below}, kPlateText, "0");
     }
+    return plate.size;
 }
 
-void drawKey(Plate plate, const std::vector<KeyEntry>& key, ivec2 corner, ivec2 size, const Theme& theme) {
+ImVec2 drawKey(Plate plate, const std::vector<KeyEntry>& key, ivec2 corner, ivec2 size, const Theme& theme) {
     const float swatch = theme.em * 0.9f, between = theme.em * 0.35f;
     const float widest = std::max(6 * theme.em, static_cast<float>(size.x) - swatch - 3 * plate.pad);
     plate.size = {0, plate.pad};
@@ -78,7 +79,7 @@ void drawKey(Plate plate, const std::vector<KeyEntry>& key, ivec2 corner, ivec2 
         plate.size.y += sizes.back().y + between;
     }
     plate.size.y += plate.pad - between;
-    if (!place(plate, corner, size)) return;
+    if (!place(plate, corner, size)) return {};
     plate.draw();
     float y = plate.corner.y + plate.pad;
     for (std::size_t i = 0; i < key.size(); ++i) {
@@ -88,18 +89,19 @@ void drawKey(Plate plate, const std::vector<KeyEntry>& key, ivec2 corner, ivec2 
                            nullptr, widest);
         y += sizes[i].y + between;
     }
+    return plate.size;
 }
 
 } // namespace
 
-void drawLegend(ImDrawList& list, const session::PanePicture& picture, bool always, ivec2 corner, ivec2 size,
-                const Theme& theme) {
-    if (!picture.texture && !always) return;
+ImVec2 drawLegend(ImDrawList& list, const session::PanePicture& picture, bool always, ivec2 corner, ivec2 size,
+                  const Theme& theme) {
+    if (!picture.texture && !always) return {};
     const Plate plate{list, {}, {}, theme.em * 0.5f};
     if (picture.kind == StageKind::scalar || picture.kind == StageKind::count)
-        drawBar(plate, picture, corner, size, theme);
-    else if (!picture.display.key.empty())
-        drawKey(plate, picture.display.key, corner, size, theme);
+        return drawBar(plate, picture, corner, size, theme);
+    if (!picture.display.key.empty()) return drawKey(plate, picture.display.key, corner, size, theme);
+    return {};
 }
 
 } // namespace shadowlab::ui

@@ -7,7 +7,8 @@
 namespace shadowlab::ui {
 
 /// Nothing for pictures that need no legend, or (but for `always`) have no texture, and where it would cover more than half of the area.
-void drawLegend(ImDrawList& list, const session::PanePicture& picture, bool always, ivec2 corner, ivec2 size,
-                const Theme& theme);
+/// Returns the size of the plate, in pixels.
+ImVec2 drawLegend(ImDrawList& list, const session::PanePicture& picture, bool always, ivec2 corner, ivec2 size,
+                  const Theme& theme);
 
 } // namespace shadowlab::ui

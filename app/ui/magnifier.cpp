@@ -16,13 +16,19 @@ constexpr float kShareOfPane = 0.42f, kLargestEm = 17;
 /// One glass over the pixel `middle` (counted from the upper left) of a pane's picture.
 void drawGlass(ImDrawList& list, const gl::Texture2D& texture, const ShownPane& pane, ivec2 middle,
                const Theme& theme) {
-    const float most = kShareOfPane * static_cast<float>(std::min(pane.area.size.x, pane.area.size.y));
-    const auto cell = static_cast<int>(std::min(most, kLargestEm * theme.em) / kPixelsAcross);
+    const float width = static_cast<float>(pane.area.size.x), height = static_cast<float>(pane.area.size.y);
+    const float edge = theme.em * 0.7f; // between the glass and what is around it
+    float most = std::min(kShareOfPane * std::min(width, height), kLargestEm * theme.em), lift = 0;
+    // Beside the legend, or above it where the pane is too narrow for both.
+    if (pane.legendSize.x + most + 3 * edge > width) {
+        lift = pane.legendSize.y;
+        most = std::min(most, height - lift - 5 * theme.em); // below a title of two lines
+    }
+    const auto cell = static_cast<int>(most / kPixelsAcross);
     if (cell < 2) return; // no room to enlarge anything
     const auto side = static_cast<float>(cell * kPixelsAcross);
     const ivec2 end = pane.area.corner + pane.area.size;
-    const ImVec2 low(static_cast<float>(end.x) - side - theme.em * 0.7f,
-                     static_cast<float>(end.y) - side - theme.em * 0.7f),
+    const ImVec2 low(static_cast<float>(end.x) - side - edge, static_cast<float>(end.y) - side - edge - lift),
         high(low.x + side, low.y + side);
 
     const ivec2 size = texture.size(), first = middle - kPixelsAcross / 2, last = first + kPixelsAcross;
@@ -51,8 +57,9 @@ void drawGlass(ImDrawList& list, const gl::Texture2D& texture, const ShownPane& 
     list.PopClipRect();
     const std::string label = "pixel " + std::to_string(middle.x) + ", " + std::to_string(middle.y);
     const ImVec2 extent = theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, label.c_str());
-    list.AddRectFilled({low.x - 3, low.y - 3 - extent.y}, {low.x + extent.x + 5, low.y - 3}, kPlateColor);
-    list.AddText(theme.text, theme.em, {low.x, low.y - 3 - extent.y}, kPlateText, label.c_str());
+    const float at = std::min(low.x, static_cast<float>(end.x) - extent.x - edge); // a small glass is narrower than it
+    list.AddRectFilled({at - 3, low.y - 3 - extent.y}, {at + extent.x + 5, low.y - 3}, kPlateColor);
+    list.AddText(theme.text, theme.em, {at, low.y - 3 - extent.y}, kPlateText, label.c_str());
 }
 
 } // namespace

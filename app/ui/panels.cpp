@@ -224,7 +224,7 @@ float topBarHeight(const Desk& desk, const Theme& theme, float width) {
 void topBar(Desk& desk, const Area& area, const Theme& theme) {
     const ImGuiStyle& style = ImGui::GetStyle();
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {style.WindowPadding.x, style.WindowPadding.y * 0.5f});
-    beginIn("bar", area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    beginIn("bar", area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar();
     sceneCombo(desk, theme);
     float x = 2 * style.WindowPadding.x + kSceneComboEm * theme.em;
@@ -240,7 +240,8 @@ void topBar(Desk& desk, const Area& area, const Theme& theme) {
 }
 
 void sidePanel(Desk& desk, const session::LiveErrors& errors, const Area& area, const Theme& theme) {
-    beginIn("settings", area);
+    // Tab goes from pane to pane, and not into a number, unless the settings were given the keyboard.
+    beginIn("settings", area, desk.panelHasKeys ? 0 : ImGuiWindowFlags_NoNav);
     if (desk.requests.focusPanel) ImGui::SetWindowFocus();
     const session::Document& document = desk.bench.document();
     if (document.layout != Layout::single) {
@@ -312,7 +313,7 @@ void stepPanel(Desk& desk, const Area& area, const Theme& theme) {
     const std::vector<StageKey>& passes = desk.bench.pane(document.active).passes();
     const scene::Scene& scene = *desk.bench.shownScene();
     const auto now = session::stepOf(state.stage, passes, scene, document.light);
-    beginIn("step", area);
+    beginIn("step", area, ImGuiWindowFlags_NoNav);
     if (!now) {
         ImGui::TextWrapped("This step does not run with these settings; PageDown goes to the first that does.");
         ImGui::End();

@@ -19,6 +19,7 @@ namespace {
 using session::Layout;
 
 constexpr double kBlinkSeconds = 0.6; ///< of each picture: slow enough to see it, quick enough that differences jump
+constexpr float kHalfSplitLine = 2;   ///< pixels
 constexpr float kLineGrip = 0.6f;     ///< em to either side of the split line that take hold of it
 constexpr double kOrbitDegrees = 200, kTurnHeadDegrees = 90; ///< for a drag over the whole height of the picture
 constexpr double kWheelFactor = 0.88;
@@ -36,6 +37,15 @@ std::string titleOf(const Desk& desk, int pane) {
     const session::PaneState& state = desk.bench.document().panes[static_cast<std::size_t>(pane)];
     const session::Pane& drawn = desk.bench.pane(pane);
     std::string title(findTechnique(state.technique).title);
+    // Of one technique twice, the settings say which is which.
+    const int others = session::shownPanes(desk.bench.document().layout);
+    bool twice = false;
+    for (int other = 0; other < others; ++other)
+        twice = twice || (other != pane &&
+                          desk.bench.document().panes[static_cast<std::size_t>(other)].technique == state.technique);
+    if (twice)
+        for (const auto& [param, value] : state.values())
+            title += "\n" + param + " = " + value;
     if (!drawn.picture().caption.empty() && !state.stage.empty()) title += "\n" + drawn.picture().caption;
     return title;
 }
@@ -87,8 +97,8 @@ void drawNote(ImDrawList& list, const ShownPane& shown, const std::string& note,
 }
 
 /// The verdicts on a stage that is judged in the background, or its ground as long as there are none.
-void drawJudged(ImDrawList& list, const session::JudgedPicture* judged, const session::Pane& pane,
-                const ShownPane& shown, const Theme& theme) {
+void drawJudged(ImDrawList& list, const session::JudgedPicture* judged, const session::Pane& pane, ShownPane& shown,
+                const Theme& theme) {
     if (!judged) {
         if (pane.picture().texture) drawWhole(list, pane.picture().texture, shown, true);
         drawNote(list, shown, "finding the exact answer ...", kPlateText, theme);
@@ -96,7 +106,7 @@ void drawJudged(ImDrawList& list, const session::JudgedPicture* judged, const se
     }
     if (judged->ground) drawWhole(list, judged->ground, shown, true);
     if (judged->verdicts) drawWhole(list, judged->verdicts, shown, false);
-    drawLegend(list, judged->legend, true, shown.area.corner, shown.area.size, theme);
+    shown.legendSize = drawLegend(list, judged->legend, true, shown.area.corner, shown.area.size, theme);
 }
 
 std::string noteOf(const Desk& desk, const session::Pane& pane) {
@@ -107,8 +117,7 @@ std::string noteOf(const Desk& desk, const session::Pane& pane) {
                : "";
 }
 
-void drawPane(ImDrawList& list, Desk& desk, const session::LiveErrors& errors, const ShownPane& shown,
-              const Theme& theme) {
+void drawPane(ImDrawList& list, Desk& desk, const session::LiveErrors& errors, ShownPane& shown, const Theme& theme) {
     const session::Pane& pane = desk.bench.pane(shown.pane);
     const session::Document& document = desk.bench.document();
     const ImVec2 low = imVec(shown.area.corner), high = imVec(shown.area.corner + shown.area.size);
@@ -130,9 +139,11 @@ void drawPane(ImDrawList& list, Desk& desk, const session::LiveErrors& errors, c
         legend = true;
     }
     drawGizmos(list, desk, shown, theme); // under the plates: a title has to be read, a handle can be moved
-    if (legend) drawLegend(list, pane.picture(), false, shown.area.corner, shown.area.size, theme);
+    if (legend) shown.legendSize = drawLegend(list, pane.picture(), false, shown.area.corner, shown.area.size, theme);
     const bool active = shown.pane == document.active && document.layout != Layout::single;
-    drawPlate(list, low, high.x - low.x, title, theme, active);
+    // Clear of the split line, half of which lies on the pane to its right.
+    const float beside = hasSplitLine(desk) && shown.area.corner.x > 0 ? kHalfSplitLine : 0;
+    drawPlate(list, {low.x + beside, low.y}, high.x - low.x - beside, title, theme, active);
     drawNote(list, shown, noteOf(desk, pane), pane.failure().empty() ? kPlateText : kAccent, theme);
     list.PopClipRect();
 }
@@ -141,8 +152,8 @@ void drawSplitLine(ImDrawList& list, const Desk& desk, const Area& area, const T
     const float x = splitLineX(desk, area), top = static_cast<float>(area.corner.y),
                 bottom = top + static_cast<float>(area.size.y), middle = (top + bottom) / 2;
     // A dark line and a light one: one of them is seen on any picture.
-    list.AddRectFilled({x - 2, top}, {x, bottom}, IM_COL32(16, 16, 18, 255));
-    list.AddRectFilled({x, top}, {x + 2, bottom}, kPlateText);
+    list.AddRectFilled({x - kHalfSplitLine, top}, {x, bottom}, IM_COL32(16, 16, 18, 255));
+    list.AddRectFilled({x, top}, {x + kHalfSplitLine, bottom}, kPlateText);
     const float r = theme.em * 0.55f;
     list.AddCircleFilled({x, middle}, r + 2, IM_COL32(16, 16, 18, 255));
     list.AddCircleFilled({x, middle}, r, kPlateText);
@@ -177,10 +188,10 @@ std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double sec
     return panes;
 }
 
-void drawPictures(Desk& desk, const session::LiveErrors& errors, const std::vector<ShownPane>& panes, const Area& area,
+void drawPictures(Desk& desk, const session::LiveErrors& errors, std::vector<ShownPane>& panes, const Area& area,
                   const Theme& theme) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    for (const ShownPane& pane : panes)
+    for (ShownPane& pane : panes)
         drawPane(list, desk, errors, pane, theme);
     for (const ShownPane& pane : panes) { // the lines between panes of the grid
         if (hasSplitLine(desk)) break;

@@ -22,13 +22,14 @@ struct ShownPane {
     Area area;            ///< what is seen of it
     ImVec2 pictureCorner; ///< of the whole picture, which may reach beyond the area
     ImVec2 pictureSize;
+    ImVec2 legendSize{0, 0}; ///< of the plate in its lower left corner, once it is drawn
 };
 
 /// The panes that are seen now: those of the layout, or of two that take turns the one whose turn it is.
 std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double seconds);
 
 /// Draws pictures, titles, legends and the split line, behind all widgets.
-void drawPictures(Desk& desk, const session::LiveErrors& errors, const std::vector<ShownPane>& panes, const Area& area,
+void drawPictures(Desk& desk, const session::LiveErrors& errors, std::vector<ShownPane>& panes, const Area& area,
                   const Theme& theme);
 
 /// Where the mouse went down, when it did since the last frame; else where it is.

@@ -15,6 +15,7 @@ namespace shadowlab::ui {
 
 namespace {
 
+constexpr int kMostFaults = 3;        ///< messages at a time; older ones give way
 constexpr double kBetweenTimes = 1.5; ///< seconds, while something moves
 
 float panelWidth(const Theme& theme, int windowWidth) {
@@ -78,9 +79,9 @@ bool Screen::frame(double seconds) {
     ran_ = runKeys(desk_);
 
     const Area area = pictureArea();
-    const std::vector<ShownPane> panes = panes_ = ui::shownPanes(desk_, area, clock_);
-    const bool held = handleGizmos(desk_, panes, theme_);
-    const bool moved = handleMouse(desk_, panes, area, theme_) || held;
+    panes_ = ui::shownPanes(desk_, area, clock_);
+    const bool held = handleGizmos(desk_, panes_, theme_);
+    const bool moved = handleMouse(desk_, panes_, area, theme_) || held;
     desk_.pressedAt.reset();
     desk_.bench.setMoving(moved);
     desk_.restSeconds = moved ? 0 : desk_.restSeconds + seconds;
@@ -101,8 +102,8 @@ bool Screen::frame(double seconds) {
     busy_ = drawn || moved || judged || small || !ran_.empty() || !desk_.bench.isAtRest();
     settled_ = !busy_ && errors_.isDone();
 
-    drawPictures(desk_, errors_, panes, area, theme_);
-    drawMagnifiers(desk_, panes, theme_);
+    drawPictures(desk_, errors_, panes_, area, theme_);
+    drawMagnifiers(desk_, panes_, theme_);
     drawWidgets();
     drawMessages(area);
     desk_.requests.focusPanel = false;
@@ -148,6 +149,9 @@ void Screen::drawWidgets() {
 void Screen::complain(const std::string& fault) {
     for (const Message& message : desk_.messages)
         if (message.text == fault) return;
+    // The picture has to be seen below them.
+    while (std::ranges::count_if(desk_.messages, &Message::fault) >= kMostFaults)
+        desk_.messages.erase(std::ranges::find_if(desk_.messages, &Message::fault));
     desk_.messages.push_back({fault, true, 0});
 }
 

@@ -9,6 +9,7 @@ waits by the clock: each step ends when a report shows what was asked for, or fa
 import json
 import os
 import queue
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -43,8 +44,8 @@ class Display:
 class Window:
     """The program's window, its reports, and hands for it."""
 
-    def __init__(self, program, display, folder, *arguments):
-        self.environment = {**os.environ, "DISPLAY": display.name, "XDG_CONFIG_HOME": folder}
+    def __init__(self, program, display, folder, *arguments, **environment):
+        self.environment = {**os.environ, "DISPLAY": display.name, "XDG_CONFIG_HOME": folder, **environment}
         self.environment.pop("WAYLAND_DISPLAY", None)
         self.started = time.monotonic()
         self.process = subprocess.Popen([program, "demo", "--report", *arguments], cwd=folder, env=self.environment,
@@ -256,6 +257,45 @@ def every_key(window, program):
     return len(tried) + 1
 
 
+def every_step(window):
+    """Forward through all steps of every technique, and out at the end; then Tab, which must not lead into the settings."""
+    w = window
+    lights = len(w.state["lights"])
+    for number in range(1, 7):
+        w.key(str(number), f"technique-{number}")
+        seen = []
+        while len(seen) < 40:
+            w.key("Next", "step-forward")
+            if not pane(w.state)["stage"]:
+                break
+            seen.append(pane(w.state)["stage"])
+        check(len(set(seen)) == len(seen), f"technique {number}: a step comes twice: {seen}")
+        check(2 <= len(seen) < 40 and seen[-1].startswith("pass:light@"), f"technique {number}: the steps are {seen}")
+        check(len([s for s in seen if s.startswith("pass:light@")]) == lights, f"technique {number}: not every light: {seen}")
+    for key, action in (("Tab", "next-pane"), ("1", "technique-1"), ("Tab", "next-pane"), ("1", "technique-1"), ("Tab", "next-pane")):
+        w.key(key, action)
+    check([p["technique"] for p in w.state["panes"][:2]] == ["unshadowed"] * 2, "Tab and a number did something else", w.state)
+    w.close()
+
+
+def shaders(window, folder):
+    """A saved shader is compiled at once; one that does not compile leaves the picture, and a message until it is mended."""
+    w = window
+    finished = w.state["picture"]
+    path = os.path.join(folder, "shaders", "light.glsl")
+    with open(path, encoding="utf-8") as file:
+        good = file.read()
+    for text, shown in ((good + "\nfloat oops = ;\n", lambda m: any("light.glsl" in one for one in m)),
+                        (good, lambda m: not any("light.glsl" in one for one in m))):
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        w.wait("what the window says of a saved shader", lambda s: shown(s["messages"]) and s["settled"], fresh=True)
+        check(not any(p["fault"] for p in w.state["panes"]), "a pane is broken", w.state)
+    w.wait("the message to go", lambda s: not s["messages"] and s["settled"])
+    check(w.state["picture"] == finished, "the mended shader draws another picture", w.state)
+    w.close()
+
+
 def mouse(window):
     """Orbit, pan, wheel, split line, a handle: each by dragging."""
     w = window
@@ -377,6 +417,12 @@ def main():
         mouse(window)
         window = Window(program, display, folder, *small)
         rough_days(window, folder)
+        window = Window(program, display, folder, *small)
+        window.hand("mousemove", *PLACE)
+        every_step(window)
+        sources = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "shaders")
+        copy = shutil.copytree(sources, os.path.join(folder, "shaders"))
+        shaders(Window(program, display, folder, *small, SHADOWLAB_SHADERS=copy), folder)
         print(f"{keys} keys, mouse and resizes: all as expected")
 
 
