@@ -16,8 +16,7 @@ namespace {
 
 const StageInfo kMeshEdges{"mesh-edges", "Edges where meshes are open, or no surface at all", StageKind::swatches,
                            false};
-const StageInfo kOutside{"outside", "Seen from outside: the eye, the light, and what lies between them",
-                         StageKind::swatches, true};
+const StageInfo kOutside{"outside", "Seen from outside: eye, light, and what is between", StageKind::swatches, true};
 
 /// Of techniques that publish their visibility.
 const StageInfo kDerived[] = {

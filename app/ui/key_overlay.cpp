@@ -35,86 +35,97 @@ std::vector<KeyRow> keyRows() {
     return rows;
 }
 
-constexpr float kKeysEm = 9.5f; ///< room for the longest name of keys
-constexpr std::size_t kMouseRows = 8;
+constexpr std::array<std::array<const char*, 2>, 6> kMouse = {{{"left", "orbits; drags handles and the split line"},
+                                                               {"Shift+left", "pans; lifts a handle"},
+                                                               {"middle", "pans"},
+                                                               {"right", "looks around; with W A S D E Q flies"},
+                                                               {"wheel", "nearer, farther"},
+                                                               {"drop", "a .json or .obj file: shows it"}}};
 
-constexpr std::size_t kHeadings = 12; ///< lines that the headings of the groups take
+constexpr float kKeysEm = 8.2f; ///< room for the longest name of keys
+constexpr float kColumnEm = 19; ///< width of a column at least: keys, and three or four words
+constexpr float kBetweenEm = 1; ///< columns
+constexpr float kRowEm = 0.35f; ///< between rows
+constexpr int kMostColumns = 4;
 
-/// How large the type can be so that the whole list is seen at once, and in how many columns.
-struct Fit {
-    float scale = 1;
-    int columns = 1;
+/// The list in one size of type: which rows begin a column, and how high the highest is.
+struct Layout {
+    float em = 0, columnWidth = 0, height = 0;
+    std::vector<std::size_t> begins;
 };
 
-Fit fitOf(std::size_t rows, const Theme& theme) {
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    Fit fit;
-    for (; fit.scale > 0.5f; fit.scale -= 0.05f) { // half of the size that is right for all else is the least
-        const float em = theme.em * fit.scale;
-        fit.columns = std::clamp(static_cast<int>(room.x / (26 * em)), 1, 3);
-        // A fifth of the rows takes two lines.
-        const float lines =
-            1.2f * static_cast<float>(rows + kMouseRows + kHeadings) / static_cast<float>(fit.columns) + 3;
-        if (lines * em * 1.3f < room.y) break;
+float rowHeight(const KeyRow& row, const Theme& theme, const Layout& layout) {
+    const float room = layout.columnWidth - kKeysEm * layout.em;
+    return theme.text->CalcTextSizeA(layout.em, FLT_MAX, room, row.help).y + kRowEm * layout.em;
+}
+
+/// A heading, with the space before it where it is not the first of its column.
+float headingHeight(const Layout& layout, bool first) { return (first ? 1.4f : 2.2f) * layout.em; }
+
+/// Fills one column after the other up to `most`, a heading always with its first row.
+Layout filled(const std::vector<KeyRow>& rows, const Theme& theme, Layout layout, float most) {
+    layout.begins = {0};
+    layout.height = 0;
+    float height = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool newGroup = i == 0 || rows[i].group != rows[i - 1].group;
+        const float row = rowHeight(rows[i], theme, layout);
+        float with = height + row + (newGroup ? headingHeight(layout, height == 0) : 0);
+        if (with > most && height > 0) {
+            layout.begins.push_back(i);
+            with = row + (newGroup ? headingHeight(layout, true) : 0);
+        }
+        height = with;
+        layout.height = std::max(layout.height, height);
     }
-    return fit;
+    return layout;
+}
+
+/// The largest type in which all of it is seen at once.
+Layout largestThatFits(const std::vector<KeyRow>& rows, const Theme& theme, ImVec2 room) {
+    Layout layout;
+    for (layout.em = theme.em; layout.em > 0.4f * theme.em; layout.em -= 0.5f)
+        for (int columns = 1; columns <= kMostColumns; ++columns) {
+            layout.columnWidth = room.x / static_cast<float>(columns) - kBetweenEm * layout.em;
+            if (layout.columnWidth < kColumnEm * layout.em && columns > 1) break;
+            layout = filled(rows, theme, layout, room.y);
+            if (layout.begins.size() <= static_cast<std::size_t>(columns) && layout.height <= room.y) return layout;
+        }
+    return layout; // a tiny window: what is below is cut off
 }
 
 } // namespace
 
 void keyOverlay(ivec2 windowSize, const Theme& theme) {
-    const float margin = theme.em;
-    ImGui::SetNextWindowPos({margin, margin});
-    ImGui::SetNextWindowSize(
-        {static_cast<float>(windowSize.x) - 2 * margin, static_cast<float>(windowSize.y) - 2 * margin});
+    ImGui::SetNextWindowPos({0, 0});
+    ImGui::SetNextWindowSize({static_cast<float>(windowSize.x), static_cast<float>(windowSize.y)});
     ImGui::SetNextWindowFocus();
-    ImGui::Begin("All keys", nullptr,
-                 ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
-    const std::vector<KeyRow> rows = keyRows();
-    const Fit fit = fitOf(rows.size(), theme);
-    ImGui::SetWindowFontScale(fit.scale);
-    const float keysWidth = theme.em * kKeysEm * fit.scale;
-    const int columns = fit.columns;
-    // Columns of about equal length; the mouse stands below the keys of the last.
-    const std::size_t perColumn = (rows.size() + kMouseRows + kHeadings) / static_cast<std::size_t>(columns) + 1;
-    if (ImGui::BeginTable("keys", columns)) {
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        std::size_t lines = 0;
-        std::string_view group;
-        for (const KeyRow& row : rows) {
-            const bool newGroup = row.group != group;
-            if (lines >= perColumn) {
-                ImGui::TableNextColumn();
-                lines = 0;
-            }
-            if (newGroup && lines > 0) ImGui::Spacing();
-            if (newGroup) {
-                ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", std::string(row.group).c_str());
-                lines += 2;
-            }
-            group = row.group;
-            ImGui::TextUnformatted(row.keys.c_str());
-            ImGui::SameLine(keysWidth);
-            ImGui::TextWrapped("%s", row.help);
-            ++lines;
+    ImGui::Begin("keys", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav);
+    std::vector<KeyRow> rows = keyRows();
+    for (const auto& [what, does] : kMouse)
+        rows.push_back({"Mouse", what, does});
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const Layout layout = largestThatFits(rows, theme, room);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto text = [&](float x, float y, ImU32 color, const std::string& words, float width = 0) {
+        list.AddText(theme.text, layout.em, {x, y}, color, words.c_str(), nullptr, width);
+    };
+    const ImU32 plain = ImGui::GetColorU32(ImGuiCol_Text);
+    float x = corner.x, y = corner.y;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const bool top = std::ranges::find(layout.begins, i) != layout.begins.end();
+        if (top && i > 0) x += layout.columnWidth + kBetweenEm * layout.em;
+        if (top) y = corner.y;
+        if (i == 0 || rows[i].group != rows[i - 1].group) {
+            y += headingHeight(layout, top);
+            text(x, y - 1.3f * layout.em, kAccent, std::string(rows[i].group));
         }
-        ImGui::Spacing();
-        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "Mouse");
-        constexpr std::array<std::array<const char*, 2>, 6> kMouse = {
-            {{"left", "orbits; drags handles and the split line"},
-             {"Shift+left", "pans; lifts a handle"},
-             {"middle", "pans"},
-             {"right", "looks around; with W A S D E Q flies"},
-             {"wheel", "nearer, farther"},
-             {"drop", "a .json or .obj file: shows it"}}};
-        for (const auto& [what, does] : kMouse) {
-            ImGui::TextUnformatted(what);
-            ImGui::SameLine(keysWidth);
-            ImGui::TextWrapped("%s", does);
-        }
-        ImGui::EndTable();
+        text(x, y, plain, rows[i].keys);
+        text(x + kKeysEm * layout.em, y, plain, rows[i].help, layout.columnWidth - kKeysEm * layout.em);
+        y += rowHeight(rows[i], theme, layout);
     }
     ImGui::End();
 }

@@ -12,7 +12,9 @@ namespace shadowlab::ui {
 namespace {
 
 constexpr float kLargestShare = 0.5f; ///< of the area that a legend may cover
-constexpr int kBarSteps = 64;         ///< colours of a bar: finer than the eye tells apart
+// In panes lower than this the type is a little smaller: less of the picture is covered, and it can still be read.
+constexpr float kLowPaneEm = 26, kSmaller = 0.82f;
+constexpr int kBarSteps = 64; ///< colours of a bar: finer than the eye tells apart
 
 std::string shortNumber(double value) {
     char text[32];
@@ -36,19 +38,20 @@ bool place(Plate& plate, ivec2 corner, ivec2 size) {
     return true;
 }
 
-ImVec2 drawBar(Plate plate, const session::PanePicture& picture, ivec2 corner, ivec2 size, const Theme& theme) {
+ImVec2 drawBar(Plate plate, const session::PanePicture& picture, ivec2 corner, ivec2 size, const Theme& theme,
+               float em) {
     const Display& display = picture.display;
     const std::string low = shortNumber(display.minimum), high = shortNumber(display.maximum);
-    const float widest = std::max(4 * theme.em, static_cast<float>(size.x) - 2 * plate.pad);
-    const float width = std::min(14 * theme.em, widest);
-    const ImVec2 unit = theme.text->CalcTextSizeA(theme.em, FLT_MAX, width, display.unit.c_str());
-    const float barHeight = theme.em * 0.7f, unitHeight = display.unit.empty() ? 0 : unit.y;
-    plate.size = {std::max(width, unit.x) + 2 * plate.pad, unitHeight + barHeight + theme.em + 3 * plate.pad};
+    const float widest = std::max(4 * em, static_cast<float>(size.x) - 2 * plate.pad);
+    const float width = std::min(14 * em, widest);
+    const ImVec2 unit = theme.text->CalcTextSizeA(em, FLT_MAX, width, display.unit.c_str());
+    const float barHeight = em * 0.7f, unitHeight = display.unit.empty() ? 0 : unit.y;
+    plate.size = {std::max(width, unit.x) + 2 * plate.pad, unitHeight + barHeight + em + 3 * plate.pad};
     if (!place(plate, corner, size)) return {};
     plate.draw();
     ImDrawList& list = plate.list;
     const ImVec2 at(plate.corner.x + plate.pad, plate.corner.y + plate.pad);
-    if (!display.unit.empty()) list.AddText(theme.text, theme.em, at, kPlateText, display.unit.c_str(), nullptr, width);
+    if (!display.unit.empty()) list.AddText(theme.text, em, at, kPlateText, display.unit.c_str(), nullptr, width);
     const float top = at.y + unitHeight + plate.pad / 2, step = width / kBarSteps;
     const look::Palette& palette = picture.kind == StageKind::count ? look::diverging() : look::viridis();
     for (int i = 0; i < kBarSteps; ++i)
@@ -57,24 +60,24 @@ ImVec2 drawBar(Plate plate, const session::PanePicture& picture, ivec2 corner, i
                            shownColor(look::colorAt(palette, (i + 0.5) / kBarSteps)));
     const float below = top + barHeight + plate.pad / 4;
     const auto textWidth = [&](const std::string& text) {
-        return theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, text.c_str()).x;
+        return theme.text->CalcTextSizeA(em, FLT_MAX, 0, text.c_str()).x;
     };
-    list.AddText(theme.text, theme.em, {at.x, below}, kPlateText, low.c_str());
-    list.AddText(theme.text, theme.em, {at.x + width - textWidth(high), below}, kPlateText, high.c_str());
+    list.AddText(theme.text, em, {at.x, below}, kPlateText, low.c_str());
+    list.AddText(theme.text, em, {at.x + width - textWidth(high), below}, kPlateText, high.c_str());
     if (picture.kind == StageKind::count && display.minimum < 0 && display.maximum > 0) {
         const auto share = static_cast<float>(-display.minimum / (display.maximum - display.minimum));
-        list.AddText(theme.text, theme.em, {at.x + share * width - textWidth("0") / 2, below}, kPlateText, "0");
+        list.AddText(theme.text, em, {at.x + share * width - textWidth("0") / 2, below}, kPlateText, "0");
     }
     return plate.size;
 }
 
-ImVec2 drawKey(Plate plate, const std::vector<KeyEntry>& key, ivec2 corner, ivec2 size, const Theme& theme) {
-    const float swatch = theme.em * 0.9f, between = theme.em * 0.35f;
-    const float widest = std::max(6 * theme.em, static_cast<float>(size.x) - swatch - 3 * plate.pad);
+ImVec2 drawKey(Plate plate, const std::vector<KeyEntry>& key, ivec2 corner, ivec2 size, const Theme& theme, float em) {
+    const float swatch = em * 0.9f, between = em * 0.35f;
+    const float widest = std::max(6 * em, static_cast<float>(size.x) - swatch - 3 * plate.pad);
     plate.size = {0, plate.pad};
     std::vector<ImVec2> sizes;
     for (const KeyEntry& entry : key) {
-        sizes.push_back(theme.text->CalcTextSizeA(theme.em, FLT_MAX, widest, entry.label.c_str()));
+        sizes.push_back(theme.text->CalcTextSizeA(em, FLT_MAX, widest, entry.label.c_str()));
         plate.size.x = std::max(plate.size.x, sizes.back().x + swatch + 3 * plate.pad);
         plate.size.y += sizes.back().y + between;
     }
@@ -83,10 +86,10 @@ ImVec2 drawKey(Plate plate, const std::vector<KeyEntry>& key, ivec2 corner, ivec
     plate.draw();
     float y = plate.corner.y + plate.pad;
     for (std::size_t i = 0; i < key.size(); ++i) {
-        const ImVec2 at(plate.corner.x + plate.pad, y + (theme.em - swatch) / 2);
+        const ImVec2 at(plate.corner.x + plate.pad, y + (em - swatch) / 2);
         plate.list.AddRectFilled(at, {at.x + swatch, at.y + swatch}, shownColor(key[i].colorLinear));
-        plate.list.AddText(theme.text, theme.em, {at.x + swatch + plate.pad, y}, kPlateText, key[i].label.c_str(),
-                           nullptr, widest);
+        plate.list.AddText(theme.text, em, {at.x + swatch + plate.pad, y}, kPlateText, key[i].label.c_str(), nullptr,
+                           widest);
         y += sizes[i].y + between;
     }
     return plate.size;
@@ -97,10 +100,11 @@ ImVec2 drawKey(Plate plate, const std::vector<KeyEntry>& key, ivec2 corner, ivec
 ImVec2 drawLegend(ImDrawList& list, const session::PanePicture& picture, bool always, ivec2 corner, ivec2 size,
                   const Theme& theme) {
     if (!picture.texture && !always) return {};
-    const Plate plate{list, {}, {}, theme.em * 0.5f};
+    const float em = static_cast<float>(size.y) < kLowPaneEm * theme.em ? std::round(kSmaller * theme.em) : theme.em;
+    const Plate plate{list, {}, {}, em * 0.5f};
     if (picture.kind == StageKind::scalar || picture.kind == StageKind::count)
-        return drawBar(plate, picture, corner, size, theme);
-    if (!picture.display.key.empty()) return drawKey(plate, picture.display.key, corner, size, theme);
+        return drawBar(plate, picture, corner, size, theme, em);
+    if (!picture.display.key.empty()) return drawKey(plate, picture.display.key, corner, size, theme, em);
     return {};
 }
 
