@@ -86,10 +86,12 @@ const Stage* Pane::visibility(int light) const {
 
 bool Pane::update(Session& session, const PictureEncoder& encoder, const PaneRequest& request, const PaneWork& work) {
     const bool answered = !work.visibility || visibility(request.light) || !failure_.empty();
-    if (request == drawnFor_ && answered && (converged_ || !failure_.empty())) return false;
+    const bool timed = !work.timePasses || timed_ || !failure_.empty();
+    if (request == drawnFor_ && answered && timed && (converged_ || !failure_.empty())) return false;
     // Asked for before the work: what failed is not tried again until something changes.
     const bool sizeChanged = request.view.size != drawnFor_.view.size;
     drawnFor_ = request;
+    timed_ = work.timePasses;
     failure_ = failureOf([&] { draw(session, encoder, request, work); });
     if (!failure_.empty() && sizeChanged) picture_ = {}; // stretched to another size it would be no picture of anything
     return true;

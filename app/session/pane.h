@@ -97,7 +97,7 @@ private:
     PaneState drawn_; ///< of the picture
     std::string failure_;
     double progress_ = 1;
-    bool converged_ = true;
+    bool converged_ = true, timed_ = false;
 };
 
 /// Is that a stage that has to be judged first: `truth`, `error`, `scanline`?

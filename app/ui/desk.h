@@ -69,9 +69,6 @@ struct Desk {
     std::optional<dvec2> pressedAt;
     dvec2 heldAt{0.0};
 
-    /// Seconds since it last moved, by hand or by itself.
-    double restSeconds = 0;
-
     explicit Desk(session::Document document) : bench(std::move(document)) {}
 };
 

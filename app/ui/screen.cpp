@@ -15,8 +15,9 @@ namespace shadowlab::ui {
 
 namespace {
 
-constexpr int kMostFaults = 3;        ///< messages at a time; older ones give way
-constexpr double kBetweenTimes = 1.5; ///< seconds, while something moves
+constexpr int kMostFaults = 3;            ///< messages at a time; older ones give way
+constexpr double kBetweenTimes = 1.5;     ///< seconds, while something moves
+constexpr double kRestBeforeTimes = 0.25; ///< seconds; the judge's own look at what is new comes first, and is timed
 
 float panelWidth(const Theme& theme, int windowWidth) {
     return std::round(std::min(theme.em * 23, static_cast<float>(windowWidth) * 0.36f));
@@ -84,18 +85,20 @@ bool Screen::frame(double seconds) {
     const bool moved = handleMouse(desk_, panes_, area, theme_) || held;
     desk_.pressedAt.reset();
     desk_.bench.setMoving(moved);
-    desk_.restSeconds = moved ? 0 : desk_.restSeconds + seconds;
     desk_.bench.allowDraft(desk_.shown.coarse);
     desk_.bench.drawWhole(desk_.shown.magnifier || desk_.shown.blink);
     desk_.bench.advance(seconds);
     const bool asked = errors_.ask(desk_.bench, area.size, clock_);
-    // A clock around every pass keeps the driver from doing two things at once: not in every frame of a motion, and not in
-    // one that has more to draw than others.
+    // A clock around every pass keeps the driver from doing two things at once. So what is new is drawn without it, and
+    // again with it when all is at rest; and while something moves, now and then a frame that has no more to draw than
+    // others.
     const bool atRest = !moved && !desk_.bench.animation().playing;
-    const bool timed = atRest || (clock_ - timed_ >= kBetweenTimes && !asked);
+    const bool timed = !desk_.live || (atRest ? asked || clock_ - drawn_ >= kRestBeforeTimes
+                                              : clock_ - timed_ >= kBetweenTimes && !asked);
     if (timed) timed_ = clock_;
     desk_.bench.setTimePasses(timed);
     const bool drawn = desk_.bench.update(area.size, std::chrono::steady_clock::now() + patience_);
+    if (drawn && !timed) drawn_ = clock_;
     const bool judged = errors_.update(desk_.bench, area.size, clock_);
     if (!errors_.failure().empty()) complain("errors cannot be found: " + errors_.failure());
     const bool small = updateStrip();

@@ -78,8 +78,8 @@ private:
     gl::Framebuffer framebuffer_;
     ivec2 size_{0};
     std::vector<std::string> ran_;
-    std::vector<ShownPane> panes_; ///< of the last frame
-    double clock_ = 0, timed_ = 0;
+    std::vector<ShownPane> panes_;             ///< of the last frame
+    double clock_ = 0, timed_ = 0, drawn_ = 0; ///< seconds: now, and of the last frames with and without times
     // Hands wait a tenth of a second at most; what else belongs to a frame takes its part of it.
     std::chrono::milliseconds patience_{60};
     bool settled_ = false, busy_ = true;
