@@ -1,12 +1,13 @@
-// The techniques of this folder: the two ways to count the faces of a shadow volume.
+// The techniques of this folder: the two ways to count the faces of a shadow volume, and the choice between them.
 // SPDX-License-Identifier: MIT
+#include "techniques/shadow_volume/automatic.h"
 #include "techniques/shadow_volume/zfail.h"
 #include "techniques/shadow_volume/zpass.h"
 
 namespace shadowlab::shadow_volume {
 
 std::span<const TechniqueInfo> techniques() {
-    static const TechniqueInfo info[] = {zpassInfo(), zfailInfo()};
+    static const TechniqueInfo info[] = {zpassInfo(), zfailInfo(), automaticInfo()};
     return info;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_volume/volume_technique.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/shadow_volume/eye_line.h"
 #include "techniques/shadow_volume/shapes.h"
 
 namespace shadowlab::shadow_volume {
@@ -15,8 +17,11 @@ params::ParamList VolumeTechnique::sharedParams() {
         params::boolean("cull", params_.cull,
                         "Skip what is out of view, and volumes that cannot reach it or in which nothing lies; the "
                         "picture is the same."),
-        params::boolean("wrap", params_.wrap,
-                        "Let the stencil wrap around; false: it sticks at 0 and 255, and counts get lost (teaching)."),
+        params::boolean("wrap", params_.stencil.wrap,
+                        "Let the stencil wrap around; false: it sticks at its ends, and counts get lost (teaching)."),
+        params::integer(
+            "stencil-bits", params_.stencil.bits, 1, 8, "bits",
+            "Bits of the stencil that count: of n bits, 2^n volumes around a point look like none (teaching)."),
     };
 }
 
@@ -56,18 +61,28 @@ void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
     const std::vector<CasterVolume>& casters = casters_.upload(frame.snapshot(), light);
     const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
     drawn_.clear();
+    startCount_ = 0;
     for (const CasterVolume& caster : casters) {
-        if (!params_.cull)
-            drawn_.push_back({.caster = &caster});
-        else if (const VolumeInView seen = volumeInView(caster, source, frame.eye()); seen.any && counts(caster))
-            drawn_.push_back(seen);
+        const Way way = wayOf(frame, caster, light);
+        VolumeInView seen{.caster = &caster};
+        if (params_.cull) {
+            seen = volumeInView(caster, source, frame.eye());
+            // What shadows nothing may be left out, but from the textbook's depth pass: the eye may be in that volume.
+            const bool countsAnyway = way == Way::pass && !passRule().corrected;
+            if (!seen.any || (!caster.useful && !countsAnyway)) continue;
+        }
+        drawn_.push_back({seen, way});
+        if (way == Way::pass && passRule().corrected)
+            startCount_ += eyeCount(frame.scene(), caster, source, frame.camera().positionWorld);
     }
     frame.count("volumes", static_cast<double>(drawn_.size()), static_cast<double>(casters.size()), "casters");
+    const auto passing = std::ranges::count(drawn_, Way::pass, &CountedVolume::way);
+    frame.count("depth-pass", static_cast<double>(passing), static_cast<double>(drawn_.size()), "volumes");
 }
 
 void VolumeTechnique::clearAndCount(Frame& frame, int light) {
     frame.pass(
-        passInfo(counting_.passes, "clear-stencil"), [] { glClear(GL_STENCIL_BUFFER_BIT); }, light);
+        passInfo(counting_.passes, "clear-stencil"), [&] { clearStencil(); }, light);
     if (params_.twoSided) {
         count(frame, counting_.both, light);
         return;
@@ -83,29 +98,27 @@ void VolumeTechnique::count(Frame& frame, const CountPass& pass, int light) {
             frame.target().withoutColor.bind();
             glDepthMask(GL_FALSE);
             glEnable(GL_STENCIL_TEST);
-            glStencilFunc(GL_ALWAYS, 0, 0xff);
-            setCountState();
             if (pass.culled != GL_NONE) {
                 glEnable(GL_CULL_FACE);
                 glCullFace(pass.culled);
             }
-            drawFaces(frame, light);
+            counter_.countPassing(frame, light, drawn_, passRule(), params_.stencil);
+            counter_.countFailing(frame, light, drawn_, failRule(), params_.stencil);
         },
         light);
 }
 
-void VolumeTechnique::drawSides(const Frame& frame, const CasterVolume& caster, int light) const {
-    setExtrusion(extrude_, frame, caster, light);
-    setFrontFace(frame.scene().objects[caster.object], false);
-    caster.buffers->drawSides();
+void VolumeTechnique::clearStencil() const {
+    glClearStencil(startCount_);
+    glClear(GL_STENCIL_BUFFER_BIT);
 }
 
 void VolumeTechnique::drawLit(Frame& frame, const gl::Program& program, int light) const {
     program.use();
     gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
-    gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [](const scene::Object& object) {
-        glStencilFunc(object.receivesShadow ? GL_EQUAL : GL_ALWAYS, 0,
-                      0xff); // what receives no shadow ignores the count
+    gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
+        // What receives no shadow ignores the count.
+        glStencilFunc(object.receivesShadow ? GL_EQUAL : GL_ALWAYS, 0, params_.stencil.mask());
         return true;
     });
 }
@@ -129,7 +142,7 @@ void VolumeTechnique::publishVisibility(Frame& frame, int light) {
 void VolumeTechnique::publishStencilStages(Frame& frame, int light) {
     if (frame.wants(counting_.stageAfterFirst, light)) {
         frame.pass(
-            passInfo(counting_.passes, "clear-stencil"), [] { glClear(GL_STENCIL_BUFFER_BIT); }, light);
+            passInfo(counting_.passes, "clear-stencil"), [&] { clearStencil(); }, light);
         count(frame, counting_.first, light);
         pictures_.publishCount(frame, counting_.stageAfterFirst, light, false);
     }
@@ -155,7 +168,7 @@ std::vector<const CasterVolume*> VolumeTechnique::usefulCasters(int light) const
 }
 
 std::vector<SceneShape> VolumeTechnique::shapes(const scene::Snapshot& snapshot, const View& view, int light) {
-    return volumeShapes(*snapshot, view, light, usefulCasters(light), hasCaps());
+    return volumeShapes(*snapshot, view, light, usefulCasters(light), failRule().caps && showsCaps());
 }
 
 Probe VolumeTechnique::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {

@@ -6,6 +6,7 @@
 #pragma once
 #include "techniques/frame.h"
 #include "techniques/shadow_volume/casters.h"
+#include "techniques/shadow_volume/face_counter.h"
 #include "techniques/shadow_volume/stage_pictures.h"
 
 namespace shadowlab::shadow_volume {
@@ -26,7 +27,7 @@ struct Counting {
 struct VolumeParams {
     bool twoSided = true;
     bool cull = true;
-    bool wrap = true;
+    StencilRule stencil;
 };
 
 class VolumeTechnique : public Technique {
@@ -40,26 +41,20 @@ public:
 protected:
     explicit VolumeTechnique(const Counting& counting) : counting_(counting) {}
 
-    /// The state in which a face that is drawn counts, up or down by the side it turns to the viewer.
-    virtual void setCountState() const = 0;
-    /// Draws the faces of all volumes that can change a pixel.
-    virtual void drawFaces(const Frame& frame, int light) const = 0;
-    /// Of the volumes that reach the view: does this one count?
-    virtual bool counts(const CasterVolume&) const { return true; }
-    /// Are the caps part of what is drawn?
-    [[nodiscard]] virtual bool hasCaps() const = 0;
+    /// How a caster's volume is counted.
+    [[nodiscard]] virtual Way wayOf(const Frame& frame, const CasterVolume& caster, int light) const = 0;
+    [[nodiscard]] virtual PassRule passRule() const { return {}; }
+    [[nodiscard]] virtual FailRule failRule() const { return {}; }
+    /// Are caps part of what it draws?
+    [[nodiscard]] virtual bool showsCaps() const { return true; }
 
     params::ParamList sharedParams();
-    void drawSides(const Frame& frame, const CasterVolume& caster, int light) const;
-    [[nodiscard]] std::span<const VolumeInView> drawn() const { return drawn_; }
-    [[nodiscard]] const VolumeParams& volumeParams() const { return params_; }
-
-    gl::Program extrude_{"shadow_volume/extrude.vert", "nothing.frag"};
 
 private:
     [[nodiscard]] std::vector<const CasterVolume*> usefulCasters(int light) const;
     void chooseVolumes(Frame& frame, int light);
     void clearAndCount(Frame& frame, int light);
+    void clearStencil() const;
     void count(Frame& frame, const CountPass& pass, int light);
     void drawLit(Frame& frame, const gl::Program& program, int light) const;
     void publishVisibility(Frame& frame, int light);
@@ -69,7 +64,9 @@ private:
     const Counting counting_;
     VolumeParams params_;
     Casters casters_;
-    std::vector<VolumeInView> drawn_; ///< volumes of the current light that can change a pixel
+    std::vector<CountedVolume> drawn_; ///< volumes of the current light that can change a pixel
+    int startCount_ = 0;               ///< of the stencil: how many of those counted with depth pass the eye is in
+    FaceCounter counter_;
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program shade_{"surface.vert", "shade_light.frag"};
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};

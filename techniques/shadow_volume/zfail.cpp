@@ -57,37 +57,6 @@ params::ParamList ZFail::params() {
     return list;
 }
 
-void ZFail::setCountState() const {
-    glDepthFunc(params_.depthTest == ZFailParams::DepthTest::less ? GL_LESS : GL_LEQUAL);
-    const bool wrap = volumeParams().wrap;
-    glStencilOpSeparate(GL_BACK, GL_KEEP, wrap ? GL_INCR_WRAP : GL_INCR, GL_KEEP);
-    glStencilOpSeparate(GL_FRONT, GL_KEEP, wrap ? GL_DECR_WRAP : GL_DECR, GL_KEEP);
-}
-
-void ZFail::drawFaces(const Frame& frame, int light) const {
-    // Sides and bottom caps may reach infinity: nothing may clip them there, so their depth is clamped.
-    glEnable(GL_DEPTH_CLAMP);
-    extrude_.use();
-    for (const VolumeInView& volume : drawn()) {
-        drawSides(frame, *volume.caster, light);
-        if (params_.caps && volume.bottomCap) volume.caster->buffers->drawBottomCap();
-    }
-    // Top caps lie on the casters' surfaces and must get the very depths the surfaces got: same vertices, same order,
-    // same program text, and no clamp, because the surfaces themselves were clipped at the near plane.
-    glDisable(GL_DEPTH_CLAMP);
-    if (!params_.caps) return;
-    cap_.use();
-    for (const VolumeInView& volume : drawn()) {
-        if (!volume.topCap) continue;
-        const scene::Object& object = frame.scene().objects[volume.caster->object];
-        cap_.set("clipFromMesh", mat4(frame.eye().clipFromMesh(object)));
-        setFrontFace(object, false);
-        volume.caster->buffers->drawTopCap();
-        setFrontFace(object, true);
-        volume.caster->buffers->drawTopCapReversed();
-    }
-}
-
 TechniqueInfo zfailInfo() {
     using enum scene::LightType;
     return {

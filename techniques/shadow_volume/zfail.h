@@ -20,13 +20,12 @@ public:
     params::ParamList params() override;
 
 private:
-    void setCountState() const override;
-    void drawFaces(const Frame& frame, int light) const override;
-    [[nodiscard]] bool hasCaps() const override { return params_.caps; }
-    bool counts(const CasterVolume& caster) const override { return caster.useful; }
+    [[nodiscard]] Way wayOf(const Frame&, const CasterVolume&, int) const override { return Way::fail; }
+    [[nodiscard]] FailRule failRule() const override {
+        return {.caps = params_.caps, .lessOrEqual = params_.depthTest == ZFailParams::DepthTest::lequal};
+    }
 
     ZFailParams params_;
-    gl::Program cap_{"position.vert", "nothing.frag"};
 };
 
 TechniqueInfo zfailInfo();

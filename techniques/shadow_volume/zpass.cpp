@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_volume/zpass.h"
 
+#include "techniques/shadow_volume/eye_line.h"
+
 namespace shadowlab::shadow_volume {
 
 namespace {
@@ -49,27 +51,27 @@ ZPass::ZPass()
                        .second = {"volumes-back", GL_FRONT},
                        .stageAfterFirst = "stencil-front"}) {}
 
+params::ParamList ZPass::params() {
+    params::ParamList list = sharedParams();
+    list.push_back(
+        params::boolean("eye-correction", params_.eyeCorrection,
+                        "Start with the number of volumes the eye is in, count what the near plane cuts off, and where "
+                        "the eye sees a side "
+                        "edge-on count that volume with depth fail; false: the textbook, wrong for an eye in shadow."));
+    return list;
+}
+
 Progress ZPass::render(Frame& frame) {
     // Moved out to the nearest surface, as it is for others, the near plane would cut far more volumes.
-    frame.useNearPlaneOfView();
+    if (!params_.eyeCorrection) frame.useNearPlaneOfView();
     return VolumeTechnique::render(frame);
 }
 
-void ZPass::setCountState() const {
-    const bool wrap = volumeParams().wrap;
-    glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, wrap ? GL_INCR_WRAP : GL_INCR);
-    glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, wrap ? GL_DECR_WRAP : GL_DECR);
-}
-
-void ZPass::drawFaces(const Frame& frame, int light) const {
-    extrude_.use();
-    const dvec4 eyeWorld(frame.camera().positionWorld, 1.0);
-    for (const VolumeInView& volume : drawn()) {
-        const CasterVolume& caster = *volume.caster;
-        drawSides(frame, caster, light);
-        // From beyond its end one looks into a volume through the bottom.
-        if (caster.endWorld && glm::dot(*caster.endWorld, eyeWorld) > 0) caster.buffers->drawBottomCap();
-    }
+Way ZPass::wayOf(const Frame& frame, const CasterVolume& caster, int light) const {
+    const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
+    const bool unsure =
+        params_.eyeCorrection && eyeLineGrazes(frame.scene(), caster, source, frame.camera().positionWorld);
+    return unsure ? Way::fail : Way::pass;
 }
 
 std::string ZPass::remark(const scene::MeshReport& report) const {

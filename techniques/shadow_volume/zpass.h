@@ -11,17 +11,23 @@
 
 namespace shadowlab::shadow_volume {
 
+struct ZPassParams {
+    bool eyeCorrection = false;
+};
+
 class ZPass final : public VolumeTechnique {
 public:
     ZPass();
-    params::ParamList params() override { return sharedParams(); }
+    params::ParamList params() override;
     Progress render(Frame& frame) override;
     std::string remark(const scene::MeshReport& report) const override;
 
 private:
-    void setCountState() const override;
-    void drawFaces(const Frame& frame, int light) const override;
-    [[nodiscard]] bool hasCaps() const override { return false; }
+    [[nodiscard]] Way wayOf(const Frame& frame, const CasterVolume& caster, int light) const override;
+    [[nodiscard]] PassRule passRule() const override { return {.corrected = params_.eyeCorrection}; }
+    [[nodiscard]] bool showsCaps() const override { return false; }
+
+    ZPassParams params_;
 };
 
 TechniqueInfo zpassInfo();

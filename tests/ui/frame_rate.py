@@ -14,7 +14,7 @@ import Xlib.display
 from Xlib import X, XK
 from Xlib.ext import xtest
 
-from drive_window import Display, Window
+from window_driver import Display, Window
 
 SECONDS = 8  # of each measurement
 
@@ -58,11 +58,11 @@ def main():
         keyboard = Keyboard(display.name)
         for what in ("first", "second"):  # the first time a technique's shaders are compiled, and what it needs is built
             switches = []
-            for key in "123456":
+            for key in "1234567":
                 switches.append(milliseconds(window, lambda: keyboard.press(key), f"technique {key}",
                                              lambda s: f"technique-{key}" in s["ran"]))
                 window.wait("rest", lambda s: s["settled"])
-            print(f"{what} switch to techniques 1 to 6  " + ", ".join(f"{ms:.0f}" for ms in switches) + " ms")
+            print(f"{what} switch to techniques 1 to 7  " + ", ".join(f"{ms:.0f}" for ms in switches) + " ms")
         window.hand("key", "3")
         window.wait("rest", lambda s: s["settled"])
         window.hand("key", "c")
