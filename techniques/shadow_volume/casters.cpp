@@ -9,63 +9,103 @@
 
 namespace shadowlab::shadow_volume {
 
-bool Casters::buildNext(const scene::Snapshot& snapshot) {
-    if (snapshot_ != snapshot) {
-        const bool sameMeshes = snapshot_ && snapshot_->revisions.geometry == snapshot->revisions.geometry;
-        const bool sameVolumes = sameMeshes && snapshot_->revisions.transforms == snapshot->revisions.transforms &&
-                                 snapshot_->revisions.lights == snapshot->revisions.lights;
-        if (!sameVolumes) perLight_.clear();
-        if (!sameMeshes) meshes_.clear();
-        snapshot_ = snapshot;
-    }
-    if (perLight_.size() == snapshot->lights.size()) return true;
-
-    const scene::Light& light = snapshot->lights[perLight_.size()];
-    scene::Bounds sceneBounds;
-    for (const scene::Bounds& bounds : scene::objectBounds(*snapshot))
-        sceneBounds.include(bounds);
-    const std::vector<std::size_t> useful = scene::usefulCasters(*snapshot, light);
-    std::vector<CasterVolume> casters;
-    for (const std::size_t o : scene::allCasters(*snapshot)) {
-        const scene::Object& object = snapshot->objects[o];
-        const SharedMesh& mesh = shared(object.mesh);
-        std::vector<std::int8_t> facing = scene::facingSigns(object, light);
-        scene::keepFrontFacesAlone(facing, mesh.outward, scene::lightMesh(object, light));
-        const scene::Bounds bounds = scene::boundsWorld(object);
-        CasterVolume caster{.object = o,
-                            .volume = {},
-                            .silhouette = silhouetteEdges(mesh.topology, facing),
-                            .bounds = bounds,
-                            .endWorld = endPlaneWorld(bounds, light, sceneBounds),
-                            .useful = std::ranges::binary_search(useful, o),
-                            .report = mesh.report,
-                            .buffers = nullptr};
-        caster.volume = buildVolume(*object.mesh, facing, caster.silhouette);
-        casters.push_back(std::move(caster));
-    }
-    perLight_.push_back(std::move(casters));
-    return perLight_.size() == snapshot->lights.size();
+CasterMesh::CasterMesh(std::shared_ptr<const scene::Mesh> itsMesh) : mesh(std::move(itsMesh)), planes(mesh) {
+    const scene::MeshTopology topology = scene::buildTopology(*mesh);
+    report = scene::reportMesh(*mesh, topology);
+    outward = scene::outwardParts(*mesh, topology);
+    edges = edgeTable(topology);
 }
 
-const std::vector<CasterVolume>& Casters::upload(const scene::Snapshot& snapshot, int light) {
+bool Casters::buildNext(const scene::Snapshot& snapshot) {
+    if (snapshot_ != snapshot) {
+        const bool same = snapshot_ && snapshot_->revisions.geometry == snapshot->revisions.geometry &&
+                          snapshot_->revisions.transforms == snapshot->revisions.transforms &&
+                          snapshot_->revisions.lights == snapshot->revisions.lights;
+        if (!same) begin(*snapshot);
+        snapshot_ = snapshot;
+    }
+    if (next_ == snapshot->lights.size()) return true;
+
+    const scene::Light& light = snapshot->lights[next_];
+    scene::Bounds sceneBounds;
+    for (const scene::Bounds& bounds : bounds_)
+        sceneBounds.include(bounds);
+    const std::vector<std::size_t> useful = scene::usefulCasters(*snapshot, light, bounds_);
+    std::vector<CasterVolume> known = std::exchange(perLight_[next_], {});
+    auto old = known.begin(); // both are in the order of the objects
+    for (const std::size_t o : scene::allCasters(*snapshot)) {
+        while (old != known.end() && old->object < o)
+            ++old;
+        CasterVolume caster;
+        if (old != known.end() && old->object == o) caster = std::move(*old);
+        caster.object = o;
+        update(caster, snapshot->objects[o], light);
+        // The volume's indices know nothing of where it ends: that is for the shader, and may change at any time.
+        caster.bounds = bounds_[o];
+        caster.endWorld = endPlaneWorld(caster.bounds, light, sceneBounds);
+        caster.useful = std::ranges::binary_search(useful, o);
+        perLight_[next_].push_back(std::move(caster));
+    }
+    return ++next_ == snapshot->lights.size();
+}
+
+void Casters::begin(const scene::Scene& scene) {
+    const std::size_t objects = scene.objects.size();
+    places_.resize(objects);
+    bounds_.resize(objects);
+    for (std::size_t o = 0; o < objects; ++o) {
+        const scene::Object& object = scene.objects[o];
+        const dmat4 worldFromMesh = scene::worldFromMesh(object);
+        if (places_[o].mesh == object.mesh && places_[o].worldFromMesh == worldFromMesh) continue;
+        places_[o] = {object.mesh, worldFromMesh};
+        bounds_[o] = scene::boundsWorld(object);
+    }
+    std::erase_if(meshes_, [&](const auto& entry) {
+        return std::ranges::none_of(places_, [&](const Place& place) { return place.mesh.get() == entry.first; });
+    });
+    perLight_.resize(scene.lights.size());
+    next_ = 0;
+}
+
+void Casters::update(CasterVolume& caster, const scene::Object& object, const scene::Light& light) {
+    const std::shared_ptr<CasterMesh>& mesh = shared(object.mesh);
+    const dvec4 lightMesh = scene::lightMesh(object, light);
+    const bool sameMesh = caster.mesh == mesh;
+    if (sameMesh && caster.lightMesh == lightMesh) return;
+    caster.lightMesh = lightMesh;
+    facing_.resize(mesh->planes.size());
+    mesh->planes.findSigns(lightMesh, facing_);
+    scene::keepFrontFacesAlone(facing_, mesh->outward, lightMesh);
+    if (sameMesh && caster.facing == facing_) return;
+    caster.mesh = mesh;
+    caster.report = mesh->report;
+    std::swap(caster.facing, facing_);
+    buildVolume(*mesh->mesh, mesh->edges, caster.facing, caster.silhouette, caster.volume);
+    caster.buffers = nullptr;
+    ++rebuilt_;
+}
+
+const std::vector<CasterVolume>& Casters::upload(int light) {
     std::vector<CasterVolume>& casters = perLight_[static_cast<std::size_t>(light)];
     for (CasterVolume& caster : casters) {
         if (caster.buffers) continue;
-        SharedMesh& mesh = shared(snapshot->objects[caster.object].mesh);
-        if (!mesh.vertices) mesh.vertices = std::make_unique<ExtrusionVertices>(*mesh.mesh);
-        caster.buffers = std::make_unique<VolumeBuffers>(caster.volume, caster.silhouette, *mesh.vertices);
+        std::unique_ptr<ExtrusionVertices>& vertices = caster.mesh->vertices;
+        if (!vertices) vertices = std::make_unique<ExtrusionVertices>(*caster.mesh->mesh);
+        caster.buffers = std::make_unique<VolumeBuffers>(caster.volume, caster.silhouette, *vertices);
     }
     return casters;
 }
 
-Casters::SharedMesh& Casters::shared(const std::shared_ptr<const scene::Mesh>& mesh) {
-    SharedMesh& shared = meshes_[mesh.get()];
-    if (!shared.mesh) {
-        shared.mesh = mesh;
-        shared.topology = scene::buildTopology(*mesh);
-        shared.report = scene::reportMesh(*mesh, shared.topology);
-        shared.outward = scene::outwardParts(*mesh, shared.topology);
-    }
+std::size_t Casters::count() const {
+    std::size_t count = 0;
+    for (const std::vector<CasterVolume>& casters : perLight_)
+        count += casters.size();
+    return count;
+}
+
+const std::shared_ptr<CasterMesh>& Casters::shared(const std::shared_ptr<const scene::Mesh>& mesh) {
+    std::shared_ptr<CasterMesh>& shared = meshes_[mesh.get()];
+    if (!shared) shared = std::make_shared<CasterMesh>(mesh);
     return shared;
 }
 

@@ -53,7 +53,9 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
         const scene::Mesh& mesh = *object.mesh;
         std::vector<std::int8_t> facing = scene::facingSigns(object, source);
         if (caster->report.isClosed()) std::ranges::replace(facing, std::int8_t{-1}, std::int8_t{0});
-        const auto silhouette = silhouetteEdges(scene::buildTopology(mesh), facing);
+        std::vector<SilhouetteEdge> silhouette;
+        Volume volume;
+        buildVolume(mesh, caster->mesh->edges, facing, silhouette, volume);
         // Vertices twice, as they are and at the end of the scene: the numbering of Volume.
         const dmat4 worldFromMesh = scene::worldFromMesh(object);
         const std::size_t n = mesh.positionsMesh.size();
@@ -68,7 +70,6 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
         };
         for (const SilhouetteEdge& edge : silhouette)
             add(edges, {edge.a, edge.b});
-        const Volume volume = buildVolume(mesh, facing, silhouette);
         add(sides, volume.sides);
         add(caps, volume.topCap);
         add(caps, volume.topCapReversed);

@@ -116,9 +116,10 @@ void StagePictures::publishFaces(Frame& frame, int light, std::span<const Caster
         std::vector<std::int8_t> facing = scene::facingSigns(object, source);
         // Of a closed mesh only the lit side, as the lecture draws it: the other half would double every face.
         if (caster.report.isClosed()) std::ranges::replace(facing, std::int8_t{-1}, std::int8_t{0});
-        const auto silhouette = silhouetteEdges(scene::buildTopology(*object.mesh), facing);
-        const ExtrusionVertices vertices(*object.mesh);
-        const VolumeBuffers buffers(buildVolume(*object.mesh, facing, silhouette), silhouette, vertices);
+        std::vector<SilhouetteEdge> silhouette;
+        Volume volume;
+        buildVolume(*object.mesh, caster.mesh->edges, facing, silhouette, volume);
+        const VolumeBuffers buffers(volume, silhouette, *caster.mesh->vertices);
         setExtrusion(faces_, frame, caster, light);
         faces_.set("shownStretch", static_cast<float>(shownStretch(caster, source)));
         const auto choose = [&](const vec3& partColor, float alpha) {

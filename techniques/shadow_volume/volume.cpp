@@ -1,49 +1,66 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_volume/volume.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace shadowlab::shadow_volume {
 
-std::vector<SilhouetteEdge> silhouetteEdges(const scene::MeshTopology& topology, std::span<const std::int8_t> facing) {
-    std::vector<SilhouetteEdge> silhouette;
-    for (const scene::Edge& edge : topology.edges) {
-        // Each triangle, turned toward the light, runs along the edge one way or the other; opposite ways cancel.
-        int sum = 0;
-        for (std::uint32_t u = edge.firstUse; u < edge.firstUse + edge.useCount; ++u)
-            sum += topology.uses[u].direction * facing[topology.uses[u].triangle];
-        if (sum == 0) continue;
+namespace {
+
+// Sides. The cap runs a -> b, so the side that joins it there runs b -> a, and where it joins the bottom cap a -> b.
+void buildSides(const EdgeTable& edges, std::span<const std::int8_t> facing, std::uint32_t far,
+                std::vector<SilhouetteEdge>& silhouette, std::vector<std::uint32_t>& sides) {
+    silhouette.clear();
+    sides.clear();
+    forEachSilhouetteEdge(edges, facing, [&](std::uint32_t a, std::uint32_t b, int sum, std::uint32_t triangles) {
+        if (sum < 0) std::swap(a, b);
         const auto multiplicity = static_cast<std::uint32_t>(std::abs(sum));
-        silhouette.push_back(sum > 0 ? SilhouetteEdge{edge.a, edge.b, multiplicity, edge.useCount}
-                                     : SilhouetteEdge{edge.b, edge.a, multiplicity, edge.useCount});
-    }
-    return silhouette;
+        silhouette.push_back({a, b, multiplicity, triangles});
+        for (std::uint32_t i = 0; i < multiplicity; ++i)
+            sides.insert(sides.end(), {b, a, a + far, b, a + far, b + far});
+    });
 }
 
-Volume buildVolume(const scene::Mesh& mesh, std::span<const std::int8_t> facing,
-                   std::span<const SilhouetteEdge> silhouette) {
-    Volume volume;
+// Caps. The top cap keeps the order in which the mesh itself is drawn: with another order the rasteriser's depth may differ
+// in the last bit and the cap would fight with the very surface it lies on.
+//
+// Each triangle is written to the end of every list, whether it belongs there or not; a list's end moves on where it does,
+// and what does not belong is overwritten by the next. That is quicker than to ask, three times for each triangle, a
+// question whose answer the processor cannot foresee. So each list needs room for one triangle more than it keeps.
+void buildCaps(const scene::Mesh& mesh, std::span<const std::int8_t> facing, std::uint32_t far, Volume& volume) {
+    const auto front = static_cast<std::size_t>(std::ranges::count(facing, 1));
+    const auto back = static_cast<std::size_t>(std::ranges::count(facing, -1));
+    volume.topCap.resize(3 * (front + 1));
+    volume.topCapReversed.resize(3 * (back + 1));
+    volume.bottomCap.resize(3 * (front + back + 1));
+    std::uint32_t *top = volume.topCap.data(), *reversed = volume.topCapReversed.data(),
+                  *bottom = volume.bottomCap.data();
+    const uvec3* corner = mesh.triangles.data();
+    for (const std::int8_t sign : facing) {
+        top[0] = reversed[0] = corner->x;
+        top[1] = reversed[1] = corner->y;
+        top[2] = reversed[2] = corner->z;
+        top += sign > 0 ? 3 : 0;
+        reversed += sign < 0 ? 3 : 0;
+        bottom[0] = corner->x + far;
+        bottom[1] = (sign > 0 ? corner->z : corner->y) + far; // the bottom looks the other way
+        bottom[2] = (sign > 0 ? corner->y : corner->z) + far;
+        bottom += sign != 0 ? 3 : 0;
+        ++corner;
+    }
+    volume.topCap.resize(3 * front);
+    volume.topCapReversed.resize(3 * back);
+    volume.bottomCap.resize(3 * (front + back));
+}
+
+} // namespace
+
+void buildVolume(const scene::Mesh& mesh, const EdgeTable& edges, std::span<const std::int8_t> facing,
+                 std::vector<SilhouetteEdge>& silhouette, Volume& volume) {
     const auto far = static_cast<std::uint32_t>(mesh.positionsMesh.size());
-
-    // Caps. The top cap keeps the order in which the mesh itself is drawn: with another order the rasteriser's depth
-    // may differ in the last bit and the cap would fight with the very surface it lies on.
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (facing[t] == 0) continue;
-        const uvec3& corner = mesh.triangles[t];
-        std::vector<std::uint32_t>& top = facing[t] > 0 ? volume.topCap : volume.topCapReversed;
-        top.insert(top.end(), {corner.x, corner.y, corner.z});
-        const std::uint32_t second = facing[t] > 0 ? corner.z : corner.y; // the bottom looks the other way
-        const std::uint32_t third = facing[t] > 0 ? corner.y : corner.z;
-        volume.bottomCap.insert(volume.bottomCap.end(), {corner.x + far, second + far, third + far});
-    }
-
-    // Sides. The cap runs a -> b, so the side that joins it there runs b -> a, and where it joins the bottom cap a -> b.
-    for (const SilhouetteEdge& edge : silhouette) {
-        const std::uint32_t farA = edge.a + far, farB = edge.b + far;
-        for (std::uint32_t i = 0; i < edge.multiplicity; ++i)
-            volume.sides.insert(volume.sides.end(), {edge.b, edge.a, farA, edge.b, farA, farB});
-    }
-    return volume;
+    buildSides(edges, facing, far, silhouette, volume.sides);
+    buildCaps(mesh, facing, far, volume);
 }
 
 } // namespace shadowlab::shadow_volume

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "techniques/foundation/scene/mesh.h"
-#include "techniques/foundation/scene/mesh_topology.h"
+#include "techniques/shadow_volume/edge_table.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -22,11 +22,8 @@ struct SilhouetteEdge {
     std::uint32_t a = 0, b = 0;     ///< vertex indices of the mesh
     std::uint32_t multiplicity = 1; ///< how often it is extruded
     std::uint32_t triangles = 2;    ///< how many meet here: 1 is a boundary, more than 2 a non-manifold edge
+    friend bool operator==(const SilhouetteEdge&, const SilhouetteEdge&) = default;
 };
-
-/// Edges whose triangles do not cancel once each is turned toward the light. `facing` is one sign per triangle
-/// (scene/facing.h); a triangle with sign 0 is seen edge-on, covers nothing, and is left out.
-std::vector<SilhouetteEdge> silhouetteEdges(const scene::MeshTopology& topology, std::span<const std::int8_t> facing);
 
 /// Triangle lists over 2 n vertices: index v is vertex v itself, index v + n is v pushed away from the light, to the
 /// volume's end. Triangles are counter-clockwise seen from outside the volume.
@@ -37,7 +34,10 @@ struct Volume {
     std::vector<std::uint32_t> bottomCap;      ///< the triangles of both top caps, at the end
 };
 
-Volume buildVolume(const scene::Mesh& mesh, std::span<const std::int8_t> facing,
-                   std::span<const SilhouetteEdge> silhouette);
+/// Makes the silhouette, the edges whose triangles do not cancel once each is turned toward the light, and the volume, in
+/// one pass over the edges and one over the triangles. `facing` is one sign per triangle (scene/facing.h); a triangle with
+/// sign 0 is seen edge-on, covers nothing, and is left out. What the two held before is replaced, their memory used again.
+void buildVolume(const scene::Mesh& mesh, const EdgeTable& edges, std::span<const std::int8_t> facing,
+                 std::vector<SilhouetteEdge>& silhouette, Volume& volume);
 
 } // namespace shadowlab::shadow_volume

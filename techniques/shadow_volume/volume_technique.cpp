@@ -38,6 +38,7 @@ Progress VolumeTechnique::render(Frame& frame) {
                [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
     if (frame.wants("lights-off")) frame.publishTarget("lights-off");
 
+    frame.count("volumes-rebuilt", static_cast<double>(casters_.takeRebuilt()), static_cast<double>(casters_.count()));
     const int lights = static_cast<int>(scene.lights.size());
     for (int light = 0; light < lights; ++light) {
         chooseVolumes(frame, light);
@@ -58,7 +59,7 @@ Progress VolumeTechnique::render(Frame& frame) {
 }
 
 void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
-    const std::vector<CasterVolume>& casters = casters_.upload(frame.snapshot(), light);
+    const std::vector<CasterVolume>& casters = casters_.upload(light);
     const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
     drawn_.clear();
     startCount_ = 0;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
 #include <map>
 
 #include "techniques/foundation/scene/facing.h"
@@ -25,8 +27,37 @@ struct Built {
 Built build(const scene::Object& object, const scene::Light& light) {
     const auto topology = scene::buildTopology(*object.mesh);
     const auto facing = scene::facingSigns(object, light);
-    Built built{shadow_volume::silhouetteEdges(topology, facing), {}};
-    built.volume = shadow_volume::buildVolume(*object.mesh, facing, built.silhouette);
+    Built built;
+    shadow_volume::buildVolume(*object.mesh, shadow_volume::edgeTable(topology), facing, built.silhouette,
+                               built.volume);
+    return built;
+}
+
+/// The same, slowly and plainly: every edge asks all its triangles, every list grows by itself.
+Built buildPlainly(const scene::Mesh& mesh, const scene::MeshTopology& topology,
+                   const std::vector<std::int8_t>& facing) {
+    Built built;
+    for (const scene::Edge& edge : topology.edges) {
+        int sum = 0;
+        for (std::uint32_t u = edge.firstUse; u < edge.firstUse + edge.useCount; ++u)
+            sum += topology.uses[u].direction * facing[topology.uses[u].triangle];
+        const auto times = static_cast<std::uint32_t>(std::abs(sum));
+        if (sum > 0) built.silhouette.push_back({edge.a, edge.b, times, edge.useCount});
+        if (sum < 0) built.silhouette.push_back({edge.b, edge.a, times, edge.useCount});
+    }
+    const auto n = static_cast<std::uint32_t>(mesh.positionsMesh.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto [a, b, c] = std::array{mesh.triangles[t].x, mesh.triangles[t].y, mesh.triangles[t].z};
+        const auto add = [](std::vector<std::uint32_t>& list, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+            list.insert(list.end(), {i, j, k});
+        };
+        if (facing[t] > 0) add(built.volume.topCap, a, b, c), add(built.volume.bottomCap, a + n, c + n, b + n);
+        if (facing[t] < 0) add(built.volume.topCapReversed, a, b, c), add(built.volume.bottomCap, a + n, b + n, c + n);
+    }
+    for (const SilhouetteEdge& edge : built.silhouette)
+        for (std::uint32_t i = 0; i < edge.multiplicity; ++i)
+            built.volume.sides.insert(built.volume.sides.end(),
+                                      {edge.b, edge.a, edge.a + n, edge.b, edge.a + n, edge.b + n});
     return built;
 }
 
@@ -131,10 +162,64 @@ TEST(Volume, ASecondOpinionOnAFacingSignOpensIt) {
     const auto light = testing::pointLight({1, 3, 2});
     const auto topology = scene::buildTopology(*torus.mesh);
     auto facing = scene::facingSigns(torus, light);
-    const auto silhouette = shadow_volume::silhouetteEdges(topology, facing);
+    const auto edges = shadow_volume::edgeTable(topology);
+    Built first, second;
+    shadow_volume::buildVolume(*torus.mesh, edges, facing, first.silhouette, first.volume);
     facing[10] = static_cast<std::int8_t>(-facing[10]);
-    const Volume volume = shadow_volume::buildVolume(*torus.mesh, facing, silhouette);
-    EXPECT_GT(unmatchedEdges(*torus.mesh, volume), 0);
+    shadow_volume::buildVolume(*torus.mesh, edges, facing, second.silhouette, second.volume);
+    EXPECT_EQ(unmatchedEdges(*torus.mesh, second.volume), 0);
+    second.volume.sides = first.volume.sides;
+    EXPECT_GT(unmatchedEdges(*torus.mesh, second.volume), 0);
+}
+
+// In one pass or plainly: the same indices in the same order, whatever the memory held before.
+TEST(Volume, IsThatOfThePlainConstruction) {
+    Built kept;
+    std::size_t silhouettes = 0, manyTimes = 0, boundaries = 0, multiples = 0, reversed = 0, edgeOn = 0;
+    const auto compare = [&](const scene::Object& object, const scene::Light& light) {
+        const auto topology = scene::buildTopology(*object.mesh);
+        const auto edges = shadow_volume::edgeTable(topology);
+        auto facing = scene::facingSigns(object, light);
+        for (const bool frontAlone : {false, true}) {
+            if (frontAlone) std::ranges::replace(facing, std::int8_t{-1}, std::int8_t{0});
+            const Built plain = buildPlainly(*object.mesh, topology, facing);
+            shadow_volume::buildVolume(*object.mesh, edges, facing, kept.silhouette, kept.volume);
+            ASSERT_EQ(kept.silhouette, plain.silhouette);
+            ASSERT_EQ(kept.volume.topCap, plain.volume.topCap);
+            ASSERT_EQ(kept.volume.topCapReversed, plain.volume.topCapReversed);
+            ASSERT_EQ(kept.volume.sides, plain.volume.sides);
+            ASSERT_EQ(kept.volume.bottomCap, plain.volume.bottomCap);
+            for (const SilhouetteEdge& edge : plain.silhouette) {
+                ++silhouettes;
+                manyTimes += edge.multiplicity > 2;
+                boundaries += edge.triangles == 1;
+                multiples += edge.triangles > 2;
+            }
+            reversed += plain.volume.topCapReversed.size() / 3;
+            edgeOn += static_cast<std::size_t>(std::ranges::count(facing, 0));
+        }
+    };
+    for (const bool directional : {false, true})
+        for (const testing::HardClass hardClass : testing::kHardClasses)
+            for (unsigned i = 0; i < 20; ++i) {
+                const scene::Scene scene = testing::hardScene(hardClass, i, directional);
+                for (const scene::Object& object : scene.objects)
+                    compare(object, scene.lights[0]);
+            }
+    scene::Scene shapes;
+    testing::addObject(shapes, scene::makeTorus(1, 0.4, {60, 30}));
+    testing::addObject(shapes, scene::makeSphere(1, 40));
+    testing::addObject(shapes, scene::makeBox({1, 1, 1}));
+    for (const scene::Object& object : shapes.objects)
+        for (const scene::Light& light :
+             {testing::pointLight({1, 3, 2}), testing::pointLight({1, 0, 0}), testing::directionalLight({0, -1, 0})})
+            compare(object, light);
+    EXPECT_GT(silhouettes, 10000u);
+    EXPECT_GT(manyTimes, 50u);
+    EXPECT_GT(boundaries, 1000u);
+    EXPECT_GT(multiples, 100u);
+    EXPECT_GT(reversed, 1000u);
+    EXPECT_GT(edgeOn, 1000u);
 }
 
 } // namespace

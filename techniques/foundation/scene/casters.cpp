@@ -41,7 +41,10 @@ std::vector<std::size_t> allCasters(const Scene& scene) {
 }
 
 std::vector<std::size_t> usefulCasters(const Scene& scene, const Light& light) {
-    const std::vector<Bounds> bounds = objectBounds(scene);
+    return usefulCasters(scene, light, objectBounds(scene));
+}
+
+std::vector<std::size_t> usefulCasters(const Scene& scene, const Light& light, std::span<const Bounds> bounds) {
     Bounds all;
     for (const Bounds& box : bounds)
         all.include(box);

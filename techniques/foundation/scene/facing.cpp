@@ -9,7 +9,9 @@ namespace {
 // place of double, for the three subtractions, nine products and the change of space before them.
 constexpr double kRelativeRounding = 1e-14;
 
-/// Sign of the volume spanned by the triangle's edges and the way to the light.
+} // namespace
+
+// The sign of the volume spanned by the triangle's edges and the way to the light.
 std::int8_t facingSign(const dvec3& a, const dvec3& b, const dvec3& c, const dvec4& light) {
     const dvec3 u = b - a, v = c - a, w = dvec3(light) - a * light.w;
     const dvec3 products(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
@@ -20,8 +22,6 @@ std::int8_t facingSign(const dvec3& a, const dvec3& b, const dvec3& c, const dve
     if (std::abs(determinant) <= bound) return 0;
     return determinant > 0 ? 1 : -1;
 }
-
-} // namespace
 
 dvec4 lightMesh(const Object& object, const Light& light) {
     // Relative to the mesh first: far from the world's origin the difference keeps its digits, a product would not.

@@ -15,6 +15,9 @@ namespace shadowlab::scene {
 /// The light as a homogeneous point of the object's mesh space (w = 1, or 0 for a direction toward it).
 dvec4 lightMesh(const Object& object, const Light& light);
 
+/// One triangle, its corners counter-clockwise, and a homogeneous light in the same space: +1, -1 or 0 as below.
+std::int8_t facingSign(const dvec3& a, const dvec3& b, const dvec3& c, const dvec4& light);
+
 /// One sign per triangle of the object: +1 the light is on the counter-clockwise (front) side, -1 behind,
 /// 0 in the plane of the triangle to within rounding. The lecture's N.L > 0 is +1; 0 counts as facing away.
 std::vector<std::int8_t> facingSigns(const Object& object, const Light& light);

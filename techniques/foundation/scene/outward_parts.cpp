@@ -98,6 +98,7 @@ void keepFrontFacesAlone(std::span<std::int8_t> facing, const OutwardParts& part
     for (const OutwardParts::Box& box : parts.boxes)
         outside.push_back(lightMesh.w == 0 || glm::any(glm::lessThan(dvec3(lightMesh), box.lowerMesh)) ||
                           glm::any(glm::greaterThan(dvec3(lightMesh), box.upperMesh)));
+    if (std::ranges::find(outside, true) == outside.end()) return;
     for (std::size_t t = 0; t < facing.size(); ++t)
         if (const std::int32_t part = parts.partOfTriangle[t];
             facing[t] < 0 && part != OutwardParts::kNone && outside[static_cast<std::size_t>(part)])
