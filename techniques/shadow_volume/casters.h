@@ -62,7 +62,7 @@ public:
     std::size_t takeRebuilt() { return std::exchange(rebuilt_, 0); }
 
 private:
-    struct Place { ///< of an object, and the box that follows from it
+    struct Place { ///< where an object is: what its box follows from
         std::shared_ptr<const scene::Mesh> mesh;
         dmat4 worldFromMesh{1.0};
     };

@@ -24,14 +24,14 @@ public:
     void findSigns(const dvec4& lightMesh, std::span<std::int8_t> signs) const;
 
     [[nodiscard]] std::size_t size() const { return x_.size(); }
-    /// The planes' coordinates, one array for each: for whoever wants to know what it takes to read them.
+    /// The planes' coordinates (x, y, z, w), one array for each.
     [[nodiscard]] std::span<const double> coordinates(int i) const {
         return i == 0 ? x_ : i == 1 ? y_ : i == 2 ? z_ : w_;
     }
 
 private:
     std::shared_ptr<const Mesh> mesh_;
-    std::vector<double> x_, y_, z_, w_; ///< dot(xyz, p) + w > 0 in front; scaled to what they were rounded at
+    std::vector<double> x_, y_, z_, w_; ///< in front: dot(xyz, p) + w > 0; xyz of size 1 or less
     double farthest_ = 0;               ///< of all vertices: the largest sum of coordinates without signs
 };
 
