@@ -34,6 +34,7 @@ const PassInfo kPasses[] = {
      "colour and depth writes off, cull BACK, depth LESS, depth clamp; stencil depth-pass INCR_WRAP, then depth-fail "
      "DECR_WRAP",
      true, "stencil"},
+    kRepairPass,
     {"light", "Render the scene again with the light turned on, only where the stencil is zero",
      "The point is outside every volume, so the light sees it.",
      "colour writes on, depth EQUAL, stencil EQUAL 0, blending ONE ONE", true},
@@ -47,6 +48,7 @@ const StageInfo kStages[] = {
     {"volume-parts", "Volume faces by part: top cap, sides, bottom cap", StageKind::radiance, true},
     {"stencil-back", "Stencil after the back faces", StageKind::count, true},
     {"stencil", "Stencil after all faces: zero is lit", StageKind::count, true},
+    kRepairStage,
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };
 
@@ -57,7 +59,8 @@ Automatic::Automatic()
                        .both = {"volumes"},
                        .first = {"volumes-back", GL_FRONT},
                        .second = {"volumes-front", GL_BACK},
-                       .stageAfterFirst = "stencil-back"}) {}
+                       .stageAfterFirst = "stencil-back"},
+                      {.repair = true}) {}
 
 Way Automatic::wayOf(const Frame& frame, const CasterVolume& caster, int light) const {
     const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
@@ -73,8 +76,7 @@ TechniqueInfo automaticInfo() {
         .title = "Shadow volume",
         .paper = "Crow 1977, Shadow Algorithms for Computer Graphics; Everitt and Kilgard 2002, Practical and Robust "
                  "Stenciled Shadow Volumes",
-        .getsWrong =
-            "soft shadows (a light is a point); points behind exactly 256 casting triangles; isolated pixels at cracks",
+        .getsWrong = "soft shadows (a light is a point); regions behind exactly 256 casting triangles",
         .order = 45,
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},

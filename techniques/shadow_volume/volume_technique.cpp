@@ -22,12 +22,17 @@ params::ParamList VolumeTechnique::sharedParams() {
         params::integer(
             "stencil-bits", params_.stencil.bits, 1, 8, "bits",
             "Bits of the stencil that count: of n bits, 2^n volumes around a point look like none (teaching)."),
+        params::boolean(
+            "repair", params_.repair,
+            "Decide again with rays, on the processor, where the rasteriser may have miscounted: pixels that "
+            "differ from a neighbour, or that a silhouette edge touches."),
     };
 }
 
 Progress VolumeTechnique::prepare(const scene::Snapshot& snapshot, Deadline deadline) {
     while (!casters_.buildNext(snapshot))
         if (std::chrono::steady_clock::now() >= deadline) return {0.5, false};
+    if (params_.repair && !repair_.prepare(snapshot, deadline)) return {0.9, false};
     return {};
 }
 
@@ -39,12 +44,14 @@ Progress VolumeTechnique::render(Frame& frame) {
     if (frame.wants("lights-off")) frame.publishTarget("lights-off");
 
     frame.count("volumes-rebuilt", static_cast<double>(casters_.takeRebuilt()), static_cast<double>(casters_.count()));
+    repair_.beginFrame();
     const int lights = static_cast<int>(scene.lights.size());
     for (int light = 0; light < lights; ++light) {
         chooseVolumes(frame, light);
         publishVisibility(frame, light);
         publishStencilStages(frame, light);
         clearAndCount(frame, light);
+        repair(frame, light);
         frame.pass(
             passInfo(counting_.passes, "light"),
             [&] {
@@ -114,6 +121,13 @@ void VolumeTechnique::clearStencil() const {
     glClear(GL_STENCIL_BUFFER_BIT);
 }
 
+void VolumeTechnique::repair(Frame& frame, int light) {
+    if (!params_.repair) return;
+    frame.pass(
+        passInfo(counting_.passes, kRepairPass.id), [&] { repair_.mend(frame, light, drawn_, params_.stencil); },
+        light);
+}
+
 void VolumeTechnique::drawLit(Frame& frame, const gl::Program& program, int light) const {
     program.use();
     gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
@@ -127,6 +141,7 @@ void VolumeTechnique::drawLit(Frame& frame, const gl::Program& program, int ligh
 void VolumeTechnique::publishVisibility(Frame& frame, int light) {
     if (!frame.wants("visibility", light)) return;
     clearAndCount(frame, light);
+    repair(frame, light);
     frame.drawStage("visibility", light, GL_RG32F, [&] {
         // Every surface first, as if in shadow; then those the light reaches.
         glDepthFunc(GL_EQUAL);
@@ -150,6 +165,10 @@ void VolumeTechnique::publishStencilStages(Frame& frame, int light) {
     if (frame.wants("stencil", light)) {
         clearAndCount(frame, light);
         pictures_.publishCount(frame, "stencil", light, true);
+    }
+    if (frame.wants("repair", light)) {
+        clearAndCount(frame, light);
+        repair_.publish(frame, light, drawn_, params_.stencil);
     }
 }
 

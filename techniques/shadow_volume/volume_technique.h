@@ -7,6 +7,7 @@
 #include "techniques/frame.h"
 #include "techniques/shadow_volume/casters.h"
 #include "techniques/shadow_volume/face_counter.h"
+#include "techniques/shadow_volume/repair_pass.h"
 #include "techniques/shadow_volume/stage_pictures.h"
 
 namespace shadowlab::shadow_volume {
@@ -28,6 +29,7 @@ struct VolumeParams {
     bool twoSided = true;
     bool cull = true;
     StencilRule stencil;
+    bool repair = false;
 };
 
 class VolumeTechnique : public Technique {
@@ -39,7 +41,8 @@ public:
     std::string remark(const scene::MeshReport& report) const override;
 
 protected:
-    explicit VolumeTechnique(const Counting& counting) : counting_(counting) {}
+    explicit VolumeTechnique(const Counting& counting, const VolumeParams& defaults = {})
+        : counting_(counting), params_(defaults) {}
 
     /// How a caster's volume is counted.
     [[nodiscard]] virtual Way wayOf(const Frame& frame, const CasterVolume& caster, int light) const = 0;
@@ -56,6 +59,7 @@ private:
     void clearAndCount(Frame& frame, int light);
     void clearStencil() const;
     void count(Frame& frame, const CountPass& pass, int light);
+    void repair(Frame& frame, int light);
     void drawLit(Frame& frame, const gl::Program& program, int light) const;
     void publishVisibility(Frame& frame, int light);
     void publishStencilStages(Frame& frame, int light);
@@ -71,6 +75,7 @@ private:
     gl::Program shade_{"surface.vert", "shade_light.frag"};
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
     StagePictures pictures_;
+    RepairPass repair_;
 };
 
 } // namespace shadowlab::shadow_volume

@@ -22,6 +22,7 @@ const PassInfo kPasses[] = {
     {"volumes-front", "Render all volume faces that face toward the viewer",
      "The stencil goes down by one for each point that fails the depth test: faces in front and behind cancel.",
      "colour and depth writes off, cull BACK, depth LESS, stencil depth-fail DECR_WRAP", true, "stencil"},
+    kRepairPass,
     {"light", "Render the scene again with the light turned on, only where the stencil is zero",
      "As many faces entered as left: the point is outside every volume, so the light sees it.",
      "colour writes on, depth EQUAL, stencil EQUAL 0, blending ONE ONE", true},
@@ -35,6 +36,7 @@ const StageInfo kStages[] = {
     {"volume-parts", "Volume faces by part: top cap, sides, bottom cap", StageKind::radiance, true},
     {"stencil-back", "Stencil after the back faces: +1 for each behind the point", StageKind::count, true},
     {"stencil", "Stencil after all faces: zero is lit", StageKind::count, true},
+    kRepairStage,
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };
 

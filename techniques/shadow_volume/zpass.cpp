@@ -26,6 +26,7 @@ const PassInfo kPasses[] = {
     {"volumes-back", "Render all volume faces that face away from the viewer",
      "n_b: the stencil goes down by one for each that passes the depth test, where a volume is left.",
      "colour and depth writes off, cull FRONT, depth LESS, stencil depth-pass DECR_WRAP", true, "stencil"},
+    kRepairPass,
     {"light", "Render the scene again with the light turned on, only where the stencil is zero",
      "n_f = n_b: the line from the eye to the point left every volume that it entered, so the point is illuminated.",
      "colour writes on, depth EQUAL, stencil EQUAL 0, blending ONE ONE", true},
@@ -39,6 +40,7 @@ const StageInfo kStages[] = {
     {"volume-parts", "Volume faces by part: of these, only the sides are counted", StageKind::radiance, true},
     {"stencil-front", "Stencil after the front faces: +1 for each before the point", StageKind::count, true},
     {"stencil", "Stencil after all faces: zero is lit", StageKind::count, true},
+    kRepairStage,
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };
 

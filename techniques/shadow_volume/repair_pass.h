@@ -1,0 +1,55 @@
+// The pass that mends a count: reads the stencil back, has doubtful pixels decided with rays, and writes their bits.
+//
+// The count itself is lost in the pixels that are written: only zero or not zero is left, which is all that the light pass
+// asks for. The stencil comes to the processor and the answer goes back, so the graphics card waits in between.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <map>
+
+#include "techniques/frame.h"
+#include "techniques/shadow_volume/face_counter.h"
+#include "techniques/shadow_volume/repair.h"
+
+namespace shadowlab::shadow_volume {
+
+// Of each technique that can be mended.
+inline constexpr PassInfo kRepairPass = {
+    "repair",
+    "Decide again, with rays, where the count may be wrong",
+    "Between faces that share an edge the rasteriser leaves a crack now and then: one pixel is counted wrong. Pixels "
+    "that "
+    "differ from a neighbour, or that a silhouette edge touches, are asked again with a ray from the eye and one to "
+    "the "
+    "light. Only with repair = true.",
+    "stencil read back; stencil ZERO where it is not, INCR where it is zero, in the pixels to be changed alone",
+    true,
+    "repair"};
+inline constexpr StageInfo kRepairStage = {"repair", "What rays decided again, and where they changed the picture",
+                                           StageKind::swatches, true};
+
+class RepairPass {
+public:
+    /// Makes ready for asking with rays. False when the time came before it was done.
+    bool prepare(const scene::Snapshot& snapshot, Deadline deadline) { return tracer_.advance(snapshot, deadline); }
+
+    /// What was decided belongs to the frame before.
+    void beginFrame() { decided_.clear(); }
+
+    /// Mends the count that the target's stencil holds for a light. `volumes` are those that were counted. A second time in
+    /// one frame only writes what the first one found: the same volumes give the same count.
+    void mend(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil);
+
+    /// The same count, and what mending it does, as a stage; the stencil stays as it is.
+    void publish(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil);
+
+private:
+    const Repair& decided(const Frame& frame, int light, std::span<const CountedVolume> volumes,
+                          const StencilRule& stencil);
+    void writeBits(const Frame& frame, const Repair& repair, const StencilRule& stencil) const;
+
+    trace::SceneTracer tracer_;
+    std::map<int, Repair> decided_; ///< per light, in this frame
+    gl::Program flip_{"fullscreen.vert", "shadow_volume/marked.frag"};
+};
+
+} // namespace shadowlab::shadow_volume
