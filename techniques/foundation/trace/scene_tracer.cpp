@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/trace/scene_tracer.h"
 
+#include <utility>
+
 #include "techniques/foundation/scene/facing.h"
 #include "techniques/foundation/scene/shading.h"
 #include "techniques/foundation/trace/bvh_traverse.h"
@@ -8,25 +10,31 @@
 namespace shadowlab::trace {
 
 bool SceneTracer::advance(const scene::Snapshot& snapshot, std::chrono::steady_clock::time_point deadline) {
-    const scene::Revisions& revisions = snapshot->revisions;
     const bool sameScene = snapshot == snapshot_;
     snapshot_ = snapshot;
-    if (revisions.geometry != geometry_ || revisions.transforms != transforms_) {
-        geometry_ = revisions.geometry;
-        transforms_ = revisions.transforms;
-        world_ = worldTriangles(*snapshot);
-        builder_.emplace(world_.triangles);
-        if (std::chrono::steady_clock::now() >= deadline) return false;
-    }
-    if (builder_) {
-        if (!builder_->advance(deadline)) return false;
-        bvh_ = builder_->take();
-        blockTree_ = BlockTree(bvh_);
+    const auto isOfThisScene = [&](const TracedGeometry& geometry) {
+        return geometry.revisions == revisionsOf(*snapshot);
+    };
+    if (!(geometry_ && isOfThisScene(*geometry_)) && !(unfinished_ && isOfThisScene(*unfinished_))) {
         builder_.reset();
-        lookAtLights();
-    } else if (!sameScene) {
-        lookAtLights();
+        unfinished_.reset();
+        geometry_ = sharedGeometry(*snapshot);
+        if (!geometry_) {
+            unfinished_ = std::make_shared<TracedGeometry>(revisionsOf(*snapshot), worldTriangles(*snapshot));
+            builder_.emplace(unfinished_->world.triangles);
+            if (std::chrono::steady_clock::now() >= deadline) return false;
+        }
+    } else if (sameScene && !unfinished_) {
+        return true;
     }
+    if (unfinished_) {
+        if (!builder_->advance(deadline)) return false;
+        unfinished_->bvh = builder_->take();
+        unfinished_->blockTree = BlockTree(unfinished_->bvh);
+        builder_.reset();
+        geometry_ = share(std::exchange(unfinished_, nullptr));
+    }
+    lookAtLights();
     return true;
 }
 
@@ -38,7 +46,7 @@ void SceneTracer::lookAtLights() {
         view.gates.reserve(facing.size());
         view.blocks.reserve(facing.size());
         for (std::size_t i = 0; i < facing.size(); ++i) {
-            const scene::Object& object = snapshot_->objects[world_.objects[i]];
+            const scene::Object& object = snapshot_->objects[world().objects[i]];
             // The stored sign counts in mesh space, where a mirrored object's winding is the other way round.
             const int frontSide = scene::isMirrored(object) ? -facing[i] : facing[i];
             view.gates.push_back(static_cast<std::uint8_t>((frontSide > 0 ? facesFront : 0) |
@@ -52,19 +60,19 @@ void SceneTracer::lookAtLights() {
 }
 
 SurfacePoint SceneTracer::eyePoint(const EyeRays& rays, dvec2 pixel) const {
-    return surfacePoint(rays, bvh_.closest(rays.through(pixel)));
+    return surfacePoint(rays, bvh().closest(rays.through(pixel)));
 }
 
 SurfacePoint SceneTracer::surfacePoint(const EyeRays& rays, const RayHit& hit) const {
     if (!hit) return {};
-    const Triangle& t = bvh_.triangles[hit.primitive];
+    const Triangle& t = bvh().triangles[hit.primitive];
     const double eyeSide = glm::dot(glm::cross(t.b - t.a, t.c - t.a), rays.eyeCentred() - t.a);
     return {hit.primitive, eyeSide > 0, dvec2(hit.barycentric)};
 }
 
 dvec3 SceneTracer::positionCentred(const SurfacePoint& point) const {
     // From the corners, not along the ray: so the point lies in the triangle's plane, however far away the eye is.
-    const Triangle& t = bvh_.triangles[point.primitive];
+    const Triangle& t = bvh().triangles[point.primitive];
     return t.c + point.weights.x * (t.a - t.c) + point.weights.y * (t.b - t.c);
 }
 
@@ -84,7 +92,7 @@ Ray SceneTracer::shadowRay(const SurfacePoint& point, int light, ShadowStart sta
         ray.directionCentred = -source.directionWorld;
         ray.nearest = kContactPerMetre * (1.0 + glm::length(ray.originCentred));
     } else {
-        ray.directionCentred = (source.positionWorld - world_.originWorld) - ray.originCentred;
+        ray.directionCentred = (source.positionWorld - world().originWorld) - ray.originCentred;
         ray.nearest = kContact;
         ray.farthest = 1.0; // the light
     }
@@ -95,17 +103,17 @@ Ray SceneTracer::shadowRay(const SurfacePoint& point, int light, ShadowStart sta
 std::uint32_t SceneTracer::blocker(const SurfacePoint& point, int light, ShadowStart start) const {
     const std::vector<std::uint8_t>& blocks = lights_[static_cast<std::size_t>(light)].blocks;
     const std::uint32_t itself = start == ShadowStart::naive ? kNoPrimitive : point.primitive;
-    return bvh_.any(shadowRay(point, light, start),
-                    [&](std::uint32_t primitive) { return primitive != itself && blocks[primitive]; });
+    return bvh().any(shadowRay(point, light, start),
+                     [&](std::uint32_t primitive) { return primitive != itself && blocks[primitive]; });
 }
 
 std::optional<dvec3> SceneTracer::blockedAtWorld(const SurfacePoint& point, int light) const {
     const std::vector<std::uint8_t>& blocks = lights_[static_cast<std::size_t>(light)].blocks;
     const Ray ray = shadowRay(point, light, ShadowStart::exact);
     const RayHit hit =
-        bvh_.closest(ray, [&](std::uint32_t primitive) { return primitive != point.primitive && blocks[primitive]; });
+        bvh().closest(ray, [&](std::uint32_t primitive) { return primitive != point.primitive && blocks[primitive]; });
     if (!hit) return std::nullopt;
-    return world_.originWorld + (ray.originCentred + hit.t * ray.directionCentred);
+    return world().originWorld + (ray.originCentred + hit.t * ray.directionCentred);
 }
 
 Visibility SceneTracer::visibility(const SurfacePoint& point, int light, ShadowStart start) const {

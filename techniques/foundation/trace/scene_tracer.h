@@ -1,5 +1,5 @@
 // A scene that can be asked with rays: what is visible, and what a light sees. Built in slices, again only when the
-// scene has changed; then asked by any number of threads.
+// scene has changed; then asked by any number of threads. Tracers of one scene share what is built (traced_geometry.h).
 //
 // No epsilon anywhere: a shadow ray starts on the surface itself and leaves out the triangle it starts on, by number.
 // An offset along the normal would have to grow with the distance from the origin, and push the ray through thin walls.
@@ -7,14 +7,14 @@
 // this.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <memory>
 #include <optional>
 #include <span>
 
-#include "techniques/foundation/trace/block_tree.h"
 #include "techniques/foundation/trace/bvh_build.h"
 #include "techniques/foundation/trace/exact_visibility.h"
 #include "techniques/foundation/trace/eye_rays.h"
-#include "techniques/foundation/trace/world_triangles.h"
+#include "techniques/foundation/trace/traced_geometry.h"
 
 namespace shadowlab::trace {
 
@@ -49,23 +49,23 @@ public:
 
     // From here on: after advance() has returned true.
     [[nodiscard]] const scene::Scene& scene() const { return *snapshot_; }
-    [[nodiscard]] const Bvh& bvh() const { return bvh_; }
-    [[nodiscard]] const WorldTriangles& world() const { return world_; }
+    [[nodiscard]] const Bvh& bvh() const { return geometry_->bvh; }
+    [[nodiscard]] const WorldTriangles& world() const { return geometry_->world; }
 
     [[nodiscard]] EyeRays eyeRays(const scene::Camera& camera, ivec2 size) const {
-        return {camera, size, world_.originWorld};
+        return {camera, size, world().originWorld};
     }
     [[nodiscard]] SurfacePoint eyePoint(const EyeRays& rays, dvec2 pixel) const;
 
     [[nodiscard]] dvec3 positionCentred(const SurfacePoint& point) const;
     [[nodiscard]] dvec3 positionWorld(const SurfacePoint& point) const {
-        return world_.originWorld + positionCentred(point);
+        return world().originWorld + positionCentred(point);
     }
     [[nodiscard]] double distance(const EyeRays& rays, const SurfacePoint& point) const {
         return glm::length(positionCentred(point) - rays.eyeCentred());
     }
     [[nodiscard]] const scene::Object& objectOf(const SurfacePoint& point) const {
-        return snapshot_->objects[world_.objects[point.primitive]];
+        return snapshot_->objects[world().objects[point.primitive]];
     }
 
     /// Does the side that the eye sees face the light, within its cone? Only then a shadow ray is worth sending.
@@ -112,11 +112,9 @@ private:
     void shadowBlock(std::span<const SurfacePoint> points, int light, std::span<Visibility> answers) const;
 
     scene::Snapshot snapshot_;
-    std::uint64_t geometry_ = 0, transforms_ = 0; ///< revisions that world_ and bvh_ were made for
-    WorldTriangles world_;
-    std::optional<BvhBuilder> builder_; ///< while building
-    Bvh bvh_;
-    BlockTree blockTree_;
+    std::shared_ptr<const TracedGeometry> geometry_; ///< none: not begun, or being built
+    std::shared_ptr<TracedGeometry> unfinished_;     ///< while building
+    std::optional<BvhBuilder> builder_;
     const BlockKernels* kernels_ = &bestBlockKernels();
     struct LightView {                    ///< per light, of each triangle
         std::vector<std::uint8_t> gates;  ///< see Gate

@@ -93,7 +93,7 @@ void SceneTracer::eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, d
     block.parallel = 0;
     block.largest = 0;
     const bool usable =
-        !blockTree_.isEmpty() && std::isfinite(glm::dot(rays.eyeCentred(), dvec3(1))) && rays.nearest() > 0;
+        !geometry_->blockTree.isEmpty() && std::isfinite(glm::dot(rays.eyeCentred(), dvec3(1))) && rays.nearest() > 0;
     if (!usable || !kernels_->aimFan(rays.fan(corner, within), block, directions, depth)) {
         forEachBit(there, alone);
         return;
@@ -102,7 +102,7 @@ void SceneTracer::eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, d
     BlockPoints ends;
     const auto land = [&](std::uint64_t hit) {
         block.asked = hit;
-        kernels_->land(cornersOf(bvh_), block, directions, rays.nearest(), ends);
+        kernels_->land(cornersOf(bvh()), block, directions, rays.nearest(), ends);
         forEachBit(hit & ~ends.open, [&](std::size_t i) {
             points[indexOf(i)] = {
                 ends.primitives[i], (ends.eyeOnFront & bit(i)) != 0, {ends.weights[0][i], ends.weights[1][i]}};
@@ -114,7 +114,7 @@ void SceneTracer::eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, d
         std::uint64_t known = 0;
         for (std::size_t i = 0; i < kBlockRays; ++i) {
             const std::uint32_t primitive = there & bit(i) ? expected[indexOf(i)] : kNoPrimitive;
-            known |= primitive < bvh_.triangles.size() ? bit(i) : 0;
+            known |= primitive < bvh().triangles.size() ? bit(i) : 0;
             ends.primitives[i] = known & bit(i) ? primitive : 0;
         }
         left &= ~land(known);
@@ -128,7 +128,7 @@ void SceneTracer::eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, d
     block.nearest = 0;
     block.farthest = std::numeric_limits<float>::infinity();
     BlockAnswers answers;
-    kernels_->nearest(blockTree_.view(), block, answers);
+    kernels_->nearest(geometry_->blockTree.view(), block, answers);
 
     std::uint64_t hit = 0;
     for (std::size_t i = 0; i < kBlockRays; ++i) {
@@ -144,7 +144,7 @@ void SceneTracer::eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, d
         RayHit best;
         double farthest = sheared.farthest;
         const auto consider = [&](std::uint32_t primitive) {
-            const auto found = intersect(sheared, bvh_.triangles[primitive], farthest);
+            const auto found = intersect(sheared, bvh().triangles[primitive], farthest);
             if (!found || !(found->reach < farthest || (best && primitive < best.primitive))) return;
             farthest = found->reach;
             best = {farthest / sheared.reachPerT, primitive, found->barycentric};
@@ -193,7 +193,7 @@ void SceneTracer::traceShadowRays(std::span<const SurfacePoint> points, std::uin
         starts.weights[1][i] = point.weights.y;
     }
     BlockVectors positions, placed;
-    kernels_->positions(cornersOf(bvh_), starts, positions);
+    kernels_->positions(cornersOf(bvh()), starts, positions);
 
     // Rays that do not go the same way, or end on different things, are better traced in groups.
     std::array<std::uint64_t, kBlockRays> groups;
@@ -212,7 +212,8 @@ void SceneTracer::traceShadowRays(std::span<const SurfacePoint> points, std::uin
             for (int axis = 0; axis < 3; ++axis)
                 placed.axis[axis][i] = positions.axis[axis][from];
         }
-        const double contact = block.parallel ? 2 * kContactPerMetre * (1 + 2.0 * blockTree_.view().largest) : 0;
+        const double contact =
+            block.parallel ? 2 * kContactPerMetre * (1 + 2.0 * geometry_->blockTree.view().largest) : 0;
         const std::uint64_t forward = kernels_->aimAtPoints(placed, contact, block) & group;
         const std::uint64_t apart = !forward               ? 0
                                     : forward != group     ? forward
@@ -228,7 +229,7 @@ void SceneTracer::traceShadowRays(std::span<const SurfacePoint> points, std::uin
         traced.doubtCount = 0;
         traced.blocked = 0;
         traced.givenUp = group; // a point in the light itself has no direction to it
-        if (forward) kernels_->blocked(blockTree_.view(), block, blocks.data(), starts.primitives, traced);
+        if (forward) kernels_->blocked(geometry_->blockTree.view(), block, blocks.data(), starts.primitives, traced);
         const std::uint64_t alone = traced.givenUp & ~traced.blocked;
         forEachBit(traced.blocked, [&](std::size_t i) { answers[i] = Visibility::shadowed; });
         forEachBit(alone, [&](std::size_t i) { answers[i] = visibility(points[i], light); });
@@ -236,7 +237,7 @@ void SceneTracer::traceShadowRays(std::span<const SurfacePoint> points, std::uin
             const auto [ray, primitive] = traced.doubts[d];
             if (alone & bit(ray) || answers[ray] == Visibility::shadowed) continue;
             const ShearedRay sheared(shadowRay(points[ray], light, ShadowStart::exact));
-            const auto hit = intersect(sheared, bvh_.triangles[primitive], sheared.farthest);
+            const auto hit = intersect(sheared, bvh().triangles[primitive], sheared.farthest);
             if (hit && hit->reach < sheared.farthest) answers[ray] = Visibility::shadowed;
         }
     }
@@ -252,7 +253,7 @@ void SceneTracer::aimTowardLight(const scene::Light& source, const dvec3& firstC
         block.shear[0] = toward[block.axes[0]] / depth;
         block.shear[1] = toward[block.axes[1]] / depth;
     } else {
-        const dvec3 lightCentred = source.positionWorld - world_.originWorld;
+        const dvec3 lightCentred = source.positionWorld - world().originWorld;
         block.parallel = 0;
         setOrigin(block, lightCentred);
         setAxes(block, firstCentred - lightCentred);
