@@ -23,6 +23,17 @@ void Frame::useNearPlaneOfView() {
     eye_.clipFromView = gl::eyeMatrices(camera_, view_.size).clipFromView;
 }
 
+void Frame::useFarPlane() {
+    // Just beyond: the deepest corner of any object's box must not be cut off itself.
+    constexpr double kBeyond = 1.001;
+    double far = 2 * camera_.near;
+    for (const scene::Bounds& box : buffers_.bounds())
+        for (int i = 0; i < 8; ++i)
+            far = std::max(far, -kBeyond * transformPoint(eye_.viewFromWorld, box.corner(i)).z);
+    eye_.clipFromView[2][2] = -(far + camera_.near) / (far - camera_.near);
+    eye_.clipFromView[3][2] = -2.0 * far * camera_.near / (far - camera_.near);
+}
+
 void Frame::drawWhatIsOutOfView() { eye_.part.reset(); }
 
 void Frame::pass(const PassInfo& info, const std::function<void()>& draw, int light) {
@@ -33,7 +44,7 @@ void Frame::pass(const PassInfo& info, const std::function<void()>& draw, int li
         const gl::DebugGroup group(info.title);
         gl::setBaselineState();
         target_.framebuffer.bind();
-        scissorToRegion();
+        scissorTo(std::nullopt);
         if (request_.timePasses)
             timer_.time(key.id, draw);
         else
@@ -43,11 +54,25 @@ void Frame::pass(const PassInfo& info, const std::function<void()>& draw, int li
     stopped_ = request_.stopAfter == key;
 }
 
-void Frame::scissorToRegion() const {
+void Frame::scissorTo(const std::optional<scene::PicturePart>& part) const {
     const Region& region = view_.region;
-    if (region.size.x <= 0 || region.size.y <= 0) return;
-    glEnable(GL_SCISSOR_TEST); // GL counts rows from below
-    glScissor(region.corner.x, view_.size.y - region.corner.y - region.size.y, region.size.x, region.size.y);
+    const bool all = region.size.x <= 0 || region.size.y <= 0;
+    // In pixels, GL counts rows from below.
+    ivec2 lower = all ? ivec2(0) : ivec2(region.corner.x, view_.size.y - region.corner.y - region.size.y);
+    ivec2 upper = lower + (all ? view_.size : region.size);
+    if (part) {
+        const auto pixels = [&](const dvec2& ndc) {
+            return (0.5 + 0.5 * glm::clamp(ndc, -1.0, 1.0)) * dvec2(view_.size);
+        };
+        // The rasteriser rounds: one pixel more on each side.
+        lower = glm::max(lower, ivec2(glm::floor(pixels(part->lower))) - 1);
+        upper = glm::min(upper, ivec2(glm::ceil(pixels(part->upper))) + 1);
+    } else if (all) {
+        glDisable(GL_SCISSOR_TEST);
+        return;
+    }
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(lower.x, lower.y, std::max(upper.x - lower.x, 0), std::max(upper.y - lower.y, 0));
 }
 
 bool Frame::wants(std::string_view stage, int light) const {
@@ -108,7 +133,7 @@ void Frame::drawInto(gl::Texture2D& texture, std::string_view stage, bool clear,
     gl::setBaselineState();
     framebuffer.bind();
     if (clear) glClear(GL_COLOR_BUFFER_BIT);
-    scissorToRegion();
+    scissorTo(std::nullopt);
     draw();
 }
 

@@ -56,6 +56,12 @@ public:
     [[nodiscard]] const scene::Camera& camera() const { return camera_; }
     /// From here on camera() and eye() have the near plane of the view itself: for an algorithm in which it cuts.
     void useNearPlaneOfView();
+    /// From here on what eye() projects ends at a far plane just beyond the scene, as in most programs; without this it ends
+    /// nowhere.
+    void useFarPlane();
+    /// Within a pass: draws only in that part of the picture from here on, and at most in the view's region; none: in all of
+    /// that.
+    void scissorTo(const std::optional<scene::PicturePart>& part) const;
     /// From here on drawSurfaces with eye() draws what is out of view as well: for a technique told to leave nothing out.
     void drawWhatIsOutOfView();
     [[nodiscard]] const gl::EyeMatrices& eye() const { return eye_; }
@@ -93,7 +99,6 @@ public:
     Result takeResult();
 
 private:
-    void scissorToRegion() const;
     gl::Texture2D copyOfTarget(std::string_view name) const;
     gl::Texture2D greyedTarget(std::string_view name) const;
     void drawInto(gl::Texture2D& texture, std::string_view stage, bool clear, const std::function<void()>& draw) const;

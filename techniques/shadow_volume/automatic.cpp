@@ -60,7 +60,7 @@ Automatic::Automatic()
                        .first = {"volumes-back", GL_FRONT},
                        .second = {"volumes-front", GL_BACK},
                        .stageAfterFirst = "stencil-back"},
-                      {.repair = true}) {}
+                      VolumeParams().withRepair()) {}
 
 Way Automatic::wayOf(const Frame& frame, const CasterVolume& caster, int light) const {
     const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];

@@ -19,6 +19,7 @@ public:
 
 private:
     [[nodiscard]] Way wayOf(const Frame& frame, const CasterVolume& caster, int light) const override;
+    [[nodiscard]] bool keepsToReceiversInView() const override { return true; }
     [[nodiscard]] PassRule passRule() const override { return {.corrected = true}; }
 };
 

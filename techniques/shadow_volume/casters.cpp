@@ -5,7 +5,7 @@
 
 #include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/facing.h"
-#include "techniques/shadow_volume/volume_end.h"
+#include "techniques/shadow_volume/lecture_volume.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -16,7 +16,12 @@ CasterMesh::CasterMesh(std::shared_ptr<const scene::Mesh> itsMesh) : mesh(std::m
     edges = edgeTable(topology);
 }
 
-bool Casters::buildNext(const scene::Snapshot& snapshot) {
+bool Casters::buildNext(const scene::Snapshot& snapshot, Construction construction) {
+    if (construction_ != construction) {
+        construction_ = construction;
+        perLight_.clear();
+        snapshot_ = nullptr;
+    }
     if (snapshot_ != snapshot) {
         const bool same = snapshot_ && snapshot_->revisions.geometry == snapshot->revisions.geometry &&
                           snapshot_->revisions.transforms == snapshot->revisions.transforms &&
@@ -27,9 +32,6 @@ bool Casters::buildNext(const scene::Snapshot& snapshot) {
     if (next_ == snapshot->lights.size()) return true;
 
     const scene::Light& light = snapshot->lights[next_];
-    scene::Bounds sceneBounds;
-    for (const scene::Bounds& bounds : bounds_)
-        sceneBounds.include(bounds);
     const std::vector<std::size_t> useful = scene::usefulCasters(*snapshot, light, bounds_);
     std::vector<CasterVolume> known = std::exchange(perLight_[next_], {});
     auto old = known.begin(); // both are in the order of the objects
@@ -40,9 +42,7 @@ bool Casters::buildNext(const scene::Snapshot& snapshot) {
         if (old != known.end() && old->object == o) caster = std::move(*old);
         caster.object = o;
         update(caster, snapshot->objects[o], light);
-        // The volume's indices know nothing of where it ends: that is for the shader, and may change at any time.
         caster.bounds = bounds_[o];
-        caster.endWorld = endPlaneWorld(caster.bounds, light, sceneBounds);
         caster.useful = std::ranges::binary_search(useful, o);
         perLight_[next_].push_back(std::move(caster));
     }
@@ -75,13 +75,15 @@ void Casters::update(CasterVolume& caster, const scene::Object& object, const sc
     caster.lightMesh = lightMesh;
     facing_.resize(mesh->planes.size());
     mesh->planes.findSigns(lightMesh, facing_);
-    scene::keepFrontFacesAlone(facing_, mesh->outward, lightMesh);
+    if (construction_ == Construction::general) scene::keepFrontFacesAlone(facing_, mesh->outward, lightMesh);
     if (sameMesh && caster.facing == facing_) return;
     caster.mesh = mesh;
     caster.report = mesh->report;
     std::swap(caster.facing, facing_);
-    buildVolume(*mesh->mesh, mesh->edges, caster.facing, caster.silhouette, caster.volume);
+    const auto build = construction_ == Construction::general ? buildVolume : buildLectureVolume;
+    build(*mesh->mesh, mesh->edges, caster.facing, caster.silhouette, caster.volume);
     caster.buffers = nullptr;
+    caster.extruded = nullptr;
     ++rebuilt_;
 }
 
@@ -91,9 +93,24 @@ const std::vector<CasterVolume>& Casters::upload(int light) {
         if (caster.buffers) continue;
         std::unique_ptr<ExtrusionVertices>& vertices = caster.mesh->vertices;
         if (!vertices) vertices = std::make_unique<ExtrusionVertices>(*caster.mesh->mesh);
-        caster.buffers = std::make_unique<VolumeBuffers>(caster.volume, caster.silhouette, *vertices);
+        caster.buffers =
+            std::make_unique<VolumeBuffers>(caster.volume, caster.silhouette, [&] { vertices->bindAttributes(); });
     }
     return casters;
+}
+
+const VolumeBuffers& Casters::extrude(int light, std::size_t caster, const Extrusion& extrusion) {
+    CasterVolume& volume = perLight_[static_cast<std::size_t>(light)][caster];
+    if (volume.extruded && volume.extruded->extrusion == extrusion) return *volume.extruded->buffers;
+    volume.extruded = std::make_unique<ExtrudedVolume>();
+    volume.extruded->extrusion = extrusion;
+    volume.extruded->vertices = gl::uploadBuffer(GL_ARRAY_BUFFER, extrudedMesh(*volume.mesh->mesh, extrusion));
+    volume.extruded->buffers = std::make_unique<VolumeBuffers>(volume.volume, volume.silhouette, [&] {
+        glBindBuffer(GL_ARRAY_BUFFER, volume.extruded->vertices.id());
+        glEnableVertexAttribArray(gl::kPositionMesh);
+        glVertexAttribPointer(gl::kPositionMesh, 4, GL_FLOAT, GL_FALSE, sizeof(vec4), nullptr);
+    });
+    return *volume.extruded->buffers;
 }
 
 std::size_t Casters::count() const {
@@ -107,24 +124,6 @@ const std::shared_ptr<CasterMesh>& Casters::shared(const std::shared_ptr<const s
     std::shared_ptr<CasterMesh>& shared = meshes_[mesh.get()];
     if (!shared) shared = std::make_shared<CasterMesh>(mesh);
     return shared;
-}
-
-VolumeInView volumeInView(const CasterVolume& caster, const scene::Light& light, const gl::EyeMatrices& eye) {
-    // The volume lies in the convex hull of the box's corners and their images at the end, all as clip coordinates: the top
-    // cap among the former, the bottom cap among the latter.
-    const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
-    const dvec4 lightWorld = scene::homogeneousPositionWorld(light);
-    dvec4 points[16];
-    for (int i = 0; i < 8; ++i) {
-        const dvec3 corner = caster.bounds.corner(i);
-        points[i] = clipFromWorld * dvec4(corner, 1.0);
-        points[8 + i] = clipFromWorld * (caster.endWorld ? dvec4(pushedToPlane(corner, light, *caster.endWorld), 1.0)
-                                                         : dvec4(corner * lightWorld.w - dvec3(lightWorld), 0.0));
-    }
-    const scene::PicturePart part = eye.part.value_or(scene::PicturePart{});
-    const std::span<const dvec4> all(points);
-    return {&caster, scene::mayTouch(all, part), scene::mayTouch(all.first(8), part),
-            scene::mayTouch(all.last(8), part)};
 }
 
 } // namespace shadowlab::shadow_volume

@@ -10,10 +10,21 @@
 #include "techniques/foundation/gl/surfaces.h"
 #include "techniques/foundation/scene/facing_planes.h"
 #include "techniques/foundation/scene/outward_parts.h"
+#include "techniques/shadow_volume/extrusion.h"
 #include "techniques/shadow_volume/volume.h"
 #include "techniques/shadow_volume/volume_buffers.h"
 
 namespace shadowlab::shadow_volume {
+
+/// Whatever its triangles, by signed counts at the edges (volume.h); or as the lecture has it (lecture_volume.h).
+enum class Construction { general, lecture };
+
+/// A volume whose vertices the processor has pushed, on the card.
+struct ExtrudedVolume {
+    Extrusion extrusion;
+    gl::BufferHandle vertices;
+    std::unique_ptr<VolumeBuffers> buffers;
+};
 
 /// What all volumes of a mesh share, whatever the number of objects and lights.
 struct CasterMesh {
@@ -33,10 +44,10 @@ struct CasterVolume {
     Volume volume;
     std::vector<SilhouetteEdge> silhouette;
     scene::Bounds bounds;
-    std::optional<dvec4> endWorld; ///< the plane where the volume ends; none: at infinity (volume_end.h)
-    bool useful = true;            ///< its shadow can fall on something (scene/casters.h)
+    bool useful = true; ///< its shadow can fall on something (scene/casters.h)
     scene::MeshReport report;
-    std::unique_ptr<VolumeBuffers> buffers; ///< made when first drawn
+    std::unique_ptr<VolumeBuffers> buffers;   ///< made when first drawn
+    std::unique_ptr<ExtrudedVolume> extruded; ///< made when the processor first has to extrude
 
     // What the volume was made of: as long as that is the same, so is the volume.
     std::shared_ptr<CasterMesh> mesh;
@@ -49,13 +60,17 @@ class Casters {
 public:
     /// Brings the volumes of the next light up to date; true when all are. Only what moved is built again: an object seen
     /// from each light, or a light seen from each object.
-    bool buildNext(const scene::Snapshot& snapshot);
+    bool buildNext(const scene::Snapshot& snapshot, Construction construction = Construction::general);
     /// The casters of one light, their buffers on the card.
     const std::vector<CasterVolume>& upload(int light);
+    /// Extrudes one of them on the processor, unless that is done already.
+    const VolumeBuffers& extrude(int light, std::size_t caster, const Extrusion& extrusion);
     /// The same, as they are.
     [[nodiscard]] const std::vector<CasterVolume>& of(int light) const {
         return perLight_[static_cast<std::size_t>(light)];
     }
+    /// The boxes of all objects, in their order.
+    [[nodiscard]] std::span<const scene::Bounds> bounds() const { return bounds_; }
     /// How many volumes there are, for all lights together.
     [[nodiscard]] std::size_t count() const;
     /// How many of them were built since this was last asked.
@@ -71,6 +86,7 @@ private:
     const std::shared_ptr<CasterMesh>& shared(const std::shared_ptr<const scene::Mesh>& mesh);
 
     scene::Snapshot snapshot_;
+    Construction construction_ = Construction::general;
     std::unordered_map<const scene::Mesh*, std::shared_ptr<CasterMesh>> meshes_;
     std::vector<Place> places_;         ///< of all objects
     std::vector<scene::Bounds> bounds_; ///< likewise
@@ -79,15 +95,5 @@ private:
     std::vector<std::int8_t> facing_; ///< of the caster in hand; kept for its memory
     std::size_t rebuilt_ = 0;
 };
-
-/// What of a volume may touch something in view. A picture with and without the rest is the same.
-struct VolumeInView {
-    const CasterVolume* caster = nullptr;
-    bool any = true, topCap = true, bottomCap = true;
-};
-
-/// False for what certainly does not: the caster's box, what it is extruded to, or for `any` both together, lie outside one
-/// plane of the view.
-VolumeInView volumeInView(const CasterVolume& caster, const scene::Light& light, const gl::EyeMatrices& eye);
 
 } // namespace shadowlab::shadow_volume

@@ -71,8 +71,9 @@ bool eyeLineMayTouch(const scene::Bounds& box, const dvec3& eyeWorld, const dvec
     return enters <= leaves;
 }
 
-int eyeCount(const scene::Scene& scene, const CasterVolume& caster, const scene::Light& light, const dvec3& eyeWorld) {
-    if (caster.endWorld && glm::dot(*caster.endWorld, dvec4(eyeWorld, 1.0)) > 0) return 0;
+int eyeCount(const scene::Scene& scene, const CasterVolume& caster, const VolumeEnd& end, const scene::Light& light,
+             const dvec3& eyeWorld) {
+    if (end.planeWorld && glm::dot(*end.planeWorld, dvec4(eyeWorld, 1.0)) > 0) return 0;
     if (!eyeLineMayTouch(caster.bounds, eyeWorld, scene::homogeneousPositionWorld(light))) return 0;
     const Line line(scene.objects[caster.object], light, eyeWorld);
     return line.crossings(caster.volume.topCap, false) + line.crossings(caster.volume.topCapReversed, true);

@@ -4,7 +4,7 @@
 // eye has to start with that number. Crow 1977 and Bergeron 1986 speak of such an initial count.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/shadow_volume/casters.h"
+#include "techniques/shadow_volume/volume_in_view.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -12,10 +12,11 @@ namespace shadowlab::shadow_volume {
 /// inside. The line ends at a point light, and never for a directional one (`lightWorld` is homogeneous).
 bool eyeLineMayTouch(const scene::Bounds& box, const dvec3& eyeWorld, const dvec4& lightWorld);
 
-/// How many triangles of the caster's top cap the line crosses; 0 from beyond the end of its volume. A line through an edge
+/// How many triangles of the caster's top cap the line crosses; 0 from beyond the plane where its volume ends. A line through an edge
 /// or a corner is moved aside by an infinitesimal amount, the same for all triangles (simulation of simplicity,
 /// Edelsbrunner and Mücke 1990).
-int eyeCount(const scene::Scene& scene, const CasterVolume& caster, const scene::Light& light, const dvec3& eyeWorld);
+int eyeCount(const scene::Scene& scene, const CasterVolume& caster, const VolumeEnd& end, const scene::Light& light,
+             const dvec3& eyeWorld);
 
 /// Does the line pass a silhouette edge so closely that the rasteriser and eyeCount() may disagree on which side? Also true of
 /// some edges that the line does not come near, but whose extension it does.

@@ -24,14 +24,12 @@ void FaceCounter::countPassing(const Frame& frame, int light, std::span<const Co
     glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
     glDepthFunc(GL_LESS);
     if (rule.corrected) glEnable(GL_DEPTH_CLAMP); // before the near plane is before every visible point
-    extrude_.use();
     const dvec4 eyeWorld(frame.camera().positionWorld, 1.0);
     for (const CountedVolume& volume : volumes) {
         if (volume.way != Way::pass) continue;
-        const CasterVolume& caster = *volume.seen.caster;
-        drawSides(frame, caster, light);
-        // From beyond its end one looks into a volume through the bottom.
-        if (caster.endWorld && glm::dot(*caster.endWorld, eyeWorld) > 0) caster.buffers->drawBottomCap();
+        // From beyond its end one looks into a volume through the bottom; an end that is no plane is seen from anywhere.
+        const VolumeEnd& end = volume.seen.end;
+        drawExtruded(frame, volume, light, end.distance || (end.planeWorld && glm::dot(*end.planeWorld, eyeWorld) > 0));
     }
     if (rule.corrected) {
         // No top cap lies before a visible point, but for what the near plane has cut off from the surfaces.
@@ -39,8 +37,10 @@ void FaceCounter::countPassing(const Frame& frame, int light, std::span<const Co
         glEnable(GL_CLIP_DISTANCE0);
         nearCap_.use();
         for (const CountedVolume& volume : volumes)
-            if (volume.way == Way::pass && !scene::isBeyondNearPlane(volume.seen.caster->bounds, clipFromWorld))
+            if (volume.way == Way::pass && !scene::isBeyondNearPlane(volume.seen.caster->bounds, clipFromWorld)) {
+                frame.scissorTo(volume.seen.part);
                 drawTopCap(frame, nearCap_, *volume.seen.caster);
+            }
         glDisable(GL_CLIP_DISTANCE0);
     }
     glDisable(GL_DEPTH_CLAMP);
@@ -53,26 +53,35 @@ void FaceCounter::countFailing(const Frame& frame, int light, std::span<const Co
     glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
     glDepthFunc(rule.lessOrEqual ? GL_LEQUAL : GL_LESS);
     // Sides and bottom caps may reach infinity: nothing may clip them there, so their depth is clamped.
-    glEnable(GL_DEPTH_CLAMP);
-    extrude_.use();
-    for (const CountedVolume& volume : volumes) {
-        if (volume.way != Way::fail) continue;
-        drawSides(frame, *volume.seen.caster, light);
-        if (rule.caps && volume.seen.bottomCap) volume.seen.caster->buffers->drawBottomCap();
-    }
+    if (rule.clamp) glEnable(GL_DEPTH_CLAMP);
+    for (const CountedVolume& volume : volumes)
+        if (volume.way == Way::fail) drawExtruded(frame, volume, light, rule.caps && volume.seen.bottomCap);
     // Top caps lie on the casters' surfaces and must get the very depths the surfaces got: same vertices, same order,
     // same program text, and no clamp, because the surfaces themselves were clipped at the near plane.
     glDisable(GL_DEPTH_CLAMP);
     if (!rule.caps) return;
     cap_.use();
     for (const CountedVolume& volume : volumes)
-        if (volume.way == Way::fail && volume.seen.topCap) drawTopCap(frame, cap_, *volume.seen.caster);
+        if (volume.way == Way::fail && volume.seen.topCap) {
+            frame.scissorTo(volume.seen.part);
+            drawTopCap(frame, cap_, *volume.seen.caster);
+        }
 }
 
-void FaceCounter::drawSides(const Frame& frame, const CasterVolume& caster, int light) const {
-    setExtrusion(extrude_, frame, caster, light);
-    setFrontFace(frame.scene().objects[caster.object], false);
-    caster.buffers->drawSides();
+void FaceCounter::drawExtruded(const Frame& frame, const CountedVolume& volume, int light, bool bottomCap) const {
+    const CasterVolume& caster = *volume.seen.caster;
+    const scene::Object& object = frame.scene().objects[caster.object];
+    const gl::Program& program = volume.extruded ? extruded_ : extrude_;
+    program.use();
+    program.set("clipFromMesh", mat4(frame.eye().clipFromMesh(object)));
+    if (!volume.extruded)
+        setExtrusion(program,
+                     extrusionOf(object, frame.scene().lights[static_cast<std::size_t>(light)], volume.seen.end));
+    setFrontFace(object, false);
+    frame.scissorTo(volume.seen.part);
+    const VolumeBuffers& buffers = volume.extruded ? *volume.extruded : *caster.buffers;
+    buffers.drawSides();
+    if (bottomCap) buffers.drawBottomCap();
 }
 
 void FaceCounter::drawTopCap(const Frame& frame, const gl::Program& program, const CasterVolume& caster) const {

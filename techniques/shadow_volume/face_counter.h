@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/frame.h"
-#include "techniques/shadow_volume/casters.h"
+#include "techniques/shadow_volume/volume_in_view.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -15,6 +15,7 @@ enum class Way { pass, fail };
 struct CountedVolume {
     VolumeInView seen;
     Way way = Way::fail;
+    const VolumeBuffers* extruded = nullptr; ///< what the processor has extruded; null: the vertex shader does
 };
 
 struct PassRule {
@@ -25,6 +26,7 @@ struct PassRule {
 
 struct FailRule {
     bool caps = true;
+    bool clamp = true;        ///< depth, for what lies beyond the far plane
     bool lessOrEqual = false; ///< depth test of the faces
 };
 
@@ -45,10 +47,12 @@ public:
                       const StencilRule& stencil) const;
 
 private:
-    void drawSides(const Frame& frame, const CasterVolume& caster, int light) const;
+    /// Sides, bottom cap or both.
+    void drawExtruded(const Frame& frame, const CountedVolume& volume, int light, bool bottomCap) const;
     void drawTopCap(const Frame& frame, const gl::Program& program, const CasterVolume& caster) const;
 
     gl::Program extrude_{"shadow_volume/extrude.vert", "nothing.frag"};
+    gl::Program extruded_{"shadow_volume/extruded.vert", "nothing.frag"};
     gl::Program cap_{"position.vert", "nothing.frag"};
     gl::Program nearCap_{"shadow_volume/near_cap.vert", "nothing.frag"};
 };

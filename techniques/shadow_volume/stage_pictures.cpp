@@ -6,6 +6,7 @@
 
 #include "techniques/foundation/look.h"
 #include "techniques/foundation/scene/facing.h"
+#include "techniques/shadow_volume/lecture_volume.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -15,13 +16,10 @@ namespace {
 vec4 unexposed(const Frame& frame, const vec3& color, float alpha) { return {color / frame.scene().exposure, alpha}; }
 
 /// How far a caster's volume reaches in a picture: a good half of the caster's own size, so that the bottom cap lies apart
-/// from it and still in view. In units of shaders/shadow_volume/extrude_shown.vert.
-double shownStretch(const CasterVolume& caster, const scene::Light& light) {
+/// from it and still in view. Metres.
+double shownDistance(const CasterVolume& caster) {
     constexpr double kOfSize = 0.6;
-    const double size = glm::length(caster.bounds.upperWorld - caster.bounds.lowerWorld);
-    if (light.type == scene::LightType::directional) return kOfSize * size;
-    const dvec3 middle = 0.5 * (caster.bounds.lowerWorld + caster.bounds.upperWorld);
-    return kOfSize * size / std::max(glm::length(middle - light.positionWorld), 0.1 * size); // the light may be inside
+    return kOfSize * glm::length(caster.bounds.upperWorld - caster.bounds.lowerWorld);
 }
 
 /// Names the kinds of edges that occur.
@@ -41,14 +39,6 @@ std::vector<KeyEntry> edgeKey(std::span<const CasterVolume* const> casters) {
 
 void setFrontFace(const scene::Object& object, bool clockwise) {
     glFrontFace(scene::isMirrored(object) != clockwise ? GL_CW : GL_CCW);
-}
-
-void setExtrusion(const gl::Program& program, const Frame& frame, const CasterVolume& caster, int light) {
-    const scene::Object& object = frame.scene().objects[caster.object];
-    program.set("clipFromMesh", mat4(frame.eye().clipFromMesh(object)));
-    // A plane is transformed by the transposed inverse of the points' matrix: mesh from world by that of world from mesh.
-    program.set("endMesh", vec4(glm::transpose(scene::worldFromMesh(object)) * caster.endWorld.value_or(dvec4(0.0))));
-    program.set("lightMesh", vec4(scene::lightMesh(object, frame.scene().lights[static_cast<std::size_t>(light)])));
 }
 
 void StagePictures::publishFacing(Frame& frame, int light) const {
@@ -97,15 +87,17 @@ void StagePictures::publishSilhouettes(Frame& frame, int light, std::span<const 
         {.unit = "", .key = edgeKey(casters)});
 }
 
-void StagePictures::publishFaces(Frame& frame, int light, std::span<const CasterVolume* const> casters,
-                                 bool byPart) const {
+void StagePictures::publishFaces(Frame& frame, int light, std::span<const CasterVolume* const> casters, bool byPart,
+                                 const ShownVolume& shown) const {
     constexpr float kSideAlpha = 0.3f;   // two or three layers stay distinguishable
     constexpr float kCapAlpha = 0.2f;    // a cap lies on the caster's own surface, which should still be recognised
     constexpr float kHiddenShare = 0.4f; // what lies behind a surface shows through, fainter
     const vec3 plus = look::diverging()[6], minus = look::diverging()[2];
     const vec3 top = look::kTowardLight, side = look::kSilhouette, bottom = look::kMultipleEdge;
     const std::vector<KeyEntry> parts = {
-        {top, "top cap"}, {side, "side"}, {bottom, "bottom cap (drawn near; it is far away)"}};
+        {top, "top cap"},
+        {side, "side"},
+        {bottom, shown.distance ? "bottom cap" : "bottom cap (drawn near; it is far away)"}};
     const std::vector<KeyEntry> signs = {{plus, "faces the viewer (front)"},
                                          {minus, "faces away from the viewer (back)"}};
 
@@ -115,13 +107,18 @@ void StagePictures::publishFaces(Frame& frame, int light, std::span<const Caster
         // The volume that is counted ends far away, with a cap of another cut; the one shown is the lecture's.
         std::vector<std::int8_t> facing = scene::facingSigns(object, source);
         // Of a closed mesh only the lit side, as the lecture draws it: the other half would double every face.
-        if (caster.report.isClosed()) std::ranges::replace(facing, std::int8_t{-1}, std::int8_t{0});
+        if (caster.report.isClosed() && shown.construction == Construction::general)
+            std::ranges::replace(facing, std::int8_t{-1}, std::int8_t{0});
         std::vector<SilhouetteEdge> silhouette;
         Volume volume;
-        buildVolume(*object.mesh, caster.mesh->edges, facing, silhouette, volume);
-        const VolumeBuffers buffers(volume, silhouette, *caster.mesh->vertices);
-        setExtrusion(faces_, frame, caster, light);
-        faces_.set("shownStretch", static_cast<float>(shownStretch(caster, source)));
+        if (shown.construction == Construction::lecture)
+            buildLectureVolume(*object.mesh, caster.mesh->edges, facing, silhouette, volume);
+        else
+            buildVolume(*object.mesh, caster.mesh->edges, facing, silhouette, volume);
+        const VolumeBuffers buffers(volume, silhouette, [&] { caster.mesh->vertices->bindAttributes(); });
+        faces_.set("clipFromMesh", mat4(frame.eye().clipFromMesh(object)));
+        const VolumeEnd end{.planeWorld = {}, .distance = shown.distance.value_or(shownDistance(caster))};
+        setExtrusion(faces_, extrusionOf(object, source, end));
         const auto choose = [&](const vec3& partColor, float alpha) {
             faces_.set("frontColor", unexposed(frame, byPart ? partColor : plus, alpha * share));
             faces_.set("backColor", unexposed(frame, byPart ? partColor : minus, alpha * share));

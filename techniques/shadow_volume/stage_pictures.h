@@ -6,6 +6,12 @@
 
 namespace shadowlab::shadow_volume {
 
+/// How volumes are pictured: as they are counted, or where that is too far away to be seen, shorter.
+struct ShownVolume {
+    Construction construction = Construction::general;
+    std::optional<double> distance; ///< that vertices are pushed, metres; none: as far as the picture likes
+};
+
 class StagePictures {
 public:
     /// Every triangle in the colour of its sign of N.L.
@@ -13,20 +19,18 @@ public:
     /// Silhouette, boundary and non-manifold edges over the picture.
     void publishSilhouettes(Frame& frame, int light, std::span<const CasterVolume* const> casters) const;
     /// The faces, translucent, over the picture: by the side they turn to the viewer, or by the part they belong to.
-    void publishFaces(Frame& frame, int light, std::span<const CasterVolume* const> casters, bool byPart) const;
+    void publishFaces(Frame& frame, int light, std::span<const CasterVolume* const> casters, bool byPart,
+                      const ShownVolume& shown) const;
     /// The stencil's counts where there is a surface; `bothSigns` reads 128 to 255 as -128 to -1.
     void publishCount(Frame& frame, std::string_view stage, int light, bool bothSigns) const;
 
 private:
     gl::Program facing_{"surface.vert", "shadow_volume/facing_sign.frag"};
     gl::Program edges_{"shadow_volume/edge.vert", "constant.frag"};
-    gl::Program faces_{"shadow_volume/extrude_shown.vert", "shadow_volume/faces.frag"};
+    gl::Program faces_{"shadow_volume/extrude.vert", "shadow_volume/faces.frag"};
 };
 
 /// Orders a caster's front faces: a mirrored object turns its winding over.
 void setFrontFace(const scene::Object& object, bool clockwise);
-
-/// Sets what shaders/shadow_volume/extrude.vert needs for one caster.
-void setExtrusion(const gl::Program& program, const Frame& frame, const CasterVolume& caster, int light);
 
 } // namespace shadowlab::shadow_volume

@@ -21,12 +21,12 @@ void ExtrusionVertices::bindAttributes() const {
                           reinterpret_cast<const void*>(sizeof(vec3)));
 }
 
-void VolumeBuffers::Run::fill(const ExtrusionVertices& vertices, const std::vector<std::uint32_t>& data) {
+void VolumeBuffers::Run::fill(const std::function<void()>& bindAttributes, const std::vector<std::uint32_t>& data) {
     count = static_cast<GLsizei>(data.size());
     if (count == 0) return;
     vertexArray = gl::VertexArrayHandle::create();
     glBindVertexArray(vertexArray.id());
-    vertices.bindAttributes();
+    bindAttributes();
     indices = gl::uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, data);
     glBindVertexArray(0);
 }
@@ -39,19 +39,19 @@ void VolumeBuffers::Run::draw(GLenum mode) const {
 }
 
 VolumeBuffers::VolumeBuffers(const Volume& volume, std::span<const SilhouetteEdge> silhouette,
-                             const ExtrusionVertices& vertices) {
-    topCap_.fill(vertices, volume.topCap);
-    topCapReversed_.fill(vertices, volume.topCapReversed);
-    sides_.fill(vertices, volume.sides);
-    bottomCap_.fill(vertices, volume.bottomCap);
+                             const std::function<void()>& bindAttributes) {
+    topCap_.fill(bindAttributes, volume.topCap);
+    topCapReversed_.fill(bindAttributes, volume.topCapReversed);
+    sides_.fill(bindAttributes, volume.sides);
+    bottomCap_.fill(bindAttributes, volume.bottomCap);
     std::vector<std::uint32_t> ordinary, boundary, multiple;
     for (const SilhouetteEdge& edge : silhouette) {
         std::vector<std::uint32_t>& lines = edge.triangles == 1 ? boundary : edge.triangles == 2 ? ordinary : multiple;
         lines.insert(lines.end(), {edge.a, edge.b});
     }
-    silhouette_.fill(vertices, ordinary);
-    boundary_.fill(vertices, boundary);
-    multiple_.fill(vertices, multiple);
+    silhouette_.fill(bindAttributes, ordinary);
+    boundary_.fill(bindAttributes, boundary);
+    multiple_.fill(bindAttributes, multiple);
 }
 
 } // namespace shadowlab::shadow_volume

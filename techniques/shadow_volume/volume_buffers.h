@@ -1,6 +1,8 @@
 // A caster's volume on the graphics card, drawn part by part.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <functional>
+
 #include "techniques/foundation/gl/scene_buffers.h"
 #include "techniques/shadow_volume/volume.h"
 
@@ -19,7 +21,9 @@ private:
 
 class VolumeBuffers {
 public:
-    VolumeBuffers(const Volume& volume, std::span<const SilhouetteEdge> silhouette, const ExtrusionVertices& vertices);
+    /// `bindAttributes` binds the vertices that the volume's indices count in.
+    VolumeBuffers(const Volume& volume, std::span<const SilhouetteEdge> silhouette,
+                  const std::function<void()>& bindAttributes);
     // The triangles turned toward the light as they are, and those that have to be read clockwise.
     void drawTopCap() const { topCap_.draw(GL_TRIANGLES); }
     void drawTopCapReversed() const { topCapReversed_.draw(GL_TRIANGLES); }
@@ -35,7 +39,7 @@ private:
         gl::VertexArrayHandle vertexArray;
         gl::BufferHandle indices;
         GLsizei count = 0;
-        void fill(const ExtrusionVertices& vertices, const std::vector<std::uint32_t>& data);
+        void fill(const std::function<void()>& bindAttributes, const std::vector<std::uint32_t>& data);
         void draw(GLenum mode) const;
     };
     Run topCap_, topCapReversed_, sides_, bottomCap_, silhouette_, boundary_, multiple_;

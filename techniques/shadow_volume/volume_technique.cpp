@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "techniques/foundation/scene/visible_receivers.h"
 #include "techniques/foundation/trace/exact_visibility.h"
 #include "techniques/shadow_volume/eye_line.h"
 #include "techniques/shadow_volume/shapes.h"
@@ -17,6 +18,17 @@ params::ParamList VolumeTechnique::sharedParams() {
         params::boolean("cull", params_.cull,
                         "Skip what is out of view, and volumes that cannot reach it or in which nothing lies; the "
                         "picture is the same."),
+        params::choice(
+            "construction", params_.construction, {"general", "lecture"},
+            "How volumes are built: for any triangles; or the lecture's way, front faces, pushed back faces and "
+            "quads at the edges between them, which needs closed meshes."),
+        params::choice("volume-end", params_.end, {"receivers", "infinity", "distance"},
+                       "Where volumes end: beyond all that can receive a shadow, at infinity, or at `extrusion`."),
+        params::real("extrusion", params_.extrusion, 0.001, 100000, "m",
+                     "The lecture's d, with volume-end = distance: how far vertices are pushed. Too short, and shadows "
+                     "end in the air."),
+        params::choice("extrude-on", params_.extrudeOn, {"vertex-shader", "cpu"},
+                       "Who pushes the vertices away from the light: the pixels are the same."),
         params::boolean("wrap", params_.stencil.wrap,
                         "Let the stencil wrap around; false: it sticks at its ends, and counts get lost (teaching)."),
         params::integer(
@@ -30,7 +42,7 @@ params::ParamList VolumeTechnique::sharedParams() {
 }
 
 Progress VolumeTechnique::prepare(const scene::Snapshot& snapshot, Deadline deadline) {
-    while (!casters_.buildNext(snapshot))
+    while (!casters_.buildNext(snapshot, params_.construction))
         if (std::chrono::steady_clock::now() >= deadline) return {0.5, false};
     if (params_.repair && !repair_.prepare(snapshot, deadline)) return {0.9, false};
     return {};
@@ -45,6 +57,7 @@ Progress VolumeTechnique::render(Frame& frame) {
 
     frame.count("volumes-rebuilt", static_cast<double>(casters_.takeRebuilt()), static_cast<double>(casters_.count()));
     repair_.beginFrame();
+    findReceivers(frame);
     const int lights = static_cast<int>(scene.lights.size());
     for (int light = 0; light < lights; ++light) {
         chooseVolumes(frame, light);
@@ -65,23 +78,59 @@ Progress VolumeTechnique::render(Frame& frame) {
     return {};
 }
 
+void VolumeTechnique::findReceivers(const Frame& frame) {
+    receivers_ = allReceiversInView_ = {};
+    receiversInView_.clear();
+    for (const scene::Bounds& box : casters_.bounds())
+        receivers_.include(box);
+    if (!params_.cull || !keepsToReceiversInView()) return;
+    const gl::EyeMatrices& eye = frame.eye();
+    receiversInView_ = scene::visibleReceivers(frame.scene(), casters_.bounds(), eye.clipFromView * eye.viewFromWorld,
+                                               eye.part.value_or(scene::PicturePart{}));
+    for (const scene::Bounds& box : receiversInView_)
+        allReceiversInView_.include(box);
+}
+
+VolumeEnd VolumeTechnique::endOf(const CasterVolume& caster, const scene::Light& light) const {
+    VolumeEnd end;
+    if (endsAtDistance()) end.distance = params_.extrusion;
+    if (params_.end != VolumeParams::End::receivers) return end;
+    if (!allReceiversInView_.isEmpty()) end.planeWorld = endPlaneWorld(caster.bounds, light, allReceiversInView_);
+    if (!end.planeWorld) end.planeWorld = endPlaneWorld(caster.bounds, light, receivers_);
+    return end;
+}
+
+VolumeInView VolumeTechnique::inView(const Frame& frame, const CasterVolume& caster, const scene::Light& light) const {
+    const VolumeEnd end = endOf(caster, light);
+    if (!params_.cull) return {.caster = &caster, .end = end};
+    VolumeInView volume = volumeInView(caster, light, end, frame.eye());
+    if (volume.any && keepsToReceiversInView()) {
+        if (missesAll(caster.bounds, light, allReceiversInView_))
+            volume.any = false;
+        else
+            keepToReceivers(volume, light, receiversInView_, frame.eye());
+    }
+    return volume;
+}
+
 void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
     const std::vector<CasterVolume>& casters = casters_.upload(light);
     const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
     drawn_.clear();
     startCount_ = 0;
-    for (const CasterVolume& caster : casters) {
+    for (std::size_t i = 0; i < casters.size(); ++i) {
+        const CasterVolume& caster = casters[i];
         const Way way = wayOf(frame, caster, light);
-        VolumeInView seen{.caster = &caster};
-        if (params_.cull) {
-            seen = volumeInView(caster, source, frame.eye());
-            // What shadows nothing may be left out, but from the textbook's depth pass: the eye may be in that volume.
-            const bool countsAnyway = way == Way::pass && !passRule().corrected;
-            if (!seen.any || (!caster.useful && !countsAnyway)) continue;
-        }
-        drawn_.push_back({seen, way});
+        const VolumeInView seen = inView(frame, caster, source);
+        // What shadows nothing may be left out, but from the textbook's depth pass: the eye may be in that volume.
+        const bool counts = caster.useful || !params_.cull || (way == Way::pass && !passRule().corrected);
+        if (!seen.any || !counts) continue;
+        drawn_.push_back({.seen = seen, .way = way});
+        if (params_.extrudeOn == VolumeParams::ExtrudeOn::cpu)
+            drawn_.back().extruded =
+                &casters_.extrude(light, i, extrusionOf(frame.scene().objects[caster.object], source, seen.end));
         if (way == Way::pass && passRule().corrected)
-            startCount_ += eyeCount(frame.scene(), caster, source, frame.camera().positionWorld);
+            startCount_ += eyeCount(frame.scene(), caster, seen.end, source, frame.camera().positionWorld);
     }
     frame.count("volumes", static_cast<double>(drawn_.size()), static_cast<double>(casters.size()), "casters");
     const auto passing = std::ranges::count(drawn_, Way::pass, &CountedVolume::way);
@@ -176,8 +225,10 @@ void VolumeTechnique::publishOverPicture(Frame& frame, int light) {
     const std::vector<const CasterVolume*> casters = usefulCasters(light);
     if (frame.wants("facing", light)) pictures_.publishFacing(frame, light);
     if (frame.wants("silhouettes", light)) pictures_.publishSilhouettes(frame, light, casters);
-    if (frame.wants("volume-signs", light)) pictures_.publishFaces(frame, light, casters, false);
-    if (frame.wants("volume-parts", light)) pictures_.publishFaces(frame, light, casters, true);
+    ShownVolume shown{.construction = params_.construction, .distance = {}};
+    if (endsAtDistance()) shown.distance = params_.extrusion;
+    if (frame.wants("volume-signs", light)) pictures_.publishFaces(frame, light, casters, false, shown);
+    if (frame.wants("volume-parts", light)) pictures_.publishFaces(frame, light, casters, true, shown);
 }
 
 std::vector<const CasterVolume*> VolumeTechnique::usefulCasters(int light) const {

@@ -28,8 +28,18 @@ struct Counting {
 struct VolumeParams {
     bool twoSided = true;
     bool cull = true;
+    Construction construction = Construction::general;
+    enum class End { receivers, infinity, distance } end = End::receivers;
+    double extrusion =
+        2; ///< metres; half of what most things in the built-in scenes stand above what they shadow, or more
+    enum class ExtrudeOn { vertexShader, cpu } extrudeOn = ExtrudeOn::vertexShader;
     StencilRule stencil;
     bool repair = false;
+    [[nodiscard]] VolumeParams withRepair() const {
+        VolumeParams params = *this;
+        params.repair = true;
+        return params;
+    }
 };
 
 class VolumeTechnique : public Technique {
@@ -48,13 +58,21 @@ protected:
     [[nodiscard]] virtual Way wayOf(const Frame& frame, const CasterVolume& caster, int light) const = 0;
     [[nodiscard]] virtual PassRule passRule() const { return {}; }
     [[nodiscard]] virtual FailRule failRule() const { return {}; }
+    /// Leaves out what shadows no receiver in view, and ends volumes where those do. Only for a count that may be anything
+    /// elsewhere in the picture, so not where it begins with the eye's own.
+    [[nodiscard]] virtual bool keepsToReceiversInView() const { return false; }
     /// Are caps part of what it draws?
     [[nodiscard]] virtual bool showsCaps() const { return true; }
 
     params::ParamList sharedParams();
+    /// Do volumes end at a distance from the caster?
+    [[nodiscard]] bool endsAtDistance() const { return params_.end == VolumeParams::End::distance; }
 
 private:
     [[nodiscard]] std::vector<const CasterVolume*> usefulCasters(int light) const;
+    void findReceivers(const Frame& frame);
+    [[nodiscard]] VolumeEnd endOf(const CasterVolume& caster, const scene::Light& light) const;
+    [[nodiscard]] VolumeInView inView(const Frame& frame, const CasterVolume& caster, const scene::Light& light) const;
     void chooseVolumes(Frame& frame, int light);
     void clearAndCount(Frame& frame, int light);
     void clearStencil() const;
@@ -68,6 +86,9 @@ private:
     const Counting counting_;
     VolumeParams params_;
     Casters casters_;
+    scene::Bounds receivers_;                    ///< around all that there is
+    std::vector<scene::Bounds> receiversInView_; ///< around what of each may be seen
+    scene::Bounds allReceiversInView_;
     std::vector<CountedVolume> drawn_; ///< volumes of the current light that can change a pixel
     int startCount_ = 0;               ///< of the stencil: how many of those counted with depth pass the eye is in
     FaceCounter counter_;

@@ -56,7 +56,17 @@ params::ParamList ZFail::params() {
     list.push_back(
         params::choice("depth-test", params_.depthTest, {"less", "lequal"},
                        "Depth test of the volume faces; lequal: top caps fight with their own surface (teaching)."));
+    list.push_back(params::choice("far-plane", params_.farPlane, {"infinite-and-clamp", "infinite", "clamp", "clip"},
+                                  "What keeps the far plane from cutting volumes open: a projection without one, "
+                                  "clamping of depth, or both; clip: "
+                                  "nothing, which shows with volume-end = infinity (teaching)."));
     return list;
+}
+
+Progress ZFail::render(Frame& frame) {
+    using enum ZFailParams::FarPlane;
+    if (params_.farPlane == clamp || params_.farPlane == clip) frame.useFarPlane();
+    return VolumeTechnique::render(frame);
 }
 
 TechniqueInfo zfailInfo() {

@@ -12,17 +12,22 @@ namespace shadowlab::shadow_volume {
 struct ZFailParams {
     bool caps = true;
     enum class DepthTest { less, lequal } depthTest = DepthTest::less;
+    enum class FarPlane { infiniteAndClamp, infinite, clamp, clip } farPlane = FarPlane::infiniteAndClamp;
 };
 
 class ZFail final : public VolumeTechnique {
 public:
     ZFail();
     params::ParamList params() override;
+    Progress render(Frame& frame) override;
 
 private:
     [[nodiscard]] Way wayOf(const Frame&, const CasterVolume&, int) const override { return Way::fail; }
     [[nodiscard]] FailRule failRule() const override {
-        return {.caps = params_.caps, .lessOrEqual = params_.depthTest == ZFailParams::DepthTest::lequal};
+        using enum ZFailParams::FarPlane;
+        return {.caps = params_.caps,
+                .clamp = params_.farPlane == infiniteAndClamp || params_.farPlane == clamp,
+                .lessOrEqual = params_.depthTest == ZFailParams::DepthTest::lequal};
     }
 
     ZFailParams params_;

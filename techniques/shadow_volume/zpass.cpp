@@ -71,8 +71,12 @@ Progress ZPass::render(Frame& frame) {
 
 Way ZPass::wayOf(const Frame& frame, const CasterVolume& caster, int light) const {
     const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
+    const dvec3 eyeWorld = frame.camera().positionWorld;
+    // The eye's own count is known for volumes that end at a plane or nowhere.
     const bool unsure =
-        params_.eyeCorrection && eyeLineGrazes(frame.scene(), caster, source, frame.camera().positionWorld);
+        params_.eyeCorrection &&
+        (endsAtDistance() ? eyeLineMayTouch(caster.bounds, eyeWorld, scene::homogeneousPositionWorld(source))
+                          : eyeLineGrazes(frame.scene(), caster, source, eyeWorld));
     return unsure ? Way::fail : Way::pass;
 }
 

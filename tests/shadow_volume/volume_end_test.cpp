@@ -13,7 +13,7 @@ namespace shadowlab {
 namespace {
 
 using shadow_volume::endPlaneWorld;
-using shadow_volume::pushedToPlane;
+using shadow_volume::pushedWorld;
 
 scene::Bounds box(const dvec3& lower, const dvec3& upper) {
     scene::Bounds bounds;
@@ -64,7 +64,8 @@ TEST(VolumeEnd, NothingOfTheSceneLiesBeyondAndEveryVertexReachesIt) {
                     const dvec4 light = scene::homogeneousPositionWorld(scene.lights[0]);
                     for (const vec3& positionMesh : object.mesh->positionsMesh) {
                         const dvec3 from = transformPoint(scene::worldFromMesh(object), dvec3(positionMesh));
-                        const dvec3 to = pushedToPlane(from, scene.lights[0], *plane);
+                        const dvec3 to =
+                            dvec3(pushedWorld(from, scene.lights[0], {.planeWorld = plane, .distance = {}}));
                         ASSERT_NEAR(glm::dot(*plane, dvec4(to, 1.0)), 0, 1e-9);
                         ASSERT_GT(glm::dot(to - from, from * light.w - dvec3(light)), 0) << "toward the light";
                     }

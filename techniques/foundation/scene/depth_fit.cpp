@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "techniques/foundation/scene/clip_polygon.h"
+
 namespace shadowlab::scene {
 
 namespace {
@@ -17,18 +19,6 @@ constexpr std::size_t kFewTriangles = 64;
 // notice.
 constexpr double kClearance = 0.99;
 
-/// The part of a convex polygon, in clip coordinates, on the inner side of a plane (Sutherland and Hodgman, 1974).
-std::vector<dvec4> clipped(const std::vector<dvec4>& polygon, const dvec4& plane) {
-    std::vector<dvec4> inside;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const dvec4 &here = polygon[i], &next = polygon[(i + 1) % polygon.size()];
-        const double dHere = glm::dot(plane, here), dNext = glm::dot(plane, next);
-        if (dHere >= 0) inside.push_back(here);
-        if ((dHere >= 0) != (dNext >= 0)) inside.push_back(glm::mix(here, next, dHere / (dHere - dNext)));
-    }
-    return inside;
-}
-
 /// View depth of the nearest point of a polygon within the sides and the near plane of the view; infinite if outside.
 double nearestDepth(std::vector<dvec4> polygonClip) {
     // Left, right, bottom, top, near. In clip coordinates of a perspective projection w is the view depth.
@@ -36,7 +26,7 @@ double nearestDepth(std::vector<dvec4> polygonClip) {
                                           std::array{0.0, 1.0, 0.0}, std::array{0.0, -1.0, 0.0},
                                           std::array{0.0, 0.0, 1.0}};
     for (const auto& p : planes)
-        polygonClip = clipped(polygonClip, dvec4(p[0], p[1], p[2], 1.0));
+        polygonClip = clippedPolygon(polygonClip, dvec4(p[0], p[1], p[2], 1.0));
     double nearest = std::numeric_limits<double>::infinity();
     for (const dvec4& corner : polygonClip)
         nearest = std::min(nearest, corner.w);

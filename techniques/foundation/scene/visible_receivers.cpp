@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/visible_receivers.h"
+
+#include <array>
+
+#include "techniques/foundation/scene/clip_polygon.h"
+
+namespace shadowlab::scene {
+
+namespace {
+
+// Floors and walls are looked at themselves: the box around a slanting one would be mostly empty.
+constexpr std::size_t kFewTriangles = 16;
+
+using Planes = std::array<dvec4, 5>;
+
+/// Left, right, bottom, top and near plane of that part of the view, in the world: positive inside.
+Planes planesWorld(const dmat4& clipFromWorld, const PicturePart& part) {
+    const dmat4 transposed = glm::transpose(clipFromWorld);
+    return {transposed * dvec4(1, 0, 0, -part.lower.x), transposed * dvec4(-1, 0, 0, part.upper.x),
+            transposed * dvec4(0, 1, 0, -part.lower.y), transposed * dvec4(0, -1, 0, part.upper.y),
+            transposed * dvec4(0, 0, 1, 1)};
+}
+
+void includeVisible(Bounds& visible, std::vector<dvec4> polygonWorld, const Planes& planes) {
+    for (const dvec4& plane : planes)
+        polygonWorld = clippedPolygon(polygonWorld, plane);
+    for (const dvec4& corner : polygonWorld)
+        visible.include(dvec3(corner));
+}
+
+Bounds visibleOfTriangles(const Object& object, const Planes& planes) {
+    const dmat4 worldFromMesh = scene::worldFromMesh(object);
+    Bounds visible;
+    for (const uvec3& t : object.mesh->triangles) {
+        std::vector<dvec4> polygon;
+        for (const std::uint32_t v : {t.x, t.y, t.z})
+            polygon.push_back(worldFromMesh * dvec4(dvec3(object.mesh->positionsMesh[v]), 1.0));
+        includeVisible(visible, std::move(polygon), planes);
+    }
+    return visible;
+}
+
+/// Of a box that the eye is not in: what is seen through its sides.
+Bounds visibleOfBox(const Bounds& box, const Planes& planes) {
+    static constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                         {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+    Bounds visible;
+    for (const auto& face : kFaces) {
+        std::vector<dvec4> polygon;
+        for (const int corner : face)
+            polygon.emplace_back(box.corner(corner), 1.0);
+        includeVisible(visible, std::move(polygon), planes);
+    }
+    return visible;
+}
+
+} // namespace
+
+std::vector<Bounds> visibleReceivers(const Scene& scene, std::span<const Bounds> bounds, const dmat4& clipFromWorld,
+                                     const PicturePart& part) {
+    const Planes planes = planesWorld(clipFromWorld, part);
+    std::vector<Bounds> receivers;
+    for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+        const Object& object = scene.objects[o];
+        if (!object.receivesShadow || !mayTouch(bounds[o], clipFromWorld, part)) continue;
+        const Bounds visible = object.mesh->triangles.size() <= kFewTriangles ? visibleOfTriangles(object, planes)
+                               : isBeyondNearPlane(bounds[o], clipFromWorld)  ? visibleOfBox(bounds[o], planes)
+                                                                              : bounds[o];
+        if (!visible.isEmpty()) receivers.push_back(visible);
+    }
+    return receivers;
+}
+
+} // namespace shadowlab::scene

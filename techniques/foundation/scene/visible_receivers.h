@@ -1,0 +1,17 @@
+// What of the receivers is in view: a shadow that falls elsewhere need not be drawn.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <vector>
+
+#include "techniques/foundation/scene/picture_part.h"
+#include "techniques/foundation/scene/scene.h"
+
+namespace shadowlab::scene {
+
+/// For each object that receives shadows and may be seen in that part of the picture a box around what may be seen of it.
+/// `bounds` are the scene's objectBounds.
+std::vector<Bounds> visibleReceivers(const Scene& scene, std::span<const Bounds> bounds, const dmat4& clipFromWorld,
+                                     const PicturePart& part);
+
+} // namespace shadowlab::scene

@@ -1,0 +1,141 @@
+// How volumes are built, where they end and who extrudes them: every choice that is meant to be right is, from every eye, and
+// every choice that is a lesson goes wrong where it should.
+// SPDX-License-Identifier: MIT
+#include "tests/support/gl_fixture.h"
+#include "tests/support/hard_scenes.h"
+#include "tests/support/scenes.h"
+#include "tests/support/truth_comparison.h"
+
+namespace shadowlab {
+namespace {
+
+using testing::compareWithTruth;
+using testing::HardClass;
+using testing::kTiePx;
+using testing::TruthComparison;
+using VolumeShapes = testing::GlTest;
+
+constexpr ivec2 kSize{160, 120};
+
+// Isolated pixels at cracks between sides, as in zfail_gl_test.cpp.
+constexpr double kCrackShare = 3e-5;
+
+const std::string kZPass = "shadow-volume-zpass", kZFail = "shadow-volume-zfail", kChosen = "shadow-volume";
+
+/// The three techniques, each so that it is right from every eye and mends nothing afterwards.
+std::vector<std::pair<std::string, std::vector<std::string>>> allThree(const std::vector<std::string>& settings) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> techniques = {
+        {kZPass, {"eye-correction=true"}}, {kZFail, {}}, {kChosen, {"repair=false"}}};
+    for (auto& [technique, its] : techniques)
+        its.insert(its.end(), settings.begin(), settings.end());
+    return techniques;
+}
+
+TruthComparison overClasses(const std::vector<HardClass>& classes, const std::string& technique,
+                            const std::vector<std::string>& settings, int perClass) {
+    TruthComparison sum;
+    for (const bool directional : {false, true})
+        for (const HardClass hardClass : classes)
+            for (int i = 0; i < perClass; ++i)
+                sum += compareWithTruth(
+                    testing::snapshot(testing::hardScene(hardClass, static_cast<unsigned>(i), directional)), technique,
+                    settings, kSize, 0, kTiePx);
+    return sum;
+}
+
+const std::vector<HardClass> kAll(std::begin(testing::kHardClasses), std::end(testing::kHardClasses));
+
+int perClass() { return std::getenv("SHADOWLAB_LONG") ? 40 : 2; }
+
+void expectExact(const std::vector<HardClass>& classes, const std::vector<std::string>& settings) {
+    for (const auto& [technique, its] : allThree(settings)) {
+        const TruthComparison sum = overClasses(classes, technique, its, perClass());
+        EXPECT_LE(sum.wrong(), kCrackShare * sum.compared + 1) << technique << ": " << sum;
+        EXPECT_GT(sum.lit, 5000) << technique;
+        EXPECT_GT(sum.shadowed, 5000) << technique;
+    }
+}
+
+TEST_F(VolumeShapes, VolumesMayEndAtInfinity) { expectExact(kAll, {"volume-end=infinity"}); }
+
+// 1000 m is far beyond these scenes, which are about 10 m across.
+TEST_F(VolumeShapes, TheLecturesDistanceIsExactWhenItIsLongEnough) {
+    expectExact(kAll, {"volume-end=distance", "extrusion=1000"});
+}
+
+TEST_F(VolumeShapes, ADistanceTooShortLosesShadowsAndInventsNone) {
+    const std::vector<std::string> tooShort = {"volume-end=distance", "extrusion=0.25"};
+    for (const auto& [technique, its] : allThree(tooShort)) {
+        const TruthComparison sum = overClasses({HardClass::soup, HardClass::torus}, technique, its, 2);
+        EXPECT_GT(sum.falseLit, sum.compared / 50) << technique << ": " << sum;
+        EXPECT_LE(sum.falseShadow, kCrackShare * sum.compared + 1) << technique << ": " << sum;
+    }
+}
+
+TEST_F(VolumeShapes, TheLecturesConstructionIsExactForClosedMeshes) {
+    expectExact({HardClass::torus}, {"construction=lecture"});
+    expectExact({HardClass::torus}, {"construction=lecture", "volume-end=distance", "extrusion=1000"});
+}
+
+// "Find the two polygon surfaces that share this edge": a boundary has one, a fan has three or more.
+TEST_F(VolumeShapes, TheLecturesConstructionFailsForOpenAndNonManifoldOnes) {
+    for (const HardClass hardClass : {HardClass::soup, HardClass::nonManifold, HardClass::lightInMesh}) {
+        const TruthComparison sum = overClasses({hardClass}, kZFail, {"construction=lecture"}, 4);
+        // Inside a tube little is lit to begin with; cracks would be a pixel or two.
+        EXPECT_GT(sum.wrong(), 200) << toText(hardClass) << ": " << sum;
+    }
+}
+
+TEST_F(VolumeShapes, EitherRemedyForTheFarPlaneIsEnough) {
+    for (const char* remedy : {"infinite", "clamp", "infinite-and-clamp"}) {
+        const TruthComparison sum =
+            overClasses(kAll, kZFail, {"volume-end=infinity", std::string("far-plane=") + remedy}, perClass());
+        EXPECT_LE(sum.wrong(), kCrackShare * sum.compared + 1) << remedy << ": " << sum;
+        EXPECT_GT(sum.shadowed, 10000) << remedy;
+    }
+}
+
+TEST_F(VolumeShapes, WithoutARemedyTheFarPlaneCutsVolumesOpen) {
+    const TruthComparison sum = overClasses(kAll, kZFail, {"volume-end=infinity", "far-plane=clip"}, 2);
+    EXPECT_GT(sum.wrong(), sum.compared / 100) << sum;
+}
+
+TEST_F(VolumeShapes, TheProcessorAndTheVertexShaderExtrudeToTheSamePixels) {
+    long lit = 0, shadowed = 0;
+    for (const std::vector<std::string>& end :
+         {std::vector<std::string>{"volume-end=receivers"}, {"volume-end=infinity"}, {"volume-end=distance"}})
+        for (const auto& [technique, its] : allThree(end))
+            for (const HardClass hardClass : testing::kHardClasses) {
+                const auto scene = testing::snapshot(testing::hardScene(hardClass, 3, hardClass == HardClass::torus));
+                std::vector<std::string> onCpu = its;
+                onCpu.emplace_back("extrude-on=cpu");
+                const auto shader = testing::renderVisibility(scene, technique, its, kSize, 0);
+                const auto cpu = testing::renderVisibility(scene, technique, onCpu, kSize, 0);
+                EXPECT_EQ(shader.greyAlpha, cpu.greyAlpha) << technique << ", " << toText(hardClass) << ", " << end[0];
+                for (std::size_t i = 0; i + 1 < cpu.greyAlpha.size(); i += 2)
+                    if (cpu.greyAlpha[i + 1] > 0) ++(cpu.greyAlpha[i] > 0.5f ? lit : shadowed);
+            }
+    EXPECT_GT(lit, 50000);
+    EXPECT_GT(shadowed, 50000);
+}
+
+// Casters left out, volumes that end where the receivers in view do, and scissors: no pixel may tell.
+TEST_F(VolumeShapes, KeepingToTheReceiversInViewChangesNoPixel) {
+    long shadowed = 0;
+    for (const bool directional : {false, true})
+        for (const HardClass hardClass : testing::kHardClasses)
+            for (int i = 0; i < perClass(); ++i) {
+                const auto scene =
+                    testing::snapshot(testing::hardScene(hardClass, static_cast<unsigned>(i), directional));
+                const auto all = compareWithTruth(scene, kChosen, {"repair=false", "cull=false"}, kSize, 0, kTiePx);
+                const auto kept = compareWithTruth(scene, kChosen, {"repair=false"}, kSize, 0, kTiePx);
+                // Where they end is another place: so may a crack be.
+                EXPECT_LE(std::abs(kept.wrong() - all.wrong()), 1)
+                    << toText(hardClass) << " scene " << i << ": " << kept;
+                shadowed += kept.shadowed;
+            }
+    EXPECT_GT(shadowed, 10000);
+}
+
+} // namespace
+} // namespace shadowlab
