@@ -21,6 +21,10 @@ inline const vec3 kBoundaryEdge = linearFromSrgb8(0x00, 0x9E, 0x73);
 inline const vec3 kMultipleEdge = linearFromSrgb8(0xCC, 0x79, 0xA7);
 inline const vec3 kInconsistentEdge = linearFromSrgb8(0xF0, 0xE4, 0x42);
 
+// The way in which a caster's volume is counted.
+inline const vec3 kDepthPass = linearFromSrgb8(0x90, 0xF0, 0xA8);
+inline const vec3 kDepthFail = linearFromSrgb8(0x00, 0x72, 0xB2);
+
 /// How far a line reaches to either side of its middle, in pixels, so that it is seen from the last row: about 1/240 of the
 /// picture's height across.
 int lineRadius(int height);

@@ -48,9 +48,17 @@ const StageInfo kStages[] = {
     {"volume-parts", "Volume faces by part: top cap, sides, bottom cap", StageKind::radiance, true},
     {"stencil-back", "Stencil after the back faces", StageKind::count, true},
     {"stencil", "Stencil after all faces: zero is lit", StageKind::count, true},
+    {"crossings", "Volume faces before each point, or behind it: all that were counted", StageKind::count, true},
+    {"ways", "Casters by the way they are counted, for the near-clip pyramid", StageKind::radiance, true},
     kRepairStage,
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };
+
+VolumeParams repaired() {
+    VolumeParams params;
+    params.repair = true;
+    return params;
+}
 
 } // namespace
 
@@ -60,13 +68,11 @@ Automatic::Automatic()
                        .first = {"volumes-back", GL_FRONT},
                        .second = {"volumes-front", GL_BACK},
                        .stageAfterFirst = "stencil-back"},
-                      VolumeParams().withRepair()) {}
+                      repaired()) {}
 
-Way Automatic::wayOf(const Frame& frame, const CasterVolume& caster, int light) const {
-    const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
-    return eyeLineMayTouch(caster.bounds, frame.camera().positionWorld, scene::homogeneousPositionWorld(source))
-               ? Way::fail
-               : Way::pass;
+Way Automatic::wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster, int light) const {
+    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+    return eyeLineMayTouch(caster.bounds, eyeWorld, scene::homogeneousPositionWorld(source)) ? Way::fail : Way::pass;
 }
 
 TechniqueInfo automaticInfo() {

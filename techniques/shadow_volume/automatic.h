@@ -18,7 +18,9 @@ public:
     params::ParamList params() override { return sharedParams(); }
 
 private:
-    [[nodiscard]] Way wayOf(const Frame& frame, const CasterVolume& caster, int light) const override;
+    [[nodiscard]] Way wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster,
+                            int light) const override;
+    [[nodiscard]] bool showsWays() const override { return true; }
     [[nodiscard]] bool keepsToReceiversInView() const override { return true; }
     [[nodiscard]] PassRule passRule() const override { return {.corrected = true}; }
 };

@@ -6,6 +6,7 @@
 #include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/facing.h"
 #include "techniques/shadow_volume/lecture_volume.h"
+#include "techniques/shadow_volume/overlaps.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -46,6 +47,7 @@ bool Casters::buildNext(const scene::Snapshot& snapshot, Construction constructi
         caster.useful = std::ranges::binary_search(useful, o);
         perLight_[next_].push_back(std::move(caster));
     }
+    overlaps_[next_] = mostOverlaps(*snapshot, light, perLight_[next_]);
     return ++next_ == snapshot->lights.size();
 }
 
@@ -64,6 +66,7 @@ void Casters::begin(const scene::Scene& scene) {
         return std::ranges::none_of(places_, [&](const Place& place) { return place.mesh.get() == entry.first; });
     });
     perLight_.resize(scene.lights.size());
+    overlaps_.resize(scene.lights.size());
     next_ = 0;
 }
 

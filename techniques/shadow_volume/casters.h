@@ -69,6 +69,8 @@ public:
     [[nodiscard]] const std::vector<CasterVolume>& of(int light) const {
         return perLight_[static_cast<std::size_t>(light)];
     }
+    /// At most so many of its casters' triangles lie between that light and any point (overlaps.h).
+    [[nodiscard]] int overlaps(int light) const { return overlaps_[static_cast<std::size_t>(light)]; }
     /// The boxes of all objects, in their order.
     [[nodiscard]] std::span<const scene::Bounds> bounds() const { return bounds_; }
     /// How many volumes there are, for all lights together.
@@ -91,6 +93,7 @@ private:
     std::vector<Place> places_;         ///< of all objects
     std::vector<scene::Bounds> bounds_; ///< likewise
     std::vector<std::vector<CasterVolume>> perLight_;
+    std::vector<int> overlaps_;       ///< likewise
     std::size_t next_ = 0;            ///< the first light whose volumes may be out of date
     std::vector<std::int8_t> facing_; ///< of the caster in hand; kept for its memory
     std::size_t rebuilt_ = 0;

@@ -17,61 +17,97 @@ void setStencilFunctions(GLenum adding, GLenum taking, const StencilRule& stenci
 
 } // namespace
 
-void FaceCounter::countPassing(const Frame& frame, int light, std::span<const CountedVolume> volumes,
-                               const PassRule& rule, const StencilRule& stencil) const {
+FaceCounter::Programs::Programs(const std::string& fragment)
+    : extrude("shadow_volume/extrude.vert", fragment), extruded("shadow_volume/extruded.vert", fragment),
+      cap("position.vert", fragment), nearCap("shadow_volume/near_cap.vert", fragment) {}
+
+void FaceCounter::countIntoStencil(const Frame& frame, int light, std::span<const CountedVolume> volumes,
+                                   const CountRules& rules, const StencilRule& stencil) const {
     setStencilFunctions(GL_FRONT, GL_BACK, stencil);
     glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
     glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
     glDepthFunc(GL_LESS);
+    drawPassing(frame, light, volumes, rules.pass, forStencil_);
+
+    setStencilFunctions(GL_BACK, GL_FRONT, stencil);
+    glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+    glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+    glDepthFunc(rules.fail.lessOrEqual ? GL_LEQUAL : GL_LESS);
+    drawFailing(frame, light, volumes, rules.fail, forStencil_);
+}
+
+void FaceCounter::countIntoColor(const Frame& frame, int light, std::span<const CountedVolume> volumes,
+                                 const CountRules& rules, bool allAdd) const {
+    if (!forColor_) forColor_ = std::make_unique<Programs>("shadow_volume/count.frag");
+    const auto setSigns = [&](float front, float back) {
+        for (const gl::Program* program :
+             {&forColor_->extrude, &forColor_->extruded, &forColor_->cap, &forColor_->nearCap}) {
+            program->use();
+            program->set("front", front);
+            program->set("back", back);
+        }
+    };
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    setSigns(1, allAdd ? 1.0f : -1.0f);
+    glDepthFunc(GL_LESS);
+    drawPassing(frame, light, volumes, rules.pass, *forColor_);
+    // Colour is written where a test passes: so the test is for what fails the other.
+    setSigns(allAdd ? 1.0f : -1.0f, 1);
+    glDepthFunc(rules.fail.lessOrEqual ? GL_GREATER : GL_GEQUAL);
+    drawFailing(frame, light, volumes, rules.fail, *forColor_);
+    glDisable(GL_BLEND);
+}
+
+void FaceCounter::drawPassing(const Frame& frame, int light, std::span<const CountedVolume> volumes,
+                              const PassRule& rule, const Programs& programs) const {
     if (rule.corrected) glEnable(GL_DEPTH_CLAMP); // before the near plane is before every visible point
     const dvec4 eyeWorld(frame.camera().positionWorld, 1.0);
     for (const CountedVolume& volume : volumes) {
         if (volume.way != Way::pass) continue;
         // From beyond its end one looks into a volume through the bottom; an end that is no plane is seen from anywhere.
         const VolumeEnd& end = volume.seen.end;
-        drawExtruded(frame, volume, light, end.distance || (end.planeWorld && glm::dot(*end.planeWorld, eyeWorld) > 0));
+        drawExtruded(frame, volume, light, end.distance || (end.planeWorld && glm::dot(*end.planeWorld, eyeWorld) > 0),
+                     programs);
     }
     if (rule.corrected) {
         // No top cap lies before a visible point, but for what the near plane has cut off from the surfaces.
         const dmat4 clipFromWorld = frame.eye().clipFromView * frame.eye().viewFromWorld;
         glEnable(GL_CLIP_DISTANCE0);
-        nearCap_.use();
+        programs.nearCap.use();
         for (const CountedVolume& volume : volumes)
             if (volume.way == Way::pass && !scene::isBeyondNearPlane(volume.seen.caster->bounds, clipFromWorld)) {
                 frame.scissorTo(volume.seen.part);
-                drawTopCap(frame, nearCap_, *volume.seen.caster);
+                drawTopCap(frame, programs.nearCap, *volume.seen.caster);
             }
         glDisable(GL_CLIP_DISTANCE0);
     }
     glDisable(GL_DEPTH_CLAMP);
 }
 
-void FaceCounter::countFailing(const Frame& frame, int light, std::span<const CountedVolume> volumes,
-                               const FailRule& rule, const StencilRule& stencil) const {
-    setStencilFunctions(GL_BACK, GL_FRONT, stencil);
-    glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
-    glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
-    glDepthFunc(rule.lessOrEqual ? GL_LEQUAL : GL_LESS);
+void FaceCounter::drawFailing(const Frame& frame, int light, std::span<const CountedVolume> volumes,
+                              const FailRule& rule, const Programs& programs) const {
     // Sides and bottom caps may reach infinity: nothing may clip them there, so their depth is clamped.
     if (rule.clamp) glEnable(GL_DEPTH_CLAMP);
     for (const CountedVolume& volume : volumes)
-        if (volume.way == Way::fail) drawExtruded(frame, volume, light, rule.caps && volume.seen.bottomCap);
+        if (volume.way == Way::fail) drawExtruded(frame, volume, light, rule.caps && volume.seen.bottomCap, programs);
     // Top caps lie on the casters' surfaces and must get the very depths the surfaces got: same vertices, same order,
     // same program text, and no clamp, because the surfaces themselves were clipped at the near plane.
     glDisable(GL_DEPTH_CLAMP);
     if (!rule.caps) return;
-    cap_.use();
+    programs.cap.use();
     for (const CountedVolume& volume : volumes)
         if (volume.way == Way::fail && volume.seen.topCap) {
             frame.scissorTo(volume.seen.part);
-            drawTopCap(frame, cap_, *volume.seen.caster);
+            drawTopCap(frame, programs.cap, *volume.seen.caster);
         }
 }
 
-void FaceCounter::drawExtruded(const Frame& frame, const CountedVolume& volume, int light, bool bottomCap) const {
+void FaceCounter::drawExtruded(const Frame& frame, const CountedVolume& volume, int light, bool bottomCap,
+                               const Programs& programs) const {
     const CasterVolume& caster = *volume.seen.caster;
     const scene::Object& object = frame.scene().objects[caster.object];
-    const gl::Program& program = volume.extruded ? extruded_ : extrude_;
+    const gl::Program& program = volume.extruded ? programs.extruded : programs.extrude;
     program.use();
     program.set("clipFromMesh", mat4(frame.eye().clipFromMesh(object)));
     if (!volume.extruded)

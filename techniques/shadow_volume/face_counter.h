@@ -37,24 +37,40 @@ struct StencilRule {
     [[nodiscard]] GLuint mask() const { return (1u << bits) - 1u; }
 };
 
+/// What a count is made of.
+struct CountRules {
+    PassRule pass;
+    FailRule fail;
+};
+
 class FaceCounter {
 public:
-    /// Draws the faces of the volumes that are counted that way. The stencil test is on, colour and depth are not
-    /// written, and one side may be culled.
-    void countPassing(const Frame& frame, int light, std::span<const CountedVolume> volumes, const PassRule& rule,
-                      const StencilRule& stencil) const;
-    void countFailing(const Frame& frame, int light, std::span<const CountedVolume> volumes, const FailRule& rule,
-                      const StencilRule& stencil) const;
+    /// Counts the faces of volumes into the stencil, each in its way. The stencil test is on, depth is not written, and one
+    /// side may be culled.
+    void countIntoStencil(const Frame& frame, int light, std::span<const CountedVolume> volumes,
+                          const CountRules& rules, const StencilRule& stencil) const;
+
+    /// The same into the bound colour, blended: +1 and -1 as floats (float_count.h); `allAdd`: +1 for every face.
+    void countIntoColor(const Frame& frame, int light, std::span<const CountedVolume> volumes, const CountRules& rules,
+                        bool allAdd) const;
 
 private:
+    /// A program for each kind of face, all with the same fragment shader.
+    struct Programs {
+        explicit Programs(const std::string& fragment);
+        gl::Program extrude, extruded, cap, nearCap;
+    };
+    void drawPassing(const Frame& frame, int light, std::span<const CountedVolume> volumes, const PassRule& rule,
+                     const Programs& programs) const;
+    void drawFailing(const Frame& frame, int light, std::span<const CountedVolume> volumes, const FailRule& rule,
+                     const Programs& programs) const;
     /// Sides, bottom cap or both.
-    void drawExtruded(const Frame& frame, const CountedVolume& volume, int light, bool bottomCap) const;
+    void drawExtruded(const Frame& frame, const CountedVolume& volume, int light, bool bottomCap,
+                      const Programs& programs) const;
     void drawTopCap(const Frame& frame, const gl::Program& program, const CasterVolume& caster) const;
 
-    gl::Program extrude_{"shadow_volume/extrude.vert", "nothing.frag"};
-    gl::Program extruded_{"shadow_volume/extruded.vert", "nothing.frag"};
-    gl::Program cap_{"position.vert", "nothing.frag"};
-    gl::Program nearCap_{"shadow_volume/near_cap.vert", "nothing.frag"};
+    Programs forStencil_{"nothing.frag"};
+    mutable std::unique_ptr<Programs> forColor_; ///< made when first needed: few pictures count in floats
 };
 
 } // namespace shadowlab::shadow_volume

@@ -9,6 +9,7 @@
 
 #include "techniques/foundation/look.h"
 #include "techniques/foundation/scene/facing.h"
+#include "techniques/shadow_volume/lecture_volume.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -36,8 +37,22 @@ dvec3 leaving(const scene::Bounds& box, const dvec3& pointWorld, const dvec3& di
 
 } // namespace
 
+Volume buildShown(const scene::Object& object, const scene::Light& light, const CasterVolume& caster,
+                  const ShownVolume& shown, std::vector<SilhouetteEdge>& silhouette) {
+    std::vector<std::int8_t> facing = scene::facingSigns(object, light);
+    Volume volume;
+    if (shown.construction == Construction::lecture) {
+        buildLectureVolume(*object.mesh, caster.mesh->edges, facing, silhouette, volume);
+        return volume;
+    }
+    if (caster.report.isClosed()) std::ranges::replace(facing, std::int8_t{-1}, std::int8_t{0});
+    buildVolume(*object.mesh, caster.mesh->edges, facing, silhouette, volume);
+    return volume;
+}
+
 std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view, int light,
-                                     std::span<const CasterVolume* const> casters, bool withCaps) {
+                                     std::span<const CasterVolume* const> casters, bool withCaps,
+                                     const ShownVolume& shown) {
     SceneShape edges{"silhouette edges", look::kSilhouette, SceneShape::Kind::lines, {}};
     SceneShape sides{"volume: sides", look::kMultipleEdge, SceneShape::Kind::faces, {}};
     SceneShape caps{"volume: top and bottom cap", look::kTowardLight, SceneShape::Kind::faces, {}};
@@ -51,18 +66,18 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
     for (const CasterVolume* caster : casters) {
         const scene::Object& object = scene.objects[caster->object];
         const scene::Mesh& mesh = *object.mesh;
-        std::vector<std::int8_t> facing = scene::facingSigns(object, source);
-        if (caster->report.isClosed()) std::ranges::replace(facing, std::int8_t{-1}, std::int8_t{0});
         std::vector<SilhouetteEdge> silhouette;
-        Volume volume;
-        buildVolume(mesh, caster->mesh->edges, facing, silhouette, volume);
+        const Volume volume = buildShown(object, source, *caster, shown, silhouette);
         // Vertices twice, as they are and at the end of the scene: the numbering of Volume.
         const dmat4 worldFromMesh = scene::worldFromMesh(object);
         const std::size_t n = mesh.positionsMesh.size();
         std::vector<dvec3> pointsWorld(2 * n);
         for (std::size_t v = 0; v < n; ++v) {
             pointsWorld[v] = transformPoint(worldFromMesh, dvec3(mesh.positionsMesh[v]));
-            pointsWorld[n + v] = leaving(end, pointsWorld[v], pointsWorld[v] * lightWorld.w - dvec3(lightWorld));
+            pointsWorld[n + v] =
+                shown.distance
+                    ? dvec3(pushedWorld(pointsWorld[v], source, {.planeWorld = {}, .distance = shown.distance}))
+                    : leaving(end, pointsWorld[v], pointsWorld[v] * lightWorld.w - dvec3(lightWorld));
         }
         const auto add = [&](SceneShape& shape, const std::vector<std::uint32_t>& indices) {
             for (const std::uint32_t index : indices)
@@ -81,6 +96,22 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
     shapes.push_back(std::move(edges));
     shapes.push_back(nearClipPyramid(scene, view, light));
     return shapes;
+}
+
+void addWays(std::vector<SceneShape>& shapes, std::span<const CasterVolume* const> casters,
+             const std::function<Way(const CasterVolume&)>& wayOf) {
+    SceneShape passing{"counted with depth pass", look::kDepthPass, SceneShape::Kind::lines, {}};
+    SceneShape failing{"counted with depth fail", look::kDepthFail, SceneShape::Kind::lines, {}};
+    for (const CasterVolume* caster : casters) {
+        SceneShape& shape = wayOf(*caster) == Way::pass ? passing : failing;
+        for (int corner = 0; corner < 8; ++corner)
+            for (const int axis : {1, 2, 4})
+                if (!(corner & axis))
+                    shape.pointsWorld.insert(shape.pointsWorld.end(),
+                                             {caster->bounds.corner(corner), caster->bounds.corner(corner | axis)});
+    }
+    for (SceneShape* shape : {&passing, &failing})
+        if (!shape->pointsWorld.empty()) shapes.push_back(std::move(*shape));
 }
 
 SceneShape nearClipPyramid(const scene::Scene& scene, const View& view, int light) {

@@ -5,8 +5,6 @@
 #include <cstdlib>
 
 #include "techniques/foundation/look.h"
-#include "techniques/foundation/scene/facing.h"
-#include "techniques/shadow_volume/lecture_volume.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -35,6 +33,15 @@ std::vector<KeyEntry> edgeKey(std::span<const CasterVolume* const> casters) {
     return key;
 }
 
+/// Depth and stencil of each pixel, rows from below, as one word: 24 bits of depth, then the count.
+std::vector<std::uint32_t> depthStencilWords(const Frame& frame) {
+    const ivec2 size = frame.target().size();
+    std::vector<std::uint32_t> words(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.target().framebuffer.id());
+    glReadPixels(0, 0, size.x, size.y, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, words.data());
+    return words;
+}
+
 } // namespace
 
 void setFrontFace(const scene::Object& object, bool clockwise) {
@@ -54,6 +61,34 @@ void StagePictures::publishFacing(Frame& frame, int light) const {
         },
         {.unit = "",
          .key = {{look::kTowardLight, "N·L > 0: faces the light"}, {look::kAwayFromLight, "N·L ≤ 0: faces away"}}});
+}
+
+void StagePictures::publishWays(Frame& frame, int light, std::span<const CasterVolume* const> casters,
+                                const std::function<Way(const CasterVolume&)>& wayOf) const {
+    const auto colorOf = [&](const scene::Object& object) -> const vec3* {
+        for (const CasterVolume* caster : casters)
+            if (&frame.scene().objects[caster->object] == &object)
+                return wayOf(*caster) == Way::pass ? &look::kDepthPass : &look::kDepthFail;
+        return nullptr;
+    };
+    frame.drawOverTarget(
+        "ways", light, true,
+        [&] {
+            constexpr float kAlpha = 0.6f; // the caster's shading stays to be seen
+            glDepthFunc(GL_EQUAL);
+            glDepthMask(GL_FALSE);
+            glEnable(GL_BLEND);
+            glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+            tint_.use();
+            gl::drawSurfaces(tint_, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
+                const vec3* color = colorOf(object);
+                if (color) tint_.set("color", unexposed(frame, *color, kAlpha));
+                return color != nullptr;
+            });
+        },
+        {.unit = "",
+         .key = {{look::kDepthPass, "counted with depth pass: the eye is certainly not in its volume"},
+                 {look::kDepthFail, "counted with depth fail: it may be"}}});
 }
 
 void StagePictures::publishSilhouettes(Frame& frame, int light, std::span<const CasterVolume* const> casters) const {
@@ -105,16 +140,8 @@ void StagePictures::publishFaces(Frame& frame, int light, std::span<const Caster
         const scene::Object& object = frame.scene().objects[caster.object];
         const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
         // The volume that is counted ends far away, with a cap of another cut; the one shown is the lecture's.
-        std::vector<std::int8_t> facing = scene::facingSigns(object, source);
-        // Of a closed mesh only the lit side, as the lecture draws it: the other half would double every face.
-        if (caster.report.isClosed() && shown.construction == Construction::general)
-            std::ranges::replace(facing, std::int8_t{-1}, std::int8_t{0});
         std::vector<SilhouetteEdge> silhouette;
-        Volume volume;
-        if (shown.construction == Construction::lecture)
-            buildLectureVolume(*object.mesh, caster.mesh->edges, facing, silhouette, volume);
-        else
-            buildVolume(*object.mesh, caster.mesh->edges, facing, silhouette, volume);
+        const Volume volume = buildShown(object, source, caster, shown, silhouette);
         const VolumeBuffers buffers(volume, silhouette, [&] { caster.mesh->vertices->bindAttributes(); });
         faces_.set("clipFromMesh", mat4(frame.eye().clipFromMesh(object)));
         const VolumeEnd end{.planeWorld = {}, .distance = shown.distance.value_or(shownDistance(caster))};
@@ -149,23 +176,29 @@ void StagePictures::publishFaces(Frame& frame, int light, std::span<const Caster
 }
 
 void StagePictures::publishCount(Frame& frame, std::string_view stage, int light, bool bothSigns) const {
-    // Depth and stencil of a pixel come as one word: 24 bits of depth, then the count.
-    const ivec2 size = frame.target().size();
-    std::vector<std::uint32_t> words(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.target().framebuffer.id());
-    glReadPixels(0, 0, size.x, size.y, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, words.data());
-    std::vector<vec2> counts;
-    counts.reserve(words.size());
-    int largest = 1;
-    for (const std::uint32_t word : words) {
+    std::vector<float> counts;
+    for (const std::uint32_t word : depthStencilWords(frame)) {
         const int stored = static_cast<int>(word & 0xff);
         const int count = bothSigns && stored > 127 ? stored - 256 : stored; // the stencil wraps: 255 is -1
-        const bool surface = (word >> 8) < 0xffffff;
-        counts.emplace_back(static_cast<float>(count), surface ? 1.0f : 0.0f);
-        if (surface) largest = std::max(largest, std::abs(count));
+        counts.push_back(static_cast<float>(count));
     }
+    publishCount(frame, stage, light, counts);
+}
+
+void StagePictures::publishCount(Frame& frame, std::string_view stage, int light,
+                                 const std::vector<float>& counts) const {
+    const std::vector<std::uint32_t> words = depthStencilWords(frame);
+    std::vector<vec2> texels;
+    texels.reserve(words.size());
+    float largest = 1;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const bool surface = (words[i] >> 8) < 0xffffff;
+        texels.emplace_back(counts[i], surface ? 1.0f : 0.0f);
+        if (surface) largest = std::max(largest, std::abs(counts[i]));
+    }
+    const ivec2 size = frame.target().size();
     gl::Texture2D texture(GL_RG32F, size, stage);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RG, GL_FLOAT, counts.data());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RG, GL_FLOAT, texels.data());
     frame.publish(stage, light, std::move(texture),
                   {.minimum = -static_cast<double>(largest),
                    .maximum = static_cast<double>(largest),

@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/frame.h"
-#include "techniques/shadow_volume/casters.h"
+#include "techniques/shadow_volume/face_counter.h"
+#include "techniques/shadow_volume/shapes.h"
 
 namespace shadowlab::shadow_volume {
-
-/// How volumes are pictured: as they are counted, or where that is too far away to be seen, shorter.
-struct ShownVolume {
-    Construction construction = Construction::general;
-    std::optional<double> distance; ///< that vertices are pushed, metres; none: as far as the picture likes
-};
 
 class StagePictures {
 public:
     /// Every triangle in the colour of its sign of N.L.
     void publishFacing(Frame& frame, int light) const;
+    /// Casters in the colour of the way their volumes are counted.
+    void publishWays(Frame& frame, int light, std::span<const CasterVolume* const> casters,
+                     const std::function<Way(const CasterVolume&)>& wayOf) const;
     /// Silhouette, boundary and non-manifold edges over the picture.
     void publishSilhouettes(Frame& frame, int light, std::span<const CasterVolume* const> casters) const;
     /// The faces, translucent, over the picture: by the side they turn to the viewer, or by the part they belong to.
@@ -23,9 +21,12 @@ public:
                       const ShownVolume& shown) const;
     /// The stencil's counts where there is a surface; `bothSigns` reads 128 to 255 as -128 to -1.
     void publishCount(Frame& frame, std::string_view stage, int light, bool bothSigns) const;
+    /// The same for counts that somebody else has kept, rows from below.
+    void publishCount(Frame& frame, std::string_view stage, int light, const std::vector<float>& counts) const;
 
 private:
     gl::Program facing_{"surface.vert", "shadow_volume/facing_sign.frag"};
+    gl::Program tint_{"surface.vert", "constant.frag"};
     gl::Program edges_{"shadow_volume/edge.vert", "constant.frag"};
     gl::Program faces_{"shadow_volume/extrude.vert", "shadow_volume/faces.frag"};
 };

@@ -4,42 +4,13 @@
 #include <algorithm>
 #include <chrono>
 
+#include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/scene/visible_receivers.h"
 #include "techniques/foundation/trace/exact_visibility.h"
 #include "techniques/shadow_volume/eye_line.h"
 #include "techniques/shadow_volume/shapes.h"
 
 namespace shadowlab::shadow_volume {
-
-params::ParamList VolumeTechnique::sharedParams() {
-    return {
-        params::boolean("two-sided", params_.twoSided,
-                        "Count back and front faces in one pass; false: the lecture's two steps, one after the other."),
-        params::boolean("cull", params_.cull,
-                        "Skip what is out of view, and volumes that cannot reach it or in which nothing lies; the "
-                        "picture is the same."),
-        params::choice(
-            "construction", params_.construction, {"general", "lecture"},
-            "How volumes are built: for any triangles; or the lecture's way, front faces, pushed back faces and "
-            "quads at the edges between them, which needs closed meshes."),
-        params::choice("volume-end", params_.end, {"receivers", "infinity", "distance"},
-                       "Where volumes end: beyond all that can receive a shadow, at infinity, or at `extrusion`."),
-        params::real("extrusion", params_.extrusion, 0.001, 100000, "m",
-                     "The lecture's d, with volume-end = distance: how far vertices are pushed. Too short, and shadows "
-                     "end in the air."),
-        params::choice("extrude-on", params_.extrudeOn, {"vertex-shader", "cpu"},
-                       "Who pushes the vertices away from the light: the pixels are the same."),
-        params::boolean("wrap", params_.stencil.wrap,
-                        "Let the stencil wrap around; false: it sticks at its ends, and counts get lost (teaching)."),
-        params::integer(
-            "stencil-bits", params_.stencil.bits, 1, 8, "bits",
-            "Bits of the stencil that count: of n bits, 2^n volumes around a point look like none (teaching)."),
-        params::boolean(
-            "repair", params_.repair,
-            "Decide again with rays, on the processor, where the rasteriser may have miscounted: pixels that "
-            "differ from a neighbour, or that a silhouette edge touches."),
-    };
-}
 
 Progress VolumeTechnique::prepare(const scene::Snapshot& snapshot, Deadline deadline) {
     while (!casters_.buildNext(snapshot, params_.construction))
@@ -120,7 +91,7 @@ void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
     startCount_ = 0;
     for (std::size_t i = 0; i < casters.size(); ++i) {
         const CasterVolume& caster = casters[i];
-        const Way way = wayOf(frame, caster, light);
+        const Way way = wayOf(frame.scene(), frame.camera().positionWorld, caster, light);
         const VolumeInView seen = inView(frame, caster, source);
         // What shadows nothing may be left out, but from the textbook's depth pass: the eye may be in that volume.
         const bool counts = caster.useful || !params_.cull || (way == Way::pass && !passRule().corrected);
@@ -138,36 +109,62 @@ void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
 }
 
 void VolumeTechnique::clearAndCount(Frame& frame, int light) {
-    frame.pass(
-        passInfo(counting_.passes, "clear-stencil"), [&] { clearStencil(); }, light);
+    clearCount(frame, light);
     if (params_.twoSided) {
         count(frame, counting_.both, light);
-        return;
+    } else {
+        count(frame, counting_.first, light);
+        count(frame, counting_.second, light);
     }
-    count(frame, counting_.first, light);
-    count(frame, counting_.second, light);
+}
+
+void VolumeTechnique::clearCount(Frame& frame, int light) {
+    frame.pass(
+        passInfo(counting_.passes, "clear-stencil"),
+        [&] {
+            glClearStencil(startCount_);
+            glClear(GL_STENCIL_BUFFER_BIT);
+            if (!countsInFloats(light)) return;
+            if (!floats_) floats_ = std::make_unique<FloatCount>();
+            floats_->clear(frame, startCount_);
+        },
+        light);
+}
+
+bool VolumeTechnique::countsInFloats(int light) const {
+    using enum VolumeParams::Counter;
+    if (params_.counter != automatic) return params_.counter == floats;
+    // What a smaller stencil, or one that sticks at its ends, gets wrong is to be seen.
+    constexpr int kMost = 255;
+    return params_.stencil.wrap && params_.stencil.bits == 8 && casters_.overlaps(light) > kMost;
 }
 
 void VolumeTechnique::count(Frame& frame, const CountPass& pass, int light) {
     frame.pass(
         passInfo(counting_.passes, pass.id),
         [&] {
-            frame.target().withoutColor.bind();
             glDepthMask(GL_FALSE);
-            glEnable(GL_STENCIL_TEST);
             if (pass.culled != GL_NONE) {
                 glEnable(GL_CULL_FACE);
                 glCullFace(pass.culled);
             }
-            counter_.countPassing(frame, light, drawn_, passRule(), params_.stencil);
-            counter_.countFailing(frame, light, drawn_, failRule(), params_.stencil);
+            if (countsInFloats(light)) {
+                floats_->count(frame, counter_, light, drawn_, rules());
+                floats_->writeStencil(frame);
+                return;
+            }
+            frame.target().withoutColor.bind();
+            glEnable(GL_STENCIL_TEST);
+            counter_.countIntoStencil(frame, light, drawn_, rules(), params_.stencil);
         },
         light);
 }
 
-void VolumeTechnique::clearStencil() const {
-    glClearStencil(startCount_);
-    glClear(GL_STENCIL_BUFFER_BIT);
+void VolumeTechnique::publishCount(Frame& frame, std::string_view stage, int light, bool bothSigns) {
+    if (countsInFloats(light))
+        pictures_.publishCount(frame, stage, light, floats_->read());
+    else
+        pictures_.publishCount(frame, stage, light, bothSigns);
 }
 
 void VolumeTechnique::repair(Frame& frame, int light) {
@@ -206,14 +203,22 @@ void VolumeTechnique::publishVisibility(Frame& frame, int light) {
 
 void VolumeTechnique::publishStencilStages(Frame& frame, int light) {
     if (frame.wants(counting_.stageAfterFirst, light)) {
-        frame.pass(
-            passInfo(counting_.passes, "clear-stencil"), [&] { clearStencil(); }, light);
+        clearCount(frame, light);
         count(frame, counting_.first, light);
-        pictures_.publishCount(frame, counting_.stageAfterFirst, light, false);
+        publishCount(frame, counting_.stageAfterFirst, light, false);
     }
     if (frame.wants("stencil", light)) {
         clearAndCount(frame, light);
-        pictures_.publishCount(frame, "stencil", light, true);
+        publishCount(frame, "stencil", light, true);
+    }
+    if (frame.wants("crossings", light)) {
+        gl::setBaselineState();
+        frame.scissorTo(std::nullopt);
+        glDepthMask(GL_FALSE);
+        if (!floats_) floats_ = std::make_unique<FloatCount>();
+        floats_->clear(frame, 0);
+        floats_->count(frame, counter_, light, drawn_, rules(), true);
+        pictures_.publishCount(frame, "crossings", light, floats_->read());
     }
     if (frame.wants("repair", light)) {
         clearAndCount(frame, light);
@@ -224,11 +229,20 @@ void VolumeTechnique::publishStencilStages(Frame& frame, int light) {
 void VolumeTechnique::publishOverPicture(Frame& frame, int light) {
     const std::vector<const CasterVolume*> casters = usefulCasters(light);
     if (frame.wants("facing", light)) pictures_.publishFacing(frame, light);
+    if (frame.wants("ways", light))
+        pictures_.publishWays(frame, light, casters, [&](const CasterVolume& caster) {
+            return wayOf(frame.scene(), frame.camera().positionWorld, caster, light);
+        });
     if (frame.wants("silhouettes", light)) pictures_.publishSilhouettes(frame, light, casters);
-    ShownVolume shown{.construction = params_.construction, .distance = {}};
-    if (endsAtDistance()) shown.distance = params_.extrusion;
+    const ShownVolume shown = shownVolume();
     if (frame.wants("volume-signs", light)) pictures_.publishFaces(frame, light, casters, false, shown);
     if (frame.wants("volume-parts", light)) pictures_.publishFaces(frame, light, casters, true, shown);
+}
+
+ShownVolume VolumeTechnique::shownVolume() const {
+    ShownVolume shown{.construction = params_.construction, .distance = {}};
+    if (endsAtDistance()) shown.distance = params_.extrusion;
+    return shown;
 }
 
 std::vector<const CasterVolume*> VolumeTechnique::usefulCasters(int light) const {
@@ -239,7 +253,13 @@ std::vector<const CasterVolume*> VolumeTechnique::usefulCasters(int light) const
 }
 
 std::vector<SceneShape> VolumeTechnique::shapes(const scene::Snapshot& snapshot, const View& view, int light) {
-    return volumeShapes(*snapshot, view, light, usefulCasters(light), failRule().caps && showsCaps());
+    const std::vector<const CasterVolume*> casters = usefulCasters(light);
+    std::vector<SceneShape> shapes =
+        volumeShapes(*snapshot, view, light, casters, failRule().caps && showsCaps(), shownVolume());
+    if (showsWays())
+        addWays(shapes, casters,
+                [&](const CasterVolume& caster) { return wayOf(*snapshot, view.camera.positionWorld, caster, light); });
+    return shapes;
 }
 
 Probe VolumeTechnique::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {

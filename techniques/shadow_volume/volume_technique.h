@@ -6,9 +6,10 @@
 #pragma once
 #include "techniques/frame.h"
 #include "techniques/shadow_volume/casters.h"
-#include "techniques/shadow_volume/face_counter.h"
+#include "techniques/shadow_volume/float_count.h"
 #include "techniques/shadow_volume/repair_pass.h"
 #include "techniques/shadow_volume/stage_pictures.h"
+#include "techniques/shadow_volume/volume_params.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -25,23 +26,6 @@ struct Counting {
     std::string_view stageAfterFirst; ///< the stage that shows the count between the two steps
 };
 
-struct VolumeParams {
-    bool twoSided = true;
-    bool cull = true;
-    Construction construction = Construction::general;
-    enum class End { receivers, infinity, distance } end = End::receivers;
-    double extrusion =
-        2; ///< metres; half of what most things in the built-in scenes stand above what they shadow, or more
-    enum class ExtrudeOn { vertexShader, cpu } extrudeOn = ExtrudeOn::vertexShader;
-    StencilRule stencil;
-    bool repair = false;
-    [[nodiscard]] VolumeParams withRepair() const {
-        VolumeParams params = *this;
-        params.repair = true;
-        return params;
-    }
-};
-
 class VolumeTechnique : public Technique {
 public:
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override;
@@ -55,27 +39,34 @@ protected:
         : counting_(counting), params_(defaults) {}
 
     /// How a caster's volume is counted.
-    [[nodiscard]] virtual Way wayOf(const Frame& frame, const CasterVolume& caster, int light) const = 0;
+    [[nodiscard]] virtual Way wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster,
+                                    int light) const = 0;
+    [[nodiscard]] CountRules rules() const { return {passRule(), failRule()}; }
     [[nodiscard]] virtual PassRule passRule() const { return {}; }
     [[nodiscard]] virtual FailRule failRule() const { return {}; }
     /// Leaves out what shadows no receiver in view, and ends volumes where those do. Only for a count that may be anything
     /// elsewhere in the picture, so not where it begins with the eye's own.
     [[nodiscard]] virtual bool keepsToReceiversInView() const { return false; }
+    /// Do volumes go different ways, so that it is worth a look which?
+    [[nodiscard]] virtual bool showsWays() const { return false; }
     /// Are caps part of what it draws?
     [[nodiscard]] virtual bool showsCaps() const { return true; }
 
-    params::ParamList sharedParams();
+    params::ParamList sharedParams() { return describe(params_); }
     /// Do volumes end at a distance from the caster?
     [[nodiscard]] bool endsAtDistance() const { return params_.end == VolumeParams::End::distance; }
 
 private:
+    [[nodiscard]] ShownVolume shownVolume() const;
     [[nodiscard]] std::vector<const CasterVolume*> usefulCasters(int light) const;
     void findReceivers(const Frame& frame);
     [[nodiscard]] VolumeEnd endOf(const CasterVolume& caster, const scene::Light& light) const;
     [[nodiscard]] VolumeInView inView(const Frame& frame, const CasterVolume& caster, const scene::Light& light) const;
     void chooseVolumes(Frame& frame, int light);
     void clearAndCount(Frame& frame, int light);
-    void clearStencil() const;
+    void clearCount(Frame& frame, int light);
+    [[nodiscard]] bool countsInFloats(int light) const;
+    void publishCount(Frame& frame, std::string_view stage, int light, bool bothSigns);
     void count(Frame& frame, const CountPass& pass, int light);
     void repair(Frame& frame, int light);
     void drawLit(Frame& frame, const gl::Program& program, int light) const;
@@ -92,6 +83,7 @@ private:
     std::vector<CountedVolume> drawn_; ///< volumes of the current light that can change a pixel
     int startCount_ = 0;               ///< of the stencil: how many of those counted with depth pass the eye is in
     FaceCounter counter_;
+    std::unique_ptr<FloatCount> floats_; ///< made when first needed
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program shade_{"surface.vert", "shade_light.frag"};
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};

@@ -36,6 +36,7 @@ const StageInfo kStages[] = {
     {"volume-parts", "Volume faces by part: top cap, sides, bottom cap", StageKind::radiance, true},
     {"stencil-back", "Stencil after the back faces: +1 for each behind the point", StageKind::count, true},
     {"stencil", "Stencil after all faces: zero is lit", StageKind::count, true},
+    {"crossings", "Volume faces behind each point: all that were counted", StageKind::count, true},
     kRepairStage,
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };

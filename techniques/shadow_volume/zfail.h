@@ -22,7 +22,9 @@ public:
     Progress render(Frame& frame) override;
 
 private:
-    [[nodiscard]] Way wayOf(const Frame&, const CasterVolume&, int) const override { return Way::fail; }
+    [[nodiscard]] Way wayOf(const scene::Scene&, const dvec3&, const CasterVolume&, int) const override {
+        return Way::fail;
+    }
     [[nodiscard]] FailRule failRule() const override {
         using enum ZFailParams::FarPlane;
         return {.caps = params_.caps,

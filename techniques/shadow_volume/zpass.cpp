@@ -40,6 +40,7 @@ const StageInfo kStages[] = {
     {"volume-parts", "Volume faces by part: of these, only the sides are counted", StageKind::radiance, true},
     {"stencil-front", "Stencil after the front faces: +1 for each before the point", StageKind::count, true},
     {"stencil", "Stencil after all faces: zero is lit", StageKind::count, true},
+    {"crossings", "Volume faces before each point: all that were counted", StageKind::count, true},
     kRepairStage,
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };
@@ -69,14 +70,13 @@ Progress ZPass::render(Frame& frame) {
     return VolumeTechnique::render(frame);
 }
 
-Way ZPass::wayOf(const Frame& frame, const CasterVolume& caster, int light) const {
-    const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
-    const dvec3 eyeWorld = frame.camera().positionWorld;
+Way ZPass::wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster, int light) const {
+    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
     // The eye's own count is known for volumes that end at a plane or nowhere.
     const bool unsure =
         params_.eyeCorrection &&
         (endsAtDistance() ? eyeLineMayTouch(caster.bounds, eyeWorld, scene::homogeneousPositionWorld(source))
-                          : eyeLineGrazes(frame.scene(), caster, source, eyeWorld));
+                          : eyeLineGrazes(scene, caster, source, eyeWorld));
     return unsure ? Way::fail : Way::pass;
 }
 

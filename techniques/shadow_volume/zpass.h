@@ -23,7 +23,8 @@ public:
     std::string remark(const scene::MeshReport& report) const override;
 
 private:
-    [[nodiscard]] Way wayOf(const Frame& frame, const CasterVolume& caster, int light) const override;
+    [[nodiscard]] Way wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster,
+                            int light) const override;
     [[nodiscard]] PassRule passRule() const override { return {.corrected = params_.eyeCorrection}; }
     [[nodiscard]] bool showsCaps() const override { return false; }
 

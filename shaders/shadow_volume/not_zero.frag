@@ -1,0 +1,7 @@
+#version 330 core
+// Only the pixels whose count is not zero: for what is written to the stencil there.
+uniform sampler2D counts;
+
+void main() {
+    if (abs(texelFetch(counts, ivec2(gl_FragCoord.xy), 0).r) < 0.5) discard;
+}
