@@ -13,40 +13,17 @@
 
 #include "app/measure/truth.h"
 #include "techniques/foundation/scene/shapes.h"
+#include "tests/support/plane_view.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::measure {
 namespace {
 
+using testing::PlaneView;
 using trace::Visibility;
 
 constexpr ivec2 kSize{1280, 720};
-constexpr double kEyeHeight = 10;
 constexpr int kDirections = 4096;
-
-/// A plane seen from straight above: `pixelsPerMetre` on it, the point `centre` (x, z) in the middle of the picture.
-struct PlaneView {
-    dvec2 centre;
-    double pixelsPerMetre;
-    [[nodiscard]] dvec2 pixel(dvec2 onPlane) const { return dvec2(kSize) / 2.0 + (onPlane - centre) * pixelsPerMetre; }
-    [[nodiscard]] scene::Camera camera() const {
-        scene::Camera camera;
-        camera.positionWorld = {centre.x, kEyeHeight, centre.y};
-        camera.targetWorld = {centre.x, 0, centre.y};
-        camera.upWorld = {0, 0, -1}; // rows go toward +z
-        camera.fovYDegrees = 2 * std::atan(0.5 * kSize.y / pixelsPerMetre / kEyeHeight) * 180 / M_PI;
-        camera.near = kEyeHeight - 1e-6; // sees only what is lower than a micrometre: the plane
-        return camera;
-    }
-};
-
-scene::Scene planeScene(const dvec3& light) {
-    scene::Scene scene = testing::floorScene();
-    scene.objects[0].worldFromObject[0][0] = 100; // a floor of 1000 x 1000
-    scene.objects[0].worldFromObject[2][2] = 100;
-    scene.lights.push_back(testing::pointLight(light));
-    return scene;
-}
 
 /// Found and expected outline, compared.
 struct Outline {
@@ -122,9 +99,9 @@ TEST_P(SphereOverPlane, CastsAConic) {
     if (GetParam() > 256 && !std::getenv("SHADOWLAB_LONG")) GTEST_SKIP() << "takes long; set SHADOWLAB_LONG=1";
     for (const SphereCase& c : kSpheres) {
         const int segments = c.a > 10 ? std::max(1024, GetParam()) : GetParam();
-        scene::Scene scene = planeScene(c.light);
+        scene::Scene scene = testing::planeUnderLight(c.light);
         testing::addObject(scene, scene::makeSphere(c.radius, segments), testing::translation(c.centre));
-        const PlaneView view{c.middle, std::min(0.45 * kSize.x / c.a, 0.3 * kSize.y / c.b)};
+        const PlaneView view{c.middle, std::min(0.45 * kSize.x / c.a, 0.3 * kSize.y / c.b), kSize};
         const dvec2 toLight = dvec2(c.light.x, c.light.z) - c.middle;
         const dvec2 along = glm::length(toLight) > 1e-9 ? glm::normalize(toLight) : dvec2(1, 0);
         const auto radius = [&](dvec2 direction) {
@@ -166,11 +143,11 @@ Outline comparePolygon(const std::vector<dvec3>& caster, const dvec3& light, dou
         largest = std::max(largest, glm::length(p));
     }
     if (areaOnPlane) *areaOnPlane = 0.5 * std::abs(twiceArea);
-    const PlaneView view{middle, 0.45 * kSize.y / largest};
+    const PlaneView view{middle, 0.45 * kSize.y / largest, kSize};
     std::vector<dvec2> pixels;
     for (const dvec2& p : onPlane)
         pixels.push_back((p - middle) * view.pixelsPerMetre);
-    scene::Scene scene = planeScene(light);
+    scene::Scene scene = testing::planeUnderLight(light);
     testing::addObject(scene,
                        testing::triangleSoup({caster[0], caster[1], caster[2], caster[0], caster[2], caster[3]}));
     return compare(
@@ -204,9 +181,9 @@ TEST(TiltedSquare, CastsItsHomographicImage) {
 // a third of a pixel for each independent crossing, sqrt(2000) / 3 = 15 px: 0.006 % of this area.
 TEST(SphereOverPlaneByPixels, HasTheAreaOfTheEllipse) {
     const SphereCase& c = kSpheres[1];
-    scene::Scene scene = planeScene(c.light);
+    scene::Scene scene = testing::planeUnderLight(c.light);
     testing::addObject(scene, scene::makeSphere(c.radius, 512), testing::translation(c.centre));
-    const PlaneView view{c.middle, 0.45 * kSize.y / c.b};
+    const PlaneView view{c.middle, 0.45 * kSize.y / c.b, kSize};
     scene.camera = view.camera();
     const auto snapshot = testing::snapshot(scene);
     trace::SceneTracer tracer;
