@@ -7,6 +7,7 @@
 #include "app/session/mesh_edges.h"
 #include "app/session/outside_view.h"
 #include "app/session/scanline_plot.h"
+#include "app/session/shadow_outline.h"
 #include "app/session/verdict_panels.h"
 #include "techniques/foundation/scene/outside_camera.h"
 
@@ -16,6 +17,8 @@ namespace {
 
 const StageInfo kMeshEdges{"mesh-edges", "Edges where meshes are open, or no surface at all", StageKind::swatches,
                            false};
+const StageInfo kShadowOutline{"shadow-outline", "Where the light's shadows really end, over the technique's picture",
+                               StageKind::swatches, true};
 const StageInfo kOutside{"outside", "Seen from outside: eye, light, and what is between", StageKind::swatches, true};
 
 /// Of techniques that publish their visibility.
@@ -45,20 +48,21 @@ std::vector<StageInfo> stagesOf(const TechniqueInfo& info) {
     std::vector<StageInfo> stages = info.stages;
     if (std::ranges::find(stages, "visibility", &StageInfo::id) != stages.end())
         stages.insert(stages.end(), std::begin(kDerived), std::end(kDerived));
+    stages.push_back(kShadowOutline);
     stages.push_back(kMeshEdges);
     stages.push_back(kOutside);
     return stages;
 }
 
 bool isDerived(std::string_view stage) {
-    return stage == kMeshEdges.id || stage == kOutside.id ||
+    return stage == kShadowOutline.id || stage == kMeshEdges.id || stage == kOutside.id ||
            std::ranges::find(kDerived, stage, &StageInfo::id) != std::end(kDerived);
 }
 
 std::vector<StageKey> neededFor(const StageKey& stage) {
     if (!isDerived(stage.id)) return {stage};
-    if (stage.id == "truth" || stage.id == kMeshEdges.id || stage.id == kOutside.id) return {};
-    return {{"visibility", stage.light}};
+    if (stage.id == "error" || stage.id == "scanline") return {{"visibility", stage.light}};
+    return {};
 }
 
 Panel derivedPanel(Session& session, Slot& slot, const RenderedFrame& rendered, const PictureEncoder& encoder,
@@ -68,6 +72,10 @@ Panel derivedPanel(Session& session, Slot& slot, const RenderedFrame& rendered, 
                               session.buffers(), request.view);
     if (request.stage.id == kOutside.id) return outsidePanel(session, slot, encoder, request);
     const int light = request.stage.light;
+    if (request.stage.id == kShadowOutline.id)
+        return shadowOutlinePanel(
+            encoder.encode(slot.target.color, session.snapshot()->exposure), session.outline(request.view, light),
+            session.snapshot()->lights[static_cast<std::size_t>(light)].name, request.view.region);
     const measure::Truth& truth = session.truth(request.view, light);
     if (request.stage.id == "truth") return truthPanel(truth, request.view.region);
     image::Image picture = encoder.encode(slot.target.color, session.snapshot()->exposure);

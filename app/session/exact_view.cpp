@@ -41,6 +41,17 @@ std::vector<std::uint8_t> ExactView::tiesAmong(const scene::Snapshot& snapshot, 
     return measure::tiesAmong(tracer_, view.camera, view.size, light, tieRadiusPx(), pixels);
 }
 
+const std::vector<measure::OutlineSegment>& ExactView::outline(const scene::Snapshot& snapshot, const View& view,
+                                                               int light) {
+    const Key key{snapshot, view.camera, view.size, light};
+    if (!(outlinedFor_ == key)) {
+        const measure::Truth centres = truthAtCentres(snapshot, view, light);
+        outline_ = measure::shadowOutline(tracer_, view.camera, centres, light);
+        outlinedFor_ = key;
+    }
+    return outline_;
+}
+
 measure::Truth ExactView::truthAtCentres(const scene::Snapshot& snapshot, const View& view, int light) {
     tracer_.advance(snapshot, Deadline::max());
     return measure::truthAtCentres(tracer_, view.camera, view.size, light);

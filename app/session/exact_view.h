@@ -3,6 +3,7 @@
 #pragma once
 #include <optional>
 
+#include "app/measure/outline.h"
 #include "app/measure/truth.h"
 #include "techniques/foundation/gl/id_buffer.h"
 #include "techniques/technique.h"
@@ -11,6 +12,10 @@ namespace shadowlab::session {
 
 class ExactView {
 public:
+    /// Makes ready to send rays. False when the time came before it was done: call again to go on.
+    bool prepare(const scene::Snapshot& snapshot, Deadline deadline) { return tracer_.advance(snapshot, deadline); }
+    /// Share of it that is done, 0..1.
+    [[nodiscard]] double prepared() const { return tracer_.done(); }
     /// For each pixel of the whole view: the visibility of the light by definition, and the ties. Needs a current GL
     /// context, for the picture of triangle numbers that is drawn with the techniques' own draw calls.
     const measure::Truth& truth(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers, const View& view,
@@ -20,6 +25,8 @@ public:
     /// Which of a few pixels are ties, as far as rays tell.
     std::vector<std::uint8_t> tiesAmong(const scene::Snapshot& snapshot, const View& view, int light,
                                         const std::vector<ivec2>& pixels);
+    /// Where the light's shadows end in the whole view. Valid until the next call.
+    const std::vector<measure::OutlineSegment>& outline(const scene::Snapshot& snapshot, const View& view, int light);
     /// What the rasteriser has to say about the view. Needs a current GL context; everything else about a truth does not.
     measure::Rasterised rasterise(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers, const View& view);
 
@@ -36,6 +43,8 @@ private:
     gl::IdBuffer ids_;
     Key madeFor_;
     measure::Truth truth_;
+    Key outlinedFor_;
+    std::vector<measure::OutlineSegment> outline_;
 };
 
 } // namespace shadowlab::session

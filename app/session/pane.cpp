@@ -128,6 +128,10 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     converged_ = rendered.converged;
     progress_ = rendered.prepared;
     if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
+    if (stage && stage->key.id == "shadow-outline" && (progress_ = session.prepareTruth(work.deadline)) < 1) {
+        converged_ = false;
+        return;
+    }
     if (step) requirePassRan(rendered, *step, *slot.info);
     encode(session, encoder, request, slot, stage, rendered);
     if (!frame.stopAfter) passes_ = distinct(rendered.result.passes);

@@ -13,12 +13,9 @@ namespace {
 
 constexpr double kBeside =
     1.5; ///< of the picture's half size: segments are cut there, out of sight of their round ends
-constexpr float kFaceAlpha = 0.3f;   ///< two or three layers stay distinguishable
-constexpr float kHiddenFace = 0.4f;  ///< of that, where something hides the face
-constexpr float kHiddenLine = 0.35f; ///< alpha of a line where something hides it
-// A dark rim on either side of a line: it stands out from a white floor as from a black background.
-const vec3 kRim = look::linearFromSrgb8(0x0A, 0x0A, 0x0C);
-constexpr float kRimAlpha = 0.75f;
+constexpr float kFaceAlpha = 0.3f;    ///< two or three layers stay distinguishable
+constexpr float kHiddenFace = 0.4f;   ///< of that, where something hides the face
+constexpr float kHiddenLine = 0.35f;  ///< alpha of a line where something hides it
 constexpr float kRimWidth = 5.0f / 3; ///< of the line's own: one pixel on each side of three
 
 /// The part of a segment on the inner side of a plane in clip coordinates. False when there is none.
@@ -146,7 +143,8 @@ void ShapePainter::drawLines(const std::vector<Lines>& all, ivec2 size, bool hid
         if (hidden && rim) continue;
         line_.set("halfWidth", rim ? kRimWidth * half : half);
         for (const Lines& lines : all) {
-            line_.set("color", rim ? vec4(kRim, kRimAlpha) : vec4(lines.colorLinear, hidden ? kHiddenLine : 1.0f));
+            line_.set("color", rim ? vec4(look::kLineRim, look::kLineRimAlpha)
+                                   : vec4(lines.colorLinear, hidden ? kHiddenLine : 1.0f));
             glBindVertexArray(lines.vertexArray.id());
             glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, lines.segments);
         }

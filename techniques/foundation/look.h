@@ -29,6 +29,10 @@ inline const vec3 kDepthFail = linearFromSrgb8(0x00, 0x72, 0xB2);
 /// picture's height across.
 int lineRadius(int height);
 
+// A dark rim on either side of a line: it stands out from a white floor as from a black background.
+inline const vec3 kLineRim = linearFromSrgb8(0x0A, 0x0A, 0x0C);
+constexpr float kLineRimAlpha = 0.75f;
+
 // The comparison of a shadow map: equal depths, an occluder in between, nothing stored, not asked.
 inline const vec3 kEqualDepth = linearFromSrgb8(0x00, 0x9E, 0x73);
 inline const vec3 kOccluded = linearFromSrgb8(0xD5, 0x5E, 0x00);
@@ -57,6 +61,7 @@ inline const vec3 kLit = linearFromSrgb8(0xF2, 0xF2, 0xF2);
 inline const vec3 kShadowed = linearFromSrgb8(0x38, 0x38, 0x3C);
 inline const vec3 kTurnedAway = linearFromSrgb8(0x56, 0x6B, 0x8C);
 inline const vec3 kNoSurface = linearFromSrgb8(0x0C, 0x0C, 0x0E);
+inline const vec3 kTrueOutline = linearFromSrgb8(0x56, 0xB4, 0xE9); ///< where shadows end by it, on any picture
 
 /// A palette: evenly spaced stops, linear RGB.
 using Palette = std::array<vec3, 9>;

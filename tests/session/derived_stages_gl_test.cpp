@@ -154,6 +154,7 @@ TEST(DerivedStages, BelongToTechniquesThatPublishVisibility) {
         EXPECT_EQ(has("truth"), has("visibility")) << technique.info->id;
         EXPECT_EQ(has("error"), has("visibility"));
         EXPECT_EQ(has("scanline"), has("visibility"));
+        EXPECT_EQ(has("shadow-outline"), 1);
         EXPECT_EQ(has("mesh-edges"), 1);
         EXPECT_EQ(has("outside"), 1);
         for (const StageInfo& own : technique.info->stages)

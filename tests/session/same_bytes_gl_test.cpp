@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/context/context.h"
-#include "app/session/picture.h"
+#include "app/session/derived_stages.h"
 #include "app/session/session.h"
 #include "tests/support/scenes.h"
 
@@ -28,6 +28,18 @@ std::vector<image::Image> picturesOn(context::Backend backend) {
     return pictures;
 }
 
+image::Image outlineOn(context::Backend backend) {
+    const auto context = context::createContext(backend);
+    session::Session session(testing::snapshot(testing::simpleScene()));
+    View view;
+    view.camera = session.snapshot()->camera;
+    view.size = {400, 300};
+    session::Slot slot = session::Session::makeSlot("shadow-map");
+    const session::RenderedFrame rendered = session.render(slot, view);
+    return derivedPanel(session, slot, rendered, session::PictureEncoder(), {{"shadow-outline", 0}, view, {}, nullptr})
+        .picture;
+}
+
 // OSMesa is a first-class backend: the test fails, and does not skip, where it is missing.
 TEST(SameBytes, OnEglAndOsMesa) {
     const auto egl = picturesOn(context::Backend::egl), osmesa = picturesOn(context::Backend::osmesa);
@@ -35,6 +47,7 @@ TEST(SameBytes, OnEglAndOsMesa) {
     EXPECT_NE(egl[0], egl[1]) << "with and without shadows must differ";
     for (std::size_t i = 0; i < egl.size(); ++i)
         EXPECT_TRUE(egl[i] == osmesa[i]) << registeredTechniques()[i].info->id;
+    EXPECT_TRUE(outlineOn(context::Backend::egl) == outlineOn(context::Backend::osmesa));
 }
 
 TEST(SameBytes, OnAHiddenWindow) {
@@ -42,6 +55,7 @@ TEST(SameBytes, OnAHiddenWindow) {
     const auto egl = picturesOn(context::Backend::egl), window = picturesOn(context::Backend::window);
     for (std::size_t i = 0; i < egl.size(); ++i)
         EXPECT_TRUE(egl[i] == window[i]) << registeredTechniques()[i].info->id;
+    EXPECT_TRUE(outlineOn(context::Backend::egl) == outlineOn(context::Backend::window));
 }
 
 } // namespace

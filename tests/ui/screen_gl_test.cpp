@@ -76,7 +76,7 @@ TEST_F(ScreenTest, EveryLayoutAndPartDrawsSomethingElseAndNothingFails) {
         expectNew("layout");
     }
     lab.desk.shown.strip = false;
-    for (const char* stage : {"error", "truth", "scanline", "outside", "mesh-edges", "visibility", "pass:light"}) {
+    for (const char* stage : {"error", "truth", "scanline", "shadow-outline", "outside", "mesh-edges", "visibility", "pass:light"}) {
         chooseStage(lab.desk, stage);
         expectNew(stage);
     }
