@@ -17,8 +17,7 @@ namespace {
 
 const StageInfo kMeshEdges{"mesh-edges", "Edges where meshes are open, or no surface at all", StageKind::swatches,
                            false};
-const StageInfo kShadowOutline{"shadow-outline", "Where the light's shadows really end, over the technique's picture",
-                               StageKind::swatches, true};
+const StageInfo kShadowOutline{"shadow-outline", "Where the shadows really end", StageKind::swatches, true};
 const StageInfo kOutside{"outside", "Seen from outside: eye, light, and what is between", StageKind::swatches, true};
 
 /// Of techniques that publish their visibility.

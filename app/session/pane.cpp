@@ -121,6 +121,11 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
         converged_ = drawOutside(session, encoder, request, slot, work);
         return;
     }
+    if (stage && stage->key.id == "shadow-outline") {
+        progress_ = session.prepareTruth(work.deadline);
+        converged_ = progress_ == 1;
+        if (!converged_) return; // the last picture stays
+    }
     if (frame.stopAfter &&
         !(request.state.technique == drawn_.technique && request.state.values() == drawn_.values() && !passes_.empty()))
         passes_ = distinct(session.render(slot, request.view, {.deadline = work.deadline}).result.passes);
@@ -128,10 +133,6 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     converged_ = rendered.converged;
     progress_ = rendered.prepared;
     if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
-    if (stage && stage->key.id == "shadow-outline" && (progress_ = session.prepareTruth(work.deadline)) < 1) {
-        converged_ = false;
-        return;
-    }
     if (step) requirePassRan(rendered, *step, *slot.info);
     encode(session, encoder, request, slot, stage, rendered);
     if (!frame.stopAfter) passes_ = distinct(rendered.result.passes);

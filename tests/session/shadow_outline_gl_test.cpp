@@ -3,9 +3,11 @@
 #include "app/session/shadow_outline.h"
 
 #include "app/session/derived_stages.h"
+#include "app/session/pane.h"
 #include "app/session/settings.h"
 #include "app/session/shape_painter.h"
 #include "techniques/foundation/look.h"
+#include "techniques/foundation/scene/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/plane_view.h"
 #include "tests/support/scenes.h"
@@ -180,6 +182,34 @@ TEST_F(ShadowOutline, IsFoundOnceForAllThatShowTheSameView) {
     const double first = timed(), second = timed();
     std::cout << "outline of 1280x720: " << first << " ms, once more: " << second << " ms\n";
     EXPECT_LT(second, first / 10);
+}
+
+// A tree for the rays of a large scene takes a while: the window is asked again and again meanwhile, and waits for nothing.
+TEST_F(ShadowOutline, ComesToAPaneWhenItsTimeWasEnough) {
+    scene::Scene scene = testing::simpleScene();
+    testing::addObject(scene, scene::makeSphere(0.3, 256), testing::translation({0, 2, 0}));
+    Session session(testing::snapshot(scene));
+    const PictureEncoder encoder;
+    PaneRequest request;
+    request.state = {"shadow-map", "shadow-outline", {}};
+    request.snapshot = session.snapshot();
+    request.view.camera = scene.camera;
+    request.view.size = {160, 120};
+    Pane pane;
+    int updates = 0;
+    double progress = 0;
+    do {
+        EXPECT_FALSE(pane.picture().texture) << "not before it is done";
+        EXPECT_TRUE(pane.update(session, encoder, request, {.deadline = Deadline()}));
+        EXPECT_GE(pane.progress(), progress);
+        progress = pane.progress();
+        ASSERT_EQ(pane.failure(), "");
+    } while (++updates < 10'000 && progress < 1);
+    EXPECT_GE(updates, 3);
+    ASSERT_TRUE(pane.picture().texture);
+    EXPECT_TRUE(pane.showsTheEyesView());
+    EXPECT_NE(pane.picture().display.key[0].label.find("'point' really ends"), std::string::npos);
+    EXPECT_FALSE(pane.update(session, encoder, request, {.deadline = Deadline()})) << "nothing is left to do";
 }
 
 } // namespace
