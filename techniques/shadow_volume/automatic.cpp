@@ -82,7 +82,7 @@ TechniqueInfo automaticInfo() {
         .title = "Shadow volume",
         .paper = "Crow 1977, Shadow Algorithms for Computer Graphics; Everitt and Kilgard 2002, Practical and Robust "
                  "Stenciled Shadow Volumes",
-        .getsWrong = "soft shadows (a light is a point); regions behind exactly 256 casting triangles",
+        .getsWrong = "soft shadows (a light is a point)",
         .order = 45,
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},

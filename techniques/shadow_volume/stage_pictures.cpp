@@ -71,24 +71,24 @@ void StagePictures::publishWays(Frame& frame, int light, std::span<const CasterV
                 return wayOf(*caster) == Way::pass ? &look::kDepthPass : &look::kDepthFail;
         return nullptr;
     };
-    frame.drawOverTarget(
-        "ways", light, true,
-        [&] {
-            constexpr float kAlpha = 0.6f; // the caster's shading stays to be seen
-            glDepthFunc(GL_EQUAL);
-            glDepthMask(GL_FALSE);
-            glEnable(GL_BLEND);
-            glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-            tint_.use();
-            gl::drawSurfaces(tint_, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
-                const vec3* color = colorOf(object);
-                if (color) tint_.set("color", unexposed(frame, *color, kAlpha));
-                return color != nullptr;
-            });
-        },
-        {.unit = "",
-         .key = {{look::kDepthPass, "counted with depth pass: the eye is certainly not in its volume"},
-                 {look::kDepthFail, "counted with depth fail: it may be"}}});
+    frame.drawOverTarget("ways", light, true,
+                         [&] {
+                             constexpr float kAlpha = 0.6f; // the caster's shading stays to be seen
+                             glDepthFunc(GL_EQUAL);
+                             glDepthMask(GL_FALSE);
+                             glEnable(GL_BLEND);
+                             glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+                             tint_.use();
+                             gl::drawSurfaces(tint_, frame.scene(), frame.buffers(), frame.eye(),
+                                              [&](const scene::Object& object) {
+                                                  const vec3* color = colorOf(object);
+                                                  if (color) tint_.set("color", unexposed(frame, *color, kAlpha));
+                                                  return color != nullptr;
+                                              });
+                         },
+                         {.unit = "",
+                          .key = {{look::kDepthPass, "counted with depth pass: the eye is certainly not in its volume"},
+                                  {look::kDepthFail, "counted with depth fail: it may be"}}});
 }
 
 void StagePictures::publishSilhouettes(Frame& frame, int light, std::span<const CasterVolume* const> casters) const {

@@ -77,8 +77,7 @@ TechniqueInfo zfailInfo() {
         .title = "Shadow volume (z-fail)",
         .paper = "Crow 1977, Shadow Algorithms for Computer Graphics; Everitt and Kilgard 2002, Practical and Robust "
                  "Stenciled Shadow Volumes",
-        .getsWrong =
-            "soft shadows (a light is a point); points behind exactly 256 casting triangles; isolated pixels at cracks",
+        .getsWrong = "soft shadows (a light is a point); isolated pixels at cracks",
         .order = 40,
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},
