@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "techniques/foundation/scene/simple_surface.h"
+
 namespace shadowlab::scene {
 
 namespace {
@@ -42,6 +44,35 @@ bool sweepsInward(const dvec3 (&corner)[3], const dvec3& middle, unsigned axes) 
     return true;
 }
 
+/// The triangles of each closed piece for which no way is open.
+std::vector<std::vector<std::uint32_t>> undecided(std::span<const std::uint32_t> pieceOf,
+                                                  std::span<const std::uint8_t> open, const std::vector<bool>& closed) {
+    std::vector<std::vector<std::uint32_t>> pieces;
+    std::vector<std::int32_t> number(pieceOf.size(), -1);
+    for (std::uint32_t t = 0; t < pieceOf.size(); ++t) {
+        const std::uint32_t piece = pieceOf[t];
+        if (open[piece] || !closed[piece]) continue;
+        if (number[piece] < 0) {
+            number[piece] = static_cast<std::int32_t>(pieces.size());
+            pieces.emplace_back();
+        }
+        pieces[static_cast<std::size_t>(number[piece])].push_back(t);
+    }
+    return pieces;
+}
+
+/// Six times that: positive where the front faces look outward.
+double volume(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+    const dvec3 from(mesh.positionsMesh[mesh.triangles[triangles.front()].x]);
+    double sum = 0;
+    for (const std::uint32_t t : triangles) {
+        const uvec3& v = mesh.triangles[t];
+        sum += glm::dot(dvec3(mesh.positionsMesh[v.x]) - from,
+                        glm::cross(dvec3(mesh.positionsMesh[v.y]) - from, dvec3(mesh.positionsMesh[v.z]) - from));
+    }
+    return sum;
+}
+
 } // namespace
 
 OutwardParts outwardParts(const Mesh& mesh, const MeshTopology& topology) {
@@ -58,8 +89,13 @@ OutwardParts outwardParts(const Mesh& mesh, const MeshTopology& topology) {
     }
     // Per piece, the ways that are still open: one bit for each of kAxisSets.
     std::vector<std::uint8_t> open(triangles, 0x7f);
+    std::vector<bool> closed(triangles, true);
     for (const Edge& edge : topology.edges)
-        if (kindOf(topology, edge) != EdgeKind::closed) open[pieceOf[topology.uses[edge.firstUse].triangle]] = 0;
+        if (kindOf(topology, edge) != EdgeKind::closed) {
+            const std::uint32_t piece = pieceOf[topology.uses[edge.firstUse].triangle];
+            closed[piece] = false;
+            open[piece] = 0;
+        }
     for (std::size_t t = 0; t < triangles; ++t) {
         const OutwardParts::Box& box = boxOf[pieceOf[t]];
         const dvec3 middle = 0.5 * (box.lowerMesh + box.upperMesh);
@@ -69,6 +105,8 @@ OutwardParts outwardParts(const Mesh& mesh, const MeshTopology& topology) {
             if ((open[pieceOf[t]] >> way & 1u) && !sweepsInward(corners, middle, kAxisSets[way]))
                 open[pieceOf[t]] &= static_cast<std::uint8_t>(~(1u << way));
     }
+    for (const std::vector<std::uint32_t>& piece : undecided(pieceOf, open, closed))
+        if (volume(mesh, piece) > 0 && isCertainlySimple(mesh, topology, piece)) open[pieceOf[piece.front()]] = 1;
 
     OutwardParts parts;
     std::vector<std::int32_t> number(triangles, OutwardParts::kNone);

@@ -7,9 +7,11 @@
 //   - w >= 0 everywhere: nothing of it is inside out;
 //   - eye or light are outside: w(there) = 0.
 // The middle one is the hard one: a closed surface that intersects itself may be inside out in places, whatever its volume
-// is. What is shown here instead is that the part can be drawn together, straight toward a point, a line or a plane, so that
+// is. What is shown first is that the part can be drawn together, straight toward a point, a line or a plane, so that
 // each triangle sweeps over space with its inside ahead: w counts the triangles that sweep over a point, and no count is
-// negative. Boxes, spheres, tori and columns pass; a knot does not, though it is simple, and pays for the general form.
+// negative. Boxes, spheres, tori and columns pass at once. Of all others it is asked whether they meet themselves at all
+// (simple_surface.h): a knot does not, and its volume tells that it is not inside out as a whole. What meets itself pays for the
+// general form.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>

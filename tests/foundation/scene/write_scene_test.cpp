@@ -75,7 +75,8 @@ TEST(WriteScene, EveryBuiltInSceneComesBackFromAnotherFolder) {
 TEST(WriteScene, EveryKeyOfTheFormatComesBack) {
     const TempFolder folder;
     folder.write("leaf.png", "");
-    folder.write("part/tri.obj", "mtllib tri.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl green\nf 1 2 3\nf 1 3 4\n");
+    folder.write("part/tri.obj",
+                 "mtllib tri.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl green\nf 1 2 3\nf 1 3 4\n");
     folder.write("part/tri.mtl", "newmtl green\nKd 0.1 0.7 0.2\n");
     const auto file = folder.write("all.json", R"({
       "camera": {"position": [3.1, 1e-12, 1000005], "target": [0, 0.6, 1000000], "up": [0, 1, 0.25], "fovYDegrees": 33.3,
