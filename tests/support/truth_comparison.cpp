@@ -3,15 +3,22 @@
 
 #include <cmath>
 
+#include "app/measure/boundary.h"
 #include "app/session/settings.h"
+#include "techniques/foundation/trace/parallel.h"
 
 namespace shadowlab::testing {
 
+using trace::Visibility;
+
 namespace {
+
+// Farther than this from a true boundary no aliasing is to blame (docs/conventions.md).
+constexpr float kCorePx = 1.5f;
 
 /// Rings no wider apart than a quarter of the radius, 16 directions each: what lies within a disc is found.
 bool truthChangesWithin(const trace::ExactVisibility& judge, const scene::Camera& camera, dvec2 centre, ivec2 size,
-                        int light, double radius, trace::Visibility truth) {
+                        int light, double radius, Visibility truth) {
     for (int ring = 4; ring >= 1; --ring)
         for (int i = 0; i < 16; ++i) {
             const double angle = 2 * M_PI * i / 16, r = radius * ring / 4;
@@ -26,14 +33,15 @@ bool truthChangesWithin(const trace::ExactVisibility& judge, const scene::Camera
 TruthComparison& TruthComparison::operator+=(const TruthComparison& other) {
     compared += other.compared, lit += other.lit, shadowed += other.shadowed, turnedAway += other.turnedAway;
     background += other.background, ties += other.ties, falseLit += other.falseLit, falseShadow += other.falseShadow;
-    coverage += other.coverage;
+    coverage += other.coverage, core += other.core;
     return *this;
 }
 
 std::ostream& operator<<(std::ostream& stream, const TruthComparison& c) {
     return stream << c.compared << " compared: " << c.lit << " lit, " << c.shadowed << " shadowed, " << c.turnedAway
                   << " turned away, " << c.background << " background; " << c.falseLit << " false lit, "
-                  << c.falseShadow << " false shadow, " << c.coverage << " wrong coverage, " << c.ties << " ties";
+                  << c.falseShadow << " false shadow, " << c.coverage << " wrong coverage, " << c.core
+                  << " of the false ones core errors, " << c.ties << " ties";
 }
 
 session::VisibilityImage renderVisibility(const scene::Snapshot& snapshot, const std::string& technique,
@@ -54,42 +62,99 @@ session::VisibilityImage renderVisibility(const scene::Snapshot& snapshot, const
     return session::readVisibility(session::findStage(frame, {"visibility", light}));
 }
 
-TruthComparison compareWithTruth(const scene::Snapshot& snapshot, const std::string& technique,
-                                 const std::vector<std::string>& settings, ivec2 size, int light,
-                                 const TieRadius& tieRadiusPx) {
-    const session::VisibilityImage image = renderVisibility(snapshot, technique, settings, size, light);
-    using trace::Visibility;
-    const trace::ExactVisibility judge(snapshot);
-    const scene::Camera& camera = snapshot->camera;
-    TruthComparison result;
-    for (int y = 0; y < size.y; ++y)
+JudgedPicture::JudgedPicture(scene::Snapshot snapshot, ivec2 size, int light, TieRadius tieRadiusPx)
+    : snapshot_(std::move(snapshot)), size_(size), light_(light), tieRadiusPx_(std::move(tieRadiusPx)),
+      judge_(snapshot_), hits_(size.x, size.y), truth_(size.x, size.y) {
+    trace::parallelFor(static_cast<std::size_t>(size.y), [&](std::size_t row) {
+        const int y = static_cast<int>(row);
         for (int x = 0; x < size.x; ++x) {
-            const dvec2 centre(x + 0.5, y + 0.5);
-            const std::optional<trace::EyeHit> hit = judge.eyeHit(camera, centre, size);
-            const Visibility truth = hit ? judge.visibility(*hit, camera, light) : Visibility::noSurface;
+            std::optional<trace::EyeHit>& hit = hits_.at(x, y);
+            hit = judge_.eyeHit(snapshot_->camera, dvec2(x + 0.5, y + 0.5), size_);
+            truth_.at(x, y) = hit ? judge_.visibility(*hit, snapshot_->camera, light_) : Visibility::noSurface;
+        }
+    });
+}
+
+JudgedPicture::JudgedPicture(scene::Snapshot snapshot, ivec2 size, int light, double tieRadiusPx)
+    : JudgedPicture(std::move(snapshot), size, light,
+                    [=](const std::optional<trace::EyeHit>&) { return tieRadiusPx; }) {}
+
+TruthComparison JudgedPicture::compare(const session::VisibilityImage& image) const {
+    TruthComparison result;
+    for (int y = 0; y < size_.y; ++y)
+        for (int x = 0; x < size_.x; ++x) {
+            const Visibility truth = truth_.at(x, y);
+            if (leavesOutTurnedAway_ && truth == Visibility::turnedAway) continue;
             ++result.compared;
             result.background += truth == Visibility::noSurface;
             result.turnedAway += truth == Visibility::turnedAway;
             result.shadowed += truth == Visibility::shadowed;
             result.lit += truth == Visibility::lit;
             const bool covered = image.alpha(x, y) == 255, lit = image.grey(x, y) > 127;
-            const bool coverageWrong = covered != hit.has_value();
+            const bool coverageWrong = covered != (truth != Visibility::noSurface);
             const bool litWrong = lit != (truth == Visibility::lit);
             if (!coverageWrong && !litWrong) continue;
-            if (truthChangesWithin(judge, camera, centre, size, light, tieRadiusPx(hit), truth))
+            if (isTie(x, y)) {
                 ++result.ties;
-            else if (coverageWrong)
+            } else if (coverageWrong) {
                 ++result.coverage;
-            else
+            } else {
                 ++(lit ? result.falseLit : result.falseShadow);
+                result.core += distanceToBoundary(x, y) > kCorePx;
+            }
         }
     return result;
 }
 
+int JudgedPicture::differing(const session::VisibilityImage& image) const {
+    int count = 0;
+    for (int y = 0; y < size_.y; ++y)
+        for (int x = 0; x < size_.x; ++x) {
+            const Visibility truth = truth_.at(x, y);
+            if (leavesOutTurnedAway_ && truth == Visibility::turnedAway) continue;
+            const bool covered = image.alpha(x, y) == 255, lit = image.grey(x, y) > 127;
+            count += covered != (truth != Visibility::noSurface) || lit != (truth == Visibility::lit);
+        }
+    return count;
+}
+
+bool JudgedPicture::isTie(int x, int y) const {
+    const auto [known, isNew] = ties_.try_emplace(hits_.index(x, y), false);
+    if (isNew)
+        known->second = truthChangesWithin(judge_, snapshot_->camera, dvec2(x + 0.5, y + 0.5), size_, light_,
+                                           tieRadiusPx_(hits_.at(x, y)), truth_.at(x, y));
+    return known->second;
+}
+
+float JudgedPicture::distanceToBoundary(int x, int y) const {
+    if (!distancePx_) {
+        measure::Grid<measure::Shade> shades(size_.x, size_.y);
+        measure::Grid<std::uint32_t> receivers(size_.x, size_.y);
+        for (std::size_t i = 0; i < hits_.values.size(); ++i) {
+            using enum Visibility;
+            const Visibility truth = truth_.values[i];
+            shades.values[i] = truth == lit          ? measure::Shade::lit
+                               : truth == shadowed   ? measure::Shade::shadowed
+                               : truth == turnedAway ? measure::Shade::turnedAway
+                                                     : measure::Shade::outside;
+            receivers.values[i] = hits_.values[i] ? hits_.values[i]->object : ~0u;
+        }
+        distancePx_ = measure::distanceToBoundary(measure::boundaryEdges(shades, receivers), size_);
+    }
+    return distancePx_->at(x, y);
+}
+
+TruthComparison compareWithTruth(const scene::Snapshot& snapshot, const std::string& technique,
+                                 const std::vector<std::string>& settings, ivec2 size, int light,
+                                 const TieRadius& tieRadiusPx) {
+    return JudgedPicture(snapshot, size, light, tieRadiusPx)
+        .compare(renderVisibility(snapshot, technique, settings, size, light));
+}
+
 TruthComparison compareWithTruth(const scene::Snapshot& snapshot, const std::string& technique,
                                  const std::vector<std::string>& settings, ivec2 size, int light, double tieRadiusPx) {
-    return compareWithTruth(snapshot, technique, settings, size, light,
-                            [=](const std::optional<trace::EyeHit>&) { return tieRadiusPx; });
+    return JudgedPicture(snapshot, size, light, tieRadiusPx)
+        .compare(renderVisibility(snapshot, technique, settings, size, light));
 }
 
 } // namespace shadowlab::testing

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
+#include <map>
+#include <optional>
 #include <ostream>
 
+#include "app/measure/grid.h"
 #include "app/session/picture.h"
 #include "app/session/session.h"
 #include "techniques/foundation/trace/exact_visibility.h"
@@ -15,6 +18,7 @@ namespace shadowlab::testing {
 struct TruthComparison {
     int compared = 0, lit = 0, shadowed = 0, turnedAway = 0, background = 0;
     int ties = 0, falseLit = 0, falseShadow = 0, coverage = 0;
+    int core = 0; ///< of the false ones: farther than 1.5 pixels from every true boundary (docs/conventions.md)
     [[nodiscard]] int wrong() const { return falseLit + falseShadow + coverage; }
     TruthComparison& operator+=(const TruthComparison& other);
 };
@@ -22,6 +26,41 @@ std::ostream& operator<<(std::ostream& stream, const TruthComparison& comparison
 
 /// How far from its centre a pixel's truth may change for the pixel to be excused; the hit is absent on background.
 using TieRadius = std::function<double(const std::optional<trace::EyeHit>&)>;
+
+/// The truth of one picture, found once and held against many.
+class JudgedPicture {
+public:
+    JudgedPicture(scene::Snapshot snapshot, ivec2 size, int light, TieRadius tieRadiusPx);
+    JudgedPicture(scene::Snapshot snapshot, ivec2 size, int light, double tieRadiusPx);
+
+    [[nodiscard]] TruthComparison compare(const session::VisibilityImage& image) const;
+    /// How many pixels differ from the truth at their centres, ties included: for faults of thousands of pixels, each of which
+    /// would have to be asked whether it is a tie.
+    [[nodiscard]] int differing(const session::VisibilityImage& image) const;
+    /// From now on pixels that turn away from the light are not compared, nor counted: where there is no facing gate.
+    void leaveOutTurnedAway() { leavesOutTurnedAway_ = true; }
+
+    [[nodiscard]] const scene::Snapshot& snapshot() const { return snapshot_; }
+    [[nodiscard]] ivec2 size() const { return size_; }
+    [[nodiscard]] int light() const { return light_; }
+    [[nodiscard]] const std::optional<trace::EyeHit>& hit(int x, int y) const { return hits_.at(x, y); }
+    [[nodiscard]] trace::Visibility truth(int x, int y) const { return truth_.at(x, y); }
+    [[nodiscard]] bool isTie(int x, int y) const;
+
+private:
+    [[nodiscard]] float distanceToBoundary(int x, int y) const;
+
+    scene::Snapshot snapshot_;
+    ivec2 size_;
+    int light_;
+    TieRadius tieRadiusPx_;
+    trace::ExactVisibility judge_;
+    measure::Grid<std::optional<trace::EyeHit>> hits_;
+    measure::Grid<trace::Visibility> truth_;
+    bool leavesOutTurnedAway_ = false;
+    mutable std::map<std::size_t, bool> ties_;               ///< of the pixels that were asked for
+    mutable std::optional<measure::Grid<float>> distancePx_; ///< found when first asked for
+};
 
 /// Renders the visibility stage through the session, in a fresh slot with settings "param=value", and compares.
 /// A pixel is excused when the truth is another one anywhere on circles of radius up to the tie radius around its
