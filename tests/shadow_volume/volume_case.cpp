@@ -2,7 +2,6 @@
 #include "tests/shadow_volume/volume_case.h"
 
 #include <cstdlib>
-#include <string_view>
 
 namespace shadowlab::testing {
 
@@ -11,14 +10,17 @@ namespace shadowlab::testing {
 // gate is left open, and pixels that turn away from the light, which it would close, are not compared.
 void VolumeCase::SetUp() {
     GlTest::SetUp();
-    const std::string_view renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    hasGate_ = !renderer.starts_with("softpipe");
+    hasGate_ = !isRenderer("softpipe");
     if (!hasGate_) setenv("SHADOWLAB_SHADERS", SHADOWLAB_SOURCE_DIR "/tests/shadow_volume/without_gate", 1);
 }
 
 void VolumeCase::TearDown() {
     if (!hasGate_) unsetenv("SHADOWLAB_SHADERS");
     GlTest::TearDown();
+}
+
+bool VolumeCase::isRenderer(std::string_view name) {
+    return std::string_view(reinterpret_cast<const char*>(glGetString(GL_RENDERER))).starts_with(name);
 }
 
 JudgedPicture VolumeCase::judged(const scene::Scene& scene, int light, ivec2 size) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tests/support/gl_fixture.h"
@@ -50,6 +51,7 @@ protected:
         return picture.differing(draw(picture, technique, settings));
     }
     [[nodiscard]] bool hasGate() const { return hasGate_; }
+    [[nodiscard]] static bool isRenderer(std::string_view name);
 
 private:
     bool hasGate_ = true;

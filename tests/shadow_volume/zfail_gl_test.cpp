@@ -19,50 +19,27 @@ constexpr ivec2 kSize{160, 120};
 
 using testing::kTiePx;
 
-// Isolated pixels at cracks between side faces whose far vertices are at infinity: the rasteriser's clipping rounds.
-// About 2e-6 of
-// the pixels here; other rasterisers clip a little worse.
-constexpr double kCrackShare = 3e-5;
-
-int scenesPerClass() { return std::getenv("SHADOWLAB_LONG") ? 200 : 12; }
-
-TruthComparison overClass(HardClass hardClass, bool directional, const std::vector<std::string>& settings, int scenes) {
+TruthComparison overClass(HardClass hardClass, const std::vector<std::string>& settings, int scenes) {
     TruthComparison sum;
     for (int i = 0; i < scenes; ++i) {
-        const auto scene = testing::snapshot(testing::hardScene(hardClass, static_cast<unsigned>(i), directional));
+        const auto scene = testing::snapshot(testing::hardScene(hardClass, static_cast<unsigned>(i), false));
         const TruthComparison one = compareWithTruth(scene, "shadow-volume-zfail", settings, kSize, 0, kTiePx);
-        if (one.wrong() > 3 && settings.empty())
-            std::cout << toText(hardClass) << " scene " << i << ": " << one << "\n";
         sum += one;
     }
     return sum;
 }
 
-TEST_F(ZFailTest, EveryHardClassIsExactUpToCracks) {
-    TruthComparison all;
-    for (const bool directional : {false, true})
-        for (const HardClass hardClass : testing::kHardClasses) {
-            const TruthComparison sum = overClass(hardClass, directional, {}, scenesPerClass());
-            std::cout << toText(hardClass) << (directional ? ", directional: " : ", point: ") << sum << "\n";
-            // Inside a closed tube nothing is lit: light only leaves through the holes of half the scenes.
-            EXPECT_GT(sum.lit, hardClass == HardClass::lightInMesh ? 100 : 500);
-            EXPECT_GT(sum.shadowed, 500);
-            all += sum;
-        }
-    EXPECT_LE(all.wrong(), kCrackShare * all.compared) << all;
-}
-
-// The same comparison must see each classical fault, or it proves nothing.
+// What hard_classes_gl_test.cpp finds exact: the same comparison must see each classical fault, or it proves nothing.
 TEST_F(ZFailTest, WithoutCapsItIsWrong) {
-    const TruthComparison sum = overClass(HardClass::torus, false, {"caps=false"}, 4);
+    const TruthComparison sum = overClass(HardClass::torus, {"caps=false"}, 4);
     EXPECT_GT(sum.wrong(), sum.compared / 1000) << sum;
 }
 TEST_F(ZFailTest, WithLequalItFightsWithItsOwnSurface) {
-    const TruthComparison sum = overClass(HardClass::soup, false, {"depth-test=lequal"}, 4);
+    const TruthComparison sum = overClass(HardClass::soup, {"depth-test=lequal"}, 4);
     EXPECT_GT(sum.falseShadow, sum.compared / 100) << sum;
 }
 TEST_F(ZFailTest, WithoutWrappingItLosesCounts) {
-    const TruthComparison sum = overClass(HardClass::torus, false, {"wrap=false"}, 4);
+    const TruthComparison sum = overClass(HardClass::torus, {"wrap=false"}, 4);
     EXPECT_GT(sum.wrong(), sum.compared / 1000) << sum;
 }
 
@@ -73,20 +50,6 @@ TEST_F(ZFailTest, TwoPassesGiveTheSamePixelsAsOne) {
         const auto two = testing::renderVisibility(scene, "shadow-volume-zfail", {"two-sided=false"}, kSize, 0);
         EXPECT_EQ(one.greyAlpha, two.greyAlpha) << toText(hardClass);
     }
-}
-
-TEST_F(ZFailTest, EyeInsideAShadowVolume) {
-    scene::Scene scene = testing::floorScene();
-    testing::addObject(scene, scene::makeQuad({4, 4}), testing::translation({0, 2, 0}));
-    testing::addObject(scene, scene::makeBox({0.5, 0.5, 0.5}), testing::translation({1, 0.25, -1.5}));
-    scene.camera.positionWorld = {0, 0.5, 0};
-    scene.camera.targetWorld = {1, 0.25, -4};
-    scene.lights.push_back(testing::pointLight({0, 5, 0}));
-    const TruthComparison sum =
-        compareWithTruth(testing::snapshot(scene), "shadow-volume-zfail", {}, {320, 240}, 0, kTiePx);
-    EXPECT_GT(sum.lit, 500);
-    EXPECT_GT(sum.shadowed, 500);
-    EXPECT_EQ(sum.wrong(), 0) << sum;
 }
 
 TEST_F(ZFailTest, MovedFarFromTheOrigin) {

@@ -90,37 +90,6 @@ TEST_F(ZPassTest, IsExactUpToCracksWhereTheNearPlaneIsLit) {
     EXPECT_LE(all.wrong(), kCrackShare * all.compared) << all;
 }
 
-/// Over all classes of hard scenes, and both kinds of light.
-TruthComparison overAll(const std::string& technique, const std::vector<std::string>& settings) {
-    const int perClass = std::getenv("SHADOWLAB_LONG") ? 100 : 8;
-    TruthComparison all;
-    for (const bool directional : {false, true})
-        for (const HardClass hardClass : testing::kHardClasses)
-            for (int i = 0; i < perClass; ++i) {
-                const auto scene =
-                    testing::snapshot(testing::hardScene(hardClass, static_cast<unsigned>(i), directional));
-                const TruthComparison one = compareWithTruth(scene, technique, settings, kSize, 0, kTiePx);
-                if (one.wrong() > 3) std::cout << toText(hardClass) << " scene " << i << ": " << one << "\n";
-                all += one;
-            }
-    std::cout << technique << ": " << all << "\n";
-    EXPECT_GT(all.lit, 100000);
-    EXPECT_GT(all.shadowed, 100000);
-    return all;
-}
-
-TEST_F(ZPassTest, WithEyeCorrectionItIsExactUpToCracksFromEverywhere) {
-    const TruthComparison textbook = overAll(kZPass, {});
-    const TruthComparison corrected = overAll(kZPass, {"eye-correction=true"});
-    EXPECT_GT(textbook.wrong(), textbook.compared / 50) << "these scenes do not ask for the correction";
-    EXPECT_LE(corrected.wrong(), kCrackShare * corrected.compared) << corrected;
-}
-
-TEST_F(ZPassTest, ChosenPerCasterItIsExactUpToCracksFromEverywhere) {
-    const TruthComparison chosen = overAll("shadow-volume", {});
-    EXPECT_LE(chosen.wrong(), kCrackShare * chosen.compared) << chosen;
-}
-
 TEST_F(ZPassTest, FailsWithTheEyeInAVolumeWhereDepthFailHolds) {
     const scene::Snapshot snapshot = builtIn("eye-in-shadow");
     const TruthComparison zpass = compareWithTruth(snapshot, kZPass, {}, {160, 90}, 0, kTiePx);
