@@ -43,7 +43,8 @@ protected:
         EXPECT_GT(before.lit, GetParam() == HardClass::lightInMesh ? 500 : 10000);
         EXPECT_GT(before.shadowed, 10000);
         EXPECT_LE(before.wrong(), testing::kCrackShare * before.compared);
-        EXPECT_LE(mostBefore, 10) << "a crack is a pixel or a few; a wrong count would be a region";
+        EXPECT_LE(mostBefore, 10) << "cracks along one edge; a wrong count would be a region";
+        EXPECT_EQ(before.together, 0) << "a crack is a pixel alone";
         EXPECT_EQ(after.wrong(), 0);
         EXPECT_LE(after.ties, before.ties) << "had the surface that the rasteriser shows been kept, ties would be new";
         EXPECT_LE(before.ties, before.compared / 500);

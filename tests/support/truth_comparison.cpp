@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/truth_comparison.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "app/measure/boundary.h"
 #include "app/session/settings.h"
@@ -28,12 +30,21 @@ bool truthChangesWithin(const trace::ExactVisibility& judge, const scene::Camera
     return false;
 }
 
+/// How many of the pixels have another one among their eight neighbours; they are in the order of rows.
+int countTogether(const std::vector<ivec2>& pixels) {
+    std::vector<bool> together(pixels.size(), false);
+    for (std::size_t i = 0; i < pixels.size(); ++i)
+        for (std::size_t j = i + 1; j < pixels.size() && pixels[j].y <= pixels[i].y + 1; ++j)
+            if (std::abs(pixels[j].x - pixels[i].x) <= 1) together[i] = together[j] = true;
+    return static_cast<int>(std::ranges::count(together, true));
+}
+
 } // namespace
 
 TruthComparison& TruthComparison::operator+=(const TruthComparison& other) {
     compared += other.compared, lit += other.lit, shadowed += other.shadowed, turnedAway += other.turnedAway;
     background += other.background, ties += other.ties, falseLit += other.falseLit, falseShadow += other.falseShadow;
-    coverage += other.coverage, core += other.core;
+    coverage += other.coverage, core += other.core, together += other.together;
     return *this;
 }
 
@@ -81,6 +92,7 @@ JudgedPicture::JudgedPicture(scene::Snapshot snapshot, ivec2 size, int light, do
 
 TruthComparison JudgedPicture::compare(const session::VisibilityImage& image) const {
     TruthComparison result;
+    std::vector<ivec2> core;
     for (int y = 0; y < size_.y; ++y)
         for (int x = 0; x < size_.x; ++x) {
             const Visibility truth = truth_.at(x, y);
@@ -100,9 +112,11 @@ TruthComparison JudgedPicture::compare(const session::VisibilityImage& image) co
                 ++result.coverage;
             } else {
                 ++(lit ? result.falseLit : result.falseShadow);
-                result.core += distanceToBoundary(x, y) > kCorePx;
+                if (distanceToBoundary(x, y) > kCorePx) core.emplace_back(x, y);
             }
         }
+    result.core = static_cast<int>(core.size());
+    result.together = countTogether(core);
     return result;
 }
 

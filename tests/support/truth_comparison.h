@@ -18,7 +18,8 @@ namespace shadowlab::testing {
 struct TruthComparison {
     int compared = 0, lit = 0, shadowed = 0, turnedAway = 0, background = 0;
     int ties = 0, falseLit = 0, falseShadow = 0, coverage = 0;
-    int core = 0; ///< of the false ones: farther than 1.5 pixels from every true boundary (docs/conventions.md)
+    int core = 0;     ///< of the false ones: farther than 1.5 pixels from every true boundary (docs/conventions.md)
+    int together = 0; ///< of the core ones: beside another one. A crack is a pixel alone, a wrong algorithm a region
     [[nodiscard]] int wrong() const { return falseLit + falseShadow + coverage; }
     TruthComparison& operator+=(const TruthComparison& other);
 };
