@@ -52,7 +52,7 @@ std::ostream& operator<<(std::ostream& stream, const TruthComparison& c) {
     return stream << c.compared << " compared: " << c.lit << " lit, " << c.shadowed << " shadowed, " << c.turnedAway
                   << " turned away, " << c.background << " background; " << c.falseLit << " false lit, "
                   << c.falseShadow << " false shadow, " << c.coverage << " wrong coverage, " << c.core
-                  << " of the false ones core errors, " << c.ties << " ties";
+                  << " of the false ones core errors, " << c.together << " of those together, " << c.ties << " ties";
 }
 
 session::VisibilityImage renderVisibility(const scene::Snapshot& snapshot, const std::string& technique,
