@@ -4,10 +4,10 @@
 // Where each of the known hard cases is tested, V1 to V19 of the list this project began with:
 //   V1  eye in shadow                HardEyes.InAShadow
 //   V2  near plane cuts a side       HardEyes.SoCloseToASideThatTheNearPlaneCutsIt
-//   V3  far plane cuts a volume      with the parameter that decides it
+//   V3  far plane cuts a volume      VolumeShapes.EitherRemedyForTheFarPlaneIsEnough, WithoutARemedyTheFarPlaneCutsVolumesOpen
 //   V3b cap exactly on the far plane HardClasses.WithVolumesThatEndAtInfinity; no naive version is known
 //   V4  cap against its own surface  HardEyes.CapsDoNotFightWithTheirOwnSurface, OneSurfaceHasOneDepthInOneOrderOnly
-//   V5  count beyond the stencil     with the parameter that decides it
+//   V5  count beyond the stencil     Overlaps.AnyNumberOfSheetsCastsOneShadow, AStencilOfEightBitsTakes256ForNone
 //   V6  light in the plane of a face HardLights.InThePlaneOfAFace
 //   V7  light in a vertex            HardLights.InAVertex
 //   V8  open meshes                  HardMeshes.OpenOnes

@@ -15,7 +15,18 @@ namespace {
 
 using testing::HardClass;
 using testing::JudgedPicture;
-using HardMeshes = testing::VolumeCase;
+
+class HardMeshes : public testing::VolumeCase {
+protected:
+    /// Exact in all three ways, where two faces to an edge are not enough.
+    void expectLectureAloneFails(const scene::Scene& scene) const {
+        expectExact(scene);
+        int wrong = 0; // one of the lights may be where it does not matter
+        for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light)
+            wrong += wrongWith(judged(scene, light), "shadow-volume-zfail", {"construction=lecture"});
+        EXPECT_GT(wrong, 200);
+    }
+};
 
 /// The triangles of a mesh for which keep(middle of the triangle) is true.
 template <typename Keep>
@@ -36,11 +47,12 @@ scene::Scene over(const scene::Mesh& mesh, const dvec3& place) {
 
 TEST_F(HardMeshes, OpenOnes) {
     const scene::Mesh ball = scene::makeSphere(1, 32);
-    expectExact(over(scene::makeQuad({2, 3}), {0, 1.5, 0}));
-    expectExact(over(partOf(ball, [](const dvec3& middle) { return middle.y > 0; }), {0, 0.5, 0}));
-    expectExact(over(partOf(ball, [](const dvec3& middle) { return middle.y < 0.5; }), {0, 1.25, 0})); // no lid
-    expectExact(over(partOf(scene::makeTorus(1, 0.4, {32, 16}), [](const dvec3& middle) { return middle.x > -0.5; }),
-                     {0, 1, 0}));
+    expectLectureAloneFails(over(scene::makeQuad({2, 3}), {0, 1.5, 0}));
+    expectLectureAloneFails(over(partOf(ball, [](const dvec3& middle) { return middle.y > 0; }), {0, 0.5, 0}));
+    expectLectureAloneFails(
+        over(partOf(ball, [](const dvec3& middle) { return middle.y < 0.5; }), {0, 1.25, 0})); // no lid
+    expectLectureAloneFails(over(
+        partOf(scene::makeTorus(1, 0.4, {32, 16}), [](const dvec3& middle) { return middle.x > -0.5; }), {0, 1, 0}));
 }
 
 /// So many triangles on one edge, to all sides of it, every second one wound the other way round.
@@ -58,7 +70,7 @@ scene::Mesh fan(int triangles) {
 TEST_F(HardMeshes, ManyFacesOnOneEdge) {
     for (int triangles = 3; triangles <= 6; ++triangles) {
         SCOPED_TRACE(triangles);
-        expectExact(over(fan(triangles), {0, 0, 0}));
+        expectLectureAloneFails(over(fan(triangles), {0, 0, 0}));
     }
 }
 
@@ -137,11 +149,10 @@ TEST_F(HardMeshes, DegenerateTriangles) {
 TEST_F(HardMeshes, DuplicatesAndVerticesOnEdges) {
     scene::Mesh box = scene::makeBox({1.5, 1, 1});
     const std::vector<uvec3> once = box.triangles;
-    box.triangles.insert(box.triangles.end(), once.begin(),
-                         once.begin() + 5); // some faces twice, one of them three times
+    box.triangles.insert(box.triangles.end(), once.begin(), once.end()); // all faces twice, one of them three times
     box.triangles.push_back(once[3]);
     box.parts[0].triangleCount = static_cast<std::uint32_t>(box.triangles.size());
-    expectExact(over(box, {0, 1, 0}));
+    expectLectureAloneFails(over(box, {0, 1, 0}));
 
     std::vector<dvec3> corners; // the same box out of loose triangles: no two share a vertex, but for its place
     for (const uvec3& t : once)
@@ -152,7 +163,7 @@ TEST_F(HardMeshes, DuplicatesAndVerticesOnEdges) {
     // A tetrahedron, one face of which is divided at the middle of an edge that its neighbour knows nothing of.
     const dvec3 a(-1, 1, 0.25), b(1, 1.25, -1), c(0.5, 1.125, 1), d(0.125, 2.25, 0), m = 0.5 * (a + b);
     const scene::Mesh divided = testing::triangleSoup({a, m, c, m, b, c, a, d, b, b, d, c, c, d, a});
-    expectExact(over(divided, {0, 0, 0}));
+    expectLectureAloneFails(over(divided, {0, 0, 0}));
 }
 
 /// Without the two triangles whose middles are nearest to a point.
@@ -186,6 +197,7 @@ TEST_F(HardMeshes, LightInATubeClosedAndWithAHole) {
     scene.camera.targetWorld = {1.5, 0.125, 0};
     const JudgedPicture holed = judged(scene);
     expectExact(holed);
+    EXPECT_GT(wrongWith(holed, "shadow-volume-zfail", {"construction=lecture"}), 200);
     EXPECT_GT(wrongWith(holed, "shadow-volume-zfail", {"caps=false"}), 10000);
 }
 
