@@ -110,13 +110,15 @@ void FaceCounter::drawExtruded(const Frame& frame, const CountedVolume& volume, 
     const gl::Program& program = volume.extruded ? programs.extruded : programs.extrude;
     program.use();
     program.set("clipFromMesh", mat4(frame.eye().clipFromMesh(object)));
-    if (!volume.extruded)
-        setExtrusion(program,
-                     extrusionOf(object, frame.scene().lights[static_cast<std::size_t>(light)], volume.seen.end));
+    const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
+    if (!volume.extruded) setExtrusion(program, extrusionOf(object, source, volume.seen.end));
     setFrontFace(object, false);
     frame.scissorTo(volume.seen.part);
     const VolumeBuffers& buffers = volume.extruded ? *volume.extruded : *caster.buffers;
-    buffers.drawSides();
+    // Toward the sun all sides meet in one point at infinity.
+    const VolumeEnd& end = volume.seen.end;
+    const bool atInfinity = !end.planeWorld && !end.distance;
+    buffers.drawSides(atInfinity && source.type == scene::LightType::directional);
     if (bottomCap) buffers.drawBottomCap();
 }
 

@@ -45,8 +45,10 @@ void buildLectureVolume(const scene::Mesh& mesh, const EdgeTable& edges, std::sp
         const bool along = firstIsFront ? edge.firstAlong : edge.secondAlong;
         const std::uint32_t a = along ? edge.a : edge.b, b = along ? edge.b : edge.a;
         silhouette.push_back({a, b, 1, 2});
-        volume.sides.insert(volume.sides.end(), {b, a, a + far, b, a + far, b + far});
+        volume.sides.insert(volume.sides.end(), {b, a, a + far});
     });
+    for (const SilhouetteEdge& edge : silhouette)
+        volume.sides.insert(volume.sides.end(), {edge.b, edge.a + far, edge.b + far});
 }
 
 } // namespace shadowlab::shadow_volume

@@ -30,8 +30,10 @@ struct SilhouetteEdge {
 struct Volume {
     std::vector<std::uint32_t> topCap;         ///< triangles with sign +1, in the mesh's own order and corner order
     std::vector<std::uint32_t> topCapReversed; ///< triangles with sign -1, likewise: these are clockwise from outside
-    std::vector<std::uint32_t> sides;          ///< extruded silhouette edges
-    std::vector<std::uint32_t> bottomCap;      ///< the triangles of both top caps, at the end
+    /// Extruded silhouette edges: of each quad one triangle in the first half of the list, which has one far vertex, and one
+    /// in the second, which has two and is nothing where all far vertices are one point.
+    std::vector<std::uint32_t> sides;
+    std::vector<std::uint32_t> bottomCap; ///< the triangles of both top caps, at the end
 };
 
 /// Makes the silhouette, the edges whose triangles do not cancel once each is turned toward the light, and the volume, in

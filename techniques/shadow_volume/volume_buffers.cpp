@@ -31,10 +31,10 @@ void VolumeBuffers::Run::fill(const std::function<void()>& bindAttributes, const
     glBindVertexArray(0);
 }
 
-void VolumeBuffers::Run::draw(GLenum mode) const {
+void VolumeBuffers::Run::draw(GLenum mode, GLsizei firstShare) const {
     if (count == 0) return;
     glBindVertexArray(vertexArray.id());
-    glDrawElements(mode, count, GL_UNSIGNED_INT, nullptr);
+    glDrawElements(mode, count / firstShare, GL_UNSIGNED_INT, nullptr);
     glBindVertexArray(0);
 }
 

@@ -27,7 +27,8 @@ public:
     // The triangles turned toward the light as they are, and those that have to be read clockwise.
     void drawTopCap() const { topCap_.draw(GL_TRIANGLES); }
     void drawTopCapReversed() const { topCapReversed_.draw(GL_TRIANGLES); }
-    void drawSides() const { sides_.draw(GL_TRIANGLES); }
+    /// `toOnePoint`: all far vertices are the same one, and half of the triangles are nothing.
+    void drawSides(bool toOnePoint = false) const { sides_.draw(GL_TRIANGLES, toOnePoint ? 2 : 1); }
     void drawBottomCap() const { bottomCap_.draw(GL_TRIANGLES); }
     // Silhouette edges as lines, by how many triangles meet there.
     void drawSilhouette() const { silhouette_.draw(GL_LINES); }
@@ -40,7 +41,7 @@ private:
         gl::BufferHandle indices;
         GLsizei count = 0;
         void fill(const std::function<void()>& bindAttributes, const std::vector<std::uint32_t>& data);
-        void draw(GLenum mode) const;
+        void draw(GLenum mode, GLsizei firstShare = 1) const; ///< the first 1 / `firstShare` of it
     };
     Run topCap_, topCapReversed_, sides_, bottomCap_, silhouette_, boundary_, multiple_;
 };

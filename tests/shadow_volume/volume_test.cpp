@@ -46,18 +46,20 @@ Built buildPlainly(const scene::Mesh& mesh, const scene::MeshTopology& topology,
         if (sum < 0) built.silhouette.push_back({edge.b, edge.a, times, edge.useCount});
     }
     const auto n = static_cast<std::uint32_t>(mesh.positionsMesh.size());
+    const auto add = [](std::vector<std::uint32_t>& list, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+        list.insert(list.end(), {i, j, k});
+    };
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto [a, b, c] = std::array{mesh.triangles[t].x, mesh.triangles[t].y, mesh.triangles[t].z};
-        const auto add = [](std::vector<std::uint32_t>& list, std::uint32_t i, std::uint32_t j, std::uint32_t k) {
-            list.insert(list.end(), {i, j, k});
-        };
         if (facing[t] > 0) add(built.volume.topCap, a, b, c), add(built.volume.bottomCap, a + n, c + n, b + n);
         if (facing[t] < 0) add(built.volume.topCapReversed, a, b, c), add(built.volume.bottomCap, a + n, b + n, c + n);
     }
     for (const SilhouetteEdge& edge : built.silhouette)
         for (std::uint32_t i = 0; i < edge.multiplicity; ++i)
-            built.volume.sides.insert(built.volume.sides.end(),
-                                      {edge.b, edge.a, edge.a + n, edge.b, edge.a + n, edge.b + n});
+            add(built.volume.sides, edge.b, edge.a, edge.a + n);
+    for (const SilhouetteEdge& edge : built.silhouette)
+        for (std::uint32_t i = 0; i < edge.multiplicity; ++i)
+            add(built.volume.sides, edge.b, edge.a + n, edge.b + n);
     return built;
 }
 

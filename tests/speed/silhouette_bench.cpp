@@ -1,6 +1,6 @@
 // How long the CPU's part of a shadow volume takes, beside merely reading the arrays it is made from.
 //
-//   ninja -C build/release silhouette_bench && build/release/tests/silhouette_bench
+//   ninja -C build/release silhouette_bench && build/release/tests/silhouette_bench [PLOT.svg]
 //
 // Prints a table: for 10^3 to 10^6 triangles the median time of
 //   read    adding up all that the building reads: planes, triangles, the triangles of each edge
@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <numeric>
@@ -26,6 +27,7 @@
 #include "techniques/foundation/scene/facing_planes.h"
 #include "techniques/foundation/scene/scene.h"
 #include "techniques/shadow_volume/volume.h"
+#include "tests/speed/growth_plot.h"
 
 namespace shadowlab {
 namespace {
@@ -147,7 +149,7 @@ double median(std::vector<double>& times) {
 constexpr int kRuns = 31;
 
 /// One line of the table. Small meshes are handled several times in a row, so that the clock can tell.
-std::uint64_t measure(const char* name, const Ready& ready) {
+std::uint64_t measure(const char* name, const Ready& ready, std::vector<Times>& growth) {
     const std::size_t triangles = ready.mesh->triangles.size();
     const int times = static_cast<int>(std::max<std::size_t>(1, 200000 / triangles));
     Kept far, near;
@@ -179,24 +181,28 @@ std::uint64_t measure(const char* name, const Ready& ready) {
         each[i] = median(ms[i]) / times;
     std::printf("%-9s %9zu %10zu %10.4f %10.4f %10.4f %10.4f %11.2f %11.2f\n", name, triangles, found, each[0], each[1],
                 each[2], each[3], each[1] / each[0], each[2] / each[0]);
+    growth.push_back({static_cast<double>(triangles), each[0], each[1], each[2], each[3]});
     return sum;
 }
 
 } // namespace
 } // namespace shadowlab
 
-int main() {
+int main(int argc, char** argv) {
     using namespace shadowlab;
+    std::vector<Times> growth;
     std::printf("median of %d runs, milliseconds\n", kRuns);
     std::printf("%-9s %9s %10s %10s %10s %10s %10s %11s %11s\n", "order", "triangles", "silhouette", "read", "build",
                 "creep", "plain", "build/read", "creep/read");
     std::uint64_t sum = 0;
     for (const std::uint32_t around : {10u, 32u, 100u, 316u}) {
         const Ready inRows(knot(5 * around, around));
-        sum += measure("in rows", inRows);
+        sum += measure("in rows", inRows, growth);
     }
     scene::Mesh mesh = knot(5 * 316, 316);
     shuffle(mesh);
-    sum += measure("shuffled", Ready(std::move(mesh)));
+    sum += measure("shuffled", Ready(std::move(mesh)), growth);
+    growth.pop_back(); // of that there is one size only
+    if (argc > 1) std::ofstream(argv[1]) << growthPlot(growth);
     return sum == 1; // nobody may leave the reading out
 }
