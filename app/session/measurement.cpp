@@ -67,6 +67,13 @@ void Measurement::addFrame(const Moment& moment) {
         Slot& slot = *measured.slot;
         if (first_) measured.result.firstPrepareMs = session_.render(slot, view).prepareMs;
 
+        if (before_) {
+            session_.setScene(before_->snapshot);
+            View viewBefore = view;
+            viewBefore.camera = before_->camera;
+            session_.render(slot, viewBefore);
+            session_.setScene(moment.snapshot);
+        }
         const Clock::time_point start = Clock::now();
         const RenderedFrame looked = session_.render(slot, view);
         const gl::Texture2D encoded = encoder_.encodeInPlace(slot.target.color, moment.snapshot->exposure);
@@ -84,6 +91,7 @@ void Measurement::addFrame(const Moment& moment) {
         if (first_) judgeFirst(measured, rendered, visibility, truth, *reference);
     }
     first_ = false;
+    before_ = moment;
 }
 
 /// The technique's lit pixels, ties as the truth has them: what no rasteriser promises is no flicker. Only pixels that

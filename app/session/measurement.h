@@ -2,7 +2,8 @@
 //
 // A frame is drawn twice. Once as if somebody only looked at it: that is the time of the frame. And once with a clock
 // around every pass and with its visibility kept, which costs a little more and is not counted. Techniques take turns
-// frame by frame, so that whatever else the machine does meets all of them alike.
+// frame by frame, so that whatever else the machine does meets all of them alike. Judging in between leaves caches cold and
+// processors asleep; so the frame before is drawn again first, as it would have been in a sequence that nobody judges.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -79,6 +80,7 @@ private:
     int light_;
     ivec2 size_;
     bool first_ = true;
+    std::optional<Moment> before_; ///< the last one
     double truthMs_ = 0;
 };
 
