@@ -60,7 +60,8 @@ DrawnMap ShadowMap::lessonMap(const Frame& frame, int light, const DrawnMap& map
     std::vector<double> seen[3];
     for (const vec4& texel : projectedTexels(frame, light, map, kPosition))
         if (texel.a > 0.5f)
-            for (int axis = 0; axis < 3; ++axis) seen[axis].push_back(texel[axis]);
+            for (int axis = 0; axis < 3; ++axis)
+                seen[axis].push_back(texel[axis]);
     scene::Bounds region;
     if (!seen[0].empty()) {
         // Without the outermost fiftieth: a horizon would make everything near tiny.
@@ -78,7 +79,8 @@ DrawnMap ShadowMap::lessonMap(const Frame& frame, int light, const DrawnMap& map
     DrawnMap lesson{fitLightMaps(frame.scene(), frame.scene().lights[index], prepared_[index].usefulCasters,
                                  params_.resolution, params_.kernelRadius(), region),
                     scene::allCasters(frame.scene()), &depth};
-    depth = gl::DepthTextureArray(GL_DEPTH_COMPONENT24, params_.resolution, lesson.maps.layers(), "shadow map shown");
+    depth =
+        gl::DepthTextureArray(params_.glDepthFormat(), params_.resolution, lesson.maps.layers(), "shadow map shown");
     gl::setBaselineState();
     drawDepth(frame, lesson);
     return lesson;
@@ -206,7 +208,8 @@ void ShadowMap::publishProjected(Frame& frame, int light, const DrawnMap& map, c
                                         {look::kNotAsked, "faces away or outside the light: not asked"}}};
     const auto publish = [&](std::string_view stage, int mode, GLenum format, const Display& display) {
         if (frame.wants(stage, light))
-            frame.drawStage(stage, light, format, [&] { drawProjected(frame, light, map, mode); }, display);
+            frame.drawStage(
+                stage, light, format, [&] { drawProjected(frame, light, map, mode); }, display);
     };
     publish("depth-on-view", kMapDepth, GL_RG32F, range);
     publish("distance-on-view", kPointDistance, GL_RG32F, range);

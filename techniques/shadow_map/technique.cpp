@@ -50,6 +50,9 @@ params::ParamList ShadowMap::params() {
     return {
         params::integer("resolution", params_.resolution, 64, 8192, "texels",
                         "Side of the square depth map; of each of six when casters surround the light."),
+        params::choice("depth-format", params_.depthFormat, {"16", "24", "32f"},
+                       "Bits of a depth in the map; 32f: as a floating-point number. The fewer, the larger the offset "
+                       "against rounding has to be."),
         params::choice("filter", params_.filter, {"hard", "pcf"},
                        "hard: one comparison a pixel; pcf: the share of a square of comparisons that are lit."),
         params::integer("pcf-radius", params_.pcfRadius, 0, 15, "texels",
@@ -58,7 +61,7 @@ params::ParamList ShadowMap::params() {
             "slope-bias", params_.slopeBias, 0, 16, "",
             "Depth offset in proportion to the slope; 1 is what the kernel needs on a plane, 0 shows acne (teaching)."),
         params::real("constant-bias", params_.constantBias, 0, 1000, "",
-                     "Depth offset against rounding; 1 is what float positions and 24-bit depths need."),
+                     "Depth offset against rounding; 1 is what float positions and the depth's own bits need."),
         params::boolean("cull", params_.cull,
                         "Leave out casters that cannot shadow anything in a map, and what is out of view; the picture "
                         "is the same."),
@@ -119,8 +122,10 @@ DrawnMap ShadowMap::chooseMap(Frame& frame, int light) {
     const PreparedLight& prepared = prepared_[static_cast<std::size_t>(light)];
     const std::vector<std::size_t> all = scene::allCasters(frame.scene());
     KeptMap& kept = keptMap(light);
-    if (kept.depth.side() != params_.resolution || kept.depth.layers() != prepared.maps.layers())
-        kept = {gl::DepthTextureArray(GL_DEPTH_COMPONENT24, params_.resolution, prepared.maps.layers(), "shadow map"),
+    const GLenum format = params_.glDepthFormat();
+    if (kept.depth.side() != params_.resolution || kept.depth.layers() != prepared.maps.layers() ||
+        kept.format != format)
+        kept = {gl::DepthTextureArray(format, params_.resolution, prepared.maps.layers(), "shadow map"), format,
                 std::nullopt};
     const DrawnMap map{prepared.maps, params_.cull ? prepared.usefulCasters : all, &kept.depth};
     frame.count("casters", static_cast<double>(map.casters.size()), static_cast<double>(all.size()), "objects");

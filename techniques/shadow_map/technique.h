@@ -8,12 +8,19 @@ namespace shadowlab::shadow_map {
 
 struct ShadowMapParams {
     int resolution = 2048;
+    enum class DepthFormat { fixed16, fixed24, float32 } depthFormat = DepthFormat::fixed24;
     enum class Filter { hard, pcf } filter = Filter::pcf;
     int pcfRadius = 1;
     double slopeBias = 1.0;
     double constantBias = 1.0;
     bool cull = true;
     friend bool operator==(const ShadowMapParams&, const ShadowMapParams&) = default;
+    /// As OpenGL names it.
+    [[nodiscard]] GLenum glDepthFormat() const {
+        return depthFormat == DepthFormat::fixed16   ? GL_DEPTH_COMPONENT16
+               : depthFormat == DepthFormat::fixed24 ? GL_DEPTH_COMPONENT24
+                                                     : GL_DEPTH_COMPONENT32F;
+    }
     [[nodiscard]] int kernelRadius() const { return filter == Filter::pcf ? pcfRadius : 0; }
 };
 
@@ -36,6 +43,7 @@ struct MapOrigin {
 /// A map, and what it was drawn from: as long as that stays, so does the map, wherever the eye goes.
 struct KeptMap {
     gl::DepthTextureArray depth;
+    GLenum format = GL_NONE; ///< of the depths
     std::optional<MapOrigin> drawnFrom;
 };
 

@@ -73,7 +73,7 @@ TEST_F(KeptMapTest, EveryParameterThatMattersRedrawsIt) {
     draw(session, slots[0]);
     std::vector<std::string> settings;
     for (const std::string setting : {"resolution=256", "slope-bias=0", "constant-bias=0", "pcf-radius=3",
-                                      "filter=hard", "slope-bias=1", "resolution=512"}) {
+                                      "filter=hard", "slope-bias=1", "depth-format=16", "resolution=512"}) {
         settings.push_back("shadow-map." + setting);
         session::applySettings(slots, settings);
         const Drawn changed = draw(session, slots[0]);

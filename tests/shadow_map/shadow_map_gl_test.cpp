@@ -86,6 +86,22 @@ TEST_F(ShadowMapTest, WithoutSlopeBiasThereIsAcne) {
     EXPECT_GT(without.falseShadow, 2000) << without;
 }
 
+TEST_F(ShadowMapTest, AnyDepthFormatIsWrongOnlyNearEdges) {
+    scene::Scene scene = testing::simpleScene();
+    scene.lights.push_back(testing::directionalLight({0.5, -1, 0.25}));
+    for (const char* format : {"depth-format=16", "depth-format=24", "depth-format=32f"})
+        expectOnlyEdgeErrors(scene, {"filter=hard", "resolution=1024", format}, 1.5);
+}
+
+// The range of depths is fitted to the casters, however far away the light is: at 1000 m with a step of half a metre, 16 bits
+// could not tell the two boxes apart if the range began at the light.
+TEST_F(ShadowMapTest, SixteenBitsAreEnoughForCastersFarFromTheLight) {
+    scene::Scene scene = testing::simpleScene();
+    scene.lights = {testing::pointLight({300, 900, 200})};
+    for (const char* format : {"depth-format=16", "depth-format=24", "depth-format=32f"})
+        expectOnlyEdgeErrors(scene, {"filter=hard", "resolution=1024", format}, 1.5);
+}
+
 TEST_F(ShadowMapTest, BehindASpotNothingIsMirrored) {
     scene::Scene scene = testing::floorScene();
     scene.lights.push_back(spot({0, 1, 0}, {1, 0, 0}, 90));
