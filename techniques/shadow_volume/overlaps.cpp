@@ -9,7 +9,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/scene/facing.h"
+#include "techniques/shadow_volume/eye_line.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -116,23 +116,6 @@ int onRay(const scene::Scene& scene, const scene::Light& light, const CasterVolu
     return count;
 }
 
-bool rayMayTouch(const scene::Bounds& box, const dvec3& fromWorld, const dvec3& directionWorld) {
-    const dvec3 around(1e-6 * glm::length(box.upperWorld - box.lowerWorld));
-    double enters = 0, leaves = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis) {
-        const double lower = box.lowerWorld[axis] - around[axis] - fromWorld[axis];
-        const double upper = box.upperWorld[axis] + around[axis] - fromWorld[axis];
-        if (directionWorld[axis] == 0) {
-            if (lower > 0 || upper < 0) return false;
-            continue;
-        }
-        const double first = lower / directionWorld[axis], second = upper / directionWorld[axis];
-        enters = std::max(enters, std::min(first, second));
-        leaves = std::min(leaves, std::max(first, second));
-    }
-    return enters <= leaves;
-}
-
 /// The axis of the half planes, and how many triangles its two ends meet.
 struct Axis {
     dvec3 directionWorld{0, 1, 0};
@@ -145,7 +128,8 @@ std::vector<Axis> chooseAxes(const scene::Scene& scene, const scene::Light& ligh
     const auto forEachTouched = [&](const dvec3& direction, const auto& visit) {
         for (const double end : {1.0, -1.0})
             for (const CasterVolume& caster : casters)
-                if (rayMayTouch(caster.bounds, light.positionWorld, end * direction)) visit(caster, end * direction);
+                if (eyeLineMayTouch(caster.bounds, light.positionWorld, dvec4(end * direction, 0.0)))
+                    visit(caster, end * direction);
     };
     std::vector<std::pair<std::size_t, Axis>> axes; // with the number of triangles that may be met
     for (int x = -1; x <= 1; ++x)
