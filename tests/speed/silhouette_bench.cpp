@@ -21,42 +21,15 @@
 #include <numeric>
 #include <random>
 
-#include <glm/gtc/constants.hpp>
-
 #include "techniques/foundation/scene/facing.h"
 #include "techniques/foundation/scene/facing_planes.h"
 #include "techniques/foundation/scene/scene.h"
 #include "techniques/shadow_volume/volume.h"
 #include "tests/speed/growth_plot.h"
+#include "tests/support/trefoil.h"
 
 namespace shadowlab {
 namespace {
-
-/// A tube around a trefoil, `around` by `along` quads, vertices in rows.
-scene::Mesh knot(std::uint32_t along, std::uint32_t around) {
-    constexpr double kTube = 0.3;
-    scene::Mesh mesh;
-    const auto middle = [](double t) {
-        return dvec3(std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t));
-    };
-    for (std::uint32_t i = 0; i < along; ++i) {
-        const double t = glm::two_pi<double>() * i / along;
-        const dvec3 forward = glm::normalize(middle(t + 1e-4) - middle(t - 1e-4));
-        const dvec3 side = glm::normalize(glm::cross(forward, dvec3(0, 0, 1))), up = glm::cross(side, forward);
-        for (std::uint32_t j = 0; j < around; ++j) {
-            const double angle = glm::two_pi<double>() * j / around;
-            mesh.positionsMesh.emplace_back(middle(t) + kTube * (std::cos(angle) * side + std::sin(angle) * up));
-        }
-    }
-    for (std::uint32_t i = 0; i < along; ++i)
-        for (std::uint32_t j = 0; j < around; ++j) {
-            const std::uint32_t j1 = (j + 1) % around, i1 = (i + 1) % along;
-            const std::uint32_t a = i * around + j, b = i * around + j1, c = i1 * around + j1, d = i1 * around + j;
-            mesh.triangles.emplace_back(a, b, c);
-            mesh.triangles.emplace_back(a, c, d);
-        }
-    return mesh;
-}
 
 /// The same mesh with its triangles in no order: the worst for whoever looks up neighbours.
 void shuffle(scene::Mesh& mesh) { std::ranges::shuffle(mesh.triangles, std::mt19937(1)); }
@@ -196,10 +169,10 @@ int main(int argc, char** argv) {
                 "creep", "plain", "build/read", "creep/read");
     std::uint64_t sum = 0;
     for (const std::uint32_t around : {10u, 32u, 100u, 316u}) {
-        const Ready inRows(knot(5 * around, around));
+        const Ready inRows(testing::trefoil(0.3, 5 * around, around));
         sum += measure("in rows", inRows, growth);
     }
-    scene::Mesh mesh = knot(5 * 316, 316);
+    scene::Mesh mesh = testing::trefoil(0.3, 5 * 316, 316);
     shuffle(mesh);
     sum += measure("shuffled", Ready(std::move(mesh)), growth);
     growth.pop_back(); // of that there is one size only

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <glm/gtc/constants.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +12,7 @@
 
 #include "techniques/foundation/scene/shapes.h"
 #include "tests/support/scenes.h"
+#include "tests/support/trefoil.h"
 
 namespace shadowlab {
 namespace {
@@ -24,41 +23,15 @@ bool isSimple(const scene::Mesh& mesh) {
     return scene::isCertainlySimple(mesh, scene::buildTopology(mesh), all);
 }
 
-/// A tube along a trefoil; its strands are a little more than 0.6 apart where they pass each other.
-scene::Mesh trefoil(double tube) {
-    constexpr std::uint32_t kAlong = 180, kAround = 16;
-    scene::Mesh mesh;
-    const auto middle = [](double t) {
-        return dvec3(std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t));
-    };
-    for (std::uint32_t i = 0; i < kAlong; ++i) {
-        const double t = glm::two_pi<double>() * i / kAlong;
-        const dvec3 forward = glm::normalize(middle(t + 1e-4) - middle(t - 1e-4));
-        const dvec3 side = glm::normalize(glm::cross(forward, dvec3(0, 0, 1))), up = glm::cross(side, forward);
-        for (std::uint32_t j = 0; j < kAround; ++j) {
-            const double angle = glm::two_pi<double>() * j / kAround;
-            mesh.positionsMesh.emplace_back(middle(t) + tube * (std::cos(angle) * side + std::sin(angle) * up));
-        }
-    }
-    for (std::uint32_t i = 0; i < kAlong; ++i)
-        for (std::uint32_t j = 0; j < kAround; ++j) {
-            const std::uint32_t j1 = (j + 1) % kAround, i1 = (i + 1) % kAlong;
-            const std::uint32_t a = i * kAround + j, b = i * kAround + j1, c = i1 * kAround + j1, d = i1 * kAround + j;
-            mesh.triangles.emplace_back(a, b, c);
-            mesh.triangles.emplace_back(a, c, d);
-        }
-    return mesh;
-}
-
 TEST(SimpleSurface, OrdinaryOnesAre) {
     EXPECT_TRUE(isSimple(scene::makeBox({1, 2, 3})));
     EXPECT_TRUE(isSimple(scene::makeSphere(0.5, 48)));
     EXPECT_TRUE(isSimple(scene::makeTorus(1, 0.4, {48, 24})));
-    EXPECT_TRUE(isSimple(trefoil(0.3)));
+    EXPECT_TRUE(isSimple(testing::trefoil(0.3, 180, 16)));
     EXPECT_TRUE(isSimple(scene::makeQuad({2, 3}))) << "neighbours in one plane";
 }
 
-TEST(SimpleSurface, ATubeTooThickForItsKnotIsNot) { EXPECT_FALSE(isSimple(trefoil(0.9))); }
+TEST(SimpleSurface, ATubeTooThickForItsKnotIsNot) { EXPECT_FALSE(isSimple(testing::trefoil(0.9, 180, 16))); }
 
 // One corner pushed through the opposite face, or to just before it.
 TEST(SimpleSurface, ADentThatComesOutAgainIsNot) {
