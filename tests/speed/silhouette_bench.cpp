@@ -8,7 +8,7 @@
 //   creep   the same for a light that moves by a thousandth of the mesh's size at a time
 //   plain   what the same took triangle by triangle and edge by edge, every list growing by itself
 // and the ratio of build and creep to read. The ways take turns, so that whatever else the machine does falls on all alike.
-// The mesh is a knot: closed, but not shown to be outward (scene/outward_parts.h), so that both of its sides count.
+// The mesh is a knot. Both of its sides count, as those of meshes do that are not certain to be simple (outward_parts.h).
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <chrono>
