@@ -70,6 +70,8 @@ std::string meshLines(const InspectedMesh& mesh) {
     for (const Count& count : kCounts)
         rows.push_back({count.line, std::to_string(mesh.report.*count.value), count.meaning});
     rows.push_back({"closed", yes(mesh.report.isClosed()), "if every edge has two faces, wound alike"});
+    rows.push_back({"outward", yes(mesh.outward),
+                    "if it is certain that nothing of it is inside out: front faces alone make its shadow volume"});
     return aligned(rows) + "size: " + joined(mesh.sizeMetres, " x ") + " m\n";
 }
 
@@ -78,13 +80,13 @@ std::string meshTable(const std::vector<InspectedMesh>& meshes) {
     Rows rows{{"mesh", "objects"}};
     for (const Count& count : kCounts)
         rows[0].push_back(count.column);
-    rows[0].insert(rows[0].end(), {"closed", "size in m"});
+    rows[0].insert(rows[0].end(), {"closed", "outward", "size in m"});
     for (const InspectedMesh& mesh : meshes) {
         std::vector<std::string>& row = rows.emplace_back();
         row = {scene::shown(mesh.name, 40), std::to_string(mesh.objects.size())};
         for (const Count& count : kCounts)
             row.push_back(std::to_string(mesh.report.*count.value));
-        row.insert(row.end(), {yes(mesh.report.isClosed()), joined(mesh.sizeMetres, " x ")});
+        row.insert(row.end(), {yes(mesh.report.isClosed()), yes(mesh.outward), joined(mesh.sizeMetres, " x ")});
     }
     return aligned(rows);
 }
@@ -157,6 +159,7 @@ Json json(const Inspection& inspection) {
             entry[count.key] = mesh.report.*count.value;
         constexpr std::array kScales{"ordinary", "tiny", "huge"};
         entry["closed"] = mesh.report.isClosed();
+        entry["outward"] = mesh.outward;
         entry["sizeMetres"] = vector(mesh.sizeMetres);
         entry["originOffset"] = vector(mesh.originOffset);
         entry["largestInWorld"] = mesh.largestInWorld;

@@ -6,6 +6,7 @@
 
 #include "app/session/assets.h"
 #include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/outward_parts.h"
 #include "techniques/registry.h"
 
 namespace shadowlab::commands {
@@ -29,6 +30,7 @@ InspectedMesh inspectMesh(const std::string& name, const std::shared_ptr<const s
     InspectedMesh inspected;
     inspected.name = name;
     inspected.report = scene::reportMesh(*mesh, scene::buildTopology(*mesh));
+    inspected.outward = mesh->outward;
     scene::Object unmoved;
     unmoved.mesh = mesh;
     inspected.sizeMetres = sizeOf(unmoved);
@@ -104,7 +106,7 @@ Inspection inspectFile(const InspectOptions& options) {
         materials = std::move(obj.materials);
         scene::Object object;
         object.name = inspection.name;
-        object.mesh = std::make_shared<const scene::Mesh>(std::move(obj.mesh));
+        object.mesh = scene::sharedMesh(std::move(obj.mesh));
         addObjects(inspection, {object});
     } else {
         const auto scene = scene::loadScene(options.file, loading);

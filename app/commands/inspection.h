@@ -19,6 +19,7 @@ struct InspectedMesh {
     std::string name;                 ///< the file's, or of the first object that shows it
     std::vector<std::string> objects; ///< those that show it, by name
     scene::MeshReport report;
+    bool outward = false;          ///< as scene/outward_parts.h has it
     dvec3 sizeMetres{0.0};         ///< extent along x, y and z, as the file has it
     dvec3 originOffset{0.0};       ///< what its coordinates are kept relative to (scene/mesh.h)
     double largestInWorld = 0.0;   ///< largest extent, in metres, of the largest object that shows it
