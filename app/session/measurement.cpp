@@ -79,6 +79,7 @@ void Measurement::addFrame(const Moment& moment) {
         const gl::Texture2D encoded = encoder_.encodeInPlace(slot.target.color, moment.snapshot->exposure);
         glFinish();
         measured.result.times.addFrame(elapsedMs(start), looked.prepareMs);
+        if (!first_) measured.result.counters = looked.result.counters;
 
         FrameRequest request;
         request.timePasses = true;

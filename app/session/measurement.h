@@ -40,7 +40,7 @@ struct TechniqueErrors {
     bool converged = true;
     double firstPrepareMs = 0; ///< from nothing: trees, silhouettes; later frames only do what changed
     measure::FrameTimes times;
-    std::vector<Counter> counters; ///< of the first frame
+    std::vector<Counter> counters; ///< of the last frame, which may have had less to do than the first
 };
 
 class Measurement {

@@ -49,6 +49,9 @@ Progress VolumeTechnique::render(Frame& frame) {
     return {};
 }
 
+// Every caster is held against each of them: more would cost more than they save.
+constexpr std::size_t kMostReceivers = 64;
+
 void VolumeTechnique::findReceivers(const Frame& frame) {
     receivers_ = allReceiversInView_ = {};
     receiversInView_.clear();
@@ -57,7 +60,7 @@ void VolumeTechnique::findReceivers(const Frame& frame) {
     if (!params_.cull || !keepsToReceiversInView()) return;
     const gl::EyeMatrices& eye = frame.eye();
     receiversInView_ = scene::visibleReceivers(frame.scene(), casters_.bounds(), eye.clipFromView * eye.viewFromWorld,
-                                               eye.part.value_or(scene::PicturePart{}));
+                                               eye.part.value_or(scene::PicturePart{}), kMostReceivers);
     for (const scene::Bounds& box : receiversInView_)
         allReceiversInView_.include(box);
 }

@@ -15,6 +15,10 @@ constexpr double kClear = 1e-12;
 // Entries of the grid per triangle, on average, at which it is given up.
 constexpr std::size_t kMostEntries = 64;
 
+// Pairs in one cell per triangle, likewise: some hundred where triangles are of one size, far more where a few large ones make
+// the cells large.
+constexpr std::size_t kMostPairs = 4096;
+
 struct Corner {
     dvec3 position{0.0};
     std::uint32_t vertex = 0; ///< welded
@@ -140,27 +144,29 @@ public:
     [[nodiscard]] glm::ivec3 cellOf(const dvec3& position) const {
         return glm::ivec3(glm::floor((position - lower_) / side_));
     }
-    /// The cells of a box, as one number each; false when there are too many.
-    template <typename Visit>
-    bool forEachCell(const Box& box, const Visit& visit) const {
+    /// Into how many cells a box reaches; more than there are numbers for where it is too far away.
+    [[nodiscard]] double cellsOf(const Box& box) const {
         const dvec3 cells = (box.upper - lower_) / side_;
-        if (!(std::max({cells.x, cells.y, cells.z}) < kMostCells)) return false;
+        if (!(std::max({cells.x, cells.y, cells.z}) < kMostCells)) return 1e300;
+        const dvec3 across = dvec3(cellOf(box.upper) - cellOf(box.lower)) + 1.0;
+        return across.x * across.y * across.z;
+    }
+    template <typename Visit>
+    void forEachCell(const Box& box, const Visit& visit) const {
         const glm::ivec3 first = cellOf(box.lower), last = cellOf(box.upper);
         for (int x = first.x; x <= last.x; ++x)
             for (int y = first.y; y <= last.y; ++y)
                 for (int z = first.z; z <= last.z; ++z)
-                    visit((static_cast<std::uint64_t>(x) * kMostCells + static_cast<std::uint64_t>(y)) * kMostCells +
-                          static_cast<std::uint64_t>(z));
-        return true;
+                    visit(number({x, y, z}));
     }
-    [[nodiscard]] std::uint64_t numberOf(const dvec3& position) const {
-        const glm::ivec3 cell = cellOf(position);
-        return (static_cast<std::uint64_t>(cell.x) * kMostCells + static_cast<std::uint64_t>(cell.y)) * kMostCells +
-               static_cast<std::uint64_t>(cell.z);
-    }
+    [[nodiscard]] std::uint64_t numberOf(const dvec3& position) const { return number(cellOf(position)); }
 
 private:
     static constexpr std::uint64_t kMostCells = 1u << 20; ///< along an axis, so that three fit into one number
+    static std::uint64_t number(const glm::ivec3& cell) {
+        return (static_cast<std::uint64_t>(cell.x) * kMostCells + static_cast<std::uint64_t>(cell.y)) * kMostCells +
+               static_cast<std::uint64_t>(cell.z);
+    }
     dvec3 lower_{1e300};
     double side_ = 1;
 };
@@ -186,15 +192,19 @@ bool isCertainlySimple(const Mesh& mesh, const MeshTopology& topology, std::span
     const Grid grid(boxes);
     std::vector<std::pair<std::uint64_t, std::uint32_t>> entries; // cell, triangle
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const bool fits = grid.forEachCell(
-            boxes[i], [&](std::uint64_t cell) { entries.emplace_back(cell, static_cast<std::uint32_t>(i)); });
-        if (!fits || entries.size() > kMostEntries * (boxes.size() + 16)) return false;
+        if (static_cast<double>(entries.size()) + grid.cellsOf(boxes[i]) > kMostEntries * (boxes.size() + 16))
+            return false;
+        grid.forEachCell(boxes[i],
+                         [&](std::uint64_t cell) { entries.emplace_back(cell, static_cast<std::uint32_t>(i)); });
     }
     std::ranges::sort(entries);
+    std::size_t pairs = 0;
     for (std::size_t first = 0; first < entries.size();) {
         std::size_t end = first;
         while (end < entries.size() && entries[end].first == entries[first].first)
             ++end;
+        pairs += (end - first) * (end - first) / 2;
+        if (pairs > kMostPairs * (boxes.size() + 16)) return false;
         for (std::size_t i = first; i < end; ++i)
             for (std::size_t j = i + 1; j < end; ++j) {
                 const std::uint32_t a = entries[i].second, b = entries[j].second;

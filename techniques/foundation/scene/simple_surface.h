@@ -13,7 +13,7 @@
 namespace shadowlab::scene {
 
 /// `triangles` are those of the surface, numbers in the mesh. False also for surfaces that would take too long to look at: of
-/// triangles that are long and thin in many directions at once.
+/// triangles that are long and slanting, or of very different sizes.
 bool isCertainlySimple(const Mesh& mesh, const MeshTopology& topology, std::span<const std::uint32_t> triangles);
 
 } // namespace shadowlab::scene

@@ -55,21 +55,41 @@ Bounds visibleOfBox(const Bounds& box, const Planes& planes) {
     return visible;
 }
 
+bool isInside(const Bounds& box, const Planes& planes) {
+    for (const dvec4& plane : planes)
+        for (int i = 0; i < 8; ++i)
+            if (glm::dot(plane, dvec4(box.corner(i), 1.0)) < 0) return false;
+    return true;
+}
+
+/// As many boxes at most, each around a run of them: objects that follow each other in a scene mostly stand together.
+std::vector<Bounds> merged(std::vector<Bounds> boxes, std::size_t most) {
+    if (boxes.size() <= most) return boxes;
+    std::vector<Bounds> fewer(most);
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        fewer[i * most / boxes.size()].include(boxes[i]);
+    return fewer;
+}
+
 } // namespace
 
 std::vector<Bounds> visibleReceivers(const Scene& scene, std::span<const Bounds> bounds, const dmat4& clipFromWorld,
-                                     const PicturePart& part) {
+                                     const PicturePart& part, std::size_t most) {
     const Planes planes = planesWorld(clipFromWorld, part);
     std::vector<Bounds> receivers;
     for (std::size_t o = 0; o < scene.objects.size(); ++o) {
         const Object& object = scene.objects[o];
         if (!object.receivesShadow || !mayTouch(bounds[o], clipFromWorld, part)) continue;
+        if (isInside(bounds[o], planes)) {
+            receivers.push_back(bounds[o]);
+            continue;
+        }
         const Bounds visible = object.mesh->triangles.size() <= kFewTriangles ? visibleOfTriangles(object, planes)
                                : isBeyondNearPlane(bounds[o], clipFromWorld)  ? visibleOfBox(bounds[o], planes)
                                                                               : bounds[o];
         if (!visible.isEmpty()) receivers.push_back(visible);
     }
-    return receivers;
+    return merged(std::move(receivers), most);
 }
 
 } // namespace shadowlab::scene

@@ -48,6 +48,15 @@ TEST(SimpleSurface, ADentThatComesOutAgainIsNot) {
     EXPECT_FALSE(isSimple(dented(2.01)));
 }
 
+// It would take a grid of billions of cells, or millions of triangles in one of them: given up instead.
+TEST(SimpleSurface, OneStrayVertexTakesNoTimeAndNoMemory) {
+    for (const dvec3& astray : {dvec3(1e4, 1e4, 1e4), dvec3(1e9, 3, -1e9), dvec3(400, 0, 0)}) {
+        scene::Mesh mesh = scene::makeSphere(1, 300);
+        mesh.positionsMesh[mesh.positionsMesh.size() / 2] = vec3(astray);
+        EXPECT_FALSE(isSimple(mesh));
+    }
+}
+
 TEST(SimpleSurface, TrianglesOnTopOfEachOtherAreNot) {
     const std::vector<dvec3> sheet = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
     EXPECT_TRUE(isSimple(testing::triangleSoup(sheet)));
