@@ -106,7 +106,9 @@ OutwardParts outwardParts(const Mesh& mesh, const MeshTopology& topology) {
                 open[pieceOf[t]] &= static_cast<std::uint8_t>(~(1u << way));
     }
     for (const std::vector<std::uint32_t>& piece : undecided(pieceOf, open, closed))
-        if (volume(mesh, piece) > 0 && isCertainlySimple(mesh, topology, piece)) open[pieceOf[piece.front()]] = 1;
+        // Of a shared mesh it may be known already.
+        if (mesh.outward || (volume(mesh, piece) > 0 && isCertainlySimple(mesh, topology, piece)))
+            open[pieceOf[piece.front()]] = 1;
 
     OutwardParts parts;
     std::vector<std::int32_t> number(triangles, OutwardParts::kNone);
@@ -127,6 +129,7 @@ bool isOutward(const Mesh& mesh) {
 }
 
 std::shared_ptr<const Mesh> sharedMesh(Mesh mesh) {
+    mesh.outward = false; // whatever it was made from
     mesh.outward = isOutward(mesh);
     return std::make_shared<const Mesh>(std::move(mesh));
 }

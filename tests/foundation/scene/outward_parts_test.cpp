@@ -27,6 +27,7 @@ bool allPass(const scene::Mesh& mesh) {
 scene::Mesh turnedInsideOut(scene::Mesh mesh) {
     for (uvec3& t : mesh.triangles)
         std::swap(t.y, t.z);
+    mesh.outward = false;
     return mesh;
 }
 
