@@ -51,21 +51,22 @@ Measurement::Measurement(Session& session, std::vector<Slot>& slots, int light, 
 }
 
 void Measurement::addFrame(const Moment& moment) {
+    const bool first = !before_;
     session_.setScene(moment.snapshot);
     View view;
     view.camera = moment.camera;
     view.size = size_;
-    if (first_) session_.truthAtCentres(view, light_); // builds the tree
+    if (first) session_.truthAtCentres(view, light_); // builds the tree
     const Clock::time_point asked = Clock::now();
-    const Truth truth = first_ ? session_.truth(view, light_) : session_.truthAtCentres(view, light_);
-    if (first_) truthMs_ = elapsedMs(asked);
+    const Truth truth = first ? session_.truth(view, light_) : session_.truthAtCentres(view, light_);
+    if (first) truthMs_ = elapsedMs(asked);
     const double boundaryLength = lengthPx(trueBoundary(truth));
     std::optional<Shown> reference;
-    if (first_) reference = referencePicture(view);
+    if (first) reference = referencePicture(view);
 
     for (Entry& measured : entries_) {
         Slot& slot = *measured.slot;
-        if (first_) measured.result.firstPrepareMs = session_.render(slot, view).prepareMs;
+        if (first) measured.result.firstPrepareMs = session_.render(slot, view).prepareMs;
 
         if (before_) {
             session_.setScene(before_->snapshot);
@@ -79,7 +80,7 @@ void Measurement::addFrame(const Moment& moment) {
         const gl::Texture2D encoded = encoder_.encodeInPlace(slot.target.color, moment.snapshot->exposure);
         glFinish();
         measured.result.times.addFrame(elapsedMs(start), looked.prepareMs);
-        if (!first_) measured.result.counters = looked.result.counters;
+        if (!first) measured.result.counters = looked.result.counters;
 
         FrameRequest request;
         request.timePasses = true;
@@ -89,9 +90,8 @@ void Measurement::addFrame(const Moment& moment) {
         measured.result.times.addPasses(rendered.result.passMs);
         const VisibilityImage visibility = readVisibility(findStage(rendered, {"visibility", light_}));
         measured.flips.addFrame(litOutsideTies(visibility, truth, view), litMask(truth), boundaryLength);
-        if (first_) judgeFirst(measured, rendered, visibility, truth, *reference);
+        if (first) judgeFirst(measured, rendered, visibility, truth, *reference);
     }
-    first_ = false;
     before_ = moment;
 }
 

@@ -79,8 +79,7 @@ private:
     PictureEncoder encoder_;
     int light_;
     ivec2 size_;
-    bool first_ = true;
-    std::optional<Moment> before_; ///< the last one
+    std::optional<Moment> before_; ///< the last one; none: the next is the first
     double truthMs_ = 0;
 };
 

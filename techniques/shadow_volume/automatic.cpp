@@ -2,30 +2,25 @@
 #include "techniques/shadow_volume/automatic.h"
 
 #include "techniques/shadow_volume/eye_line.h"
+#include "techniques/shadow_volume/shared_info.h"
 
 namespace shadowlab::shadow_volume {
 
 namespace {
 
 const PassInfo kPasses[] = {
-    {"lights-off", "Render the scene with all light sources turned off",
-     "Emission and ambient light are counted once; the depth buffer now holds the visible point of every pixel.",
-     "depth test LESS, depth write on", false},
+    kLightsOffPass,
     {"clear-stencil", "Clear the stencil buffer", "Each light counts from zero.", "stencil write mask 0xff", true},
     {"volumes", "Count the volume faces before each visible point, or behind it",
      "Casters off the line from the eye to the light: front faces add one and back faces take one where they pass the "
-     "depth "
-     "test. Casters on it, whose volumes the eye may be in: back faces add and front faces take where they fail it. "
-     "What is "
-     "left is the number of volumes that the point is in.",
+     "depth test. Casters on it, whose volumes the eye may be in: back faces add and front faces take where they fail "
+     "it. What is left is the number of volumes that the point is in.",
      "colour and depth writes off, depth LESS, depth clamp; stencil depth-pass INCR_WRAP (front) and DECR_WRAP (back), "
-     "then "
-     "depth-fail INCR_WRAP (back) and DECR_WRAP (front)",
+     "then depth-fail INCR_WRAP (back) and DECR_WRAP (front)",
      true, "stencil"},
     {"volumes-back", "Render all volume faces that face away from the viewer",
      "Down by one for each that passes the depth test, of casters off the line from the eye to the light; up by one "
-     "for "
-     "each that fails it, of the others.",
+     "for each that fails it, of the others.",
      "colour and depth writes off, cull FRONT, depth LESS, depth clamp; stencil depth-pass DECR_WRAP, then depth-fail "
      "INCR_WRAP",
      true, "stencil-back"},
@@ -41,17 +36,17 @@ const PassInfo kPasses[] = {
 };
 
 const StageInfo kStages[] = {
-    {"facing", "Faces by the sign of N·L", StageKind::swatches, true},
-    {"lights-off", "Scene with lights off", StageKind::radiance, false},
-    {"silhouettes", "Silhouettes seen from the light", StageKind::radiance, true},
-    {"volume-signs", "Volume faces by the side they turn to the viewer", StageKind::radiance, true},
+    kFacingStage,
+    kLightsOffStage,
+    kSilhouettesStage,
+    kVolumeSignsStage,
     {"volume-parts", "Volume faces by part: top cap, sides, bottom cap", StageKind::radiance, true},
     {"stencil-back", "Stencil after the back faces", StageKind::count, true},
-    {"stencil", "Stencil after all faces: zero is lit", StageKind::count, true},
+    kStencilStage,
     {"crossings", "Volume faces before each point, or behind it: all that were counted", StageKind::count, true},
     {"ways", "Casters by the way they are counted, for the near-clip pyramid", StageKind::radiance, true},
     kRepairStage,
-    {"visibility", "Visibility of the light", StageKind::visibility, true},
+    kVisibilityStage,
 };
 
 VolumeParams repaired() {

@@ -33,6 +33,9 @@ bool Casters::buildNext(const scene::Snapshot& snapshot, Construction constructi
     if (next_ == snapshot->lights.size()) return true;
 
     const scene::Light& light = snapshot->lights[next_];
+    scene::Bounds sceneBounds;
+    for (const scene::Bounds& bounds : bounds_)
+        sceneBounds.include(bounds);
     const std::vector<std::size_t> useful = scene::usefulCasters(*snapshot, light, bounds_);
     std::vector<CasterVolume> known = std::exchange(perLight_[next_], {});
     auto old = known.begin(); // both are in the order of the objects
@@ -43,7 +46,9 @@ bool Casters::buildNext(const scene::Snapshot& snapshot, Construction constructi
         if (old != known.end() && old->object == o) caster = std::move(*old);
         caster.object = o;
         update(caster, snapshot->objects[o], light);
+        // The volume's indices know nothing of where it ends: that is for the shader, and may change at any time.
         caster.bounds = bounds_[o];
+        caster.endWorld = endPlaneWorld(caster.bounds, light, sceneBounds);
         caster.useful = std::ranges::binary_search(useful, o);
         perLight_[next_].push_back(std::move(caster));
     }

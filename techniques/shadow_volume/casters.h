@@ -44,7 +44,8 @@ struct CasterVolume {
     Volume volume;
     std::vector<SilhouetteEdge> silhouette;
     scene::Bounds bounds;
-    bool useful = true; ///< its shadow can fall on something (scene/casters.h)
+    std::optional<dvec4> endWorld; ///< the plane beyond all objects where the volume may end (volume_end.h)
+    bool useful = true;            ///< its shadow can fall on something (scene/casters.h)
     scene::MeshReport report;
     std::unique_ptr<VolumeBuffers> buffers;   ///< made when first drawn
     std::unique_ptr<ExtrudedVolume> extruded; ///< made when the processor first has to extrude

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_volume/face_counter.h"
 
-#include "techniques/shadow_volume/stage_pictures.h"
-
 namespace shadowlab::shadow_volume {
 
 namespace {
@@ -38,10 +36,9 @@ void FaceCounter::countIntoStencil(const Frame& frame, int light, std::span<cons
 
 void FaceCounter::countIntoColor(const Frame& frame, int light, std::span<const CountedVolume> volumes,
                                  const CountRules& rules, bool allAdd) const {
-    if (!forColor_) forColor_ = std::make_unique<Programs>("shadow_volume/count.frag");
     const auto setSigns = [&](float front, float back) {
         for (const gl::Program* program :
-             {&forColor_->extrude, &forColor_->extruded, &forColor_->cap, &forColor_->nearCap}) {
+             {&forColor_.extrude, &forColor_.extruded, &forColor_.cap, &forColor_.nearCap}) {
             program->use();
             program->set("front", front);
             program->set("back", back);
@@ -51,11 +48,11 @@ void FaceCounter::countIntoColor(const Frame& frame, int light, std::span<const 
     glBlendFunc(GL_ONE, GL_ONE);
     setSigns(1, allAdd ? 1.0f : -1.0f);
     glDepthFunc(GL_LESS);
-    drawPassing(frame, light, volumes, rules.pass, *forColor_);
+    drawPassing(frame, light, volumes, rules.pass, forColor_);
     // Colour is written where a test passes: so the test is for what fails the other.
     setSigns(allAdd ? 1.0f : -1.0f, 1);
     glDepthFunc(rules.fail.lessOrEqual ? GL_GREATER : GL_GEQUAL);
-    drawFailing(frame, light, volumes, rules.fail, *forColor_);
+    drawFailing(frame, light, volumes, rules.fail, forColor_);
     glDisable(GL_BLEND);
 }
 

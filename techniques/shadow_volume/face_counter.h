@@ -70,7 +70,7 @@ private:
     void drawTopCap(const Frame& frame, const gl::Program& program, const CasterVolume& caster) const;
 
     Programs forStencil_{"nothing.frag"};
-    mutable std::unique_ptr<Programs> forColor_; ///< made when first needed: few pictures count in floats
+    Programs forColor_{"shadow_volume/count.frag"};
 };
 
 } // namespace shadowlab::shadow_volume

@@ -7,12 +7,9 @@ namespace shadowlab::shadow_volume {
 
 void FloatCount::clear(const Frame& frame, int start) {
     const gl::Target& target = frame.target();
-    if (counts_.size() != target.size() || !counts_)
-        counts_ = gl::Texture2D(GL_R32F, target.size(), "counts"), depth_ = 0;
-    if (depth_ != target.depthStencil.id()) {
-        framebuffer_ = gl::Framebuffer(&counts_, &target.depthStencil, "counts");
-        depth_ = target.depthStencil.id();
-    }
+    if (!counts_ || counts_.size() != target.size()) counts_ = gl::Texture2D(GL_R32F, target.size(), "counts");
+    // Made anew each time: the target's depth may be another texture since, under the same number.
+    framebuffer_ = gl::Framebuffer(&counts_, &target.depthStencil, "counts");
     framebuffer_.bind();
     const float value[4] = {static_cast<float>(start), 0, 0, 0};
     glClearBufferfv(GL_COLOR, 0, value);

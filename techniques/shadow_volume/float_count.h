@@ -24,7 +24,6 @@ private:
     gl::Texture2D counts_;
     gl::Framebuffer framebuffer_;
     gl::Program notZero_{"fullscreen.vert", "shadow_volume/not_zero.frag"};
-    GLuint depth_ = 0; ///< the texture that the framebuffer was made with
 };
 
 } // namespace shadowlab::shadow_volume

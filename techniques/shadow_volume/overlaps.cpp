@@ -116,49 +116,41 @@ int onRay(const scene::Scene& scene, const scene::Light& light, const CasterVolu
     return count;
 }
 
-/// The axis of the half planes, and how many triangles its two ends meet.
-struct Axis {
-    dvec3 directionWorld{0, 1, 0};
-    int atEnds = 0;
-};
+/// Calls visit(caster, direction) for each end of an axis through the light and each caster that it may meet.
+template <typename Visit>
+void forEachTouched(const dvec3& axisWorld, const scene::Light& light, std::span<const CasterVolume> casters,
+                    const Visit& visit) {
+    for (const double end : {1.0, -1.0})
+        for (const CasterVolume& caster : casters)
+            if (eyeLineMayTouch(caster.bounds, light.positionWorld, dvec4(end * axisWorld, 0.0)))
+                visit(caster, end * axisWorld);
+}
 
-/// Of the edges, the diagonals of faces and those of a cube those whose ends meet fewest casters: usually none.
-std::vector<Axis> chooseAxes(const scene::Scene& scene, const scene::Light& light,
-                             std::span<const CasterVolume> casters) {
-    const auto forEachTouched = [&](const dvec3& direction, const auto& visit) {
-        for (const double end : {1.0, -1.0})
-            for (const CasterVolume& caster : casters)
-                if (eyeLineMayTouch(caster.bounds, light.positionWorld, dvec4(end * direction, 0.0)))
-                    visit(caster, end * direction);
-    };
-    std::vector<std::pair<std::size_t, Axis>> axes; // with the number of triangles that may be met
+/// Axes for the half planes: of the edges and diagonals of a cube those whose ends meet fewest casters, usually none.
+std::vector<dvec3> chooseAxes(const scene::Light& light, std::span<const CasterVolume> casters) {
+    std::vector<std::pair<std::size_t, dvec3>> axes; // with the number of triangles that may be met
     for (int x = -1; x <= 1; ++x)
         for (int y = -1; y <= 1; ++y)
             for (int z = -1; z <= 1; ++z) {
                 if (9 * x + 3 * y + z <= 0) continue; // each once
+                const dvec3 axis = glm::normalize(dvec3(x, y, z));
                 std::size_t triangles = 0;
-                const dvec3 direction = glm::normalize(dvec3(x, y, z));
-                forEachTouched(direction, [&](const CasterVolume& caster, const dvec3&) {
+                forEachTouched(axis, light, casters, [&](const CasterVolume& caster, const dvec3&) {
                     triangles += (caster.volume.topCap.size() + caster.volume.topCapReversed.size()) / 3;
                 });
-                axes.push_back({triangles, {direction, 0}});
+                axes.emplace_back(triangles, axis);
             }
     std::ranges::stable_sort(axes, {}, [](const auto& axis) { return axis.first; });
-    std::vector<Axis> best;
-    for (auto& [triangles, axis] : std::span(axes).first(kTries)) {
-        if (triangles > 0)
-            forEachTouched(axis.directionWorld, [&](const CasterVolume& caster, const dvec3& direction) {
-                axis.atEnds += onRay(scene, light, caster, direction);
-            });
+    std::vector<dvec3> best;
+    for (const auto& [triangles, axis] : std::span(axes).first(kTries))
         best.push_back(axis);
-    }
     return best;
 }
 
 /// A light in the scene: half planes all around it, each at an angle.
-int mostAround(const Axis& axis, const scene::Scene& scene, const scene::Light& light,
+int mostAround(const dvec3& axisWorld, const scene::Scene& scene, const scene::Light& light,
                std::span<const CasterVolume> casters) {
-    const dvec3 across = squareTo(axis.directionWorld), further = glm::cross(axis.directionWorld, across);
+    const dvec3 across = squareTo(axisWorld), further = glm::cross(axisWorld, across);
     constexpr double kHalfTurn = glm::pi<double>();
     Stabbed edges;
     forEachEdgeWorld(scene, casters, [&](const dvec3& a, const dvec3& b, int multiplicity) {
@@ -177,7 +169,11 @@ int mostAround(const Axis& axis, const scene::Scene& scene, const scene::Light& 
         edges.add(most, kHalfTurn, multiplicity);
         edges.add(-kHalfTurn, least, multiplicity);
     });
-    return (edges.most() + axis.atEnds) / 2;
+    int atEnds = 0;
+    forEachTouched(axisWorld, light, casters, [&](const CasterVolume& caster, const dvec3& direction) {
+        atEnds += onRay(scene, light, caster, direction);
+    });
+    return (edges.most() + atEnds) / 2;
 }
 
 } // namespace
@@ -185,7 +181,7 @@ int mostAround(const Axis& axis, const scene::Scene& scene, const scene::Light& 
 int mostOverlaps(const scene::Scene& scene, const scene::Light& light, std::span<const CasterVolume> casters) {
     if (light.type == scene::LightType::directional) return mostUnderSun(scene, light, casters);
     int least = std::numeric_limits<int>::max();
-    for (const Axis& axis : chooseAxes(scene, light, casters))
+    for (const dvec3& axis : chooseAxes(light, casters))
         if (least > kEnough) least = std::min(least, mostAround(axis, scene, light, casters));
     return least;
 }

@@ -44,10 +44,6 @@ std::vector<std::uint32_t> depthStencilWords(const Frame& frame) {
 
 } // namespace
 
-void setFrontFace(const scene::Object& object, bool clockwise) {
-    glFrontFace(scene::isMirrored(object) != clockwise ? GL_CW : GL_CCW);
-}
-
 void StagePictures::publishFacing(Frame& frame, int light) const {
     frame.drawStage(
         "facing", light, GL_RGBA16F,

@@ -31,7 +31,4 @@ private:
     gl::Program faces_{"shadow_volume/extrude.vert", "shadow_volume/faces.frag"};
 };
 
-/// Orders a caster's front faces: a mirrored object turns its winding over.
-void setFrontFace(const scene::Object& object, bool clockwise);
-
 } // namespace shadowlab::shadow_volume

@@ -54,4 +54,8 @@ VolumeBuffers::VolumeBuffers(const Volume& volume, std::span<const SilhouetteEdg
     multiple_.fill(bindAttributes, multiple);
 }
 
+void setFrontFace(const scene::Object& object, bool clockwise) {
+    glFrontFace(scene::isMirrored(object) != clockwise ? GL_CW : GL_CCW);
+}
+
 } // namespace shadowlab::shadow_volume

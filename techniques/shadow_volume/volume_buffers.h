@@ -46,4 +46,7 @@ private:
     Run topCap_, topCapReversed_, sides_, bottomCap_, silhouette_, boundary_, multiple_;
 };
 
+/// Orders a caster's front faces: a mirrored object turns its winding over.
+void setFrontFace(const scene::Object& object, bool clockwise);
+
 } // namespace shadowlab::shadow_volume

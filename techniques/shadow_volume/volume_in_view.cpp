@@ -52,7 +52,7 @@ std::optional<scene::PicturePart> partOf(const scene::Bounds& box, const dmat4& 
     return part;
 }
 
-// Boxes are made larger by this share of their size, and half as much again in the picture: rounding must not cut.
+// Boxes are made larger by this share of their size: rounding must not cut. Frame::scissorTo adds a pixel in the picture.
 constexpr double kAround = 1e-6;
 
 } // namespace

@@ -12,6 +12,13 @@
 
 namespace shadowlab::shadow_volume {
 
+namespace {
+
+// Receivers in view. Every caster is held against each of them: more would cost more than they save.
+constexpr std::size_t kMostReceivers = 64;
+
+} // namespace
+
 Progress VolumeTechnique::prepare(const scene::Snapshot& snapshot, Deadline deadline) {
     while (!casters_.buildNext(snapshot, params_.construction))
         if (std::chrono::steady_clock::now() >= deadline) return {0.5, false};
@@ -49,14 +56,9 @@ Progress VolumeTechnique::render(Frame& frame) {
     return {};
 }
 
-// Every caster is held against each of them: more would cost more than they save.
-constexpr std::size_t kMostReceivers = 64;
-
 void VolumeTechnique::findReceivers(const Frame& frame) {
-    receivers_ = allReceiversInView_ = {};
+    allReceiversInView_ = {};
     receiversInView_.clear();
-    for (const scene::Bounds& box : casters_.bounds())
-        receivers_.include(box);
     if (!params_.cull || !keepsToReceiversInView()) return;
     const gl::EyeMatrices& eye = frame.eye();
     receiversInView_ = scene::visibleReceivers(frame.scene(), casters_.bounds(), eye.clipFromView * eye.viewFromWorld,
@@ -70,7 +72,7 @@ VolumeEnd VolumeTechnique::endOf(const CasterVolume& caster, const scene::Light&
     if (endsAtDistance()) end.distance = params_.extrusion;
     if (params_.end != VolumeParams::End::receivers) return end;
     if (!allReceiversInView_.isEmpty()) end.planeWorld = endPlaneWorld(caster.bounds, light, allReceiversInView_);
-    if (!end.planeWorld) end.planeWorld = endPlaneWorld(caster.bounds, light, receivers_);
+    if (!end.planeWorld) end.planeWorld = caster.endWorld;
     return end;
 }
 
@@ -127,9 +129,7 @@ void VolumeTechnique::clearCount(Frame& frame, int light) {
         [&] {
             glClearStencil(startCount_);
             glClear(GL_STENCIL_BUFFER_BIT);
-            if (!countsInFloats(light)) return;
-            if (!floats_) floats_ = std::make_unique<FloatCount>();
-            floats_->clear(frame, startCount_);
+            if (countsInFloats(light)) floats_.clear(frame, startCount_);
         },
         light);
 }
@@ -152,8 +152,8 @@ void VolumeTechnique::count(Frame& frame, const CountPass& pass, int light) {
                 glCullFace(pass.culled);
             }
             if (countsInFloats(light)) {
-                floats_->count(frame, counter_, light, drawn_, rules());
-                floats_->writeStencil(frame);
+                floats_.count(frame, counter_, light, drawn_, rules());
+                floats_.writeStencil(frame);
                 return;
             }
             frame.target().withoutColor.bind();
@@ -165,7 +165,7 @@ void VolumeTechnique::count(Frame& frame, const CountPass& pass, int light) {
 
 void VolumeTechnique::publishCount(Frame& frame, std::string_view stage, int light, bool bothSigns) {
     if (countsInFloats(light))
-        pictures_.publishCount(frame, stage, light, floats_->read());
+        pictures_.publishCount(frame, stage, light, floats_.read());
     else
         pictures_.publishCount(frame, stage, light, bothSigns);
 }
@@ -218,10 +218,9 @@ void VolumeTechnique::publishStencilStages(Frame& frame, int light) {
         gl::setBaselineState();
         frame.scissorTo(std::nullopt);
         glDepthMask(GL_FALSE);
-        if (!floats_) floats_ = std::make_unique<FloatCount>();
-        floats_->clear(frame, 0);
-        floats_->count(frame, counter_, light, drawn_, rules(), true);
-        pictures_.publishCount(frame, "crossings", light, floats_->read());
+        floats_.clear(frame, 0);
+        floats_.count(frame, counter_, light, drawn_, rules(), true);
+        pictures_.publishCount(frame, "crossings", light, floats_.read());
     }
     if (frame.wants("repair", light)) {
         clearAndCount(frame, light);

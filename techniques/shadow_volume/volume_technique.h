@@ -77,13 +77,12 @@ private:
     const Counting counting_;
     VolumeParams params_;
     Casters casters_;
-    scene::Bounds receivers_;                    ///< around all that there is
     std::vector<scene::Bounds> receiversInView_; ///< around what of each may be seen
     scene::Bounds allReceiversInView_;
     std::vector<CountedVolume> drawn_; ///< volumes of the current light that can change a pixel
     int startCount_ = 0;               ///< of the stencil: how many of those counted with depth pass the eye is in
     FaceCounter counter_;
-    std::unique_ptr<FloatCount> floats_; ///< made when first needed
+    FloatCount floats_;
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program shade_{"surface.vert", "shade_light.frag"};
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};

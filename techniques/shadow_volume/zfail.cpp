@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_volume/zfail.h"
 
+#include "techniques/shadow_volume/shared_info.h"
+
 namespace shadowlab::shadow_volume {
 
 namespace {
 
 const PassInfo kPasses[] = {
-    {"lights-off", "Render the scene with all light sources turned off",
-     "Emission and ambient light are counted once; the depth buffer now holds the visible point of every pixel.",
-     "depth test LESS, depth write on", false},
+    kLightsOffPass,
     {"clear-stencil", "Clear the stencil buffer", "Each light counts from zero.", "stencil write mask 0xff", true},
     {"volumes", "Count the volume faces behind each visible point",
      "Back faces add one and front faces take one where they fail the depth test: what is left is not zero inside a "
@@ -29,16 +29,16 @@ const PassInfo kPasses[] = {
 };
 
 const StageInfo kStages[] = {
-    {"facing", "Faces by the sign of N·L", StageKind::swatches, true},
-    {"lights-off", "Scene with lights off", StageKind::radiance, false},
-    {"silhouettes", "Silhouettes seen from the light", StageKind::radiance, true},
-    {"volume-signs", "Volume faces by the side they turn to the viewer", StageKind::radiance, true},
+    kFacingStage,
+    kLightsOffStage,
+    kSilhouettesStage,
+    kVolumeSignsStage,
     {"volume-parts", "Volume faces by part: top cap, sides, bottom cap", StageKind::radiance, true},
     {"stencil-back", "Stencil after the back faces: +1 for each behind the point", StageKind::count, true},
-    {"stencil", "Stencil after all faces: zero is lit", StageKind::count, true},
+    kStencilStage,
     {"crossings", "Volume faces behind each point: all that were counted", StageKind::count, true},
     kRepairStage,
-    {"visibility", "Visibility of the light", StageKind::visibility, true},
+    kVisibilityStage,
 };
 
 } // namespace
@@ -57,10 +57,10 @@ params::ParamList ZFail::params() {
     list.push_back(
         params::choice("depth-test", params_.depthTest, {"less", "lequal"},
                        "Depth test of the volume faces; lequal: top caps fight with their own surface (teaching)."));
-    list.push_back(params::choice("far-plane", params_.farPlane, {"infinite-and-clamp", "infinite", "clamp", "clip"},
-                                  "What keeps the far plane from cutting volumes open: a projection without one, "
-                                  "clamping of depth, or both; clip: "
-                                  "nothing, which shows with volume-end = infinity (teaching)."));
+    list.push_back(
+        params::choice("far-plane", params_.farPlane, {"infinite-and-clamp", "infinite", "clamp", "clip"},
+                       "What keeps the far plane from cutting volumes open: a projection without one, clamping of "
+                       "depth, or both; clip: nothing, which shows with volume-end = infinity (teaching)."));
     return list;
 }
 

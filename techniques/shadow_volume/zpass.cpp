@@ -2,22 +2,20 @@
 #include "techniques/shadow_volume/zpass.h"
 
 #include "techniques/shadow_volume/eye_line.h"
+#include "techniques/shadow_volume/shared_info.h"
 
 namespace shadowlab::shadow_volume {
 
 namespace {
 
 const PassInfo kPasses[] = {
-    {"lights-off", "Render the scene with all light sources turned off",
-     "Emission and ambient light are counted once; the depth buffer now holds the visible point of every pixel.",
-     "depth test LESS, depth write on", false},
+    kLightsOffPass,
     {"clear-stencil", "Clear the stencil buffer",
      "Each light counts from zero: taken for granted is that the eye is in no volume.", "stencil write mask 0xff",
      true},
     {"volumes", "Count the volume faces between the eye and each visible point",
      "Front faces add one and back faces take one where they pass the depth test: n_f - n_b is not zero inside a "
-     "volume. "
-     "Wrong where the eye is in a volume, or the near plane cuts one: the face that was entered is never met.",
+     "volume. Wrong where the eye is in a volume, or the near plane cuts one: the face that was entered is never met.",
      "colour and depth writes off, depth LESS, stencil depth-pass INCR_WRAP (front) and DECR_WRAP (back)", true,
      "stencil"},
     {"volumes-front", "Render all volume faces that face toward the viewer",
@@ -33,16 +31,16 @@ const PassInfo kPasses[] = {
 };
 
 const StageInfo kStages[] = {
-    {"facing", "Faces by the sign of N·L", StageKind::swatches, true},
-    {"lights-off", "Scene with lights off", StageKind::radiance, false},
-    {"silhouettes", "Silhouettes seen from the light", StageKind::radiance, true},
-    {"volume-signs", "Volume faces by the side they turn to the viewer", StageKind::radiance, true},
+    kFacingStage,
+    kLightsOffStage,
+    kSilhouettesStage,
+    kVolumeSignsStage,
     {"volume-parts", "Volume faces by part: of these, only the sides are counted", StageKind::radiance, true},
     {"stencil-front", "Stencil after the front faces: +1 for each before the point", StageKind::count, true},
-    {"stencil", "Stencil after all faces: zero is lit", StageKind::count, true},
+    kStencilStage,
     {"crossings", "Volume faces before each point: all that were counted", StageKind::count, true},
     kRepairStage,
-    {"visibility", "Visibility of the light", StageKind::visibility, true},
+    kVisibilityStage,
 };
 
 } // namespace
@@ -56,11 +54,10 @@ ZPass::ZPass()
 
 params::ParamList ZPass::params() {
     params::ParamList list = sharedParams();
-    list.push_back(
-        params::boolean("eye-correction", params_.eyeCorrection,
-                        "Start with the number of volumes the eye is in, count what the near plane cuts off, and where "
-                        "the eye sees a side "
-                        "edge-on count that volume with depth fail; false: the textbook, wrong for an eye in shadow."));
+    list.push_back(params::boolean(
+        "eye-correction", params_.eyeCorrection,
+        "Start with the number of volumes the eye is in, count what the near plane cuts off, and where the eye sees a "
+        "side edge-on count that volume with depth fail; false: the textbook, wrong for an eye in shadow."));
     return list;
 }
 
@@ -91,9 +88,8 @@ TechniqueInfo zpassInfo() {
         .id = "shadow-volume-zpass",
         .title = "Shadow volume (z-pass)",
         .paper = "Crow 1977, Shadow Algorithms for Computer Graphics; Heidmann 1991, Real Shadows, Real Time",
-        .getsWrong =
-            "any pixel, when the eye is in shadow or the near plane cuts a volume (the textbook algorithm); soft "
-            "shadows (a light is a point)",
+        .getsWrong = "any pixel, when the eye is in shadow or the near plane cuts a volume (the textbook algorithm); "
+                     "soft shadows (a light is a point)",
         .order = 35,
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},

@@ -34,6 +34,7 @@ std::size_t rebuiltFor(Casters& casters, const scene::Scene& scene) {
             EXPECT_EQ(kept[c].volume.topCap, anew[c].volume.topCap);
             EXPECT_EQ(kept[c].volume.topCapReversed, anew[c].volume.topCapReversed);
             EXPECT_EQ(kept[c].volume.sides, anew[c].volume.sides);
+            EXPECT_EQ(kept[c].endWorld, anew[c].endWorld);
             EXPECT_EQ(kept[c].volume.bottomCap, anew[c].volume.bottomCap);
             EXPECT_EQ(kept[c].useful, anew[c].useful);
             EXPECT_EQ(kept[c].bounds.lowerWorld, anew[c].bounds.lowerWorld);
@@ -89,15 +90,17 @@ TEST(KeptVolumes, ALightThatMovesByLittleBuildsNone) {
     EXPECT_EQ(rebuiltFor(casters, scene), 0u);
 }
 
-TEST(KeptVolumes, AnObjectThatMovesBuildsItsOwn) {
+TEST(KeptVolumes, AnObjectThatMovesBuildsItsOwnAndOthersMayEndElsewhere) {
     scene::Scene scene = twoLights();
     Casters casters;
     buildAll(casters, scene);
     casters.takeRebuilt();
     scene.objects[3].worldFromObject = testing::translation({0, -3, 0}) * scene.objects[3].worldFromObject;
     scene.revisions.transforms = scene::newRevision();
+    const auto end = casters.of(0)[1].endWorld;
     EXPECT_EQ(rebuiltFor(casters, scene), 1u)
         << "from the sun it looks the same, wherever it is; from the lamp it does not";
+    EXPECT_NE(casters.of(0)[1].endWorld, end) << "the scene is larger than it was";
     scene.objects[3].worldFromObject *= scene::worldFromObjectOf(dvec3(1), {30, 0, 0}, dvec3(0));
     scene.revisions.transforms = scene::newRevision();
     EXPECT_EQ(rebuiltFor(casters, scene), 2u);

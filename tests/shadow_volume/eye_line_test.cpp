@@ -26,7 +26,8 @@ protected:
     int count(const scene::Scene& scene, const dvec3& eyeWorld) {
         int sum = 0;
         for (const CasterVolume& caster : castersOf(scene))
-            sum += shadow_volume::eyeCount(*snapshot_, caster, endOf(caster), snapshot_->lights[0], eyeWorld);
+            sum += shadow_volume::eyeCount(*snapshot_, caster, {.planeWorld = caster.endWorld, .distance = {}},
+                                           snapshot_->lights[0], eyeWorld);
         return sum;
     }
     bool grazes(const scene::Scene& scene, const dvec3& eyeWorld) {
@@ -36,13 +37,6 @@ protected:
     }
 
 private:
-    [[nodiscard]] shadow_volume::VolumeEnd endOf(const CasterVolume& caster) const {
-        scene::Bounds all;
-        for (const scene::Bounds& box : casters_.bounds())
-            all.include(box);
-        return {.planeWorld = shadow_volume::endPlaneWorld(caster.bounds, snapshot_->lights[0], all), .distance = {}};
-    }
-
     scene::Snapshot snapshot_;
     shadow_volume::Casters casters_;
 };

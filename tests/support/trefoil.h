@@ -1,4 +1,4 @@
-// A knot of any number of triangles: closed, and never in one piece with itself unless its tube is too thick.
+// A knot of any number of triangles: closed, and meeting itself nowhere unless its tube is too thick.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cmath>
