@@ -1,32 +1,33 @@
-// From a point relative to the light to its place in the shadow map: lecture 2's (u, v) and z.
+// From a point relative to the light to its place in the shadow map: lecture 2's (s, t, r), or (u, v) and z.
+//
+// Wants positionView declared before, and shadow_map/layer.glsl and shadow_map/bias.glsl chosen among the files of those
+// names: which map to ask, and what keeps a surface from shadowing itself.
 in vec3 positionLightRelative;
 uniform mat4 lightClipFromLightRelative[6];
-uniform int mapLayers;
-uniform float pullShare;        // share of the distance, and
-uniform vec3 pullLightRelative; // offset, by which a point is moved toward the light against rounding
-uniform float halfTexel;        // in units of the whole map: how far the texel's centre is off the point; 0: no slope bias
-uniform float slopeStep;        // metres: length of the steps along the surface that its slope is taken from
+uniform vec3 towardLightRelative; // unit, of a directional light; zero for one that is at the origin
+uniform float roundingShare;      // of the distance to the light, or of `roundingMetres` for a directional one: how far points
+uniform float roundingMetres;     // are moved toward the light against rounding
+uniform float slopeStep;          // metres: length of the steps along the surface that its slope is taken from
+uniform float resolution;         // texels along a side of the map
 
-// Of the six maps around a light, the one that looks along the largest component.
-int mapLayer(vec3 toPoint) {
-    if (mapLayers == 1) return 0;
-    vec3 size = abs(toPoint);
-    if (size.x >= size.y && size.x >= size.z) return toPoint.x > 0.0 ? 0 : 1;
-    if (size.y >= size.z) return toPoint.y > 0.0 ? 2 : 3;
-    return toPoint.z > 0.0 ? 4 : 5;
-}
+#include "shadow_map/layer.glsl"
 
+// The point's place in one of the maps.
 struct MapPlace {
-    vec3 shadowUv; // u, v and the depth to compare with, each 0..1 inside the map
-    float depth;   // of the point itself
-    vec2 slope;    // of its plane: dz/du and dz/dv
+    vec2 uv;     // 0..1 inside the map
+    float depth; // z(u, v): of the point itself, 0..1
+    vec2 slope;  // of its plane: dz/du and dz/dv
     int layer;
-    bool behind;   // on the far side of a spot's apex: the projection would mirror it
+    bool behind; // on the far side of a spot's apex: the projection would mirror it
 };
 
 vec3 shadowUvOf(vec3 point, int layer) {
     vec4 lightClip = lightClipFromLightRelative[layer] * vec4(point, 1.0);
     return lightClip.xyz / lightClip.w * 0.5 + 0.5;
+}
+
+vec3 towardLightFrom(vec3 point) {
+    return towardLightRelative == vec3(0.0) ? -normalize(point) : towardLightRelative;
 }
 
 // (dz/du, dz/dv) of the receiver's plane: how depth varies across the map. A plane stays a plane in (u, v, z), so two
@@ -41,13 +42,28 @@ vec2 receiverSlope(vec3 point, vec3 shadowUv, int layer) {
     return known ? clamp(slope, -1e4, 1e4) : vec2(0.0);
 }
 
-MapPlace mapPlace() {
-    vec3 point = positionLightRelative * (1.0 - pullShare) + pullLightRelative;
-    int layer = mapLayer(point);
+// Metres that a texel measures, at right angles to the light, where the point is: the larger of its two sides.
+float texelMetres(vec3 point, int layer) {
+    mat4 rows = transpose(lightClipFromLightRelative[layer]);
+    vec4 lightClip = lightClipFromLightRelative[layer] * vec4(point, 1.0);
+    // u and v are quotients; these are their gradients.
+    vec3 alongU = (rows[0].xyz * lightClip.w - rows[3].xyz * lightClip.x) / (lightClip.w * lightClip.w);
+    vec3 alongV = (rows[1].xyz * lightClip.w - rows[3].xyz * lightClip.y) / (lightClip.w * lightClip.w);
+    return 2.0 / (resolution * min(length(alongU), length(alongV)));
+}
+
+#include "shadow_map/bias.glsl"
+
+MapPlace mapPlaceIn(int layer) {
+    vec3 point = pointToAsk(positionLightRelative, layer);
+    float toLight = towardLightRelative == vec3(0.0) ? length(point) : roundingMetres;
+    point += roundingShare * toLight * towardLightFrom(point);
     vec4 lightClip = lightClipFromLightRelative[layer] * vec4(point, 1.0);
     vec3 shadowUv = lightClip.xyz / lightClip.w * 0.5 + 0.5;
-    vec2 slope = receiverSlope(point, shadowUv, layer);
-    float depth = shadowUv.z;
-    shadowUv.z -= halfTexel * (abs(slope.x) + abs(slope.y)); // the texel's centre may be that far off
-    return MapPlace(shadowUv, depth, slope, layer, lightClip.w <= 0.0);
+    return MapPlace(shadowUv.xy, shadowUv.z, receiverSlope(point, shadowUv, layer), layer, lightClip.w <= 0.0);
 }
+
+MapPlace mapPlace() { return mapPlaceIn(mapLayer(positionLightRelative)); }
+
+// What a comparison at `offsetUv` from the point's place compares with the map: never beyond its range.
+float referenceDepth(MapPlace place, vec2 offsetUv) { return min(depthToCompare(place, offsetUv), 1.0); }

@@ -3,9 +3,9 @@
 // the points are.
 #include "light.glsl"
 #include "facing.glsl"
-#include "shadow_map/lookup.glsl"
-#include "shadow_map/linear_depth.glsl"
 in vec3 positionView;
+#include "shadow_map/lookup.glsl"
+#include "shadow_map/distance.glsl"
 uniform sampler2DArray shadowMap;
 uniform int mode; // 0 depth in the map, 1 distance of the point, 2 comparison, 3 position relative to the light
 uniform vec3 equalColor, occludedColor, nothingStoredColor, notAskedColor;
@@ -16,15 +16,16 @@ vec3 comparison(MapPlace place, float stored, bool inside) {
     bool asked = eyeSideFacesLight() && lightShinesTo(towardLight(positionView, distanceSquared));
     if (!asked) return notAskedColor;
     if (!inside || stored == 1.0) return nothingStoredColor;
-    return stored < place.shadowUv.z ? occludedColor : equalColor;
+    return stored < referenceDepth(place, vec2(0.0)) ? occludedColor : equalColor;
 }
 
 void main() {
     MapPlace place = mapPlace();
-    float stored = texture(shadowMap, vec3(place.shadowUv.xy, float(place.layer))).r;
-    bool inside = !place.behind && all(lessThan(abs(place.shadowUv.xy - 0.5), vec2(0.5)));
-    if (mode == 0) result = vec4(distanceOfDepth(stored), inside && stored < 1.0 ? 1.0 : 0.0, 0.0, 1.0);
-    if (mode == 1) result = vec4(distanceOfDepth(place.depth), place.behind ? 0.0 : 1.0, 0.0, 1.0);
+    float stored = texture(shadowMap, vec3(place.uv, float(place.layer))).r;
+    bool inside = !place.behind && all(lessThan(abs(place.uv - 0.5), vec2(0.5)));
+    float distance = distanceOf(place.uv, mode == 0 ? stored : place.depth, place.layer);
+    if (mode == 0) result = vec4(distance, inside && stored < 1.0 ? 1.0 : 0.0, 0.0, 1.0);
+    if (mode == 1) result = vec4(distance, place.behind ? 0.0 : 1.0, 0.0, 1.0);
     if (mode == 2) result = vec4(comparison(place, stored, inside), 1.0);
     if (mode == 3) result = vec4(positionLightRelative, 1.0);
 }

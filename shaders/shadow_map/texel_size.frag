@@ -7,9 +7,8 @@
 // Perspective Shadow Maps", ACM Transactions on Graphics 27(4), 2008, who measure aliasing this way.
 #include "light.glsl"
 #include "facing.glsl"
-#include "shadow_map/lookup.glsl"
 in vec3 positionView;
-uniform float resolution; // texels along a side of the map
+#include "shadow_map/lookup.glsl"
 uniform float longest;    // pixels: what is longer (a surface that the light sees edge-on) counts as this
 out vec4 result;
 

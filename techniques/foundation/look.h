@@ -47,10 +47,14 @@ inline const vec3 kChosenLight = linearFromSrgb8(0xF0, 0xE4, 0x42);
 inline const vec3 kOtherLight = linearFromSrgb8(0xB0, 0xB0, 0xB0);
 inline const vec3 kLightFrustum = linearFromSrgb8(0xE6, 0x9F, 0x00);
 
+/// The maps of a directional light, from the eye outward.
+inline const std::array<vec3, 4> kCascades = {linearFromSrgb8(0xD5, 0x5E, 0x00), linearFromSrgb8(0xF0, 0xE4, 0x42),
+                                              linearFromSrgb8(0x00, 0x9E, 0x73), linearFromSrgb8(0x56, 0xB4, 0xE9)};
+
 // A technique's visibility against the truth; what is right is the picture without its colours.
 inline const vec3 kFalseLit = linearFromSrgb8(0xE6, 0x9F, 0x00);
 inline const vec3 kFalseShadow = linearFromSrgb8(0x00, 0x72, 0xB2);
-inline const vec3 kFalseLitSecond = linearFromSrgb8(0xD5, 0x5E, 0x00);    ///< of the second of two techniques
+inline const vec3 kFalseLitSecond = linearFromSrgb8(0xD5, 0x5E, 0x00); ///< of the second of two techniques
 inline const vec3 kFalseShadowSecond = linearFromSrgb8(0x56, 0xB4, 0xE9);
 inline const vec3 kTie = linearFromSrgb8(0x99, 0x99, 0x99);
 inline const vec3 kTieOnPicture = linearFromSrgb8(0x40, 0x40, 0x44); ///< darker than the lifted ground gets anywhere

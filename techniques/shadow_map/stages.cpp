@@ -6,6 +6,7 @@
 #include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/look.h"
 #include "techniques/foundation/scene/casters.h"
+#include "techniques/shadow_map/receiver_uniforms.h"
 #include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {
@@ -17,16 +18,19 @@ constexpr int kMapUnit = gl::kFirstFreeUnit;
 // Modes of shaders/shadow_map/project.frag.
 constexpr int kMapDepth = 0, kPointDistance = 1, kComparison = 2, kPosition = 3;
 
-/// The six maps around a light are shown as a 3 x 2 sheet: +x +y +z above -x -y -z.
+/// The six maps around a light are shown as a 3 x 2 sheet: +x +y +z above -x -y -z; cascades side by side, the nearest first.
 struct Sheet {
+    bool cube;
     ivec2 cells;
     int cellSize;
-    Sheet(int layers, ivec2 within)
-        : cells(layers == 6 ? ivec2(3, 2) : ivec2(1)),
+    Sheet(const LightMaps& maps, ivec2 within)
+        : cube(maps.layout == Layout::cube), cells(cube ? ivec2(3, 2) : cellsOf(maps.layers())),
           cellSize(std::max(1, std::min(within.x / cells.x, within.y / cells.y))) {}
+    /// Wide pictures have room for two maps beside each other, and below them for two more.
+    static ivec2 cellsOf(int layers) { return layers < 2 ? ivec2(1) : layers == 2 ? ivec2(2, 1) : ivec2(2, 2); }
     [[nodiscard]] ivec2 size() const { return cells * cellSize; }
     void setViewport(int layer) const {
-        const int column = cells.x == 1 ? 0 : layer / 2, rowFromTop = cells.x == 1 ? 0 : layer % 2;
+        const int column = cube ? layer / 2 : layer % cells.x, rowFromTop = cube ? layer % 2 : layer / cells.x;
         const int x = column * cellSize, y = (cells.y - 1 - rowFromTop) * cellSize;
         glViewport(x, y, cellSize, cellSize);
         glScissor(x, y, cellSize, cellSize);
@@ -41,7 +45,7 @@ void ShadowMap::publishStages(Frame& frame, int light, const DrawnMap& map) {
         frame.drawStage("visibility", light, GL_RG32F, [&] {
             glClear(GL_STENCIL_BUFFER_BIT);
             gl::setVisibilityState();
-            drawReceivers(frame, visibility_, light, map);
+            drawReceivers(frame, map.depth ? programsFor(map.maps).visibility : unshadowedVisibility_, light, map);
         });
     if (frame.wants("texel-size", light)) publishTexelSize(frame, light, map);
     const std::string_view lessons[] = {"light-view", "light-depth", "depth-on-view", "distance-on-view", "comparison"};
@@ -54,9 +58,9 @@ void ShadowMap::publishStages(Frame& frame, int light, const DrawnMap& map) {
     publishProjected(frame, light, lesson, range);
 }
 
-// The map that is used is cut close around the casters that matter, and a floor that shadows nothing is not in it. The
-// map that is shown covers what the eye sees, and every caster: the lesson is the same, and the floor has a depth.
-DrawnMap ShadowMap::lessonMap(const Frame& frame, int light, const DrawnMap& map, gl::DepthTextureArray& depth) const {
+// The map that is used is cut close around what casters and receivers share, and a floor that shadows nothing is not in it.
+// The map that is shown covers what the eye sees, and every caster: the lesson is the same, and the floor has a depth.
+DrawnMap ShadowMap::lessonMap(const Frame& frame, int light, const DrawnMap& map, gl::DepthTextureArray& depth) {
     std::vector<double> seen[3];
     for (const vec4& texel : projectedTexels(frame, light, map, kPosition))
         if (texel.a > 0.5f)
@@ -75,14 +79,15 @@ DrawnMap ShadowMap::lessonMap(const Frame& frame, int light, const DrawnMap& map
         region.include(map.maps.originWorld + lower);
         region.include(map.maps.originWorld + upper);
     }
-    const std::size_t index = static_cast<std::size_t>(light);
-    DrawnMap lesson{fitLightMaps(frame.scene(), frame.scene().lights[index], prepared_[index].usefulCasters,
-                                 params_.resolution, params_.kernelRadius(), region),
-                    scene::allCasters(frame.scene()), &depth};
-    depth =
-        gl::DepthTextureArray(params_.glDepthFormat(), params_.resolution, lesson.maps.layers(), "shadow map shown");
-    gl::setBaselineState();
-    drawDepth(frame, lesson);
+    const std::vector<scene::Bounds> receivers = region.isEmpty() ? bounds_ : std::vector{region};
+    DrawnMap lesson{fit(frame.scene(), frame.view(), light, receivers, FitRequest::Cover::shown), &depth};
+    const GLenum format = params_.glDepthFormat();
+    depth = gl::DepthTextureArray(format, params_.resolution, lesson.maps.layers(), "shadow map shown");
+    const std::vector<std::size_t> casters = scene::allCasters(frame.scene());
+    for (int layer = 0; layer < lesson.maps.layers(); ++layer) {
+        gl::setBaselineState();
+        depthPass_.draw(frame, lesson.maps, layer, casters, depth, format, depthRules(params_));
+    }
     return lesson;
 }
 
@@ -100,7 +105,7 @@ void ShadowMap::publishWithoutShadows(Frame& frame) const {
 
 void ShadowMap::publishLightView(Frame& frame, int light, const DrawnMap& map) const {
     const LightMaps& maps = map.maps;
-    const Sheet sheet(maps.layers(), frame.view().size);
+    const Sheet sheet(maps, frame.view().size);
     // A flame around its light blocks nothing, and would hide everything from the light's eye.
     const auto isSeen = [&](const scene::Object& object) {
         const scene::Bounds bounds = scene::boundsWorld(object);
@@ -133,7 +138,7 @@ void ShadowMap::publishLightView(Frame& frame, int light, const DrawnMap& map) c
 
 void ShadowMap::publishLightDepth(Frame& frame, int light, const DrawnMap& map, const Display& range) const {
     const LightMaps& maps = map.maps;
-    const Sheet sheet(maps.layers(), frame.view().size);
+    const Sheet sheet(maps, frame.view().size);
     gl::Texture2D picture(GL_RG32F, sheet.size(), "light-depth");
     const gl::Framebuffer framebuffer(&picture, nullptr, "light-depth");
     gl::setBaselineState();
@@ -143,9 +148,7 @@ void ShadowMap::publishLightDepth(Frame& frame, int light, const DrawnMap& map, 
     showDepth_.use();
     map.depth->bind(kMapUnit);
     showDepth_.set("shadowMap", kMapUnit);
-    showDepth_.set("parallel", maps.parallel ? 1 : 0);
-    showDepth_.set("nearest", static_cast<float>(maps.nearest));
-    showDepth_.set("farthest", static_cast<float>(maps.farthest));
+    setReceiverUniforms(showDepth_, maps, params_);
     showDepth_.set("cellSize", sheet.cellSize);
     for (int layer = 0; layer < maps.layers(); ++layer) {
         sheet.setViewport(layer);
@@ -153,27 +156,26 @@ void ShadowMap::publishLightDepth(Frame& frame, int light, const DrawnMap& map, 
         gl::drawFullscreenTriangle();
     }
     Display display = range;
-    if (maps.layers() == 6) display.unit += "; above +x +y +z, below -x -y -z";
+    if (maps.layout == Layout::cube) display.unit += "; above +x +y +z, below -x -y -z";
+    if (maps.layout == Layout::cascades) display.unit += "; cascades, the nearest first";
     frame.publish("light-depth", light, std::move(picture), display);
 }
 
-void ShadowMap::drawProjected(const Frame& frame, int light, const DrawnMap& map, int mode) const {
+void ShadowMap::drawProjected(const Frame& frame, int light, const DrawnMap& map, int mode) {
     glDepthFunc(GL_EQUAL);
-    map.depth->compare(false);
-    project_.use();
-    project_.set("mode", mode);
-    project_.set("parallel", map.maps.parallel ? 1 : 0);
-    project_.set("nearest", static_cast<float>(map.maps.nearest));
-    project_.set("farthest", static_cast<float>(map.maps.farthest));
-    project_.set("equalColor", look::kEqualDepth);
-    project_.set("occludedColor", look::kOccluded);
-    project_.set("nothingStoredColor", look::kNothingStored);
-    project_.set("notAskedColor", look::kNotAsked);
-    drawReceivers(frame, project_, light, map);
-    map.depth->compare(true);
+    if (map.depth) map.depth->compare(false);
+    const gl::Program& project = programsFor(map.maps).project;
+    project.use();
+    project.set("mode", mode);
+    project.set("equalColor", look::kEqualDepth);
+    project.set("occludedColor", look::kOccluded);
+    project.set("nothingStoredColor", look::kNothingStored);
+    project.set("notAskedColor", look::kNotAsked);
+    drawReceivers(frame, project, light, map);
+    if (map.depth) map.depth->compare(true);
 }
 
-std::vector<vec4> ShadowMap::projectedTexels(const Frame& frame, int light, const DrawnMap& map, int mode) const {
+std::vector<vec4> ShadowMap::projectedTexels(const Frame& frame, int light, const DrawnMap& map, int mode) {
     gl::Texture2D texture(GL_RGBA32F, frame.target().size(), "projected texels");
     const gl::Framebuffer framebuffer(&texture, &frame.target().depthStencil, "projected texels");
     gl::setBaselineState();
@@ -184,7 +186,7 @@ std::vector<vec4> ShadowMap::projectedTexels(const Frame& frame, int light, cons
 }
 
 // One scale for all pictures of depth, so that they can be compared: the distances of what the eye sees.
-Display ShadowMap::distanceRange(const Frame& frame, int light, const DrawnMap& map) const {
+Display ShadowMap::distanceRange(const Frame& frame, int light, const DrawnMap& map) {
     std::vector<float> seen;
     for (const vec4& texel : projectedTexels(frame, light, map, kPointDistance))
         if (texel.g > 0.5f) seen.push_back(texel.r);
@@ -200,7 +202,7 @@ Display ShadowMap::distanceRange(const Frame& frame, int light, const DrawnMap& 
     return range;
 }
 
-void ShadowMap::publishProjected(Frame& frame, int light, const DrawnMap& map, const Display& range) const {
+void ShadowMap::publishProjected(Frame& frame, int light, const DrawnMap& map, const Display& range) {
     const Display comparison = {.unit = "",
                                 .key = {{look::kEqualDepth, "d = z: equal, lit"},
                                         {look::kOccluded, "d < z: something is nearer, in shadow"},

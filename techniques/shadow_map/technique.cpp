@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/technique.h"
 
+#include <set>
+
 #include "techniques/foundation/scene/casters.h"
+#include "techniques/foundation/scene/depth_fit.h"
+#include "techniques/foundation/scene/visible_receivers.h"
 #include "techniques/foundation/trace/exact_visibility.h"
 #include "techniques/shadow_map/frusta.h"
+#include "techniques/shadow_map/receiver_uniforms.h"
+#include "techniques/shadow_map/seen_depth.h"
 
 namespace shadowlab::shadow_map {
 
@@ -35,167 +41,167 @@ const StageInfo kStages[] = {
 
 constexpr int kMapUnit = gl::kFirstFreeUnit;
 
-// Points are moved toward the light by this share of their distance (for a directional light: of the map's depth)
-// before the comparison. It covers the rounding of interpolated float positions, about 2^-21 here, twenty times over,
-// and is a thousandth of a texel at most.
-constexpr double kRoundingPull = 1e-5;
-
-// Every light keeps its map from frame to frame while all together stay below a quarter of a gigabyte (four bytes a texel).
-// Beyond that all lights share one, and it is drawn anew for each.
-constexpr double kMostKeptTexels = 64.0 * 1024 * 1024;
+// Boxes around what is in view: more would make a fit slow, and hardly closer.
+constexpr std::size_t kMostReceivers = 64;
 
 } // namespace
 
-params::ParamList ShadowMap::params() {
-    return {
-        params::integer("resolution", params_.resolution, 64, 8192, "texels",
-                        "Side of the square depth map; of each of six when casters surround the light."),
-        params::choice("depth-format", params_.depthFormat, {"16", "24", "32f"},
-                       "Bits of a depth in the map; 32f: as a floating-point number. The fewer, the larger the offset "
-                       "against rounding has to be."),
-        params::choice("filter", params_.filter, {"hard", "pcf"},
-                       "hard: one comparison a pixel; pcf: the share of a square of comparisons that are lit."),
-        params::integer("pcf-radius", params_.pcfRadius, 0, 15, "texels",
-                        "PCF averages (2 r + 1) x (2 r + 1) comparisons."),
-        params::real(
-            "slope-bias", params_.slopeBias, 0, 16, "",
-            "Depth offset in proportion to the slope; 1 is what the kernel needs on a plane, 0 shows acne (teaching)."),
-        params::real("constant-bias", params_.constantBias, 0, 1000, "",
-                     "Depth offset against rounding; 1 is what float positions and the depth's own bits need."),
-        params::boolean("cull", params_.cull,
-                        "Leave out casters that cannot shadow anything in a map, and what is out of view; the picture "
-                        "is the same."),
-    };
-}
-
 Progress ShadowMap::prepare(const scene::Snapshot& snapshot, Deadline) {
-    const std::pair<int, int> size(params_.resolution, params_.kernelRadius());
-    if (preparedFor_ == snapshot && preparedSize_ == size) return {};
-    prepared_.clear();
-    for (const scene::Light& light : snapshot->lights) {
-        // The fit always uses the casters that matter, also when all are drawn: another map would be another picture.
-        std::vector<std::size_t> useful = scene::usefulCasters(*snapshot, light);
-        prepared_.push_back(
-            {fitLightMaps(*snapshot, light, useful, params_.resolution, params_.kernelRadius()), useful});
-    }
+    if (preparedFor_ == snapshot) return {};
+    bounds_ = scene::objectBounds(*snapshot);
+    usefulCasters_.clear();
+    for (const scene::Light& light : snapshot->lights)
+        usefulCasters_.push_back(scene::usefulCasters(*snapshot, light, bounds_));
     preparedFor_ = snapshot;
-    preparedSize_ = size;
+    seen_.reset();
     return {};
 }
 
 Progress ShadowMap::render(Frame& frame) {
-    choosePrograms();
     const scene::Scene& scene = frame.scene();
     if (!params_.cull) frame.drawWhatIsOutOfView();
     frame.pass(passInfo(kPasses, "lights-off"),
                [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
     if (frame.wants("without-shadows")) publishWithoutShadows(frame);
+    lookAt(frame);
 
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
-        const DrawnMap map = chooseMap(frame, light);
+        DrawnMap map;
         frame.pass(
-            passInfo(kPasses, "depth"), [&] { redrawUnlessKept(frame, light, map); }, light);
+            passInfo(kPasses, "depth"), [&] { map = updateMap(frame, light); }, light);
         publishStages(frame, light, map);
         frame.pass(
             passInfo(kPasses, "light"),
             [&] {
                 glClear(GL_STENCIL_BUFFER_BIT);
                 gl::setAddLightState();
-                drawReceivers(frame, shade_, light, map);
+                drawReceivers(frame, map.depth ? programsFor(map.maps).shade : unshadowed_, light, map);
             },
             light);
     }
     return {};
 }
 
-void ShadowMap::choosePrograms() {
-    if (chosenFilter_ == params_.filter) return;
-    const std::string file = params_.filter == ShadowMapParams::Filter::pcf ? "filter_pcf.glsl" : "filter_hard.glsl";
-    const std::vector<gl::Substitution> chosen = {{"shadow_visibility.glsl", "shadow_map/visibility.glsl"},
-                                                  {"shadow_map/filter.glsl", "shadow_map/" + file}};
-    shade_ = gl::Program("surface.vert", "shade_light.frag", {}, chosen);
-    visibility_ = gl::Program("surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}, chosen);
-    chosenFilter_ = params_.filter;
+ShadowMap::Programs ShadowMap::makePrograms(const Choice& choice) {
+    static constexpr const char* layers[] = {"layer_one", "layer_cube", "layer_cascades"};
+    static constexpr const char* biases[] = {"bias_none",          "bias_constant",       "bias_slope_scaled",
+                                             "bias_normal_offset", "bias_receiver_plane", "bias_dual_depth",
+                                             "bias_adaptive"};
+    static constexpr const char* filters[] = {"filter_hard", "filter_pcf"};
+    const auto file = [](const char* name) { return std::string("shadow_map/") + name + ".glsl"; };
+    const std::vector<gl::Substitution> chosen = {
+        {"shadow_visibility.glsl", "shadow_map/visibility.glsl"},
+        {"shadow_map/layer.glsl", file(layers[static_cast<int>(choice.layout)])},
+        {"shadow_map/bias.glsl", file(biases[static_cast<int>(choice.bias)])},
+        {"shadow_map/filter.glsl", file(filters[static_cast<int>(choice.filter)])}};
+    return {gl::Program("surface.vert", "shade_light.frag", {}, chosen),
+            gl::Program("surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}, chosen),
+            gl::Program("surface.vert", "shadow_map/project.frag", {}, chosen),
+            gl::Program("surface.vert", "shadow_map/texel_size.frag", {}, chosen)};
 }
 
-DrawnMap ShadowMap::chooseMap(Frame& frame, int light) {
-    const PreparedLight& prepared = prepared_[static_cast<std::size_t>(light)];
-    const std::vector<std::size_t> all = scene::allCasters(frame.scene());
-    KeptMap& kept = keptMap(light);
-    const GLenum format = params_.glDepthFormat();
-    if (kept.depth.side() != params_.resolution || kept.depth.layers() != prepared.maps.layers() ||
-        kept.format != format)
-        kept = {gl::DepthTextureArray(format, params_.resolution, prepared.maps.layers(), "shadow map"), format,
-                std::nullopt};
-    const DrawnMap map{prepared.maps, params_.cull ? prepared.usefulCasters : all, &kept.depth};
-    frame.count("casters", static_cast<double>(map.casters.size()), static_cast<double>(all.size()), "objects");
-    frame.count("map-texels", static_cast<double>(map.maps.layers()) * params_.resolution * params_.resolution, 0,
-                "texels");
-    return map;
+const ShadowMap::Programs& ShadowMap::programsFor(const LightMaps& maps) {
+    const Choice choice{maps.layout, params_.bias.mode, params_.filter};
+    const auto known = programs_.find(choice);
+    return known != programs_.end() ? known->second : programs_.emplace(choice, makePrograms(choice)).first->second;
 }
 
-KeptMap& ShadowMap::keptMap(int light) {
-    double texels = 0;
-    for (const PreparedLight& prepared : prepared_)
-        texels += static_cast<double>(prepared.maps.layers()) * params_.resolution * params_.resolution;
-    const bool oneEach = texels <= kMostKeptTexels;
-    maps_.resize(oneEach ? prepared_.size() : 1);
-    return maps_[oneEach ? static_cast<std::size_t>(light) : 0];
+std::vector<scene::Bounds> ShadowMap::receiversInView(const scene::Scene& scene, const View& view) const {
+    if (params_.projection.fit == ProjectionParams::Fit::scene) return bounds_;
+    const gl::EyeMatrices eye = gl::eyeMatrices(view.camera, view.size);
+    return scene::visibleReceivers(scene, bounds_, eye.clipFromView * eye.viewFromWorld, scene::PicturePart{},
+                                   kMostReceivers);
 }
 
-void ShadowMap::redrawUnlessKept(Frame& frame, int light, const DrawnMap& map) {
-    KeptMap& kept = keptMap(light);
-    const MapOrigin origin{frame.scene().revisions, light, params_, gl::shaderReloads()};
-    const bool redraw = kept.drawnFrom != origin;
-    if (redraw) drawDepth(frame, map);
-    kept.drawnFrom = origin;
-    frame.count("maps-redrawn", redraw ? 1 : 0, 1, "maps");
+LightMaps ShadowMap::fit(const scene::Scene& scene, const View& view, int light,
+                         std::span<const scene::Bounds> receivers, FitRequest::Cover cover) const {
+    const auto index = static_cast<std::size_t>(light);
+    // The fit always uses the casters that matter, also when all are drawn: another map would be another picture. Without
+    // any there is no map, unless nothing is to be left out.
+    const std::vector<std::size_t>& useful = usefulCasters_[index];
+    std::vector<scene::Bounds> casters;
+    for (const std::size_t caster : useful.empty() && !params_.cull ? scene::allCasters(scene) : useful)
+        casters.push_back(bounds_[caster]);
+    const double aspect = static_cast<double>(view.size.x) / view.size.y;
+    FitEye eye{scene::withTightNear(view.camera, scene, bounds_, aspect), aspect, std::nullopt};
+    if (seen_ && seen_->camera == view.camera && seen_->size == view.size) eye.visibleDepth = seen_->range;
+    return fitLightMaps({scene.lights[index], bounds_, casters, receivers, eye, params_.projection, params_.resolution,
+                         params_.kernelRadius(), cover});
 }
 
-void ShadowMap::drawDepth(const Frame& frame, const DrawnMap& map) const {
-    glDisable(GL_SCISSOR_TEST); // the map is whole, whatever part of the picture is drawn
-    glEnable(GL_DEPTH_CLAMP);   // what stands nearer than the near plane still casts
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    // The receiver's slope (lookup.glsl) covers its own plane and convex corners. In a concave corner the kernel also meets
-    // a steeper neighbour: its depths are pushed back by its slope, one texel for a single comparison and one more for
-    // each texel of the kernel's radius.
-    glPolygonOffset(static_cast<float>(params_.slopeBias * (1 + params_.kernelRadius())),
-                    static_cast<float>(2.0 * params_.constantBias));
-    depth_.use();
-    for (int layer = 0; layer < map.maps.layers(); ++layer) {
-        const gl::Framebuffer framebuffer(*map.depth, layer, "shadow map layer");
-        framebuffer.bind();
-        glClear(GL_DEPTH_BUFFER_BIT);
-        for (const std::size_t caster : map.casters) {
-            const scene::Object& object = frame.scene().objects[caster];
-            depth_.set("clipFromMesh",
-                       mat4(map.maps.lightClipFromLightRelative(layer) * lightRelativeFromMesh(map.maps, object)));
-            frame.buffers().mesh(caster).draw(0, static_cast<std::uint32_t>(object.mesh->triangles.size()));
-        }
+/// Fits the maps of all lights to what the eye sees.
+void ShadowMap::lookAt(const Frame& frame) {
+    const View& view = frame.view();
+    const bool cascades =
+        params_.projection.cascades > 1 && params_.projection.depthBounds == ProjectionParams::DepthBounds::picture;
+    seen_.reset();
+    if (cascades)
+        if (const std::optional<dvec2> range = visibleDepthRange(frame)) seen_ = {view.camera, view.size, *range};
+    const std::vector<scene::Bounds> receivers = receiversInView(frame.scene(), view);
+    fitted_.clear();
+    for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
+        fitted_.push_back(fit(frame.scene(), view, light, receivers, FitRequest::Cover::needed));
+}
+
+std::vector<std::size_t> ShadowMap::castersOf(const scene::Scene& scene, const LightMaps& maps, int light,
+                                              int layer) const {
+    if (!params_.cull) return scene::allCasters(scene);
+    std::vector<std::size_t> casters;
+    for (const std::size_t caster : usefulCasters_[static_cast<std::size_t>(light)])
+        if (mayDrawInto(maps, layer, bounds_[caster])) casters.push_back(caster);
+    return casters;
+}
+
+/// Draws those of the light's layers that are not what they should be.
+DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
+    const scene::Scene& scene = frame.scene();
+    const LightMaps& maps = fitted_[static_cast<std::size_t>(light)];
+    frame.count("lights-with-map", maps.layers() > 0 ? 1 : 0, 1, "lights");
+    const double allCasters = static_cast<double>(scene::allCasters(scene).size());
+    if (maps.layers() == 0) {
+        frame.count("casters", 0, allCasters, "objects");
+        return {maps, nullptr};
     }
+    const double layerTexels = static_cast<double>(params_.resolution) * params_.resolution;
+    double allTexels = 0;
+    for (const LightMaps& fitted : fitted_)
+        allTexels += layerTexels * fitted.layers();
+    const GLenum format = params_.glDepthFormat();
+    KeptMap& kept = kept_.of(light, fitted_.size(), allTexels, maps, params_.resolution, format);
+    kept.depth.clampToEdge(params_.border == ShadowMapParams::Border::edge);
+
+    std::set<std::size_t> drawn; // in any layer
+    for (int layer = 0; layer < maps.layers(); ++layer) {
+        const LayerOrigin origin{scene.revisions.geometry,
+                                 scene.revisions.transforms,
+                                 maps.originWorld,
+                                 maps.lightClipFromLightRelative(layer),
+                                 castersOf(scene, maps, light, layer),
+                                 depthRules(params_),
+                                 gl::shaderReloads()};
+        std::optional<LayerOrigin>& drawnFrom = kept.drawnFrom[static_cast<std::size_t>(layer)];
+        const bool redraw = drawnFrom != origin;
+        if (redraw) depthPass_.draw(frame, maps, layer, origin.casters, kept.depth, format, origin.rules);
+        drawnFrom = origin;
+        drawn.insert(origin.casters.begin(), origin.casters.end());
+        frame.count("maps-redrawn", redraw ? 1 : 0, 1, "maps");
+        frame.count("caster-draws", static_cast<double>(origin.casters.size()), allCasters, "objects, each per map");
+    }
+    frame.count("casters", static_cast<double>(drawn.size()), allCasters, "objects");
+    frame.count("map-texels", layerTexels * maps.layers(), 0, "texels");
+    return {maps, &kept.depth};
 }
 
 void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const {
-    const LightMaps& maps = map.maps;
     program.use();
     gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
-    std::vector<mat4> lightClipFromLightRelative;
-    for (int layer = 0; layer < maps.layers(); ++layer)
-        lightClipFromLightRelative.emplace_back(maps.lightClipFromLightRelative(layer));
-    program.set("lightClipFromLightRelative", std::span<const mat4>(lightClipFromLightRelative));
-    program.set("mapLayers", maps.layers());
-    program.set("pcfRadius", params_.pcfRadius);
-    const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
-    const double pull = params_.constantBias * kRoundingPull;
-    program.set("pullShare", static_cast<float>(maps.parallel ? 0.0 : pull));
-    program.set("pullLightRelative",
-                maps.parallel ? vec3(-source.directionWorld * (pull * (maps.farthest - maps.nearest))) : vec3(0));
-    program.set("halfTexel", static_cast<float>(params_.slopeBias * 0.5 / params_.resolution));
-    program.set("slopeStep", static_cast<float>(0.01 * (maps.farthest - maps.nearest)));
-    map.depth->bind(kMapUnit);
-    program.set("shadowMap", kMapUnit);
+    if (map.depth) {
+        setReceiverUniforms(program, map.maps, params_);
+        map.depth->bind(kMapUnit);
+        program.set("shadowMap", kMapUnit);
+    }
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
-        program.set("lightRelativeFromMesh", mat4(lightRelativeFromMesh(maps, object)));
+        program.set("lightRelativeFromMesh", mat4(lightRelativeFromMesh(map.maps, object)));
         return true;
     });
 }
@@ -204,9 +210,8 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     Probe probe = Technique::probe(snapshot, view, pixel, light);
     const auto hit = trace::ExactVisibility(snapshot).eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
     if (!hit || light < 0 || light >= static_cast<int>(snapshot->lights.size())) return probe;
-    const scene::Light& source = snapshot->lights[static_cast<std::size_t>(light)];
-    const LightMaps maps = fitLightMaps(*snapshot, source, scene::usefulCasters(*snapshot, source), params_.resolution,
-                                        params_.kernelRadius());
+    prepare(snapshot, Deadline::max());
+    const LightMaps maps = fit(*snapshot, view, light, receiversInView(*snapshot, view), FitRequest::Cover::needed);
     for (int layer = 0; layer < maps.layers(); ++layer) {
         const dvec4 clip = maps.lightClipFromLightRelative(layer) * dvec4(hit->positionWorld - maps.originWorld, 1.0);
         const dvec3 ndc = dvec3(clip) / clip.w;
@@ -222,8 +227,8 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     return probe;
 }
 
-std::vector<SceneShape> ShadowMap::shapes(const scene::Snapshot&, const View&, int light) {
-    return frustumShapes(prepared_[static_cast<std::size_t>(light)].maps);
+std::vector<SceneShape> ShadowMap::shapes(const scene::Snapshot& snapshot, const View& view, int light) {
+    return frustumShapes(fit(*snapshot, view, light, receiversInView(*snapshot, view), FitRequest::Cover::needed));
 }
 
 std::string ShadowMap::remark(const scene::MeshReport&) const { return "any mesh that can be drawn can be mapped"; }

@@ -1,61 +1,30 @@
 // Shadow mapping: ask a depth picture taken from the light whether something stands between the light and the point.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <map>
+
 #include "techniques/frame.h"
-#include "techniques/shadow_map/light_maps.h"
+#include "techniques/shadow_map/fit.h"
+#include "techniques/shadow_map/kept_maps.h"
 
 namespace shadowlab::shadow_map {
 
-struct ShadowMapParams {
-    int resolution = 2048;
-    enum class DepthFormat { fixed16, fixed24, float32 } depthFormat = DepthFormat::fixed24;
-    enum class Filter { hard, pcf } filter = Filter::pcf;
-    int pcfRadius = 1;
-    double slopeBias = 1.0;
-    double constantBias = 1.0;
-    bool cull = true;
-    friend bool operator==(const ShadowMapParams&, const ShadowMapParams&) = default;
-    /// As OpenGL names it.
-    [[nodiscard]] GLenum glDepthFormat() const {
-        return depthFormat == DepthFormat::fixed16   ? GL_DEPTH_COMPONENT16
-               : depthFormat == DepthFormat::fixed24 ? GL_DEPTH_COMPONENT24
-                                                     : GL_DEPTH_COMPONENT32F;
-    }
-    [[nodiscard]] int kernelRadius() const { return filter == Filter::pcf ? pcfRadius : 0; }
-};
-
-/// One light's map: its cameras, what is drawn into it, and the depths themselves.
+/// One light's map: its cameras, and the depths themselves.
 struct DrawnMap {
     LightMaps maps;
-    std::vector<std::size_t> casters;
     const gl::DepthTextureArray* depth = nullptr;
 };
 
-/// All that a drawn map depends on. The camera is not part of it: maps are fitted to the scene.
-struct MapOrigin {
-    scene::Revisions revisions;
-    int light = kNoLight;
-    ShadowMapParams params;
-    int shaderReloads = 0;
-    friend bool operator==(const MapOrigin&, const MapOrigin&) = default;
-};
-
-/// A map, and what it was drawn from: as long as that stays, so does the map, wherever the eye goes.
-struct KeptMap {
-    gl::DepthTextureArray depth;
-    GLenum format = GL_NONE; ///< of the depths
-    std::optional<MapOrigin> drawnFrom;
-};
-
-/// What one light needs, as long as neither the scene nor the map's size changes.
-struct PreparedLight {
-    LightMaps maps;
-    std::vector<std::size_t> usefulCasters; ///< those whose shadow can fall on something
+/// What was in the picture that was drawn last: the cascades may depend on it.
+struct SeenDepth {
+    scene::Camera camera;
+    ivec2 size{0};
+    dvec2 range{0.0}; ///< metres along the eye's axis
 };
 
 class ShadowMap final : public Technique {
 public:
-    params::ParamList params() override;
+    params::ParamList params() override { return describe(params_); }
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override;
     Progress render(Frame& frame) override;
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
@@ -63,40 +32,52 @@ public:
     std::string remark(const scene::MeshReport& report) const override;
 
 private:
-    void choosePrograms();
-    DrawnMap chooseMap(Frame& frame, int light);
-    KeptMap& keptMap(int light);
-    void redrawUnlessKept(Frame& frame, int light, const DrawnMap& map);
-    void drawDepth(const Frame& frame, const DrawnMap& map) const;
-    void drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const;
+    /// One choice on each axis: a file of GLSL for each, put together once.
+    struct Choice {
+        Layout layout;
+        BiasParams::Mode bias;
+        ShadowMapParams::Filter filter;
+        friend auto operator<=>(const Choice&, const Choice&) = default;
+    };
+    struct Programs {
+        gl::Program shade, visibility, project, texelSize;
+    };
+    static Programs makePrograms(const Choice& choice);
+    const Programs& programsFor(const LightMaps& maps);
 
-    void publishTexelSize(Frame& frame, int light, const DrawnMap& map) const; // texel_size.cpp
+    void lookAt(const Frame& frame);
+    LightMaps fit(const scene::Scene& scene, const View& view, int light, std::span<const scene::Bounds> receivers,
+                  FitRequest::Cover cover) const;
+    [[nodiscard]] std::vector<scene::Bounds> receiversInView(const scene::Scene& scene, const View& view) const;
+    std::vector<std::size_t> castersOf(const scene::Scene& scene, const LightMaps& maps, int light, int layer) const;
+    DrawnMap updateMap(Frame& frame, int light);
+    void drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const;
 
     // stages.cpp
     void publishStages(Frame& frame, int light, const DrawnMap& map);
     void publishWithoutShadows(Frame& frame) const;
-    DrawnMap lessonMap(const Frame& frame, int light, const DrawnMap& map, gl::DepthTextureArray& depth) const;
+    DrawnMap lessonMap(const Frame& frame, int light, const DrawnMap& map, gl::DepthTextureArray& depth);
     void publishLightView(Frame& frame, int light, const DrawnMap& map) const;
     void publishLightDepth(Frame& frame, int light, const DrawnMap& map, const Display& range) const;
-    void publishProjected(Frame& frame, int light, const DrawnMap& map, const Display& range) const;
-    void drawProjected(const Frame& frame, int light, const DrawnMap& map, int mode) const;
-    std::vector<vec4> projectedTexels(const Frame& frame, int light, const DrawnMap& map, int mode) const;
-    Display distanceRange(const Frame& frame, int light, const DrawnMap& map) const;
+    void publishProjected(Frame& frame, int light, const DrawnMap& map, const Display& range);
+    void drawProjected(const Frame& frame, int light, const DrawnMap& map, int mode);
+    std::vector<vec4> projectedTexels(const Frame& frame, int light, const DrawnMap& map, int mode);
+    Display distanceRange(const Frame& frame, int light, const DrawnMap& map);
+    void publishTexelSize(Frame& frame, int light, const DrawnMap& map); // texel_size.cpp
 
     ShadowMapParams params_;
     scene::Snapshot preparedFor_;
-    std::pair<int, int> preparedSize_; ///< resolution and kernel radius
-    std::vector<PreparedLight> prepared_;
-    Display shownDistance_;                               ///< scale of the current light's depth pictures
-    std::optional<ShadowMapParams::Filter> chosenFilter_; ///< that shade_ and visibility_ were made for
-    std::vector<KeptMap> maps_;
+    std::vector<scene::Bounds> bounds_;                   ///< of all objects
+    std::vector<std::vector<std::size_t>> usefulCasters_; ///< per light: those whose shadow can fall on something
+    std::optional<SeenDepth> seen_;
+    std::vector<LightMaps> fitted_; ///< per light, for the frame that is drawn
+    KeptMaps kept_;
+    DepthPass depthPass_;
+    std::map<Choice, Programs> programs_;
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program unshadowed_{"surface.vert", "shade_light.frag"};
-    gl::Program depth_{"position.vert", "nothing.frag"};
-    gl::Program project_{"surface.vert", "shadow_map/project.frag"};
-    gl::Program texelSize_{"surface.vert", "shadow_map/texel_size.frag"};
+    gl::Program unshadowedVisibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
     gl::Program showDepth_{"fullscreen.vert", "shadow_map/show_depth.frag"};
-    gl::Program shade_, visibility_; ///< with the chosen filter
 };
 
 } // namespace shadowlab::shadow_map

@@ -8,15 +8,15 @@
 
 namespace shadowlab::shadow_map {
 
-void ShadowMap::publishTexelSize(Frame& frame, int light, const DrawnMap& map) const {
+void ShadowMap::publishTexelSize(Frame& frame, int light, const DrawnMap& map) {
     const auto draw = [&] {
         glClear(GL_STENCIL_BUFFER_BIT);
         gl::setVisibilityState();
-        texelSize_.use();
-        texelSize_.set("resolution", static_cast<float>(params_.resolution));
+        const gl::Program& program = programsFor(map.maps).texelSize;
+        program.use();
         const dvec2 size(frame.view().size);
-        texelSize_.set("longest", static_cast<float>(glm::length(size))); // the picture's diagonal
-        drawReceivers(frame, texelSize_, light, map);
+        program.set("longest", static_cast<float>(glm::length(size))); // the picture's diagonal
+        drawReceivers(frame, program, light, map);
     };
     gl::Texture2D texture(GL_RG32F, frame.target().size(), "texel-size");
     {

@@ -23,7 +23,13 @@ TEST_P(Contract, EveryParameterWorksAtBothEndsOfItsRange) {
             session::Slot slot = session::Session::makeSlot(GetParam());
             params::Param& param = slot.params[p];
             param.set(maximum ? param.maximum : param.minimum);
-            picture(session, slot);
+            try {
+                picture(session, slot);
+            } catch (const Error& error) { // more than this driver can do: said so, and which it can
+                EXPECT_EQ(error.status(), ExitStatus::overLimit) << error.what();
+                EXPECT_NE(std::string(error.what()).find("this OpenGL driver allows"), std::string::npos);
+                continue;
+            }
             expectNoNaN(slot);
             EXPECT_EQ(gl::takeDebugMessages(), "") << param.id << "=" << params::valueText(param);
         }

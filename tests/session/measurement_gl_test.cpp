@@ -224,8 +224,7 @@ TEST_F(MeasurementTest, AShadowMapErrsAtEdgesAndLessWithMoreTexels) {
 
 // Every one of these must be seen, or the zeros above prove nothing.
 TEST_F(MeasurementTest, BiasZeroShowsAsAcne) {
-    const std::vector<std::string> noBias = {"shadow-map.constant-bias=0", "shadow-map.slope-bias=0",
-                                             "shadow-map.filter=hard"};
+    const std::vector<std::string> noBias = {"shadow-map.bias-mode=none", "shadow-map.filter=hard"};
     const Result bare = measure(testing::simpleScene(), "shadow-map", noBias);
     const Result biased = measure(testing::simpleScene(), "shadow-map", {"shadow-map.filter=hard"});
     EXPECT_GT(bare.counts.falseShadow, 20 * (biased.counts.falseShadow + 10));

@@ -57,9 +57,9 @@ TEST_F(SettingsTest, Refusals) {
     for (const char* text :
          {"", "=", ".", ":", "shadow-map", "shadow-map.resolution", "shadow-map=512", "resolution=51.2", "=a.b"})
         EXPECT_EQ(errorOf([&] { applySettings(slots, {text}); }).status(), ExitStatus::usage) << text;
-    expectRefused("shadow-map.resolution=", "64..8192 texels");
-    expectRefused("shadow-map.resolution=8193", "64..8192 texels");
-    expectRefused("shadow-map.resolution=1e999", "64..8192");
+    expectRefused("shadow-map.resolution=", "64..32768 texels");
+    expectRefused("shadow-map.resolution=32769", "64..32768 texels");
+    expectRefused("shadow-map.resolution=1e999", "64..32768");
     expectRefused("shadow-map.resolution= 512", "is not a whole number");
     expectRefused("shadow-map.resolutions=512", "did you mean \"resolution\"?");
     expectRefused("shadowmap.resolution=512", "did you mean \"shadow-map\"?");

@@ -6,15 +6,13 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/scene/casters.h"
-#include "techniques/shadow_map/light_maps.h"
+#include "tests/shadow_map/scene_maps.h"
 
 namespace shadowlab::testing {
 
 TieRadius edgeReach(const scene::Snapshot& snapshot, int light, int resolution, ivec2 size, double texels) {
     const scene::Light& source = snapshot->lights[static_cast<std::size_t>(light)];
-    const auto maps =
-        shadow_map::fitLightMaps(*snapshot, source, scene::usefulCasters(*snapshot, source), resolution, 1);
+    const shadow_map::LightMaps maps = sceneMaps(*snapshot, source, resolution, 1);
     return [=](const std::optional<trace::EyeHit>& hit) {
         if (!hit) return 1.5;
         const dvec3 offset = source.positionWorld - hit->positionWorld;

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "techniques/foundation/look.h"
-#include "techniques/foundation/scene/casters.h"
+#include "tests/shadow_map/scene_maps.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::shadow_map {
@@ -34,7 +34,7 @@ bool isInside(const std::array<dvec3, 8>& c, const dvec3& p) {
 /// Vertices of the useful casters within some layer's frustum, and their number.
 std::pair<int, int> castersInside(const scene::Scene& scene, const scene::Light& light, int expectedLayers) {
     const std::vector<std::size_t> casters = scene::usefulCasters(scene, light);
-    const LightMaps maps = fitLightMaps(scene, light, casters, kResolution, 1);
+    const LightMaps maps = testing::sceneMaps(scene, light, kResolution, 1);
     EXPECT_EQ(maps.layers(), expectedLayers);
     int inside = 0, all = 0;
     for (const std::size_t caster : casters) {
@@ -80,10 +80,10 @@ TEST(Frusta, AConeIsAsWideAsItsAngle) {
     scene::Light light = testing::pointLight({0, 4, 0});
     light.type = scene::LightType::spot;
     light.directionWorld = {0, -1, 0};
-    light.coneDegrees = 60;
-    const LightMaps maps = fitLightMaps(scene, light, scene::usefulCasters(scene, light), kResolution, 0);
+    light.coneDegrees = 20; // all casters reach beyond it
+    const LightMaps maps = testing::sceneMaps(scene, light, kResolution, 0);
     const auto corners = frustumCornersWorld(maps, 0);
-    const double wide = std::tan(glm::radians(30.0)) * (1 + 2.0 / (kResolution - 2)); // one texel of guard on each side
+    const double wide = std::tan(glm::radians(10.0)) * (1 + 1.0 / (kResolution - 1)); // half a texel on each side
     for (std::size_t i = 0; i < 8; ++i) {
         const double depth = i < 4 ? maps.nearest : maps.farthest;
         EXPECT_NEAR(corners[i].y, 4 - depth, 1e-9);
@@ -96,7 +96,7 @@ TEST(Frusta, AreDrawnFromTheLight) {
     scene::Scene scene = testing::simpleScene();
     for (const bool among : {false, true}) {
         const scene::Light light = testing::pointLight(among ? dvec3(0, 1.2, 0.1) : dvec3(2, 5, 3));
-        const LightMaps maps = fitLightMaps(scene, light, scene::usefulCasters(scene, light), kResolution, 0);
+        const LightMaps maps = testing::sceneMaps(scene, light, kResolution, 0);
         const std::vector<SceneShape> shapes = frustumShapes(maps);
         ASSERT_EQ(shapes.size(), 2u);
         const auto layers = static_cast<std::size_t>(maps.layers());

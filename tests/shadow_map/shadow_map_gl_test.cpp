@@ -77,12 +77,12 @@ TEST_F(ShadowMapTest, NothingShadowedMeansNoAcneAtAnyElevation) {
         }
 }
 
-TEST_F(ShadowMapTest, WithoutSlopeBiasThereIsAcne) {
+TEST_F(ShadowMapTest, WithoutBiasThereIsAcne) {
     scene::Scene scene = testing::floorScene();
     scene.lights.push_back(testing::directionalLight({-1, -0.5, 0.3}));
     const auto snapshot = testing::snapshot(scene);
     const TruthComparison without = compareWithTruth(
-        snapshot, "shadow-map", {"slope-bias=0", "constant-bias=0", "cull=false"}, kSize, 0, testing::kTiePx);
+        snapshot, "shadow-map", {"bias-mode=none", "fit=scene", "cull=false"}, kSize, 0, testing::kTiePx);
     EXPECT_GT(without.falseShadow, 2000) << without;
 }
 

@@ -6,9 +6,8 @@
 #include "app/session/measurement.h"
 #include "app/session/settings.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/shapes.h"
-#include "techniques/shadow_map/light_maps.h"
+#include "tests/shadow_map/scene_maps.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 
@@ -65,8 +64,7 @@ TEST_F(TexelSizeTest, OfASunFromAboveIsTheMapsExtentOverItsResolution) {
     for (const int resolution : {64, 128}) {
         const std::vector<float> sizes = sizesOnFloor(scene, resolution);
         ASSERT_GT(sizes.size(), 300u);
-        const auto maps = shadow_map::fitLightMaps(scene, scene.lights[0], scene::usefulCasters(scene, scene.lights[0]),
-                                                   resolution, 0);
+        const shadow_map::LightMaps maps = testing::sceneMaps(scene, scene.lights[0], resolution, 0);
         const dmat4 clip = maps.lightClipFromLightRelative(0);
         // A metre along x, and along z, in texels; from above both are at right angles in the map.
         const double alongX = glm::length(dvec2(clip[0])) * 0.5 * resolution;
@@ -104,7 +102,7 @@ TEST_F(TexelSizeTest, TellsAliasingFromAcne) {
     const auto coarse = measured({"shadow-map.resolution=64"});
     EXPECT_GT(coarse.counts.wrong(), 50);
     EXPECT_LT(coarse.coreErrors, coarse.counts.wrong() / 5);
-    const auto acne = measured({"shadow-map.constant-bias=0", "shadow-map.slope-bias=0", "shadow-map.filter=hard"});
+    const auto acne = measured({"shadow-map.bias-mode=none", "shadow-map.filter=hard"});
     EXPECT_GT(acne.coreErrors, 1000);
 }
 

@@ -92,6 +92,12 @@ void DepthTextureArray::compare(bool on) const {
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, on ? GL_COMPARE_REF_TO_TEXTURE : GL_NONE);
 }
 
+void DepthTextureArray::clampToEdge(bool on) const {
+    glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, axis, on ? GL_CLAMP_TO_EDGE : GL_CLAMP_TO_BORDER);
+}
+
 ByteBufferTexture::ByteBufferTexture(const std::vector<std::int8_t>& bytes, std::string_view name)
     : buffer_(BufferHandle::create()), handle_(TextureHandle::create()) {
     const auto limit = static_cast<std::size_t>(limitOf(GL_MAX_TEXTURE_BUFFER_SIZE));

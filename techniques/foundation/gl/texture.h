@@ -36,6 +36,8 @@ public:
     void bind(int unit) const;
     /// Comparison on (sampler2DArrayShadow) or off (sampler2DArray, reads the depth itself).
     void compare(bool on) const;
+    /// Beyond the border: as at the edge, or (false, and at first) lit.
+    void clampToEdge(bool on) const;
     [[nodiscard]] GLuint id() const { return handle_.id(); }
     [[nodiscard]] int side() const { return side_; }
     [[nodiscard]] int layers() const { return layers_; }

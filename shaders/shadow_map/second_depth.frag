@@ -1,0 +1,9 @@
+#version 330 core
+// Keeps what lies behind the first surface: with the depth test LESS the second one is left. Everitt, "Interactive
+// Order-Independent Transparency", 2001 (depth peeling).
+uniform sampler2DArray firstDepth;
+uniform float apart; // depths: what is nearer than this to the first is the first, rounded
+
+void main() {
+    if (gl_FragCoord.z <= texelFetch(firstDepth, ivec3(gl_FragCoord.xy, 0), 0).r + apart) discard;
+}

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_map/params.h"
+
+namespace shadowlab::shadow_map {
+
+GLenum ShadowMapParams::glDepthFormat() const {
+    return depthFormat == DepthFormat::fixed16   ? GL_DEPTH_COMPONENT16
+           : depthFormat == DepthFormat::fixed24 ? GL_DEPTH_COMPONENT24
+                                                 : GL_DEPTH_COMPONENT32F;
+}
+
+namespace {
+
+// No driver has larger textures; one that has smaller ones says so when the map is made.
+constexpr int kLargestMap = 32768;
+
+params::ParamList describeMap(ShadowMapParams& p) {
+    return {
+        params::integer("resolution", p.resolution, 64, kLargestMap, "texels",
+                        "Side of the square depth map; of each of four cascades, or of six when casters surround the "
+                        "light. At most what the driver can do."),
+        params::choice("depth-format", p.depthFormat, {"16", "24", "32f"},
+                       "Bits of a depth in the map; 32f: as a floating-point number. The fewer, the larger the offset "
+                       "against rounding has to be."),
+        params::boolean("depth-clamp", p.depthClamp,
+                        "Keep casters that stand nearer to the light than the map's near plane; false: they are cut "
+                        "off, and with them their shadows (teaching)."),
+        params::choice("border", p.border, {"lit", "edge"},
+                       "What lies outside the map: lit; edge: as its outermost texels, which draws shadows out into "
+                       "streaks (teaching)."),
+        params::boolean(
+            "reject-behind", p.rejectBehind,
+            "Ask no map about what lies behind a spot; false: there the projection is mirrored (teaching)."),
+    };
+}
+
+params::ParamList describeProjection(ProjectionParams& p) {
+    return {
+        params::choice("fit", p.fit, {"view", "scene"},
+                       "view: maps hold what can shadow the receivers in view; scene: what can shadow anything, so "
+                       "they stay as they are wherever the eye goes."),
+        params::integer("cascades", p.cascades, 1, 4, "maps",
+                        "Maps of a directional light, one behind the other along the view."),
+        params::real("split-mix", p.splitMix, 0, 1, "",
+                     "Where cascades meet: 0 uniform, 1 logarithmic in the distance from the eye, between: a mix."),
+        params::choice("depth-bounds", p.depthBounds, {"picture", "receivers", "camera"},
+                       "Range that cascades share: of the depths in the picture; of the receivers' boxes in view; from "
+                       "the camera's near plane to the scene's end."),
+        params::boolean("stable", p.stable,
+                        "Cascades of constant size that move by whole texels; false: cut as close as can be, which "
+                        "makes edges crawl when the eye moves (teaching)."),
+        params::real("cascade-blend", p.cascadeBlend, 0, 0.5, "",
+                     "Share of each cascade over which it fades into the next; 0 shows where they meet."),
+        params::choice("warp", p.warp, {"none", "lispsm"},
+                       "Texels of a directional light: all alike; lispsm: smaller near the eye (light space "
+                       "perspective)."),
+        params::choice("depth-range", p.depthRange, {"fitted", "wide"},
+                       "Range of depths in the map: fitted to receivers; wide: 0.01 to 1000 m, as in a program that "
+                       "never fits it (teaching)."),
+    };
+}
+
+params::ParamList describeBias(BiasParams& p) {
+    return {
+        params::choice(
+            "bias-mode", p.mode,
+            {"none", "constant", "slope-scaled", "normal-offset", "receiver-plane", "dual-depth", "adaptive"},
+            "What keeps a surface from shadowing itself: nothing; a constant; an offset by the caster's "
+            "slope; a step along the receiver's normal; the receiver's plane under each texel; the middle "
+            "between two depths; the plane's depth at the texel's centre."),
+        params::real("constant-bias", p.constantTexels, 0, 1000, "", "bias-mode constant: how far, in bias-unit."),
+        params::choice("bias-unit", p.unit, {"texels", "metres"},
+                       "Unit of constant-bias; in metres it is right for one scale of the scene only (teaching)."),
+        params::real("slope-bias", p.slope, 0, 16, "",
+                     "slope-scaled, receiver-plane and dual-depth: offset in proportion to the slope; 1 is what the "
+                     "kernel needs on a plane, 0 shows acne (teaching)."),
+        params::real("normal-offset", p.normalOffset, 0, 16, "",
+                     "bias-mode normal-offset: how far; 1 is what the kernel needs on a plane."),
+        params::real("rounding-bias", p.rounding, 0, 1000, "",
+                     "Offset against rounding, in every mode but none; 1 is what float positions and the depth's own "
+                     "bits need."),
+    };
+}
+
+params::ParamList describeFilter(ShadowMapParams& p) {
+    return {
+        params::choice("filter", p.filter, {"hard", "pcf"},
+                       "hard: one comparison a pixel; pcf: the share of a square of comparisons that are lit."),
+        params::integer("pcf-radius", p.pcfRadius, 0, 15, "texels", "PCF averages (2 r + 1) x (2 r + 1) comparisons."),
+        params::boolean("cull", p.cull,
+                        "Leave out casters that cannot shadow anything in a map, and what is out of view; the picture "
+                        "is the same."),
+    };
+}
+
+} // namespace
+
+params::ParamList describe(ShadowMapParams& p) {
+    params::ParamList all = describeMap(p);
+    for (params::ParamList part : {describeProjection(p.projection), describeBias(p.bias), describeFilter(p)})
+        all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+} // namespace shadowlab::shadow_map

@@ -1,0 +1,63 @@
+// The knobs of the shadow map: four axes (projection, bias, filter, how exact), each on its own.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/foundation/gl/handle.h"
+#include "techniques/foundation/params/param.h"
+
+namespace shadowlab::shadow_map {
+
+/// What the light's cameras look at, and how the area is shared out among texels.
+struct ProjectionParams {
+    enum class Fit { view, scene } fit = Fit::view;
+    int cascades = 1;
+    double splitMix = 0.8;
+    enum class DepthBounds { picture, receivers, camera } depthBounds = DepthBounds::picture;
+    bool stable = true;
+    double cascadeBlend = 0.1;
+    enum class Warp { none, lispsm } warp = Warp::none;
+    enum class DepthRange { fitted, wide } depthRange = DepthRange::fitted;
+    friend bool operator==(const ProjectionParams&, const ProjectionParams&) = default;
+};
+
+/// What keeps a surface from shadowing itself, where a texel holds one depth for a piece of it.
+struct BiasParams {
+    enum class Mode {
+        none,
+        constant,
+        slopeScaled,
+        normalOffset,
+        receiverPlane,
+        dualDepth,
+        adaptive
+    } mode = Mode::receiverPlane;
+    double constantTexels = 1.5;
+    double slope = 1.0;
+    double normalOffset = 1.0;
+    double rounding = 1.0;
+    enum class Unit { texels, metres } unit = Unit::texels;
+    friend bool operator==(const BiasParams&, const BiasParams&) = default;
+};
+
+struct ShadowMapParams {
+    int resolution = 2048;
+    enum class DepthFormat { fixed16, fixed24, float32 } depthFormat = DepthFormat::fixed24;
+    ProjectionParams projection;
+    BiasParams bias;
+    enum class Filter { hard, pcf } filter = Filter::pcf;
+    int pcfRadius = 1;
+    bool depthClamp = true;
+    enum class Border { lit, edge } border = Border::lit;
+    bool rejectBehind = true;
+    bool cull = true;
+    friend bool operator==(const ShadowMapParams&, const ShadowMapParams&) = default;
+
+    /// As OpenGL names it.
+    [[nodiscard]] GLenum glDepthFormat() const;
+    /// Texels around the point's own that are asked as well.
+    [[nodiscard]] int kernelRadius() const { return filter == Filter::pcf ? pcfRadius : 0; }
+};
+
+/// The descriptions refer to the fields of `params`.
+params::ParamList describe(ShadowMapParams& params);
+
+} // namespace shadowlab::shadow_map

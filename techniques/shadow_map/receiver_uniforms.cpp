@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_map/receiver_uniforms.h"
+
+namespace shadowlab::shadow_map {
+
+namespace {
+
+// Points are moved toward the light by this share of their distance (for a directional light: of the map's depth)
+// before the comparison. It covers the rounding of interpolated float positions, about 2^-21 here, twenty times over,
+// and is a thousandth of a texel at most.
+constexpr double kRoundingShare = 1e-5;
+
+void setProjection(const gl::Program& program, const LightMaps& maps) {
+    std::vector<mat4> lightClipFromLightRelative, lightViewFromLightClip;
+    for (int layer = 0; layer < maps.layers(); ++layer) {
+        lightClipFromLightRelative.emplace_back(maps.lightClipFromLightRelative(layer));
+        lightViewFromLightClip.emplace_back(maps.lightViewFromLightClip(layer));
+    }
+    program.set("lightClipFromLightRelative", std::span<const mat4>(lightClipFromLightRelative));
+    program.set("lightViewFromLightClip", std::span<const mat4>(lightViewFromLightClip));
+    program.set("distanceStart", static_cast<float>(maps.parallel ? maps.nearest : 0.0));
+    program.set("towardLightRelative", vec3(maps.towardLight));
+    program.set("slopeStep", static_cast<float>(0.01 * (maps.farthest - maps.nearest)));
+    if (maps.layout != Layout::cascades) return;
+    vec4 ends(0), fades(0);
+    for (int i = 0; i < maps.layers(); ++i) {
+        ends[i] = static_cast<float>(maps.cascadeEnds[static_cast<std::size_t>(i)]);
+        fades[i] = static_cast<float>(maps.fadeStarts[static_cast<std::size_t>(i)]);
+    }
+    program.set("cascades", maps.layers());
+    program.set("cascadeEnds", ends);
+    program.set("fadeStarts", fades);
+}
+
+void setBias(const gl::Program& program, const LightMaps& maps, const ShadowMapParams& params) {
+    const BiasParams& bias = params.bias;
+    const bool none = bias.mode == BiasParams::Mode::none;
+    program.set("roundingShare", static_cast<float>(none ? 0 : bias.rounding * kRoundingShare));
+    program.set("roundingMetres", static_cast<float>(maps.farthest - maps.nearest));
+    const bool metres = bias.unit == BiasParams::Unit::metres;
+    program.set("constantTexels", static_cast<float>(metres ? 0 : bias.constantTexels));
+    program.set("constantMetres", static_cast<float>(metres ? bias.constantTexels : 0));
+    program.set("normalOffset", static_cast<float>(bias.normalOffset));
+    program.set("kernelTexels", static_cast<float>(params.kernelRadius() + 0.5));
+    program.set("halfTexel", static_cast<float>(bias.slope * 0.5 / params.resolution));
+}
+
+} // namespace
+
+void setReceiverUniforms(const gl::Program& program, const LightMaps& maps, const ShadowMapParams& params) {
+    setProjection(program, maps);
+    setBias(program, maps, params);
+    program.set("resolution", static_cast<float>(params.resolution));
+    program.set("pcfRadius", params.pcfRadius);
+    program.set("rejectBehind", params.rejectBehind ? 1 : 0);
+}
+
+} // namespace shadowlab::shadow_map
