@@ -21,6 +21,9 @@ DepthRules depthRules(const ShadowMapParams& params) {
     DepthRules rules;
     using enum BiasParams::Mode;
     const BiasParams& bias = params.bias;
+    rules.depthClamp = params.depthClamp;
+    rules.ids = params.exact;
+    if (params.exact) return rules; // the depths themselves: the comparison has a margin of its own
     const int radius = params.kernelRadius();
     // Of a kernel's texels the farthest centre is radius + 1/2 away in both directions; the factor is for the larger of the
     // two slopes, of which the other may be as large.
@@ -30,7 +33,6 @@ DepthRules depthRules(const ShadowMapParams& params) {
     // one more for each texel of the kernel's radius.
     if (bias.mode == receiverPlane) rules.slopeFactor = bias.slope * (1 + radius);
     if (bias.mode != none) rules.units = 2 * bias.rounding;
-    rules.depthClamp = params.depthClamp;
     rules.dual = bias.mode == dualDepth;
     return rules;
 }
@@ -50,12 +52,26 @@ void DepthPass::draw(const Frame& frame, const LightMaps& maps, int layer, std::
     drawCasters(depth_, frame, maps, layer, casters);
 }
 
+void DepthPass::drawWithIds(const Frame& frame, const LightMaps& maps, int layer, std::span<const std::size_t> casters,
+                            const gl::DepthTextureArray& depth, const gl::IdTextureArray& ids,
+                            const DepthRules& rules) const {
+    glDisable(GL_SCISSOR_TEST);
+    if (rules.depthClamp) glEnable(GL_DEPTH_CLAMP);
+    const gl::Framebuffer framebuffer(ids, depth, layer, "shadow map layer with triangles");
+    framebuffer.bind();
+    glClear(GL_DEPTH_BUFFER_BIT);
+    const GLuint nothing[4] = {kNothing, kNothing, kNothing, kNothing};
+    glClearBufferuiv(GL_COLOR, 0, nothing);
+    drawCasters(ids_, frame, maps, layer, casters);
+}
+
 void DepthPass::drawCasters(const gl::Program& program, const Frame& frame, const LightMaps& maps, int layer,
                             std::span<const std::size_t> casters) const {
     program.use();
     for (const std::size_t caster : casters) {
         const scene::Object& object = frame.scene().objects[caster];
         program.set("clipFromMesh", mat4(maps.lightClipFromLightRelative(layer) * lightRelativeFromMesh(maps, object)));
+        program.set("triangleBase", frame.buffers().triangleBase(caster));
         frame.buffers().mesh(caster).draw(0, static_cast<std::uint32_t>(object.mesh->triangles.size()));
     }
 }

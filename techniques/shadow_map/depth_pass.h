@@ -15,6 +15,7 @@ struct DepthRules {
     double units = 0;       ///< by so many of the format's smallest steps
     bool depthClamp = true; ///< keep what is nearer than the near plane
     bool dual = false;      ///< the middle between two surfaces
+    bool ids = false;       ///< which triangle, too
     friend bool operator==(const DepthRules&, const DepthRules&) = default;
 };
 DepthRules depthRules(const ShadowMapParams& params);
@@ -24,6 +25,10 @@ public:
     /// Draws one layer, of the scene's objects with these numbers. Baseline state is set; leaves another.
     void draw(const Frame& frame, const LightMaps& maps, int layer, std::span<const std::size_t> casters,
               const gl::DepthTextureArray& depth, GLenum format, const DepthRules& rules) const;
+    /// The same with the number of the triangle that is seen in each texel; kNothing where none is.
+    void drawWithIds(const Frame& frame, const LightMaps& maps, int layer, std::span<const std::size_t> casters,
+                     const gl::DepthTextureArray& depth, const gl::IdTextureArray& ids, const DepthRules& rules) const;
+    static constexpr std::uint32_t kNothing = ~std::uint32_t{0};
 
 private:
     void drawCasters(const gl::Program& program, const Frame& frame, const LightMaps& maps, int layer,
@@ -31,6 +36,7 @@ private:
     void drawDual(const Frame& frame, const LightMaps& maps, int layer, std::span<const std::size_t> casters,
                   const gl::DepthTextureArray& depth, GLenum format, const DepthRules& rules) const;
 
+    gl::Program ids_{"position.vert", "triangle_id.frag"};
     gl::Program depth_{"position.vert", "nothing.frag"};
     gl::Program secondDepth_{"position.vert", "shadow_map/second_depth.frag"};
     gl::Program dualDepth_{"fullscreen.vert", "shadow_map/dual_depth.frag"};

@@ -19,8 +19,20 @@ struct LayerOrigin {
     friend bool operator==(const LayerOrigin&, const LayerOrigin&) = default;
 };
 
+/// What a map needs to be certain of its answers.
+struct ExactMap {
+    gl::IdTextureArray triangles; ///< which one is the first at each texel's centre, counted through all objects
+    gl::DepthTextureArray edges;  ///< the nearest loose edge in each texel
+    ExactMap(int resolution, int layers, GLenum format)
+        : triangles(resolution, layers, "triangles in the shadow map"),
+          edges(format, resolution, layers, "edges in the shadow map") {
+        edges.compare(false);
+    }
+};
+
 struct KeptMap {
     gl::DepthTextureArray depth;
+    std::optional<ExactMap> exact;                     ///< only where that is asked for
     GLenum format = GL_NONE;                           ///< of the depths
     std::vector<std::optional<LayerOrigin>> drawnFrom; ///< per layer; none: not drawn, or not to be relied on
 };
@@ -29,7 +41,8 @@ class KeptMaps {
 public:
     /// The map of one light of several, of that size and format. Every light keeps its own while `allTexels`, of all of them
     /// together, are few enough for the memory; else they share one, and it is drawn anew for each.
-    KeptMap& of(int light, std::size_t lights, double allTexels, const LightMaps& maps, int resolution, GLenum format);
+    KeptMap& of(int light, std::size_t lights, double allTexels, const LightMaps& maps, int resolution, GLenum format,
+                bool exact);
 
 private:
     std::vector<KeptMap> maps_;

@@ -87,6 +87,9 @@ params::ParamList describeFilter(ShadowMapParams& p) {
         params::choice("filter", p.filter, {"hard", "pcf"},
                        "hard: one comparison a pixel; pcf: the share of a square of comparisons that are lit."),
         params::integer("pcf-radius", p.pcfRadius, 0, 15, "texels", "PCF averages (2 r + 1) x (2 r + 1) comparisons."),
+        params::boolean("exact", p.exact,
+                        "Decide by rays wherever an edge touches the point's texel or the map is not certain; then "
+                        "filter and bias do not matter."),
         params::boolean("cull", p.cull,
                         "Leave out casters that cannot shadow anything in a map, and what is out of view; the picture "
                         "is the same."),

@@ -48,6 +48,7 @@ struct ShadowMapParams {
     bool depthClamp = true;
     enum class Border { lit, edge } border = Border::lit;
     bool rejectBehind = true;
+    bool exact = false;
     bool cull = true;
     friend bool operator==(const ShadowMapParams&, const ShadowMapParams&) = default;
 

@@ -13,8 +13,6 @@ namespace shadowlab::shadow_map {
 
 namespace {
 
-constexpr int kMapUnit = gl::kFirstFreeUnit;
-
 // Modes of shaders/shadow_map/project.frag.
 constexpr int kMapDepth = 0, kPointDistance = 1, kComparison = 2, kPosition = 3;
 
@@ -45,8 +43,9 @@ void ShadowMap::publishStages(Frame& frame, int light, const DrawnMap& map) {
         frame.drawStage("visibility", light, GL_RG32F, [&] {
             glClear(GL_STENCIL_BUFFER_BIT);
             gl::setVisibilityState();
-            drawReceivers(frame, map.depth ? programsFor(map.maps).visibility : unshadowedVisibility_, light, map);
+            drawReceivers(frame, lightProgram(map, true), light, map);
         });
+    if (frame.wants("traced", light)) publishTraced(frame, light, map);
     if (frame.wants("texel-size", light)) publishTexelSize(frame, light, map);
     const std::string_view lessons[] = {"light-view", "light-depth", "depth-on-view", "distance-on-view", "comparison"};
     if (std::ranges::none_of(lessons, [&](std::string_view stage) { return frame.wants(stage, light); })) return;
@@ -84,9 +83,12 @@ DrawnMap ShadowMap::lessonMap(const Frame& frame, int light, const DrawnMap& map
     const GLenum format = params_.glDepthFormat();
     depth = gl::DepthTextureArray(format, params_.resolution, lesson.maps.layers(), "shadow map shown");
     const std::vector<std::size_t> casters = scene::allCasters(frame.scene());
+    ShadowMapParams compared = params_;
+    compared.exact = false; // the lesson is the comparison
+    const DepthRules rules = depthRules(compared);
     for (int layer = 0; layer < lesson.maps.layers(); ++layer) {
         gl::setBaselineState();
-        depthPass_.draw(frame, lesson.maps, layer, casters, depth, format, depthRules(params_));
+        depthPass_.draw(frame, lesson.maps, layer, casters, depth, format, rules);
     }
     return lesson;
 }

@@ -23,6 +23,11 @@ const PassInfo kPasses[] = {
      "The map stores, for every direction from the light, how far the first surface is: all the light ever sees. It "
      "stays as it is until light, casters or parameters change; the eye may move.",
      "depth only, depth test LESS, depth clamp, slope-scaled polygon offset", true, "light-depth"},
+    {"decide", "Decide where the map is certain, and send rays elsewhere",
+     "An edge that touches a texel makes it uncertain: a surface ends there, begins, or passes through another. All "
+     "other "
+     "texels know which surface is the first; the point is lit if it lies on that. Only with exact = true.",
+     "depth EQUAL; triangle numbers and depths read with texelFetch; undecided pixels read back", true, "traced"},
     {"light", "Render the scene from the eye and compare",
      "Transform each point into the light's coordinates; if the map holds something nearer, the point is in shadow.",
      "depth EQUAL, blending ONE ONE, map sampled with comparison LEQUAL", true},
@@ -36,17 +41,17 @@ const StageInfo kStages[] = {
     {"distance-on-view", "Light distance z(u,v) projected onto the eye's view", StageKind::scalar, true},
     {"comparison", "Comparison: d(u,v) against z(u,v)", StageKind::swatches, true},
     {"texel-size", "Aliasing: how many pixels a texel covers", StageKind::scalar, true},
+    {"traced", "What the map decides for certain, and what rays do", StageKind::swatches, true},
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };
-
-constexpr int kMapUnit = gl::kFirstFreeUnit;
 
 // Boxes around what is in view: more would make a fit slow, and hardly closer.
 constexpr std::size_t kMostReceivers = 64;
 
 } // namespace
 
-Progress ShadowMap::prepare(const scene::Snapshot& snapshot, Deadline) {
+Progress ShadowMap::prepare(const scene::Snapshot& snapshot, Deadline deadline) {
+    if (params_.exact && !exact_.prepare(snapshot, deadline)) return {.done = 0.5, .converged = false};
     if (preparedFor_ == snapshot) return {};
     bounds_ = scene::objectBounds(*snapshot);
     usefulCasters_.clear();
@@ -64,18 +69,22 @@ Progress ShadowMap::render(Frame& frame) {
                [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
     if (frame.wants("without-shadows")) publishWithoutShadows(frame);
     lookAt(frame);
+    exact_.beginFrame();
 
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
         DrawnMap map;
         frame.pass(
             passInfo(kPasses, "depth"), [&] { map = updateMap(frame, light); }, light);
+        if (params_.exact && map.depth)
+            frame.pass(
+                passInfo(kPasses, "decide"), [&] { decide(frame, light, map); }, light);
         publishStages(frame, light, map);
         frame.pass(
             passInfo(kPasses, "light"),
             [&] {
                 glClear(GL_STENCIL_BUFFER_BIT);
                 gl::setAddLightState();
-                drawReceivers(frame, map.depth ? programsFor(map.maps).shade : unshadowed_, light, map);
+                drawReceivers(frame, lightProgram(map, false), light, map);
             },
             light);
     }
@@ -97,7 +106,16 @@ ShadowMap::Programs ShadowMap::makePrograms(const Choice& choice) {
     return {gl::Program("surface.vert", "shade_light.frag", {}, chosen),
             gl::Program("surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}, chosen),
             gl::Program("surface.vert", "shadow_map/project.frag", {}, chosen),
-            gl::Program("surface.vert", "shadow_map/texel_size.frag", {}, chosen)};
+            gl::Program("surface.vert", "shadow_map/texel_size.frag", {}, chosen),
+            gl::Program("surface.vert", "shadow_map/decide.frag", {},
+                        {chosen[1], {"shadow_map/bias.glsl", "shadow_map/bias_none.glsl"}})};
+}
+
+const gl::Program& ShadowMap::lightProgram(const DrawnMap& map, bool visibilityOnly) {
+    if (!map.depth) return visibilityOnly ? unshadowedVisibility_ : unshadowed_;
+    if (params_.exact) return visibilityOnly ? decidedVisibility_ : decidedShade_;
+    const Programs& programs = programsFor(map.maps);
+    return visibilityOnly ? programs.visibility : programs.shade;
 }
 
 const ShadowMap::Programs& ShadowMap::programsFor(const LightMaps& maps) {
@@ -167,7 +185,7 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
     for (const LightMaps& fitted : fitted_)
         allTexels += layerTexels * fitted.layers();
     const GLenum format = params_.glDepthFormat();
-    KeptMap& kept = kept_.of(light, fitted_.size(), allTexels, maps, params_.resolution, format);
+    KeptMap& kept = kept_.of(light, fitted_.size(), allTexels, maps, params_.resolution, format, params_.exact);
     kept.depth.clampToEdge(params_.border == ShadowMapParams::Border::edge);
 
     std::set<std::size_t> drawn; // in any layer
@@ -181,7 +199,11 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
                                  gl::shaderReloads()};
         std::optional<LayerOrigin>& drawnFrom = kept.drawnFrom[static_cast<std::size_t>(layer)];
         const bool redraw = drawnFrom != origin;
-        if (redraw) depthPass_.draw(frame, maps, layer, origin.casters, kept.depth, format, origin.rules);
+        if (redraw && params_.exact) {
+            drawExact(frame, light, maps, layer, origin.casters, kept.depth, *kept.exact);
+        } else if (redraw) {
+            depthPass_.draw(frame, maps, layer, origin.casters, kept.depth, format, origin.rules);
+        }
         drawnFrom = origin;
         drawn.insert(origin.casters.begin(), origin.casters.end());
         frame.count("maps-redrawn", redraw ? 1 : 0, 1, "maps");
@@ -189,10 +211,10 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
     }
     frame.count("casters", static_cast<double>(drawn.size()), allCasters, "objects");
     frame.count("map-texels", layerTexels * maps.layers(), 0, "texels");
-    return {maps, &kept.depth};
+    return {maps, &kept.depth, params_.exact ? &*kept.exact : nullptr};
 }
 
-void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const {
+void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) {
     program.use();
     gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
     if (map.depth) {
@@ -200,8 +222,10 @@ void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, in
         map.depth->bind(kMapUnit);
         program.set("shadowMap", kMapUnit);
     }
+    if (map.exact) setExactUniforms(program, light, map);
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
         program.set("lightRelativeFromMesh", mat4(lightRelativeFromMesh(map.maps, object)));
+        if (map.exact) setObjectUniforms(frame, program, light, object);
         return true;
     });
 }

@@ -4,15 +4,20 @@
 #include <map>
 
 #include "techniques/frame.h"
+#include "techniques/shadow_map/exact_pass.h"
 #include "techniques/shadow_map/fit.h"
 #include "techniques/shadow_map/kept_maps.h"
 
 namespace shadowlab::shadow_map {
 
+/// Texture unit of the map; what else a pass needs comes after it.
+constexpr int kMapUnit = gl::kFirstFreeUnit;
+
 /// One light's map: its cameras, and the depths themselves.
 struct DrawnMap {
     LightMaps maps;
     const gl::DepthTextureArray* depth = nullptr;
+    const ExactMap* exact = nullptr;
 };
 
 /// What was in the picture that was drawn last: the cascades may depend on it.
@@ -40,8 +45,9 @@ private:
         friend auto operator<=>(const Choice&, const Choice&) = default;
     };
     struct Programs {
-        gl::Program shade, visibility, project, texelSize;
+        gl::Program shade, visibility, project, texelSize, decide;
     };
+    inline static const std::vector<gl::Substitution> kDecided{{"shadow_visibility.glsl", "shadow_map/decided.glsl"}};
     static Programs makePrograms(const Choice& choice);
     const Programs& programsFor(const LightMaps& maps);
 
@@ -51,7 +57,19 @@ private:
     [[nodiscard]] std::vector<scene::Bounds> receiversInView(const scene::Scene& scene, const View& view) const;
     std::vector<std::size_t> castersOf(const scene::Scene& scene, const LightMaps& maps, int light, int layer) const;
     DrawnMap updateMap(Frame& frame, int light);
-    void drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const;
+    const gl::Program& lightProgram(const DrawnMap& map, bool visibilityOnly);
+
+    // exact_light.cpp
+    void decide(Frame& frame, int light, const DrawnMap& map);
+    void publishTraced(Frame& frame, int light, const DrawnMap& map);
+    void drawExact(const Frame& frame, int light, const LightMaps& maps, int layer,
+                   std::span<const std::size_t> casters, const gl::DepthTextureArray& depth, const ExactMap& exact);
+    [[nodiscard]] std::vector<std::size_t> drawnCasters(const scene::Scene& scene, int light) const;
+    void setExactUniforms(const gl::Program& program, int light, const DrawnMap& map) const;
+    void setObjectUniforms(const Frame& frame, const gl::Program& program, int light,
+                           const scene::Object& object) const;
+
+    void drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map);
 
     // stages.cpp
     void publishStages(Frame& frame, int light, const DrawnMap& map);
@@ -73,10 +91,13 @@ private:
     std::vector<LightMaps> fitted_; ///< per light, for the frame that is drawn
     KeptMaps kept_;
     DepthPass depthPass_;
+    ExactPass exact_;
     std::map<Choice, Programs> programs_;
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program unshadowed_{"surface.vert", "shade_light.frag"};
     gl::Program unshadowedVisibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
+    gl::Program decidedShade_{"surface.vert", "shade_light.frag", {}, kDecided};
+    gl::Program decidedVisibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}, kDecided};
     gl::Program showDepth_{"fullscreen.vert", "shadow_map/show_depth.frag"};
 };
 

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <tuple>
 #include <utility>
 
-#include "techniques/foundation/trace/parallel.h"
+#include "techniques/foundation/trace/pixel_rays.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -86,69 +85,13 @@ void markTouched(const CountedPart& part, SegmentPx segment, PixelMask& marked) 
     }
 }
 
-constexpr int kSide = trace::SceneTracer::kBlock;
-
-/// Pixels of one block of the part, so that their rays can be traced together.
-struct Batch {
-    std::size_t first = 0, count = 0; ///< of the list of pixels
-};
-
-ivec2 blockOf(ivec2 pixel) { return pixel / kSide; }
-
-/// The marked pixels, block by block.
-std::vector<ivec2> inBlocks(const CountedPart& part, const PixelMask& marked) {
+/// The marked pixels, counted in the whole picture.
+std::vector<ivec2> inPicture(const CountedPart& part, const PixelMask& marked) {
     std::vector<ivec2> pixels;
-    for (int y0 = 0; y0 < part.size.y; y0 += kSide)
-        for (int x0 = 0; x0 < part.size.x; x0 += kSide)
-            for (int y = y0; y < std::min(y0 + kSide, part.size.y); ++y)
-                for (int x = x0; x < std::min(x0 + kSide, part.size.x); ++x)
-                    if (marked[part.index({x, y})]) pixels.emplace_back(x, y);
+    for (int y = 0; y < part.size.y; ++y)
+        for (int x = 0; x < part.size.x; ++x)
+            if (marked[part.index({x, y})]) pixels.push_back(part.corner + ivec2(x, y));
     return pixels;
-}
-
-void sortByBlock(std::vector<ivec2>& pixels) {
-    std::ranges::sort(pixels, {},
-                      [](ivec2 pixel) { return std::tuple(blockOf(pixel).y, blockOf(pixel).x, pixel.y, pixel.x); });
-}
-
-std::vector<Batch> batchesOf(std::span<const ivec2> pixels) {
-    std::vector<Batch> batches;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (i == 0 || blockOf(pixels[i]) != blockOf(pixels[i - 1])) batches.push_back({i, 0});
-        ++batches.back().count;
-    }
-    return batches;
-}
-
-/// Where the eye rays through the pixels of one batch end. All of a block at once costs about as much as kMany alone.
-void findPoints(const CountedPart& part, std::span<const ivec2> pixels, const trace::SceneTracer& tracer,
-                const trace::EyeRays& rays, std::span<trace::SurfacePoint> points) {
-    constexpr std::size_t kMany = 6;
-    if (pixels.size() < kMany) {
-        for (std::size_t i = 0; i < pixels.size(); ++i)
-            points[i] = tracer.eyePoint(rays, dvec2(part.corner + pixels[i]) + 0.5);
-        return;
-    }
-    const ivec2 corner = kSide * blockOf(pixels[0]), size = glm::min(ivec2(kSide), part.size - corner);
-    trace::SurfacePoint all[kSide * kSide];
-    tracer.eyePoints(rays, part.corner + corner, size, dvec2(0.5), all);
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const ivec2 inBlock = pixels[i] - corner;
-        points[i] = all[inBlock.y * size.x + inBlock.x];
-    }
-}
-
-std::vector<trace::Visibility> visibilities(const CountedPart& part, std::span<const ivec2> pixels,
-                                            const trace::SceneTracer& tracer, const trace::EyeRays& rays, int light) {
-    std::vector<trace::Visibility> answers(pixels.size());
-    const std::vector<Batch> batches = batchesOf(pixels);
-    trace::parallelFor(batches.size(), [&](std::size_t i) {
-        const auto [first, count] = batches[i];
-        trace::SurfacePoint points[kSide * kSide];
-        findPoints(part, pixels.subspan(first, count), tracer, rays, points);
-        tracer.visibilities(std::span(points).first(count), light, std::span(answers).subspan(first, count));
-    });
-    return answers;
 }
 
 } // namespace
@@ -192,31 +135,33 @@ Repair decide(const CountedPart& part, const PixelMask& marked, const trace::Sce
     Repair repair;
     repair.pixels.assign(marked.size(), Repaired::notLookedAt);
     repair.flips.assign(marked.size(), 0);
-    std::vector<ivec2> pixels = inBlocks(part, marked);
+    std::vector<ivec2> pixels = inPicture(part, marked);
     while (!pixels.empty()) {
+        trace::sortByBlock(pixels);
         repair.lookedAt += pixels.size();
         for (const ivec2& pixel : pixels)
-            repair.pixels[part.index(pixel)] = Repaired::confirmed;
-        const std::vector<trace::Visibility> answers = visibilities(part, pixels, tracer, rays, light);
+            repair.pixels[part.index(pixel - part.corner)] = Repaired::confirmed;
+        const std::vector<trace::Visibility> answers =
+            trace::visibilitiesOf(pixels, tracer, rays, part.pictureSize, light);
         std::vector<ivec2> next;
         PixelMask waiting(repair.pixels.size(), 0);
         for (std::size_t i = 0; i < pixels.size(); ++i) {
-            const bool dark = part.counted[part.index(pixels[i])] != 0;
+            const ivec2 inPart = pixels[i] - part.corner;
+            const bool dark = part.counted[part.index(inPart)] != 0;
             if (answers[i] == noSurface || dark == (answers[i] != lit)) continue;
-            repair.flips[part.index(pixels[i])] = 255;
+            repair.flips[part.index(inPart)] = 255;
             repair.anyFlipped = true;
             if (answers[i] == turnedAway) continue;
-            repair.pixels[part.index(pixels[i])] = Repaired::changed;
+            repair.pixels[part.index(inPart)] = Repaired::changed;
             ++repair.changed;
-            forEachNeighbour(part, pixels[i], [&](ivec2 other) {
+            forEachNeighbour(part, inPart, [&](ivec2 other) {
                 const std::size_t index = part.index(other);
                 if (!part.hasSurface(index) || repair.pixels[index] != Repaired::notLookedAt || waiting[index]) return;
                 waiting[index] = 1;
-                next.push_back(other);
+                next.push_back(part.corner + other);
             });
         }
         pixels = std::move(next);
-        sortByBlock(pixels);
     }
     return repair;
 }

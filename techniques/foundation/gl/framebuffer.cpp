@@ -31,6 +31,14 @@ Framebuffer::Framebuffer(const DepthTextureArray& depth, int layer, std::string_
     requireComplete(name);
 }
 
+Framebuffer::Framebuffer(const IdTextureArray& ids, const DepthTextureArray& depth, int layer, std::string_view name)
+    : handle_(FramebufferHandle::create()), size_(ids.side()) {
+    glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, ids.id(), 0, layer);
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, depth.id(), 0, layer);
+    requireComplete(name);
+}
+
 void Framebuffer::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
     glViewport(0, 0, size_.x, size_.y);

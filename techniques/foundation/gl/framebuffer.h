@@ -16,6 +16,8 @@ public:
     Framebuffer(const Texture2D* color, const Texture2D* depthStencil, std::string_view name);
     /// Depth only, into one layer.
     Framebuffer(const DepthTextureArray& depth, int layer, std::string_view name);
+    /// The same with a layer of numbers beside it.
+    Framebuffer(const IdTextureArray& ids, const DepthTextureArray& depth, int layer, std::string_view name);
     /// Binds it for drawing and sets the viewport to its size.
     void bind() const;
     [[nodiscard]] GLuint id() const { return handle_.id(); }

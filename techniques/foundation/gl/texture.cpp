@@ -98,6 +98,52 @@ void DepthTextureArray::clampToEdge(bool on) const {
         glTexParameteri(GL_TEXTURE_2D_ARRAY, axis, on ? GL_CLAMP_TO_EDGE : GL_CLAMP_TO_BORDER);
 }
 
+IdTextureArray::IdTextureArray(int side, int layers, std::string_view name)
+    : handle_(TextureHandle::create()), side_(side), layers_(layers) {
+    requireSize(limitOf(GL_MAX_TEXTURE_SIZE), side, name);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32UI, side, side, layers, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+    sampleNearestClamped(GL_TEXTURE_2D_ARRAY);
+    label(GL_TEXTURE, handle_.id(), name);
+    if (glGetError() == GL_OUT_OF_MEMORY)
+        throw Error(ExitStatus::overLimit, std::string(name) + ": no memory for " + std::to_string(layers) +
+                                               " layers of " + std::to_string(side) + " x " + std::to_string(side) +
+                                               " texels; choose a smaller resolution");
+}
+
+void IdTextureArray::bind(int unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
+}
+
+BufferTexture::BufferTexture(const std::vector<vec4>& texels, std::string_view name)
+    : BufferTexture(GL_RGBA32F, texels.data(), texels.size(), name) {}
+
+BufferTexture::BufferTexture(const std::vector<uvec4>& texels, std::string_view name)
+    : BufferTexture(GL_RGBA32UI, texels.data(), texels.size(), name) {}
+
+BufferTexture::BufferTexture(GLenum format, const void* texels, std::size_t count, std::string_view name)
+    : buffer_(BufferHandle::create()), handle_(TextureHandle::create()) {
+    const auto limit = static_cast<std::size_t>(limitOf(GL_MAX_TEXTURE_BUFFER_SIZE));
+    if (count > limit)
+        throw Error(ExitStatus::overLimit, std::string(name) + ": the scene needs " + std::to_string(count) +
+                                               " texels, this OpenGL driver indexes " + std::to_string(limit) +
+                                               "; use a simpler mesh");
+    constexpr std::size_t kTexelBytes = 16;
+    const vec4 none(0); // a buffer of no texels is not a complete texture
+    glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
+    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(std::max<std::size_t>(1, count) * kTexelBytes),
+                 count == 0 ? &none : texels, GL_STATIC_DRAW);
+    glBindTexture(GL_TEXTURE_BUFFER, handle_.id());
+    glTexBuffer(GL_TEXTURE_BUFFER, format, buffer_.id());
+    label(GL_TEXTURE, handle_.id(), name);
+}
+
+void BufferTexture::bind(int unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_BUFFER, handle_.id());
+}
+
 ByteBufferTexture::ByteBufferTexture(const std::vector<std::int8_t>& bytes, std::string_view name)
     : buffer_(BufferHandle::create()), handle_(TextureHandle::create()) {
     const auto limit = static_cast<std::size_t>(limitOf(GL_MAX_TEXTURE_BUFFER_SIZE));

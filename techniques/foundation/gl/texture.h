@@ -48,6 +48,36 @@ private:
     int side_ = 0, layers_ = 0;
 };
 
+/// GL_TEXTURE_2D_ARRAY of whole numbers (GL_R32UI): which triangle a light sees, one layer per map. Read with texelFetch.
+class IdTextureArray {
+public:
+    IdTextureArray() = default;
+    IdTextureArray(int side, int layers, std::string_view name);
+    void bind(int unit) const;
+    [[nodiscard]] GLuint id() const { return handle_.id(); }
+    [[nodiscard]] int side() const { return side_; }
+    [[nodiscard]] int layers() const { return layers_; }
+
+private:
+    TextureHandle handle_;
+    int side_ = 0, layers_ = 0;
+};
+
+/// Numbers that a shader reads by index: four to a texel, floats (samplerBuffer) or whole (usamplerBuffer).
+class BufferTexture {
+public:
+    BufferTexture() = default;
+    /// Throws Error (overLimit) when there are more than GL_MAX_TEXTURE_BUFFER_SIZE.
+    BufferTexture(const std::vector<vec4>& texels, std::string_view name);
+    BufferTexture(const std::vector<uvec4>& texels, std::string_view name);
+    void bind(int unit) const;
+
+private:
+    BufferTexture(GLenum format, const void* texels, std::size_t count, std::string_view name);
+    BufferHandle buffer_;
+    TextureHandle handle_;
+};
+
 /// Bytes, one per element, that a shader reads by index (samplerBuffer over GL_R8I).
 class ByteBufferTexture {
 public:

@@ -1,0 +1,87 @@
+// The part of the technique that is exact: one light's pixels decided by the map where it is certain, and by rays elsewhere.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "techniques/foundation/gl/baseline.h"
+#include "techniques/foundation/scene/casters.h"
+#include "techniques/shadow_map/technique.h"
+
+namespace shadowlab::shadow_map {
+
+namespace {
+
+constexpr int kIdUnit = kMapUnit + 1, kPositionUnit = kMapUnit + 2, kTriangleUnit = kMapUnit + 3,
+              kDecidedUnit = kMapUnit + 4, kEdgeUnit = kMapUnit + 5;
+
+// Depths that differ by less may be of surfaces that touch: this share of the map's range covers the rounding of float
+// positions, and four steps of the format that of the depths themselves.
+constexpr float kRounding = 1e-5f;
+
+} // namespace
+
+std::vector<std::size_t> ShadowMap::drawnCasters(const scene::Scene& scene, int light) const {
+    return params_.cull ? usefulCasters_[static_cast<std::size_t>(light)] : scene::allCasters(scene);
+}
+
+void ShadowMap::decide(Frame& frame, int light, const DrawnMap& map) {
+    gl::setBaselineState();
+    map.depth->compare(false);
+    const gl::Program& program = programsFor(map.maps).decide;
+    exact_.decide(frame, light, [&] { drawReceivers(frame, program, light, map); });
+    map.depth->compare(true);
+}
+
+void ShadowMap::drawExact(const Frame& frame, int light, const LightMaps& maps, int layer,
+                          std::span<const std::size_t> casters, const gl::DepthTextureArray& depth,
+                          const ExactMap& exact) {
+    depthPass_.drawWithIds(frame, maps, layer, casters, depth, exact.triangles, {.depthClamp = params_.depthClamp});
+    exact_.findEdges(frame.scene(), light, maps, drawnCasters(frame.scene(), light));
+    exact_.drawEdges(maps, light, layer, exact.edges);
+}
+
+void ShadowMap::publishTraced(Frame& frame, int light, const DrawnMap& map) {
+    if (exact_.isDecided(light)) {
+        exact_.publishTraced(frame, light);
+        return;
+    }
+    // As it would be with exact = true.
+    if (!map.depth) {
+        exact_.prepare(frame.snapshot(), Deadline::max());
+        exact_.decide(frame, light, [&] { drawReceivers(frame, unshadowedVisibility_, light, map); });
+    } else {
+        exact_.prepare(frame.snapshot(), Deadline::max());
+        const int layers = map.maps.layers();
+        const gl::DepthTextureArray depth(params_.glDepthFormat(), params_.resolution, layers, "exact shadow map");
+        const ExactMap exact(params_.resolution, layers, params_.glDepthFormat());
+        for (int layer = 0; layer < layers; ++layer) {
+            gl::setBaselineState();
+            drawExact(frame, light, map.maps, layer, castersOf(frame.scene(), map.maps, light, layer), depth, exact);
+        }
+        decide(frame, light, {map.maps, &depth, &exact});
+    }
+    exact_.publishTraced(frame, light);
+    exact_.beginFrame();
+}
+
+void ShadowMap::setExactUniforms(const gl::Program& program, int light, const DrawnMap& map) const {
+    map.exact->triangles.bind(kIdUnit);
+    program.set("firstTriangles", kIdUnit);
+    map.exact->edges.bind(kEdgeUnit);
+    program.set("edgeDepths", kEdgeUnit);
+    exact_.bindWalk(program, light, kPositionUnit, kTriangleUnit);
+    const bool fixed16 = params_.depthFormat == ShadowMapParams::DepthFormat::fixed16;
+    program.set("apart", std::max(kRounding, 4.0f / static_cast<float>(1 << (fixed16 ? 16 : 24))));
+    if (!exact_.isDecided(light)) return;
+    exact_.decisions(light).visibility.bind(kDecidedUnit);
+    program.set("decided", kDecidedUnit);
+}
+
+void ShadowMap::setObjectUniforms(const Frame& frame, const gl::Program& program, int light,
+                                  const scene::Object& object) const {
+    const auto index = static_cast<std::size_t>(&object - frame.scene().objects.data());
+    program.set("castsShadow", object.castsShadow ? 1 : 0);
+    const std::vector<std::size_t> drawn = drawnCasters(frame.scene(), light);
+    program.set("isDrawn", std::ranges::binary_search(drawn, index) ? 1 : 0);
+}
+
+} // namespace shadowlab::shadow_map
