@@ -45,7 +45,7 @@ float shadowedBeyond(vec2 depth, ivec3 address, float certain) {
 
 float decide(int layer) {
     MapPlace place = mapPlaceIn(layer);
-    if (place.behind) return kAskRay;
+    if (place.behind) return kLit; // all casters are on the other side
     vec2 texel = place.uv * resolution;
     if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, vec2(resolution)))) return kLit; // no caster there
     float certain = kCertain + kPerPixel * (length(dFdx(texel)) + length(dFdy(texel)));
