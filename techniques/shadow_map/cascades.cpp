@@ -28,8 +28,20 @@ dvec2 depthsOf(std::span<const scene::Bounds> boxes, const dmat4& viewFromWorld)
     return range;
 }
 
-/// The range of distances that the cascades share out.
-dvec2 depthBounds(const FitRequest& request) {
+/// The same of a part of the light's view.
+dvec2 depthsOf(const Box& region, const LightMaps& maps, const dmat4& lightView, const dmat4& viewFromWorld) {
+    const dmat4 lightRelativeFromLightView = glm::inverse(lightView);
+    dvec2 range(1e300, 0);
+    for (int i = 0; i < 8; ++i) {
+        const dvec3 cornerWorld = maps.originWorld + transformPoint(lightRelativeFromLightView, region.corner(i));
+        const double depth = -transformPoint(viewFromWorld, cornerWorld).z;
+        range = dvec2(std::min(range.x, depth), std::max(range.y, depth));
+    }
+    return range;
+}
+
+/// The range of distances that the cascades share out: at most where a shadow can fall.
+dvec2 depthBounds(const FitRequest& request, const Box& region, const LightMaps& maps, const dmat4& lightView) {
     using enum ProjectionParams::DepthBounds;
     const dmat4 viewFromWorld = scene::viewFromWorld(request.eye.camera);
     const dvec2 all = depthsOf(request.all, viewFromWorld);
@@ -37,8 +49,10 @@ dvec2 depthBounds(const FitRequest& request) {
     const auto narrowTo = [&](const dvec2& other) {
         bounds = dvec2(std::max(bounds.x, other.x), std::min(bounds.y, other.y));
     };
-    if (request.params.depthBounds != camera && !request.receivers.empty())
-        narrowTo(depthsOf(request.receivers, viewFromWorld));
+    if (request.params.depthBounds != camera) {
+        if (!request.receivers.empty()) narrowTo(depthsOf(request.receivers, viewFromWorld));
+        narrowTo(depthsOf(region, maps, lightView, viewFromWorld));
+    }
     if (request.params.depthBounds == picture && request.eye.visibleDepth) narrowTo(*request.eye.visibleDepth);
     bounds.y = std::max(bounds.y, 1.001 * bounds.x);
     if (!request.params.stable) return bounds;
@@ -100,7 +114,7 @@ SliceBall ballAround(const FitEye& eye, double nearest, double farthest) {
 std::vector<Box> cascadeParts(const FitRequest& request, const Box& region, const dmat4& lightViewFromLightRelative,
                               LightMaps& maps) {
     const ProjectionParams& params = request.params;
-    const dvec2 bounds = depthBounds(request);
+    const dvec2 bounds = depthBounds(request, region, maps, lightViewFromLightRelative);
     maps.layout = Layout::cascades;
     maps.cascadeEnds = splitDistances(bounds.x, bounds.y, params.cascades, params.splitMix);
     std::vector<Box> parts;

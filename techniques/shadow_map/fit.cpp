@@ -8,6 +8,7 @@
 
 #include "techniques/shadow_map/cascades.h"
 #include "techniques/shadow_map/light_space_perspective.h"
+#include "techniques/shadow_map/shared_region.h"
 
 namespace shadowlab::shadow_map {
 
@@ -23,11 +24,6 @@ constexpr double kLeastNearShare = 1e-3;
 // What a program takes that never looks at its scene (depth-range=wide), in metres.
 constexpr double kWideNear = 0.01, kWideFar = 1000;
 
-// The part of a map is rounded outward to so many steps: as long as the eye moves within a step, the map stays.
-constexpr double kSteps = 16;
-
-dvec3 roundedDown(const dvec3& value, double step) { return glm::floor(value / step) * step; }
-
 /// Nearest point of the box to the origin of light-relative space, and its farthest corner, as distances.
 dvec2 distanceRange(std::span<const scene::Bounds> boxes, const dvec3& originWorld) {
     dvec2 range(1e300, 0);
@@ -37,27 +33,6 @@ dvec2 distanceRange(std::span<const scene::Bounds> boxes, const dvec3& originWor
             range.y = std::max(range.y, glm::length(box.corner(i) - originWorld));
     }
     return range;
-}
-
-/// Around both, or what they share; in depth the receivers', rounded outward so that it seldom changes.
-Box regionOf(const Box& casters, const Box& receivers, FitRequest::Cover cover) {
-    Box region;
-    if (cover == FitRequest::Cover::shown) {
-        region = casters;
-        region.include(receivers.lower);
-        region.include(receivers.upper);
-        return region;
-    }
-    const dvec3 extent = glm::min(receivers.upper, casters.upper) - glm::max(receivers.lower, casters.lower);
-    const double step = std::exp2(std::ceil(std::log2(std::max({extent.x, extent.y, 1e-9})))) / kSteps;
-    const double depth = receivers.upper.z - receivers.lower.z;
-    const double depthStep = std::exp2(std::ceil(std::log2(std::max(depth, 1e-9)))) / kSteps;
-    if (casters.upper.z < receivers.lower.z) return {}; // all casters are beyond all receivers
-    region.lower = glm::max(casters.lower, roundedDown(receivers.lower, step));
-    region.upper = glm::min(casters.upper, -roundedDown(-receivers.upper, step));
-    region.lower.z = roundedDown(receivers.lower, depthStep).z;
-    region.upper.z = -roundedDown(-receivers.upper, depthStep).z;
-    return region;
 }
 
 LightMaps fitParallel(const FitRequest& request) {
@@ -72,20 +47,20 @@ LightMaps fitParallel(const FitRequest& request) {
     const bool warped = params.warp == ProjectionParams::Warp::lispsm;
     const dmat4 lightView = warped ? lookAlongForWarp(request.light.directionWorld, request.eye.camera)
                                    : lookAlong(request.light.directionWorld);
-    const auto boxOf = [&](std::span<const scene::Bounds> boxes) {
-        return boxInView(boxes, maps.originWorld, lightView);
-    };
-    const Box receivers = boxOf(request.receivers.empty() ? request.all : request.receivers);
-    Box region = regionOf(boxOf(request.casters), receivers, request.cover);
+    const Box casters = boxInView(request.casters, maps.originWorld, lightView);
+    const std::span<const scene::Bounds> receivers = request.receivers.empty() ? request.all : request.receivers;
+    const Box region = request.cover == FitRequest::Cover::shown
+                           ? around(casters, boxInView(receivers, maps.originWorld, lightView))
+                           : sharedRegion(casters, receivers, maps.originWorld, lightView);
     if (region.isEmpty()) return maps;
-    if (params.depthRange == ProjectionParams::DepthRange::wide) {
-        region.upper.z = std::max(region.upper.z, 0.5 * kWideFar);
-        region.lower.z = std::min(region.lower.z, -0.5 * kWideFar);
-    }
     const std::vector<Box> parts =
         params.cascades > 1 ? cascadeParts(request, region, lightView, maps) : std::vector{region};
     const double share = guardShare(request.resolution, request.guardTexels);
     for (Box part : parts) {
+        if (params.depthRange == ProjectionParams::DepthRange::wide) {
+            part.upper.z = std::max(part.upper.z, 0.5 * kWideFar);
+            part.lower.z = std::min(part.lower.z, -0.5 * kWideFar);
+        }
         // A little around it; never empty, even for a caster seen edge-on. Square texels: the longer side decides for both.
         const dvec3 extent = part.upper - part.lower;
         const double largest = std::max({extent.x, extent.y, extent.z, 1e-6});
@@ -191,7 +166,7 @@ LightMaps fitPerspective(const FitRequest& request) {
         Cone cone = coneFor(request, receivers, *aim);
         if (request.cover == FitRequest::Cover::needed && !cone.isEmpty()) {
             const dvec2 extent = cone.upper - cone.lower;
-            const double step = std::exp2(std::ceil(std::log2(std::max({extent.x, extent.y, 1e-9})))) / kSteps;
+            const double step = std::exp2(std::ceil(std::log2(std::max({extent.x, extent.y, 1e-9})))) / kRegionSteps;
             const Cone rounded{glm::floor(cone.lower / step) * step, glm::ceil(cone.upper / step) * step};
             cone = coneOf(request.casters, maps.originWorld, *aim).sharedWith(rounded);
         }
@@ -207,14 +182,6 @@ LightMaps fitPerspective(const FitRequest& request) {
 }
 
 } // namespace
-
-Box boxInView(std::span<const scene::Bounds> boxes, const dvec3& originWorld, const dmat4& lightViewFromLightRelative) {
-    Box range;
-    for (const scene::Bounds& box : boxes)
-        for (int i = 0; i < 8; ++i)
-            range.include(transformPoint(lightViewFromLightRelative, box.corner(i) - originWorld));
-    return range;
-}
 
 double guardShare(int resolution, int guardTexels) {
     // Half a texel more than the guard band, against rounding.

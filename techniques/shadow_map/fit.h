@@ -39,9 +39,6 @@ struct FitRequest {
 
 LightMaps fitLightMaps(const FitRequest& request);
 
-/// Range of the boxes' corners in the light's view space.
-Box boxInView(std::span<const scene::Bounds> boxes, const dvec3& originWorld, const dmat4& lightViewFromLightRelative);
-
 /// Share of a map's side, beyond what is asked for, that guard band and rounding need on each side.
 double guardShare(int resolution, int guardTexels);
 

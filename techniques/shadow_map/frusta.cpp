@@ -33,7 +33,7 @@ void addFrustum(const LightMaps& maps, int layer, SceneShape& edges, SceneShape&
 std::vector<SceneShape> cascadeShapes(const LightMaps& maps) {
     std::vector<SceneShape> shapes;
     for (int layer = 0; layer < maps.layers(); ++layer) {
-        const vec3& color = look::kCascades[static_cast<std::size_t>(layer)];
+        const vec3& color = look::kLayers[static_cast<std::size_t>(layer)];
         SceneShape edges{"cascade " + std::to_string(layer + 1), color, SceneShape::Kind::lines, {}};
         SceneShape nearPlane{edges.label, color, SceneShape::Kind::faces, {}};
         addFrustum(maps, layer, edges, nearPlane);

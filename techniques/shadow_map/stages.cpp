@@ -46,7 +46,7 @@ void ShadowMap::publishStages(Frame& frame, int light, const DrawnMap& map) {
             drawReceivers(frame, lightProgram(map, true), light, map);
         });
     if (frame.wants("traced", light)) publishTraced(frame, light, map);
-    if (frame.wants("texel-size", light)) publishTexelSize(frame, light, map);
+    publishTexelStages(frame, light, map);
     const std::string_view lessons[] = {"light-view", "light-depth", "depth-on-view", "distance-on-view", "comparison"};
     if (std::ranges::none_of(lessons, [&](std::string_view stage) { return frame.wants(stage, light); })) return;
     gl::DepthTextureArray depth;

@@ -41,6 +41,8 @@ const StageInfo kStages[] = {
     {"distance-on-view", "Light distance z(u,v) projected onto the eye's view", StageKind::scalar, true},
     {"comparison", "Comparison: d(u,v) against z(u,v)", StageKind::swatches, true},
     {"texel-size", "Aliasing: how many pixels a texel covers", StageKind::scalar, true},
+    {"texel-grid", "The texels as they lie on what the eye sees", StageKind::swatches, true},
+    {"map-layers", "Which map answers: cascades, or those around the light", StageKind::swatches, true},
     {"traced", "What the map decides for certain, and what rays do", StageKind::swatches, true},
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };
@@ -107,6 +109,7 @@ ShadowMap::Programs ShadowMap::makePrograms(const Choice& choice) {
             gl::Program("surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}, chosen),
             gl::Program("surface.vert", "shadow_map/project.frag", {}, chosen),
             gl::Program("surface.vert", "shadow_map/texel_size.frag", {}, chosen),
+            gl::Program("surface.vert", "shadow_map/layers.frag", {}, chosen),
             gl::Program("surface.vert", "shadow_map/decide.frag", {},
                         {chosen[1], {"shadow_map/bias.glsl", "shadow_map/bias_none.glsl"}})};
 }

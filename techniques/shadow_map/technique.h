@@ -45,7 +45,7 @@ private:
         friend auto operator<=>(const Choice&, const Choice&) = default;
     };
     struct Programs {
-        gl::Program shade, visibility, project, texelSize, decide;
+        gl::Program shade, visibility, project, texelSize, layers, decide;
     };
     inline static const std::vector<gl::Substitution> kDecided{{"shadow_visibility.glsl", "shadow_map/decided.glsl"}};
     static Programs makePrograms(const Choice& choice);
@@ -81,7 +81,11 @@ private:
     void drawProjected(const Frame& frame, int light, const DrawnMap& map, int mode);
     std::vector<vec4> projectedTexels(const Frame& frame, int light, const DrawnMap& map, int mode);
     Display distanceRange(const Frame& frame, int light, const DrawnMap& map);
-    void publishTexelSize(Frame& frame, int light, const DrawnMap& map); // texel_size.cpp
+
+    // texel_size.cpp
+    void publishTexelStages(Frame& frame, int light, const DrawnMap& map);
+    gl::Texture2D drawTexelSizes(const Frame& frame, int light, const DrawnMap& map);
+    void publishLayers(Frame& frame, int light, const DrawnMap& map, std::string_view stage, int squareTexels);
 
     ShadowMapParams params_;
     scene::Snapshot preparedFor_;

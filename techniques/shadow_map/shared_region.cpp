@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_map/shared_region.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "techniques/foundation/scene/clip_polygon.h"
+
+namespace shadowlab::shadow_map {
+
+namespace {
+
+constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+
+/// The smallest power of two that is not less, in steps.
+double stepOf(double extent) { return std::exp2(std::ceil(std::log2(std::max(extent, 1e-9)))) / kRegionSteps; }
+
+} // namespace
+
+Box boxInView(std::span<const scene::Bounds> boxes, const dvec3& originWorld, const dmat4& lightViewFromLightRelative) {
+    Box range;
+    for (const scene::Bounds& box : boxes)
+        for (int i = 0; i < 8; ++i)
+            range.include(transformPoint(lightViewFromLightRelative, box.corner(i) - originWorld));
+    return range;
+}
+
+Box around(const Box& a, const Box& b) { return {glm::min(a.lower, b.lower), glm::max(a.upper, b.upper)}; }
+
+Box sharedRegion(const Box& casters, std::span<const scene::Bounds> receivers, const dvec3& originWorld,
+                 const dmat4& lightViewFromLightRelative) {
+    const dvec4 sides[4] = {dvec4(1, 0, 0, -casters.lower.x), dvec4(-1, 0, 0, casters.upper.x),
+                            dvec4(0, 1, 0, -casters.lower.y), dvec4(0, -1, 0, casters.upper.y)};
+    Box seen;
+    for (const scene::Bounds& box : receivers)
+        for (const auto& face : kFaces) {
+            std::vector<dvec4> polygon;
+            for (const int corner : face)
+                polygon.emplace_back(transformPoint(lightViewFromLightRelative, box.corner(corner) - originWorld), 1.0);
+            for (const dvec4& side : sides)
+                polygon = scene::clippedPolygon(polygon, side);
+            for (const dvec4& corner : polygon)
+                seen.include(dvec3(corner));
+        }
+    // All casters beyond all receivers shadow nothing.
+    if (seen.isEmpty() || casters.upper.z < seen.lower.z) return {};
+    const dvec3 extent = seen.upper - seen.lower;
+    const double sideways = stepOf(std::max(extent.x, extent.y));
+    const dvec3 step(sideways, sideways, stepOf(extent.z));
+    Box region{glm::floor(seen.lower / step) * step, glm::ceil(seen.upper / step) * step};
+    for (int axis = 0; axis < 2; ++axis) {
+        region.lower[axis] = std::max(region.lower[axis], casters.lower[axis]);
+        region.upper[axis] = std::min(region.upper[axis], casters.upper[axis]);
+    }
+    return region;
+}
+
+} // namespace shadowlab::shadow_map
