@@ -39,7 +39,8 @@ struct PngLimits {
 };
 
 struct DecodedPng {
-    Image image; ///< whatever the file holds, widened or narrowed to 8-bit RGBA
+    Image image;           ///< whatever the file holds, widened or narrowed to 8-bit RGBA
+    bool hasAlpha = false; ///< the file says something of alpha; else it is 255 everywhere
     std::vector<PngText> text;
 };
 

@@ -48,7 +48,7 @@ struct Reader {
 };
 
 /// Everything up to the pixels, and the request to get them as 8-bit RGBA.
-bool readHeader(const Reader& reader, Source& source) {
+bool readHeader(const Reader& reader, Source& source, bool& hasAlpha) {
     const png_structp png = reader.png;
     const png_infop info = reader.info;
     if (setjmp(png_jmpbuf(png))) return false;
@@ -57,6 +57,7 @@ bool readHeader(const Reader& reader, Source& source) {
     png_set_chunk_malloc_max(png, 8u << 20);          // a text chunk that unpacks to more is an attack, not a caption
     png_set_chunk_cache_max(png, 128);
     png_read_info(png, info);
+    hasAlpha = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png, info, PNG_INFO_tRNS);
     png_set_expand(png); // palette to RGB, few-bit grey to 8, tRNS to alpha
     png_set_strip_16(png);
     png_set_gray_to_rgb(png);
@@ -105,14 +106,14 @@ DecodedPng decodePng(std::span<const std::uint8_t> bytes, std::string_view name,
         badPng(name, "it does not start like one");
     const Reader reader;
     Source source{bytes.data(), bytes.size()};
-    if (!readHeader(reader, source)) badPng(name, reader.failure.message);
+    DecodedPng decoded;
+    if (!readHeader(reader, source, decoded.hasAlpha)) badPng(name, reader.failure.message);
     const png_uint_32 width = png_get_image_width(reader.png, reader.info);
     const png_uint_32 height = png_get_image_height(reader.png, reader.info);
     if (width > limits.side || height > limits.side)
         throw Error(ExitStatus::overLimit, std::string(name) + ": " + std::to_string(width) + " x " +
                                                std::to_string(height) + " pixels are more than the limit of " +
                                                std::to_string(limits.side) + " a side; scale it down");
-    DecodedPng decoded;
     decoded.image = Image(static_cast<int>(width), static_cast<int>(height));
     std::vector<png_bytep> rows(height);
     for (png_uint_32 y = 0; y < height; ++y)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/scene/file_access.h"
+#include "techniques/foundation/scene/holes.h"
 #include "techniques/foundation/scene/message_text.h"
 #include "techniques/foundation/scene/obj_mesh.h"
 
@@ -18,6 +19,11 @@ void addNotes(const ObjScan& scan, const std::filesystem::path& file, ObjFile& o
         obj.notes.push_back(name + ":" + std::to_string(scan.unusableNormalLine) + ": " +
                             counted(scan.unusableNormals, "normal") +
                             " (vn) without a direction; flat normals are used there");
+    for (const MeshPart& part : obj.mesh.parts)
+        for (const Material& material : obj.materials)
+            if (const std::string note = noteOnWholePart(material, part);
+                material.name == part.materialName && !note.empty())
+                obj.notes.push_back(name + ": " + note);
     // Below this size float squares underflow in shaders, and below 1e-38 floats lose their digits.
     constexpr float kTiny = 1e-15f;
     vec3 lower(1e30f), upper(-1e30f);

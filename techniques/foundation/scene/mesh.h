@@ -14,6 +14,7 @@ struct MeshPart {
     std::string materialName; ///< as the file names it; empty: none given
     std::uint32_t firstTriangle = 0;
     std::uint32_t triangleCount = 0;
+    bool hasTexcoords = false; ///< at every corner; else no image can be laid on it
 };
 
 /// Immutable once built and shared between the objects that show it.
@@ -25,6 +26,7 @@ struct Mesh {
     dvec3 originObject{0.0};            ///< positionObject = originObject + positionMesh
     std::vector<vec3> positionsMesh;    ///< one per vertex; equal positions have equal bits
     std::vector<vec3> normalsMesh;      ///< shading normals, unit, one per vertex
+    std::vector<vec2> texcoords;        ///< (u, v) of an image laid on the mesh, one per vertex; empty: no part has any
     std::vector<uvec3> triangles;       ///< vertex indices, counter-clockwise seen from the front
     std::vector<MeshPart> parts;        ///< in order, covering all triangles
     std::uint32_t droppedTriangles = 0; ///< degenerate triangles of the source that were left out

@@ -22,18 +22,22 @@ vec3 unitOr(const dvec3& v, const vec3& fallback) {
     return length > 0.0 ? vec3(v / length) + vec3(0.0f) : fallback;
 }
 
-/// One vertex per corner, with the normal that `normalOf(triangle, corner)` gives; equal ones are merged.
+/// One vertex per corner, with the normal that `normalOf(triangle, corner)` gives; equal ones are merged. Texture
+/// coordinates stay as they are.
 template <typename NormalOf>
 Mesh rebuilt(const Mesh& mesh, const NormalOf& normalOf) {
     Mesh result = mesh;
     VertexWelder welder(3 * mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (int corner = 0; corner < 3; ++corner) {
-            const vec3 position = mesh.positionsMesh[mesh.triangles[t][corner]] + vec3(0.0f);
-            result.triangles[t][corner] = welder.index(position, normalOf(t, corner));
+            const std::uint32_t vertex = mesh.triangles[t][corner];
+            const vec2 texcoord = mesh.texcoords.empty() ? vec2(0.0f) : mesh.texcoords[vertex];
+            result.triangles[t][corner] =
+                welder.index(mesh.positionsMesh[vertex] + vec3(0.0f), normalOf(t, corner), texcoord);
         }
     result.positionsMesh = welder.takePositions();
     result.normalsMesh = welder.takeNormals();
+    if (!mesh.texcoords.empty()) result.texcoords = welder.takeTexcoords();
     return result;
 }
 

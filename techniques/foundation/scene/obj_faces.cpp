@@ -12,6 +12,7 @@
 #include <tiny_obj_loader.h>
 
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/scene/alpha_mask.h"
 #include "techniques/foundation/scene/file_access.h"
 #include "techniques/foundation/scene/message_text.h"
 #include "techniques/foundation/scene/mtl_clean.h"
@@ -107,10 +108,12 @@ struct Collector {
             // Raw indices count from 1; 0 stands for none. The scan has checked them, but nothing is indexed on trust.
             const std::int64_t position = indices[i].vertex_index - std::int64_t{1};
             const std::int64_t normal = indices[i].normal_index - std::int64_t{1};
+            const std::int64_t texcoord = indices[i].texcoord_index - std::int64_t{1};
             if (position < 0 || position >= std::ssize(self.scan.positions) || normal < -1 ||
-                normal >= std::ssize(self.scan.normals))
+                normal >= std::ssize(self.scan.normals) || texcoord < -1 || texcoord >= std::ssize(self.scan.texcoords))
                 throw Error(ExitStatus::bug, "an OBJ index changed between check and use; please report this file");
-            self.faces.corners.push_back({static_cast<std::uint32_t>(position), static_cast<std::int32_t>(normal)});
+            self.faces.corners.push_back({static_cast<std::uint32_t>(position), static_cast<std::int32_t>(normal),
+                                          static_cast<std::int32_t>(texcoord)});
         }
         self.faces.firstCorner.push_back(static_cast<std::uint32_t>(self.faces.corners.size()));
         self.faces.materialOf.push_back(self.currentMaterial);
@@ -138,17 +141,20 @@ Material converted(const tinyobj::material_t& mtl) {
     return material;
 }
 
-/// map_d: kept when it may be read; otherwise the material goes without, as it does not decide what the mesh is.
-void readAlphaMap(const tinyobj::material_t& mtl, Material& material, const AllowedFolders& folders,
+/// map_d: kept when it can be read; otherwise the material goes without, as it does not decide what the mesh is.
+void readAlphaMap(const tinyobj::material_t& mtl, Material& material, const AllowedFolders& folders, AlphaMasks& masks,
                   std::vector<std::string>& notes) {
     if (mtl.alpha_texname.empty()) return;
-    const std::string who = "material '" + shown(mtl.name) + "': ";
+    const auto ignore = [&](const std::string& why) {
+        notes.push_back("material '" + shown(mtl.name) + "': map_d \"" + shown(mtl.alpha_texname) + "\" " + why);
+    };
     const auto path = folders.resolve(mtl.alpha_texname);
-    if (path && whyUnreadable(*path).empty()) {
+    if (!path || !whyUnreadable(*path).empty()) return ignore("cannot be read and is ignored");
+    try {
+        material.alphaMask = masks.load(*path);
         material.alphaMap = path->string();
-        notes.push_back(who + "alphaMap is read but holes are not cut yet");
-    } else {
-        notes.push_back(who + "map_d \"" + shown(mtl.alpha_texname) + "\" cannot be read and is ignored");
+    } catch (const Error& error) {
+        ignore("is ignored: " + std::string(error.what()));
     }
 }
 
@@ -185,12 +191,13 @@ ObjFaces readFaces(ObjScan& scan, const std::filesystem::path& file, const LoadO
                                               "; export the mesh again");
 
     const AllowedFolders folders(file, options);
+    AlphaMasks masks;
     for (const tinyobj::material_t& mtl : collector.materials) {
         const bool isKnown =
             std::ranges::find(collector.faces.materials, mtl.name, &Material::name) != collector.faces.materials.end();
         if (mtl.name.empty() || isKnown) continue; // LoadMtl adds a nameless one for an empty file
         collector.faces.materials.push_back(converted(mtl));
-        readAlphaMap(mtl, collector.faces.materials.back(), folders, collector.faces.notes);
+        readAlphaMap(mtl, collector.faces.materials.back(), folders, masks, collector.faces.notes);
     }
     noteUnknownMaterials(scan, file, collector.faces);
     return std::move(collector.faces);

@@ -13,7 +13,8 @@ namespace shadowlab::scene {
 
 struct ObjCorner {
     std::uint32_t position = 0;
-    std::int32_t normal = -1; ///< -1: none
+    std::int32_t normal = -1;   ///< -1: none
+    std::int32_t texcoord = -1; ///< -1: none
 };
 
 struct ObjFaces {

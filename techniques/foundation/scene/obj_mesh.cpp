@@ -15,6 +15,7 @@ namespace {
 struct CornerTriangle {
     std::array<std::uint32_t, 3> corners; ///< indices into ObjFaces::corners
     std::uint32_t material;
+    bool hasTexcoords; ///< at all three corners
 };
 
 /// Box of the positions that faces use: a stray vertex far away must not decide the origin.
@@ -34,6 +35,10 @@ std::vector<vec3> roundedPositions(const std::vector<dvec3>& positions, const dv
     for (const dvec3& position : positions)
         result.push_back(vec3(position - origin) + vec3(0.0f));
     return result;
+}
+
+bool hasTexcoord(const ObjScan& scan, const ObjCorner& corner) {
+    return corner.texcoord >= 0 && std::isfinite(scan.texcoords[corner.texcoord].x + scan.texcoords[corner.texcoord].y);
 }
 
 /// Perpendicular to the triangle, with twice its area as length; the difference of floats and its products are exact
@@ -62,29 +67,34 @@ std::vector<CornerTriangle> split(const ObjScan& scan, const ObjFaces& faces, co
             if (areaVector(at(0), at(1), at(2)) == dvec3(0.0))
                 ++dropped;
             else
-                result.push_back({corners, faces.materialOf[face]});
+                result.push_back(
+                    {corners, faces.materialOf[face], std::ranges::all_of(corners, [&](std::uint32_t corner) {
+                         return hasTexcoord(scan, faces.corners[corner]);
+                     })});
         }
     }
     return result;
 }
 
-/// Triangles of one material together, materials in the order in which they first have a triangle.
+/// Triangles of one material together, materials in the order in which they first have a triangle. Those without texture
+/// coordinates are a part of their own: no image can be laid on them.
 std::vector<MeshPart> groupByMaterial(std::vector<CornerTriangle>& triangles, const ObjFaces& faces) {
     constexpr std::uint32_t kUnseen = 0xffffffffu;
-    std::vector<std::uint32_t> rank(faces.materialNames.size(), kUnseen);
+    std::vector<std::uint32_t> rank(2 * faces.materialNames.size(), kUnseen);
+    const auto kindOf = [](const CornerTriangle& t) { return 2 * t.material + (t.hasTexcoords ? 1 : 0); };
     std::vector<MeshPart> parts;
     for (const CornerTriangle& triangle : triangles) {
-        std::uint32_t& part = rank[triangle.material];
+        std::uint32_t& part = rank[kindOf(triangle)];
         if (part == kUnseen) {
             part = static_cast<std::uint32_t>(parts.size());
-            parts.push_back({faces.materialNames[triangle.material], 0, 0});
+            parts.push_back({faces.materialNames[triangle.material], 0, 0, triangle.hasTexcoords});
         }
         ++parts[part].triangleCount;
     }
     for (std::size_t i = 1; i < parts.size(); ++i)
         parts[i].firstTriangle = parts[i - 1].firstTriangle + parts[i - 1].triangleCount;
     if (parts.size() > 1)
-        std::ranges::stable_sort(triangles, {}, [&](const CornerTriangle& t) { return rank[t.material]; });
+        std::ranges::stable_sort(triangles, {}, [&](const CornerTriangle& t) { return rank[kindOf(t)]; });
     return parts;
 }
 
@@ -110,7 +120,7 @@ Mesh buildMesh(const ObjScan& scan, const ObjFaces& faces) {
     std::vector<CornerTriangle> triangles = split(scan, faces, rounded, mesh.droppedTriangles);
     mesh.parts = groupByMaterial(triangles, faces);
 
-    // Corners become vertices; corners with equal position and normal share one.
+    // Corners become vertices; equal corners share one.
     VertexWelder welder(3 * triangles.size());
     mesh.triangles.reserve(triangles.size());
     for (const CornerTriangle& triangle : triangles) {
@@ -120,12 +130,14 @@ Mesh buildMesh(const ObjScan& scan, const ObjFaces& faces) {
         uvec3 vertices;
         for (int i = 0; i < 3; ++i) {
             const vec3 given = corner(i).normal < 0 ? vec3(0.0f) : scan.normals[corner(i).normal];
-            vertices[i] = welder.index(position(i), given == vec3(0.0f) ? flat : given + vec3(0.0f));
+            const vec2 texcoord = triangle.hasTexcoords ? scan.texcoords[corner(i).texcoord] + vec2(0.0f) : vec2(0.0f);
+            vertices[i] = welder.index(position(i), given == vec3(0.0f) ? flat : given + vec3(0.0f), texcoord);
         }
         mesh.triangles.push_back(vertices);
     }
     mesh.positionsMesh = welder.takePositions();
     mesh.normalsMesh = welder.takeNormals();
+    if (std::ranges::any_of(mesh.parts, &MeshPart::hasTexcoords)) mesh.texcoords = welder.takeTexcoords();
     return mesh;
 }
 

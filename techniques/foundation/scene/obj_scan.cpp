@@ -31,6 +31,7 @@ private:
     std::size_t readNumbers(std::array<double, 8>& numbers);
     void position();
     void normal();
+    void texcoord();
     void face();
     std::string_view name(std::string_view what);
     void checkEnd();
@@ -96,6 +97,14 @@ void Scanner::normal() {
     ++normals_.count;
 }
 
+void Scanner::texcoord() {
+    std::array<double, 8> numbers{};
+    const std::size_t count = readNumbers(numbers);
+    if (count < 1 || count > 3) lines_.fail("the texture coordinate has " + counted(count, "number") + "; write u v");
+    scan_.texcoords.emplace_back(numbers[0], numbers[1]); // v is 0 where it is left out; a third number is for solids
+    ++texcoords_.count;
+}
+
 void Scanner::face() {
     std::uint64_t corners = 0;
     std::string& out = scan_.statements;
@@ -113,10 +122,10 @@ void Scanner::face() {
         if (slash == std::string_view::npos) continue;
         const std::string_view texcoord =
             token->substr(slash + 1, slash2 == std::string_view::npos ? slash2 : slash2 - slash - 1);
-        if (!texcoord.empty()) (void)texcoords_.resolve(texcoord, lines_);
+        if (!texcoord.empty()) out.append(1, '/').append(std::to_string(texcoords_.resolve(texcoord, lines_)));
         if (slash2 == std::string_view::npos || slash2 + 1 == token->size()) continue;
         const std::uint64_t n = normals_.resolve(token->substr(slash2 + 1), lines_);
-        out.append("//").append(std::to_string(n));
+        out.append(texcoord.empty() ? "//" : "/").append(std::to_string(n));
         if (n > normalUsed_.size() && n <= textBytes_) normalUsed_.resize(n); // more normals than bytes: refused later
         if (n <= normalUsed_.size()) normalUsed_[n - 1] = true;
     }
@@ -170,7 +179,7 @@ ObjScan Scanner::run() {
         else if (keyword == "vn")
             normal();
         else if (keyword == "vt")
-            ++texcoords_.count;
+            texcoord();
         else if (keyword == "usemtl") {
             const std::string material(name("usemtl"));
             scan_.statements += "usemtl " + material + "\n";

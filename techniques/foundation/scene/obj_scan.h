@@ -22,9 +22,10 @@ struct ObjReference {
 struct ObjScan {
     std::vector<dvec3> positions; ///< of the v lines, correctly rounded (tinyobjloader's numbers may be an ulp off)
     std::vector<vec3> normals;    ///< of the vn lines, unit; zero where the file's has no direction
+    std::vector<vec2> texcoords;  ///< of the vt lines; not finite where the file's is not
     std::vector<ObjReference> libraries;     ///< what mtllib names, each once
     std::vector<ObjReference> usedMaterials; ///< what usemtl names, each once, in order
-    /// The checked statements in the form tinyobjloader reads safely: `f` with absolute indices `v` or `v//vn`,
+    /// The checked statements in the form tinyobjloader reads safely: `f` with absolute indices `v`, `v/vt`, `v//vn` or `v/vt/vn`,
     /// `usemtl NAME`, and `mtllib N` where N is an index into `libraries` (so that no blank or backslash splits a
     /// name).
     std::string statements;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "techniques/foundation/math/types.h"
+#include "techniques/foundation/scene/alpha_mask.h"
 #include "techniques/foundation/scene/camera.h"
 #include "techniques/foundation/scene/light.h"
 #include "techniques/foundation/scene/mesh.h"
@@ -27,8 +28,9 @@ struct Material {
     int priority = 0;
     double glossDegrees = 0.0;
     double translucencyDegrees = 0.0;
-    std::string alphaMap; ///< resolved path of the image that cuts holes; empty: none
-    bool ofMesh = false;  ///< it comes with a mesh file, and not from the scene's own list
+    std::string alphaMap;                       ///< resolved path of the image that cuts holes; empty: none
+    std::shared_ptr<const AlphaMask> alphaMask; ///< what it says; with alphaMap, and never without
+    bool ofMesh = false;                        ///< it comes with a mesh file, and not from the scene's own list
 };
 
 /// Where an object comes from, so that it can be written down again (write_scene.h).

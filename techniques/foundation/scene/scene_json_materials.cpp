@@ -1,6 +1,7 @@
 // Reads the materials. Colours and shares of light stay within 0..1, so that no surface makes light of its own unless
 // it says so by `emission`.
 // SPDX-License-Identifier: MIT
+#include "techniques/foundation/error.h"
 #include "techniques/foundation/scene/message_text.h"
 #include "techniques/foundation/scene/scene_json.h"
 
@@ -8,7 +9,17 @@ namespace shadowlab::scene {
 
 namespace {
 
-Material readMaterial(const SceneReading& reading, const JsonMember& member) {
+void readAlphaMap(const SceneReading& reading, const JsonObject& keys, AlphaMasks& masks, Material& material) {
+    const std::filesystem::path file = readReference(reading, keys, "alphaMap").canonical;
+    try {
+        material.alphaMask = masks.load(file);
+    } catch (const Error& error) {
+        keys.fail("alphaMap", "is " + inQuotes(keys.text("alphaMap")) + ", " + error.what(), error.status());
+    }
+    material.alphaMap = file.string();
+}
+
+Material readMaterial(const SceneReading& reading, const JsonMember& member, AlphaMasks& masks) {
     const JsonObject keys(reading.document, member.value, "material '" + shown(member.key) + "'",
                           {"diffuse", "specular", "shininess", "reflectivity", "transparency", "ior", "priority",
                            "glossDegrees", "translucencyDegrees", "emission", "alphaMap"});
@@ -28,11 +39,7 @@ Material readMaterial(const SceneReading& reading, const JsonMember& member) {
     material.glossDegrees = keys.number("glossDegrees", angle, material.glossDegrees);
     material.translucencyDegrees = keys.number("translucencyDegrees", angle, material.translucencyDegrees);
     material.emission = keys.color("emission", reading.atLeastZero(), material.emission);
-    if (keys.find("alphaMap")) {
-        material.alphaMap = readReference(reading, keys, "alphaMap").canonical.string();
-        reading.scene.notes.push_back("material '" + shown(material.name) +
-                                      "': alphaMap is read but holes are not cut yet");
-    }
+    if (keys.find("alphaMap")) readAlphaMap(reading, keys, masks, material);
     return material;
 }
 
@@ -46,8 +53,9 @@ void readMaterials(const SceneReading& reading, const JsonObject& top) {
     if (value->kind != JsonValue::Kind::object)
         top.fail("materials",
                  "is " + std::string(describe(value->kind)) + "; it must be an object {\"name\": { ... }, ...}");
+    AlphaMasks masks;
     for (const JsonMember& member : value->members) {
-        Material material = readMaterial(reading, member);
+        Material material = readMaterial(reading, member, masks);
         if (member.key == "white")
             materials.front() = std::move(material);
         else

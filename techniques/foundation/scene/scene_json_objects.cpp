@@ -5,6 +5,7 @@
 #include <set>
 
 #include "techniques/foundation/nearest_names.h"
+#include "techniques/foundation/scene/holes.h"
 #include "techniques/foundation/scene/message_text.h"
 #include "techniques/foundation/scene/outward_parts.h"
 #include "techniques/foundation/scene/scene_json.h"
@@ -159,7 +160,12 @@ ObjectReader::LoadedMesh ObjectReader::meshOf(const JsonObject& keys) {
         mode = static_cast<NormalMode>(found - modes.begin());
     }
     LoadedMesh loaded = keys.find("mesh") ? loadedFile(keys, mode) : shape(keys, mode);
-    if (keys.find("material")) std::ranges::fill(loaded.partMaterials, materialIndex(keys));
+    if (!keys.find("material")) return loaded;
+    std::ranges::fill(loaded.partMaterials, materialIndex(keys));
+    const Material& material = reading_.scene.materials[materialIndex(keys)];
+    for (const MeshPart& part : loaded.mesh->parts)
+        if (const std::string note = noteOnWholePart(material, part); !note.empty())
+            reading_.scene.notes.push_back(keys.what() + ": " + note);
     return loaded;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <sys/stat.h>
 
+#include "techniques/foundation/image/png.h"
 #include "tests/foundation/scene/scene_files.h"
 
 namespace shadowlab::scene {
@@ -175,15 +176,22 @@ TEST(Mtl, OneLineMayNameSeveralLibraries) {
 
 TEST(Mtl, AlphaMapsAreKeptWhenTheyMayBeRead) {
     const TempFolder folder;
-    folder.write("leaf.png", "x");
-    folder.write("m.mtl", "newmtl a\nmap_d -clamp on leaf.png\nnewmtl b\nmap_d ../../etc/passwd\n");
+    const std::vector<std::uint8_t> png = image::encodePng(image::Image(1, 1), {.opaque = false, .text = {}});
+    folder.write("leaf.png", {png.begin(), png.end()});
+    folder.write("m.mtl",
+                 "newmtl a\nmap_d -clamp on leaf.png\nnewmtl b\nmap_d ../../etc/passwd\nnewmtl c\nmap_d none.png\n");
     const ObjFile obj =
         loadObj(folder.write("m.obj", "mtllib m.mtl\n" + kTriangles + "usemtl a\nf 1 2 3\n"), NormalMode::file, {});
     EXPECT_EQ(obj.materials[0].alphaMap, (folder.path() / "leaf.png").string());
+    ASSERT_NE(obj.materials[0].alphaMask, nullptr);
+    EXPECT_TRUE(obj.materials[0].alphaMask->isHole({0.5, 0.5}));
     EXPECT_EQ(obj.materials[1].alphaMap, "");
-    ASSERT_EQ(obj.notes.size(), 2u);
-    EXPECT_EQ(obj.notes[0], "material 'a': alphaMap is read but holes are not cut yet");
-    EXPECT_TRUE(contains(obj.notes[1], "is ignored")) << obj.notes[1];
+    EXPECT_EQ(obj.materials[1].alphaMask, nullptr);
+    EXPECT_EQ(obj.materials[2].alphaMask, nullptr);
+    ASSERT_EQ(obj.notes.size(), 3u);
+    EXPECT_TRUE(contains(obj.notes[0], "\"../../etc/passwd\" cannot be read and is ignored")) << obj.notes[0];
+    EXPECT_TRUE(contains(obj.notes[1], "\"none.png\" cannot be read and is ignored")) << obj.notes[1];
+    EXPECT_TRUE(contains(obj.notes[2], "no holes are cut in 1 triangle without texture coordinates")) << obj.notes[2];
 }
 
 } // namespace

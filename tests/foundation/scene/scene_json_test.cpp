@@ -214,16 +214,6 @@ TEST(SceneJson, MeshMaterialsJoinTheSceneUnderUniqueNames) {
     ASSERT_EQ(scene->notes.size(), 1u) << "the note about 'lost' appears once";
 }
 
-TEST(SceneJson, AlphaMapsAreResolvedAndNoted) {
-    const TempFolder folder;
-    folder.write("leaf.png", "x");
-    const auto file = folder.write("scene.json", "");
-    const auto scene =
-        parseSceneJson("{" + kCamera + R"(, "materials": {"leaf": {"alphaMap": "leaf.png"}}})", file, {});
-    EXPECT_EQ(scene->materials[1].alphaMap, (folder.path() / "leaf.png").string());
-    EXPECT_EQ(scene->notes, std::vector<std::string>{"material 'leaf': alphaMap is read but holes are not cut yet"});
-}
-
 TEST(SceneJson, TheLocaleChangesNothing) {
     struct CommaNumbers : std::numpunct<char> {
         char do_decimal_point() const override { return ','; }

@@ -1,5 +1,6 @@
 // A scene written down and read again is the same scene, number by number.
 // SPDX-License-Identifier: MIT
+#include "techniques/foundation/image/png.h"
 #include "techniques/foundation/scene/edit_scene.h"
 #include "techniques/foundation/scene/write_scene.h"
 #include "tests/foundation/scene/scene_files.h"
@@ -7,6 +8,7 @@
 namespace shadowlab::scene {
 namespace {
 
+using Texels = std::vector<std::uint8_t>;
 const std::filesystem::path kAssets = std::filesystem::path(SHADOWLAB_SOURCE_DIR) / "assets";
 
 /// Counts what it has compared, so that an empty comparison is seen.
@@ -35,6 +37,7 @@ int expectSame(const Scene& a, const Scene& b) {
         EXPECT_EQ(x.mesh->originObject, y.mesh->originObject) << x.name;
         EXPECT_EQ(x.mesh->positionsMesh, y.mesh->positionsMesh) << x.name;
         EXPECT_EQ(x.mesh->normalsMesh, y.mesh->normalsMesh) << x.name;
+        EXPECT_EQ(x.mesh->texcoords, y.mesh->texcoords) << x.name;
         EXPECT_EQ(x.mesh->triangles, y.mesh->triangles) << x.name;
         EXPECT_EQ(x.partMaterials.size(), y.partMaterials.size());
         for (std::size_t p = 0; p < std::min(x.partMaterials.size(), y.partMaterials.size()); ++p) {
@@ -47,6 +50,7 @@ int expectSame(const Scene& a, const Scene& b) {
             EXPECT_EQ(m.priority, n.priority);
             EXPECT_EQ(m.transparency, n.transparency);
             EXPECT_EQ(m.alphaMap, n.alphaMap);
+            EXPECT_EQ(m.alphaMask ? m.alphaMask->texels() : Texels{}, n.alphaMask ? n.alphaMask->texels() : Texels{});
         }
     }
     return compared;
@@ -74,7 +78,8 @@ TEST(WriteScene, EveryBuiltInSceneComesBackFromAnotherFolder) {
 
 TEST(WriteScene, EveryKeyOfTheFormatComesBack) {
     const TempFolder folder;
-    folder.write("leaf.png", "");
+    const std::vector<std::uint8_t> png = image::encodePng(image::Image(2, 1), {.opaque = false, .text = {}});
+    folder.write("leaf.png", {png.begin(), png.end()});
     folder.write("part/tri.obj",
                  "mtllib tri.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl green\nf 1 2 3\nf 1 3 4\n");
     folder.write("part/tri.mtl", "newmtl green\nKd 0.1 0.7 0.2\n");
