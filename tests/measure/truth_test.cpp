@@ -9,6 +9,7 @@
 #include "techniques/foundation/scene/shapes.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "tests/support/hard_scenes.h"
+#include "tests/support/perforated.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::measure {
@@ -82,6 +83,29 @@ TEST(Truth, TiesAreThePixelsWithinTheRadiusOfAnEdge) {
     const ivec2 size{80, 60};
     for (const double offset : {0.0, 0.005, 0.0150, 0.0162, 0.1, -0.0150, -0.0162}) {
         const auto snapshot = lidScene(50.5 + offset, size); // so far from the centres of column 50
+        const Truth truth = exactTruth(tracerOf(snapshot), snapshot->camera, size, 0, {kTiePx, {}});
+        for (int x = 0; x < size.x; ++x) {
+            int ties = 0;
+            for (int y = 0; y < size.y; ++y)
+                ties += truth.ties[truth.index(x, y)];
+            EXPECT_EQ(ties, x == 50 && std::abs(offset) < kTiePx ? size.y : 0) << "column " << x << ", " << offset;
+        }
+        EXPECT_EQ(truth.visibility[truth.index(49, 30)], Visibility::shadowed);
+        EXPECT_EQ(truth.visibility[truth.index(51, 30)], Visibility::lit);
+    }
+}
+
+// The same lid, twice as wide, of which an image cuts away the right half: its shadow ends at a border between two texels.
+TEST(Truth, BordersOfHolesMakeTiesAsEdgesDo) {
+    const ivec2 size{80, 60};
+    for (const double offset : {0.0, 0.0150, 0.0162, -0.0150, -0.0162}) {
+        const scene::Snapshot whole = lidScene(50.5, size);
+        scene::Scene scene = *whole;
+        scene.objects.pop_back();
+        const double edgeX = (50.5 + offset - size.x / 2.0) / 100.0;
+        testing::addObject(scene, scene::makeQuad({6, 6}), testing::translation({edgeX, 12, 0}));
+        testing::perforate(scene, 1, {"#."});
+        const auto snapshot = testing::snapshot(scene);
         const Truth truth = exactTruth(tracerOf(snapshot), snapshot->camera, size, 0, {kTiePx, {}});
         for (int x = 0; x < size.x; ++x) {
             int ties = 0;

@@ -99,6 +99,10 @@ inline void see(const BlockLeaf& leaf, const BlockRays& rays, float least, FourS
     storeFloats(seen.valueBounds, valueBound);
 }
 
+inline bool hasHoles(const BlockTreeView& tree, std::uint32_t primitive) {
+    return tree.perforated && tree.perforated[primitive];
+}
+
 /// A linear function of the places of eight rays.
 inline Float8 at(Float8 c0, Float8 cx, Float8 cy, Float8 x, Float8 y) { return (c0 + cx * x) + cy * y; }
 
@@ -263,7 +267,7 @@ inline void nearestHits(const BlockTreeView& tree, const BlockRays& rays, BlockA
         for (unsigned left = seen.left; left != 0; left &= left - 1) {
             const int t = __builtin_ctz(left);
             const OneSeen one(seen, t);
-            const bool doubtful = seen.doubtful >> t & 1;
+            const bool doubtful = seen.doubtful >> t & 1, perforated = hasHoles(tree, leaf.primitives[t]);
             unsigned inRows = doubtful ? 0xffu : one.possibleRows(rows);
             for (; inRows != 0; inRows &= inRows - 1) {
                 const int row = __builtin_ctz(inRows);
@@ -281,7 +285,7 @@ inline void nearestHits(const BlockTreeView& tree, const BlockRays& rays, BlockA
                 if (!possible) continue;
                 const Mask8 sure =
                     one.inside(x, y) & (lowest > high) & (highest < all(rays.ceiling[0])); // never of rays not asked
-                const unsigned certain = bits(sure);
+                const unsigned certain = perforated ? 0 : bits(sure);
                 if (possible & ~certain) doubt(answers, row, possible & ~certain, leaf.primitives[t]);
                 if (!certain) continue;
                 store(answers.least + 8 * row, choose(sure, lowest, low));
@@ -323,7 +327,7 @@ inline void blockedRays(const BlockTreeView& tree, const BlockRays& rays, const 
             const std::uint32_t primitive = leaf.primitives[t];
             if (!mayBlock[primitive]) continue;
             const OneSeen one(seen, t);
-            const bool doubtful = seen.doubtful >> t & 1;
+            const bool doubtful = seen.doubtful >> t & 1, perforated = hasHoles(tree, primitive);
             unsigned inRows = doubtful ? 0xffu : one.possibleRows(rows);
             for (; inRows != 0; inRows &= inRows - 1) {
                 const int row = __builtin_ctz(inRows);
@@ -337,7 +341,8 @@ inline void blockedRays(const BlockTreeView& tree, const BlockRays& rays, const 
                 if (!doubtful) {
                     const Float8 value = one.value(x, y), floor = eightOf(rays.floor + 8 * row);
                     possible &= ~bits(value + one.error < floor - clearance);
-                    certain = possible & bits(one.inside(x, y) & (value - one.error > floor + clearance));
+                    if (!perforated)
+                        certain = possible & bits(one.inside(x, y) & (value - one.error > floor + clearance));
                 }
                 if (possible != certain) doubt(answers, row, possible & ~certain, primitive);
                 answers.blocked |= static_cast<std::uint64_t>(certain) << (8 * row);

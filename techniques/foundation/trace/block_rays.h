@@ -38,6 +38,8 @@ struct BlockTreeView {
     const BlockNode* nodes;
     const BlockLeaf* leaves;
     float largest; ///< of all coordinates of the boxes, without sign
+    /// One flag for each primitive: it has holes. What may hit it is handed back as a doubt, always. Null: none has any.
+    const std::uint8_t* perforated;
 };
 
 /// Up to 64 rays. Of a point seen from `origin`, K is its depth along the main axis, counted in the direction of the

@@ -14,7 +14,10 @@ public:
     explicit BlockTree(const Bvh& bvh);
     /// Without a node there is nothing to hit, and nothing to ask.
     [[nodiscard]] bool isEmpty() const { return nodes_.empty(); }
-    [[nodiscard]] BlockTreeView view() const { return {nodes_.data(), leaves_.data(), largest_}; }
+    /// `perforated`: as in BlockTreeView.
+    [[nodiscard]] BlockTreeView view(const std::uint8_t* perforated = nullptr) const {
+        return {nodes_.data(), leaves_.data(), largest_, perforated};
+    }
 
 private:
     std::vector<BlockNode> nodes_;

@@ -35,6 +35,11 @@ struct BvhNode {
     std::array<BvhChild, 4> children{};
 };
 
+/// Nothing that a ray could pass through.
+struct NoHoles {
+    bool operator()(std::uint32_t, const dvec3&) const { return false; }
+};
+
 struct Bvh {
     /// No branch is longer than this, whatever the triangles (a hundred thousand equal ones, say): a stack of fixed
     /// size is enough.
@@ -46,14 +51,15 @@ struct Bvh {
     int depth = 0;
 
     /// The nearest hit; of equally near ones that of the lowest primitive, so that no answer depends on how the tree
-    /// was built. `accept(primitive)`: may this one be hit?
-    template <typename Accept>
-    [[nodiscard]] RayHit closest(const Ray& ray, const Accept& accept) const;
+    /// was built. `accept(primitive)`: may this one be hit? `inHole(primitive, weights of the corners)`: does the ray go
+    /// on, although it hits the triangle?
+    template <typename Accept, typename InHole = NoHoles>
+    [[nodiscard]] RayHit closest(const Ray& ray, const Accept& accept, const InHole& inHole = {}) const;
     [[nodiscard]] RayHit closest(const Ray& ray) const;
 
     /// Some hit before ray.farthest, or kNoPrimitive: stops at the first it finds.
-    template <typename Accept>
-    [[nodiscard]] std::uint32_t any(const Ray& ray, const Accept& accept) const;
+    template <typename Accept, typename InHole = NoHoles>
+    [[nodiscard]] std::uint32_t any(const Ray& ray, const Accept& accept, const InHole& inHole = {}) const;
 };
 
 } // namespace shadowlab::trace

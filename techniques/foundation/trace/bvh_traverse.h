@@ -22,8 +22,8 @@ inline float reachInFloat(double reach) { return roundedUp(reach * (1 + 1e-6)); 
 
 } // namespace detail
 
-template <typename Accept>
-RayHit Bvh::closest(const Ray& ray, const Accept& accept) const {
+template <typename Accept, typename InHole>
+RayHit Bvh::closest(const Ray& ray, const Accept& accept, const InHole& inHole) const {
     RayHit best;
     if (nodes.empty() || !isUsable(ray)) return best;
     const ShearedRay sheared(ray);
@@ -45,6 +45,7 @@ RayHit Bvh::closest(const Ray& ray, const Accept& accept) const {
                 const auto hit = intersect(sheared, triangles[primitive], farthest);
                 if (!hit || !accept(primitive)) continue;
                 if (!(hit->reach < farthest || (best && primitive < best.primitive))) continue;
+                if (inHole(primitive, hit->barycentric)) continue;
                 farthest = hit->reach;
                 farthestBox = detail::reachInFloat(farthest);
                 best = {0, primitive, hit->barycentric};
@@ -74,8 +75,8 @@ inline RayHit Bvh::closest(const Ray& ray) const {
     return closest(ray, [](std::uint32_t) { return true; });
 }
 
-template <typename Accept>
-std::uint32_t Bvh::any(const Ray& ray, const Accept& accept) const {
+template <typename Accept, typename InHole>
+std::uint32_t Bvh::any(const Ray& ray, const Accept& accept, const InHole& inHole) const {
     if (nodes.empty() || !isUsable(ray)) return kNoPrimitive;
     const ShearedRay sheared(ray);
     const SlabRay slabs(ray, sheared);
@@ -93,7 +94,7 @@ std::uint32_t Bvh::any(const Ray& ray, const Accept& accept) const {
                 const std::uint32_t primitive = four.primitives[std::countr_zero(static_cast<unsigned>(left))];
                 if (!accept(primitive)) continue;
                 const auto hit = intersect(sheared, triangles[primitive], sheared.farthest);
-                if (hit && hit->reach < sheared.farthest) return primitive;
+                if (hit && hit->reach < sheared.farthest && !inHole(primitive, hit->barycentric)) return primitive;
             }
             continue;
         }

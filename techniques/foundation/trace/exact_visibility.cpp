@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "techniques/foundation/scene/facing.h"
+#include "techniques/foundation/scene/holes.h"
 #include "techniques/foundation/scene/shading.h"
 
 namespace shadowlab::trace {
@@ -67,6 +68,7 @@ ExactVisibility::ExactVisibility(scene::Snapshot snapshot) : snapshot_(std::move
     for (std::uint32_t o = 0; o < snapshot_->objects.size(); ++o) {
         const scene::Object& object = snapshot_->objects[o];
         const dmat4 worldFromMesh = scene::worldFromMesh(object);
+        hasHoles_.push_back(scene::hasHoles(*snapshot_, object));
         firstTriangle_.push_back(static_cast<std::uint32_t>(triangles_.size()));
         const auto corner = [&](std::uint32_t vertex) {
             return transformPoint(worldFromMesh, dvec3(object.mesh->positionsMesh[vertex]));
@@ -104,7 +106,8 @@ std::optional<EyeHit> ExactVisibility::eyeHit(const scene::Camera& camera, dvec2
     std::optional<EyeHit> best;
     forEachHit(camera.positionWorld, direction, kInfinity,
                [&](std::uint32_t object, std::uint32_t triangle, const RayTriangle& hit) {
-                   if (hit.distance > nearest && (!best || hit.distance < best->distance))
+                   if (hit.distance > nearest && (!best || hit.distance < best->distance) &&
+                       !passes(object, triangle, hit.barycentric))
                        best = EyeHit{object, triangle, hit.distance, {}, {}, hit.barycentric};
                    return false;
                });
@@ -132,8 +135,15 @@ Visibility ExactVisibility::visibility(const EyeHit& hit, const scene::Camera& c
 
     if (!object.receivesShadow) return Visibility::lit;
     bool blocked = false;
-    forEachBlocker(hit, light, [&] { return blocked = true; });
+    forEachBlocker(hit, light, [&](std::uint32_t blocker, std::uint32_t triangle, const dvec3& barycentric) {
+        return blocked = !passes(blocker, triangle, barycentric);
+    });
     return blocked ? Visibility::shadowed : Visibility::lit;
+}
+
+/// Does a ray go on where it meets this point of a triangle, because there is a hole?
+bool ExactVisibility::passes(std::uint32_t object, std::uint32_t triangle, const dvec3& barycentric) const {
+    return hasHoles_[object] && scene::isInHole(*snapshot_, snapshot_->objects[object], triangle, barycentric);
 }
 
 Visibility ExactVisibility::at(const scene::Camera& camera, dvec2 pixel, ivec2 size, int light) const {
@@ -143,7 +153,7 @@ Visibility ExactVisibility::at(const scene::Camera& camera, dvec2 pixel, ivec2 s
 
 int ExactVisibility::crossings(const EyeHit& hit, int light) const {
     int count = 0;
-    forEachBlocker(hit, light, [&] {
+    forEachBlocker(hit, light, [&](std::uint32_t, std::uint32_t, const dvec3&) {
         ++count;
         return false;
     });
@@ -166,7 +176,8 @@ void ExactVisibility::forEachBlocker(const EyeHit& hit, int light, const OnBlock
                    // A triangle whose plane holds the light is only ever touched, at the light itself, never crossed.
                    const bool edgeOn = facing[firstTriangle_[object] + triangle] == 0;
                    const bool between = crossing.distance > contact && crossing.distance < length;
-                   return !itself && !edgeOn && between && snapshot_->objects[object].castsShadow && onBlocker();
+                   return !itself && !edgeOn && between && snapshot_->objects[object].castsShadow &&
+                          onBlocker(object, triangle, crossing.barycentric);
                });
 }
 

@@ -2,7 +2,7 @@
 //
 // Slow and plain on purpose: it is what the techniques are tested against. Boxes around runs of triangles only save
 // time. Definitions: DESIGN of visibility in docs/conventions.md. Every triangle of a casting object blocks light from
-// both sides; the triangle on which the point lies does not shadow itself.
+// both sides; the triangle on which the point lies does not shadow itself. Through holes (scene/holes.h) rays go on.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -39,7 +39,8 @@ public:
     /// Both at once.
     [[nodiscard]] Visibility at(const scene::Camera& camera, dvec2 pixel, ivec2 size, int light) const;
 
-    /// Number of casting triangles strictly between a hit and the light's centre: what a stencil count should be.
+    /// Number of casting triangles strictly between a hit and the light's centre: what a stencil count should be. Holes
+    /// count as surface here, as they do in a shadow volume.
     [[nodiscard]] int crossings(const EyeHit& hit, int light) const;
 
 private:
@@ -53,12 +54,16 @@ private:
     template <typename OnHit>
     void forEachHit(const dvec3& originWorld, const dvec3& directionWorld, double length, const OnHit& onHit) const;
 
+    /// Calls onBlocker(object, triangle, weights of the corners) until it returns true.
     template <typename OnBlocker>
     void forEachBlocker(const EyeHit& hit, int light, const OnBlocker& onBlocker) const;
+
+    [[nodiscard]] bool passes(std::uint32_t object, std::uint32_t triangle, const dvec3& barycentric) const;
 
     scene::Snapshot snapshot_;
     std::vector<Triangle> triangles_;          ///< of all objects
     std::vector<std::uint32_t> firstTriangle_; ///< per object
+    std::vector<bool> hasHoles_;               ///< per object
     std::vector<Run> runs_;
     std::vector<std::vector<std::int8_t>> facing_; ///< per light, all triangles
 };

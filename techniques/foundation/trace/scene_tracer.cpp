@@ -34,6 +34,8 @@ bool SceneTracer::advance(const scene::Snapshot& snapshot, std::chrono::steady_c
         builder_.reset();
         geometry_ = share(std::exchange(unfinished_, nullptr));
     }
+    holes_ = Holes(*snapshot_, world());
+    holesForLight_ = castsWhole_ ? Holes() : holes_;
     lookAtLights();
     return true;
 }
@@ -60,7 +62,8 @@ void SceneTracer::lookAtLights() {
 }
 
 SurfacePoint SceneTracer::eyePoint(const EyeRays& rays, dvec2 pixel) const {
-    return surfacePoint(rays, bvh().closest(rays.through(pixel)));
+    return surfacePoint(rays, bvh().closest(
+                                  rays.through(pixel), [](std::uint32_t) { return true; }, holes_));
 }
 
 SurfacePoint SceneTracer::surfacePoint(const EyeRays& rays, const RayHit& hit) const {
@@ -103,15 +106,17 @@ Ray SceneTracer::shadowRay(const SurfacePoint& point, int light, ShadowStart sta
 std::uint32_t SceneTracer::blocker(const SurfacePoint& point, int light, ShadowStart start) const {
     const std::vector<std::uint8_t>& blocks = lights_[static_cast<std::size_t>(light)].blocks;
     const std::uint32_t itself = start == ShadowStart::naive ? kNoPrimitive : point.primitive;
-    return bvh().any(shadowRay(point, light, start),
-                     [&](std::uint32_t primitive) { return primitive != itself && blocks[primitive]; });
+    return bvh().any(
+        shadowRay(point, light, start),
+        [&](std::uint32_t primitive) { return primitive != itself && blocks[primitive]; }, holesForLight_);
 }
 
 std::optional<dvec3> SceneTracer::blockedAtWorld(const SurfacePoint& point, int light) const {
     const std::vector<std::uint8_t>& blocks = lights_[static_cast<std::size_t>(light)].blocks;
     const Ray ray = shadowRay(point, light, ShadowStart::exact);
-    const RayHit hit =
-        bvh().closest(ray, [&](std::uint32_t primitive) { return primitive != point.primitive && blocks[primitive]; });
+    const RayHit hit = bvh().closest(
+        ray, [&](std::uint32_t primitive) { return primitive != point.primitive && blocks[primitive]; },
+        holesForLight_);
     if (!hit) return std::nullopt;
     return world().originWorld + (ray.originCentred + hit.t * ray.directionCentred);
 }

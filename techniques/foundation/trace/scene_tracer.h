@@ -14,6 +14,7 @@
 #include "techniques/foundation/trace/bvh_build.h"
 #include "techniques/foundation/trace/exact_visibility.h"
 #include "techniques/foundation/trace/eye_rays.h"
+#include "techniques/foundation/trace/holes.h"
 #include "techniques/foundation/trace/traced_geometry.h"
 
 namespace shadowlab::trace {
@@ -46,6 +47,10 @@ public:
     bool advance(const scene::Snapshot& snapshot, std::chrono::steady_clock::time_point deadline);
     /// Share of the building that is done, 0..1.
     [[nodiscard]] double done() const { return builder_ ? builder_->done() : 1.0; }
+
+    /// From the next advance() on casters are whole: shadow rays pass through no hole, eye rays still do. For techniques
+    /// whose shadows know nothing of holes.
+    void castWhole() { castsWhole_ = true; }
 
     // From here on: after advance() has returned true.
     [[nodiscard]] const scene::Scene& scene() const { return *snapshot_; }
@@ -112,6 +117,8 @@ private:
     void shadowBlock(std::span<const SurfacePoint> points, int light, std::span<Visibility> answers) const;
 
     scene::Snapshot snapshot_;
+    bool castsWhole_ = false;
+    Holes holes_, holesForLight_;                    ///< that eye rays, and shadow rays, pass through
     std::shared_ptr<const TracedGeometry> geometry_; ///< none: not begun, or being built
     std::shared_ptr<TracedGeometry> unfinished_;     ///< while building
     std::optional<BvhBuilder> builder_;

@@ -114,7 +114,7 @@ void SceneTracer::eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, d
         std::uint64_t known = 0;
         for (std::size_t i = 0; i < kBlockRays; ++i) {
             const std::uint32_t primitive = there & bit(i) ? expected[indexOf(i)] : kNoPrimitive;
-            known |= primitive < bvh().triangles.size() ? bit(i) : 0;
+            known |= primitive < bvh().triangles.size() && !holes_.in(primitive) ? bit(i) : 0;
             ends.primitives[i] = known & bit(i) ? primitive : 0;
         }
         left &= ~land(known);
@@ -128,7 +128,7 @@ void SceneTracer::eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, d
     block.nearest = 0;
     block.farthest = std::numeric_limits<float>::infinity();
     BlockAnswers answers;
-    kernels_->nearest(geometry_->blockTree.view(), block, answers);
+    kernels_->nearest(geometry_->blockTree.view(holes_.flags()), block, answers);
 
     std::uint64_t hit = 0;
     for (std::size_t i = 0; i < kBlockRays; ++i) {
@@ -146,6 +146,7 @@ void SceneTracer::eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, d
         const auto consider = [&](std::uint32_t primitive) {
             const auto found = intersect(sheared, bvh().triangles[primitive], farthest);
             if (!found || !(found->reach < farthest || (best && primitive < best.primitive))) return;
+            if (holes_(primitive, found->barycentric)) return;
             farthest = found->reach;
             best = {farthest / sheared.reachPerT, primitive, found->barycentric};
         };
@@ -229,7 +230,8 @@ void SceneTracer::traceShadowRays(std::span<const SurfacePoint> points, std::uin
         traced.doubtCount = 0;
         traced.blocked = 0;
         traced.givenUp = group; // a point in the light itself has no direction to it
-        if (forward) kernels_->blocked(geometry_->blockTree.view(), block, blocks.data(), starts.primitives, traced);
+        const BlockTreeView tree = geometry_->blockTree.view(holesForLight_.flags());
+        if (forward) kernels_->blocked(tree, block, blocks.data(), starts.primitives, traced);
         const std::uint64_t alone = traced.givenUp & ~traced.blocked;
         forEachBit(traced.blocked, [&](std::size_t i) { answers[i] = Visibility::shadowed; });
         forEachBit(alone, [&](std::size_t i) { answers[i] = visibility(points[i], light); });
@@ -238,7 +240,8 @@ void SceneTracer::traceShadowRays(std::span<const SurfacePoint> points, std::uin
             if (alone & bit(ray) || answers[ray] == Visibility::shadowed) continue;
             const ShearedRay sheared(shadowRay(points[ray], light, ShadowStart::exact));
             const auto hit = intersect(sheared, bvh().triangles[primitive], sheared.farthest);
-            if (hit && hit->reach < sheared.farthest) answers[ray] = Visibility::shadowed;
+            if (hit && hit->reach < sheared.farthest && !holesForLight_(primitive, hit->barycentric))
+                answers[ray] = Visibility::shadowed;
         }
     }
 }

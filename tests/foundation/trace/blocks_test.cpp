@@ -8,6 +8,7 @@
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "tests/foundation/trace/ray_meshes.h"
 #include "tests/support/hard_scenes.h"
+#include "tests/support/perforated.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::trace {
@@ -174,6 +175,20 @@ TEST(Blocks, MeshesThatFloatCannotSettle) {
     scene.camera.near = 1e-7;
     scene.lights = {pointLight(there + dvec3(3e-4, 8e-4, 1e-4))};
     expectSame(compare(scene, {61, 45}), 500, "details far away");
+}
+
+// What may fall into a hole is decided ray by ray. Behind one sheet, and behind so many that a block has no room for all
+// doubts.
+TEST(Blocks, ThroughHoles) {
+    scene::Scene scene = perforatedScene();
+    expectSame(compare(scene, {101, 75}), 2000, "a few");
+    for (int i = 0; i < 24; ++i) {
+        addObject(scene, withRepeats(scene::makeQuad({4, 4}), vec2(3.5f + 0.1f * static_cast<float>(i))),
+                  translation({0, 1.9 + 0.02 * i, 0}));
+        perforate(scene, scene.objects.size() - 1, {"#......", ".......", "......."});
+    }
+    scene.camera.positionWorld = {0.3, 4, 2};
+    expectSame(compare(scene, {101, 75}), 2000, "many");
 }
 
 TEST(Blocks, NothingToHitAndNoNumbers) {
