@@ -1,3 +1,5 @@
 #version 330 core
 // For passes that only touch depth or stencil.
-void main() {}
+#include "cut_holes.glsl"
+
+void main() { cutHoles(); }

@@ -3,6 +3,7 @@
 // relative to the light (world axes, origin at the light) for techniques that ask the light's own picture.
 #include "attributes.glsl"
 #include "clip_position.glsl"
+#include "texcoord.glsl"
 uniform mat4 viewFromMesh;
 uniform mat3 normalViewFromMesh;
 uniform mat4 lightRelativeFromMesh;
@@ -12,6 +13,7 @@ out vec3 positionLightRelative;
 
 void main() {
     gl_Position = clipPosition(vec4(positionMesh, 1.0));
+    passTexcoord();
     positionView = (viewFromMesh * vec4(positionMesh, 1.0)).xyz;
     normalView = normalViewFromMesh * normalMesh;
     positionLightRelative = (lightRelativeFromMesh * vec4(positionMesh, 1.0)).xyz;

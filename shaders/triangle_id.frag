@@ -1,6 +1,10 @@
 #version 330 core
 // Which triangle is seen in this pixel: its number over all objects of the scene.
+#include "cut_holes.glsl"
 uniform int triangleBase; // scene-wide index of the first triangle of this draw call
 out uint triangle;
 
-void main() { triangle = uint(triangleBase + gl_PrimitiveID); }
+void main() {
+    cutHoles();
+    triangle = uint(triangleBase + gl_PrimitiveID);
+}

@@ -83,7 +83,7 @@ std::vector<EdgePixel> drawEdges(const scene::Scene& scene, const gl::SceneBuffe
     glPolygonOffset(1, 4);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     depthOnly.use();
-    gl::drawSurfaces(depthOnly, scene, buffers, eye);
+    gl::drawSurfacesWithHoles(depthOnly, scene, buffers, eye);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDisable(GL_POLYGON_OFFSET_FILL);
 

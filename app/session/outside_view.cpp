@@ -106,7 +106,8 @@ void OutsideView::drawDepth(const Session& session, const View& outside) const {
     glPolygonOffset(1, 4);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     depthOnly_.use();
-    gl::drawSurfaces(depthOnly_, *session.snapshot(), session.buffers(), gl::eyeMatrices(outside.camera, outside.size));
+    gl::drawSurfacesWithHoles(depthOnly_, *session.snapshot(), session.buffers(),
+                              gl::eyeMatrices(outside.camera, outside.size));
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDisable(GL_POLYGON_OFFSET_FILL);
 }

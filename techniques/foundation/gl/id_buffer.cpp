@@ -19,7 +19,7 @@ void IdBuffer::draw(const scene::Scene& scene, const SceneBuffers& buffers, cons
     glClearBufferuiv(GL_COLOR, 0, none);
     glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     program_.use();
-    drawSurfaces(program_, scene, buffers, eye);
+    drawSurfacesWithHoles(program_, scene, buffers, eye);
     check("triangle ids");
 }
 

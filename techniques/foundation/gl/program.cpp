@@ -75,6 +75,15 @@ void Program::use() const {
     glUseProgram(handle_.id());
 }
 
+const Program& Program::cutting() const {
+    if (!cutting_) {
+        std::vector<std::string> defines = defines_;
+        defines.emplace_back("CUT_HOLES");
+        cutting_ = std::make_unique<const Program>(vertexFile_, fragmentFile_, std::move(defines), substitutions_);
+    }
+    return *cutting_;
+}
+
 void Program::relink() const {
     reloadsSeen_ = reloads;
     try {

@@ -1,6 +1,7 @@
 // A linked shader program whose uniforms are set by the name they have in GLSL.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <memory>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -21,6 +22,9 @@ public:
             std::vector<Substitution> substitutions = {});
     /// Compiles and links when necessary. Throws Error (badInput) with `FILE:LINE: message`.
     void use() const;
+
+    /// The same program, made with CUT_HOLES: for surfaces with holes, in passes that write depth (shaders/cut_holes.glsl).
+    [[nodiscard]] const Program& cutting() const;
 
     /// Set a uniform of the program in use. A name the linker removed as unused is ignored.
     void set(std::string_view name, int value) const;
@@ -45,6 +49,7 @@ private:
     std::vector<std::string> defines_;
     std::vector<Substitution> substitutions_;
     mutable ProgramHandle handle_;
+    mutable std::unique_ptr<const Program> cutting_; ///< made when first asked for
     mutable int reloadsSeen_ = 0;
     mutable std::unordered_map<std::string, GLint, NameHash, std::equal_to<>> locations_;
 };

@@ -2,6 +2,7 @@
 #include "techniques/foundation/gl/scene_buffers.h"
 
 #include "techniques/foundation/scene/facing.h"
+#include "techniques/foundation/scene/holes.h"
 
 namespace shadowlab::gl {
 
@@ -13,6 +14,11 @@ MeshBuffers::MeshBuffers(const scene::Mesh& mesh) : vertexArray_(VertexArrayHand
     normals_ = uploadBuffer(GL_ARRAY_BUFFER, mesh.normalsMesh);
     glEnableVertexAttribArray(kNormalMesh);
     glVertexAttribPointer(kNormalMesh, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+    if (!mesh.texcoords.empty()) {
+        texcoords_ = uploadBuffer(GL_ARRAY_BUFFER, mesh.texcoords);
+        glEnableVertexAttribArray(kTexcoordMesh);
+        glVertexAttribPointer(kTexcoordMesh, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    }
     indices_ = uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
     glBindVertexArray(0);
 }
@@ -24,6 +30,19 @@ void MeshBuffers::draw(std::uint32_t firstTriangle, std::uint32_t triangleCount)
                    reinterpret_cast<const void*>(offset));
     glBindVertexArray(0);
 }
+
+namespace {
+
+Texture2D uploadMask(const scene::AlphaMask& mask) {
+    Texture2D texture(GL_R8, mask.size(), "alpha mask");
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, mask.size().x, mask.size().y, GL_RED, GL_UNSIGNED_BYTE,
+                    mask.texels().data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    return texture;
+}
+
+} // namespace
 
 void SceneBuffers::update(const scene::Snapshot& snapshot) {
     if (snapshot == snapshot_) return;
@@ -47,6 +66,28 @@ void SceneBuffers::update(const scene::Snapshot& snapshot) {
         triangleBases_.push_back(triangles);
         triangles += static_cast<int>(object.mesh->triangles.size());
     }
+    updateMasks();
+}
+
+/// Those of the snapshot; what was uploaded for the one before stays. Masks are told apart by address: `previous` in update()
+/// keeps the old ones alive until then.
+void SceneBuffers::updateMasks() {
+    std::unordered_map<const scene::AlphaMask*, Texture2D> known = std::exchange(masks_, {});
+    hasHoles_.clear();
+    for (const scene::Object& object : snapshot_->objects) {
+        hasHoles_.push_back(scene::hasHoles(*snapshot_, object));
+        for (std::size_t part = 0; part < object.mesh->parts.size(); ++part) {
+            const scene::AlphaMask* mask = scene::maskOfPart(*snapshot_, object, part);
+            if (!mask || masks_.contains(mask)) continue;
+            const auto old = known.find(mask);
+            masks_.emplace(mask, old != known.end() ? std::move(old->second) : uploadMask(*mask));
+        }
+    }
+}
+
+const Texture2D* SceneBuffers::mask(std::size_t object, std::size_t part) const {
+    const scene::AlphaMask* mask = scene::maskOfPart(*snapshot_, snapshot_->objects[object], part);
+    return mask ? &masks_.at(mask) : nullptr;
 }
 
 const ByteBufferTexture& SceneBuffers::facing(int light) const {

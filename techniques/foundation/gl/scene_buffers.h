@@ -13,7 +13,7 @@
 namespace shadowlab::gl {
 
 /// Attribute locations of every vertex shader (shaders/attributes.glsl has the same numbers).
-enum Attribute : GLuint { kPositionMesh = 0, kNormalMesh = 1, kExtrudable = 2 };
+enum Attribute : GLuint { kPositionMesh = 0, kNormalMesh = 1, kExtrudable = 2, kTexcoordMesh = 3 };
 
 /// Vertex and index buffers of one mesh.
 class MeshBuffers {
@@ -25,7 +25,7 @@ public:
     [[nodiscard]] GLuint positionBuffer() const { return positions_.id(); }
 
 private:
-    BufferHandle positions_, normals_, indices_;
+    BufferHandle positions_, normals_, texcoords_, indices_;
     VertexArrayHandle vertexArray_;
 };
 
@@ -34,6 +34,11 @@ public:
     /// Uploads what the snapshot's revisions say is new.
     void update(const scene::Snapshot& snapshot);
     [[nodiscard]] const MeshBuffers& mesh(std::size_t object) const { return *objectMeshes_[object]; }
+    /// The alpha mask of a part of an object (scene/holes.h): 255 where there is surface, rows from the bottom. nullptr: the
+    /// part is whole.
+    [[nodiscard]] const Texture2D* mask(std::size_t object, std::size_t part) const;
+    [[nodiscard]] bool hasHoles(std::size_t object) const { return hasHoles_[object]; }
+    [[nodiscard]] bool anyHoles() const { return !masks_.empty(); }
     /// Number of triangles in the objects before this one: triangle t of it has the scene-wide index base + t.
     [[nodiscard]] int triangleBase(std::size_t object) const { return triangleBases_[object]; }
     /// Boxes around the objects (scene::objectBounds), made when the scene changes.
@@ -42,9 +47,13 @@ public:
     [[nodiscard]] const ByteBufferTexture& facing(int light) const;
 
 private:
+    void updateMasks();
+
     scene::Snapshot snapshot_;
     std::unordered_map<const scene::Mesh*, std::unique_ptr<MeshBuffers>> meshes_;
     std::vector<const MeshBuffers*> objectMeshes_;
+    std::unordered_map<const scene::AlphaMask*, Texture2D> masks_;
+    std::vector<bool> hasHoles_; ///< per object
     std::vector<int> triangleBases_;
     std::vector<scene::Bounds> bounds_;
     mutable std::map<int, ByteBufferTexture> facing_;

@@ -19,17 +19,59 @@ int lightKind(scene::LightType type) {
     }
 }
 
-void drawParts(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t index) {
+/// What shaders/surface.vert and shaders/lights_off.frag ask of an object.
+void setObject(const Program& program, const scene::Scene& scene, const EyeMatrices& eye, const scene::Object& object) {
+    const dmat4 viewFromMesh = eye.viewFromWorld * scene::worldFromMesh(object);
+    const bool rectSurface =
+        object.emitterOfLight >= 0 &&
+        scene.lights[static_cast<std::size_t>(object.emitterOfLight)].type == scene::LightType::rect;
+    program.set("clipFromMesh", mat4(eye.clipFromView * viewFromMesh));
+    program.set("viewFromMesh", mat4(viewFromMesh));
+    program.set("normalViewFromMesh", mat3(glm::transpose(glm::inverse(dmat3(viewFromMesh)))));
+    program.set("mirrored", scene::isMirrored(object) ? 1 : 0);
+    program.set("receivesShadow", object.receivesShadow ? 1 : 0);
+    program.set("emitsFromFrontOnly", rectSurface ? 1 : 0);
+}
+
+void drawPart(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t index,
+              std::size_t partIndex) {
     const scene::Object& object = scene.objects[index];
-    for (std::size_t p = 0; p < object.mesh->parts.size(); ++p) {
-        const scene::MeshPart& part = object.mesh->parts[p];
-        const scene::Material& material = scene.materials[object.partMaterials[p]];
-        program.set("diffuse", material.diffuse);
-        program.set("specular", material.specular);
-        program.set("shininess", material.shininess);
-        program.set("emission", material.emission);
-        program.set("triangleBase", buffers.triangleBase(index) + static_cast<int>(part.firstTriangle));
-        buffers.mesh(index).draw(part.firstTriangle, part.triangleCount);
+    const scene::MeshPart& part = object.mesh->parts[partIndex];
+    const scene::Material& material = scene.materials[object.partMaterials[partIndex]];
+    program.set("diffuse", material.diffuse);
+    program.set("specular", material.specular);
+    program.set("shininess", material.shininess);
+    program.set("emission", material.emission);
+    program.set("triangleBase", buffers.triangleBase(index) + static_cast<int>(part.firstTriangle));
+    buffers.mesh(index).draw(part.firstTriangle, part.triangleCount);
+}
+
+/// The variant of a program that cuts holes, in use, with this mask.
+const Program& useCutting(const Program& program, const Texture2D& mask) {
+    const Program& cutting = program.cutting();
+    cutting.use();
+    mask.bind(kAlphaMaskUnit);
+    cutting.set("alphaMask", kAlphaMaskUnit);
+    return cutting;
+}
+
+/// `drawObject(index)` for each object that may be seen.
+template <typename DrawObject>
+void forEachSeen(const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
+                 const ObjectSetup& setup, const DrawObject& drawObject) {
+    const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const scene::Object& object = scene.objects[i];
+        if (eye.part && !scene::mayTouch(buffers.bounds()[i], clipFromWorld, *eye.part)) continue;
+        if (setup && !setup(object)) continue;
+        // Back faces that front faces hide are left out: half of the triangles of most objects. Through holes they are seen.
+        if (object.mesh->outward && !buffers.hasHoles(i) &&
+            scene::isBeyondNearPlane(buffers.bounds()[i], clipFromWorld)) {
+            glEnable(GL_CULL_FACE);
+            glCullFace(scene::isMirrored(object) ? GL_FRONT : GL_BACK);
+        }
+        drawObject(i);
+        glDisable(GL_CULL_FACE);
     }
 }
 
@@ -42,28 +84,46 @@ EyeMatrices eyeMatrices(const scene::Camera& camera, ivec2 size) {
 
 void drawSurfaces(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
                   const EyeMatrices& eye, const ObjectSetup& setup) {
-    const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const scene::Object& object = scene.objects[i];
-        if (eye.part && !scene::mayTouch(buffers.bounds()[i], clipFromWorld, *eye.part)) continue;
-        if (setup && !setup(object)) continue;
-        const dmat4 viewFromMesh = eye.viewFromWorld * scene::worldFromMesh(object);
-        const bool rectSurface =
-            object.emitterOfLight >= 0 &&
-            scene.lights[static_cast<std::size_t>(object.emitterOfLight)].type == scene::LightType::rect;
-        program.set("clipFromMesh", mat4(eye.clipFromView * viewFromMesh));
-        program.set("viewFromMesh", mat4(viewFromMesh));
-        program.set("normalViewFromMesh", mat3(glm::transpose(glm::inverse(dmat3(viewFromMesh)))));
-        program.set("mirrored", scene::isMirrored(object) ? 1 : 0);
-        program.set("receivesShadow", object.receivesShadow ? 1 : 0);
-        program.set("emitsFromFrontOnly", rectSurface ? 1 : 0);
-        // Back faces that front faces hide are left out: half of the triangles of most objects.
-        if (object.mesh->outward && scene::isBeyondNearPlane(buffers.bounds()[i], clipFromWorld)) {
-            glEnable(GL_CULL_FACE);
-            glCullFace(scene::isMirrored(object) ? GL_FRONT : GL_BACK);
+    forEachSeen(scene, buffers, eye, setup, [&](std::size_t i) {
+        setObject(program, scene, eye, scene.objects[i]);
+        for (std::size_t part = 0; part < scene.objects[i].mesh->parts.size(); ++part)
+            drawPart(program, scene, buffers, i, part);
+    });
+}
+
+void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
+                           const EyeMatrices& eye, const ObjectSetup& setup) {
+    // Object by object and part by part, as drawSurfaces does: of two surfaces at one depth the first drawn is the visible
+    // one, in every pass.
+    forEachSeen(scene, buffers, eye, setup, [&](std::size_t i) {
+        setObject(program, scene, eye, scene.objects[i]);
+        for (std::size_t part = 0; part < scene.objects[i].mesh->parts.size(); ++part) {
+            const Texture2D* mask = buffers.mask(i, part);
+            if (!mask) {
+                drawPart(program, scene, buffers, i, part);
+                continue;
+            }
+            const Program& cutting = useCutting(program, *mask);
+            setObject(cutting, scene, eye, scene.objects[i]);
+            drawPart(cutting, scene, buffers, i, part);
+            program.use();
         }
-        drawParts(program, scene, buffers, i);
-        glDisable(GL_CULL_FACE);
+    });
+}
+
+void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t object,
+               const dmat4& clipFromMesh) {
+    const scene::Mesh& mesh = *scene.objects[object].mesh;
+    program.use();
+    program.set("clipFromMesh", mat4(clipFromMesh));
+    if (!buffers.hasHoles(object))
+        return buffers.mesh(object).draw(0, static_cast<std::uint32_t>(mesh.triangles.size()));
+    for (std::size_t part = 0; part < mesh.parts.size(); ++part) {
+        const Texture2D* mask = buffers.mask(object, part);
+        const Program& chosen = mask ? useCutting(program, *mask) : program;
+        chosen.use();
+        chosen.set("clipFromMesh", mat4(clipFromMesh));
+        buffers.mesh(object).draw(mesh.parts[part].firstTriangle, mesh.parts[part].triangleCount);
     }
 }
 
@@ -88,9 +148,13 @@ void drawLightsOff(const Program& lightsOff, const scene::Scene& scene, const Sc
                    const EyeMatrices& eye, const ObjectSetup& setup) {
     glClearColor(scene.background.r, scene.background.g, scene.background.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    if (buffers.anyHoles()) {
+        lightsOff.cutting().use();
+        lightsOff.cutting().set("ambient", scene.ambient);
+    }
     lightsOff.use();
     lightsOff.set("ambient", scene.ambient);
-    drawSurfaces(lightsOff, scene, buffers, eye, setup);
+    drawSurfacesWithHoles(lightsOff, scene, buffers, eye, setup);
 }
 
 void setAddLightState() {

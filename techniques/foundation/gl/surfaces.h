@@ -25,17 +25,29 @@ struct EyeMatrices {
 };
 EyeMatrices eyeMatrices(const scene::Camera& camera, ivec2 size);
 
-/// Texture unit of the facing signs; a technique's own textures use the units after it.
+/// Texture units of the facing signs and of alpha masks; a technique's own textures use the units after them.
 constexpr int kFacingUnit = 0;
-constexpr int kFirstFreeUnit = 1;
+constexpr int kAlphaMaskUnit = 1;
+constexpr int kFirstFreeUnit = 2;
 
 /// Called for each object with the program in use, before its parts are drawn; false leaves the object out.
 using ObjectSetup = std::function<bool(const scene::Object&)>;
 
 /// Draws all objects that may be seen in their order, setting the uniforms that shaders/surface.vert and shaders/material.glsl name.
-/// The program must be in use.
+/// The program must be in use. Holes are not looked at: for passes with depth test EQUAL, which draw no more than what the
+/// depth buffer has.
 void drawSurfaces(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
                   const EyeMatrices& eye, const ObjectSetup& setup = {});
+
+/// The same for passes that write depth: in holes nothing is drawn. Parts that have any are drawn by program.cutting(), which
+/// the fragment shader must know of (shaders/cut_holes.glsl); uniforms of the pass have to be set for both.
+void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
+                           const EyeMatrices& eye, const ObjectSetup& setup = {});
+
+/// Draws one object, its holes left out, as a camera of any kind sees it (a light's, for a shadow map): for a program that
+/// needs clipFromMesh alone, of "position.vert" and "nothing.frag". Puts the program to use.
+void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t object,
+               const dmat4& clipFromMesh);
 
 /// Sets the uniforms of shaders/light.glsl and binds the facing signs. Follow with drawSurfaces.
 void setLight(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,

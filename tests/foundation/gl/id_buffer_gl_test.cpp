@@ -6,6 +6,7 @@
 #include "techniques/foundation/scene/shapes.h"
 #include "techniques/foundation/trace/exact_visibility.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/perforated.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab {
@@ -43,6 +44,43 @@ TEST_F(IdBufferTest, NamesTheTriangleThatTheRaySees) {
         EXPECT_GT(ofMirrored, 100);
         EXPECT_LT(different, surfaces / 500);
     }
+}
+
+// Also inside a closed ball, of which no back face would be seen if it had no holes.
+TEST_F(IdBufferTest, SeesThroughHolesAsTheRayDoes) {
+    const scene::Scene scene = testing::perforatedScene();
+    const auto snapshot = testing::snapshot(scene);
+    gl::SceneBuffers buffers;
+    buffers.update(snapshot);
+    const trace::ExactVisibility judge(snapshot);
+    scene::Scene whole = scene;
+    for (scene::Object& object : whole.objects)
+        object.partMaterials[0] = 0;
+    const trace::ExactVisibility wholeJudge(testing::snapshot(whole));
+    ASSERT_TRUE(scene.objects[2].mesh->outward);
+    const ivec2 size(200, 150);
+    gl::IdBuffer idBuffer;
+    idBuffer.draw(scene, buffers, gl::eyeMatrices(scene.camera, size), size);
+    const std::vector<std::uint32_t> ids = idBuffer.read();
+    int surfaces = 0, through = 0, insideOfBall = 0, different = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const dvec2 pixel = dvec2(x, y) + 0.5;
+            const auto hit = judge.eyeHit(scene.camera, pixel, size);
+            const auto wholeHit = wholeJudge.eyeHit(scene.camera, pixel, size);
+            const std::uint32_t expected =
+                hit ? static_cast<std::uint32_t>(buffers.triangleBase(hit->object)) + hit->triangle
+                    : gl::IdBuffer::kNone;
+            different += ids[static_cast<std::size_t>(y * size.x + x)] != expected;
+            surfaces += bool(hit);
+            const bool passed = wholeHit && (!hit || hit->distance > wholeHit->distance);
+            through += passed;
+            insideOfBall += passed && hit && hit->object == 2;
+        }
+    EXPECT_GT(surfaces, 5000);
+    EXPECT_GT(through, 2000);
+    EXPECT_GT(insideOfBall, 200);
+    EXPECT_LT(different, surfaces / 200) << "at borders of holes, too, the rasteriser rounds";
 }
 
 } // namespace
