@@ -29,7 +29,7 @@ constexpr std::array kCounts{
           &scene::MeshReport::droppedTriangles},
     Count{"duplicateTriangles", "  duplicate", "duplicate", "with the same three corners as an earlier one",
           &scene::MeshReport::duplicateTriangles},
-    Count{"vertices", "vertices", "vertices", "in the buffers: one for each position and normal",
+    Count{"vertices", "vertices", "vertices", "in the buffers: one for each position, normal and texture coordinate",
           &scene::MeshReport::vertices},
     Count{"weldedVertices", "  welded", "welded", "positions that differ", &scene::MeshReport::weldedVertices},
     Count{"edges", "edges", "edges", "between welded vertices", &scene::MeshReport::edges},
@@ -72,6 +72,7 @@ std::string meshLines(const InspectedMesh& mesh) {
     rows.push_back({"closed", yes(mesh.report.isClosed()), "if every edge has two faces, wound alike"});
     rows.push_back({"outward", yes(mesh.outward),
                     "if it is certain that nothing of it is inside out: front faces alone make its shadow volume"});
+    rows.push_back({"holes", yes(mesh.report.hasHoles), "if an alpha map cuts holes into it"});
     return aligned(rows) + "size: " + joined(mesh.sizeMetres, " x ") + " m\n";
 }
 
@@ -80,13 +81,14 @@ std::string meshTable(const std::vector<InspectedMesh>& meshes) {
     Rows rows{{"mesh", "objects"}};
     for (const Count& count : kCounts)
         rows[0].push_back(count.column);
-    rows[0].insert(rows[0].end(), {"closed", "outward", "size in m"});
+    rows[0].insert(rows[0].end(), {"closed", "outward", "holes", "size in m"});
     for (const InspectedMesh& mesh : meshes) {
         std::vector<std::string>& row = rows.emplace_back();
         row = {scene::shown(mesh.name, 40), std::to_string(mesh.objects.size())};
         for (const Count& count : kCounts)
             row.push_back(std::to_string(mesh.report.*count.value));
-        row.insert(row.end(), {yes(mesh.report.isClosed()), yes(mesh.outward), joined(mesh.sizeMetres, " x ")});
+        row.insert(row.end(), {yes(mesh.report.isClosed()), yes(mesh.outward), yes(mesh.report.hasHoles),
+                               joined(mesh.sizeMetres, " x ")});
     }
     return aligned(rows);
 }
@@ -160,6 +162,7 @@ Json json(const Inspection& inspection) {
         constexpr std::array kScales{"ordinary", "tiny", "huge"};
         entry["closed"] = mesh.report.isClosed();
         entry["outward"] = mesh.outward;
+        entry["holes"] = mesh.report.hasHoles;
         entry["sizeMetres"] = vector(mesh.sizeMetres);
         entry["originOffset"] = vector(mesh.originOffset);
         entry["largestInWorld"] = mesh.largestInWorld;

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "app/session/assets.h"
+#include "techniques/foundation/scene/holes.h"
 #include "techniques/foundation/scene/load.h"
 #include "techniques/foundation/scene/outward_parts.h"
 #include "techniques/registry.h"
@@ -38,14 +39,15 @@ InspectedMesh inspectMesh(const std::string& name, const std::shared_ptr<const s
     return inspected;
 }
 
-void addObjects(Inspection& inspection, const std::vector<scene::Object>& objects) {
+void addObjects(Inspection& inspection, const scene::Scene& scene) {
     std::unordered_map<const scene::Mesh*, std::size_t> known;
-    for (const scene::Object& object : objects) {
+    for (const scene::Object& object : scene.objects) {
         if (object.emitterOfLight >= 0) continue; // not the user's, and no technique's concern
         const auto [entry, isNew] = known.try_emplace(object.mesh.get(), inspection.meshes.size());
         if (isNew) inspection.meshes.push_back(inspectMesh(object.name, object.mesh));
         InspectedMesh& mesh = inspection.meshes[entry->second];
         mesh.objects.push_back(object.name);
+        mesh.report.hasHoles |= scene::hasHoles(scene, object);
         mesh.largestInWorld = glm::max(mesh.largestInWorld, largest(sizeOf(object)));
         mesh.scale = scaleOf(mesh.largestInWorld);
         inspection.triangles += object.mesh->triangles.size();
@@ -85,6 +87,23 @@ std::vector<Remark> remarksOn(const std::vector<InspectedMesh>& meshes) {
     return remarks;
 }
 
+/// A mesh as a scene of its own, with nothing else in it.
+scene::Scene alone(const std::string& name, scene::ObjFile obj) {
+    scene::Scene scene;
+    scene.materials = std::move(obj.materials);
+    scene.materials.emplace_back(); // of parts whose material no file defines
+    scene::Object object;
+    object.name = name;
+    for (const scene::MeshPart& part : obj.mesh.parts) {
+        const auto found = std::ranges::find(scene.materials, part.materialName, &scene::Material::name);
+        const auto index = std::min<std::ptrdiff_t>(found - scene.materials.begin(), std::ssize(scene.materials) - 1);
+        object.partMaterials.push_back(static_cast<std::uint32_t>(index));
+    }
+    object.mesh = scene::sharedMesh(std::move(obj.mesh));
+    scene.objects.push_back(std::move(object));
+    return scene;
+}
+
 bool isMeshFile(const std::filesystem::path& path) {
     std::string ending = path.extension().string();
     for (char& c : ending)
@@ -103,18 +122,15 @@ Inspection inspectFile(const InspectOptions& options) {
         scene::ObjFile obj = scene::loadObj(options.file, scene::NormalMode::file, loading);
         inspection.name = std::filesystem::path(options.file).stem().string();
         inspection.notes = std::move(obj.notes);
-        materials = std::move(obj.materials);
-        scene::Object object;
-        object.name = inspection.name;
-        object.mesh = scene::sharedMesh(std::move(obj.mesh));
-        addObjects(inspection, {object});
+        materials = obj.materials;
+        addObjects(inspection, alone(inspection.name, std::move(obj)));
     } else {
         const auto scene = scene::loadScene(options.file, loading);
         inspection.name = scene->name;
         inspection.notes = scene->notes;
         inspection.scene = contentOf(*scene);
         materials = scene->materials;
-        addObjects(inspection, scene->objects);
+        addObjects(inspection, *scene);
     }
     for (const scene::Material& material : materials)
         inspection.materials.push_back(material.name);

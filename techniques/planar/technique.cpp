@@ -255,8 +255,10 @@ Probe Planar::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pix
 }
 
 std::string Planar::remark(const scene::MeshReport& report) const {
-    if (report.triangles <= 2) return "flat: casts, and receives the shadows of others";
-    return "casts as it is, open or closed; receives on its large flat faces only, and nothing where it is curved";
+    const std::string holes = report.hasHoles ? "; holes cut by its alpha map are cast as solid" : "";
+    if (report.triangles <= 2) return "flat: casts, and receives the shadows of others" + holes;
+    return "casts as it is, open or closed; receives on its large flat faces only, and nothing where it is curved" +
+           holes;
 }
 
 std::span<const TechniqueInfo> techniques() {

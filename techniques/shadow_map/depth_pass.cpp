@@ -67,13 +67,10 @@ void DepthPass::drawWithIds(const Frame& frame, const LightMaps& maps, int layer
 
 void DepthPass::drawCasters(const gl::Program& program, const Frame& frame, const LightMaps& maps, int layer,
                             std::span<const std::size_t> casters) const {
-    program.use();
-    for (const std::size_t caster : casters) {
-        const scene::Object& object = frame.scene().objects[caster];
-        program.set("clipFromMesh", mat4(maps.lightClipFromLightRelative(layer) * lightRelativeFromMesh(maps, object)));
-        program.set("triangleBase", frame.buffers().triangleBase(caster));
-        frame.buffers().mesh(caster).draw(0, static_cast<std::uint32_t>(object.mesh->triangles.size()));
-    }
+    for (const std::size_t caster : casters)
+        gl::drawDepth(program, frame.scene(), frame.buffers(), caster,
+                      maps.lightClipFromLightRelative(layer) *
+                          lightRelativeFromMesh(maps, frame.scene().objects[caster]));
 }
 
 void DepthPass::drawDual(const Frame& frame, const LightMaps& maps, int layer, std::span<const std::size_t> casters,
@@ -93,9 +90,11 @@ void DepthPass::drawDual(const Frame& frame, const LightMaps& maps, int layer, s
     drawInto(pushed, 0, depth_);
     glDisable(GL_POLYGON_OFFSET_FILL);
     first.bind(kFirstUnit);
-    secondDepth_.use();
-    secondDepth_.set("firstDepth", kFirstUnit);
-    secondDepth_.set("apart", apart(format));
+    for (const gl::Program* program : {&secondDepth_, &secondDepth_.cutting()}) {
+        program->use();
+        program->set("firstDepth", kFirstUnit);
+        program->set("apart", apart(format));
+    }
     drawInto(second, 0, secondDepth_);
 
     const gl::Framebuffer framebuffer(depth, layer, "shadow map layer");

@@ -258,7 +258,10 @@ std::vector<SceneShape> ShadowMap::shapes(const scene::Snapshot& snapshot, const
     return frustumShapes(fit(*snapshot, view, light, receiversInView(*snapshot, view), FitRequest::Cover::needed));
 }
 
-std::string ShadowMap::remark(const scene::MeshReport&) const { return "any mesh that can be drawn can be mapped"; }
+std::string ShadowMap::remark(const scene::MeshReport& report) const {
+    return std::string("any mesh that can be drawn can be mapped") +
+           (report.hasHoles ? ", and so can the holes that an alpha map cuts" : "");
+}
 
 std::span<const TechniqueInfo> techniques() {
     using enum scene::LightType;

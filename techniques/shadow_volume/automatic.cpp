@@ -67,7 +67,9 @@ Automatic::Automatic()
 
 Way Automatic::wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster, int light) const {
     const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
-    return eyeLineMayTouch(caster.bounds, eyeWorld, scene::homogeneousPositionWorld(source)) ? Way::fail : Way::pass;
+    const bool unsure = eyeLineMayTouch(caster.bounds, eyeWorld, scene::homogeneousPositionWorld(source)) ||
+                        eyeMaySeeThrough(scene, caster);
+    return unsure ? Way::fail : Way::pass;
 }
 
 TechniqueInfo automaticInfo() {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "techniques/foundation/scene/facing.h"
+#include "techniques/foundation/scene/holes.h"
 
 namespace shadowlab::shadow_volume {
 
@@ -69,6 +70,10 @@ bool eyeLineMayTouch(const scene::Bounds& box, const dvec3& eyeWorld, const dvec
         leaves = std::min(leaves, std::max(first, second));
     }
     return enters <= leaves;
+}
+
+bool eyeMaySeeThrough(const scene::Scene& scene, const CasterVolume& caster) {
+    return scene::hasHoles(scene, scene.objects[caster.object]);
 }
 
 int eyeCount(const scene::Scene& scene, const CasterVolume& caster, const VolumeEnd& end, const scene::Light& light,

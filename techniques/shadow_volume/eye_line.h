@@ -12,6 +12,10 @@ namespace shadowlab::shadow_volume {
 /// inside. The line ends at a point light, and never for a directional one (`lightWorld` is homogeneous).
 bool eyeLineMayTouch(const scene::Bounds& box, const dvec3& eyeWorld, const dvec4& lightWorld);
 
+/// Does the eye see through holes of the caster? Depth pass takes it that whoever looks along the cap of a volume sees the
+/// caster there, and so draws no cap: through a hole the eye enters the volume, or leaves it, unseen.
+bool eyeMaySeeThrough(const scene::Scene& scene, const CasterVolume& caster);
+
 /// How many triangles of the caster's top cap the line crosses; 0 from beyond the plane where its volume ends. A line through an edge
 /// or a corner is moved aside by an infinitesimal amount, the same for all triangles (simulation of simplicity,
 /// Edelsbrunner and Mücke 1990).

@@ -27,6 +27,10 @@ inline constexpr StageInfo kRepairStage = {"repair", "What rays decided again, a
 
 class RepairPass {
 public:
+    /// The count knows nothing of holes in casters, and what mends it must not either: it would go on and on, pixel by pixel,
+    /// through all that shines through them.
+    RepairPass() { tracer_.castWhole(); }
+
     /// Makes ready for asking with rays. False when the time came before it was done.
     bool prepare(const scene::Snapshot& snapshot, Deadline deadline) { return tracer_.advance(snapshot, deadline); }
 

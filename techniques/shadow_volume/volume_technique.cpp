@@ -275,10 +275,12 @@ Probe VolumeTechnique::probe(const scene::Snapshot& snapshot, const View& view, 
 }
 
 std::string VolumeTechnique::remark(const scene::MeshReport& report) const {
-    if (report.isClosed()) return "closed: every silhouette edge separates two faces";
+    // A volume is bounded by edges of the mesh, and the border of a hole is none.
+    const std::string holes = report.hasHoles ? "; holes cut by its alpha map are cast as solid" : "";
+    if (report.isClosed()) return "closed: every silhouette edge separates two faces" + holes;
     return "not closed (" + std::to_string(report.boundaryEdges) + " boundary, " +
            std::to_string(report.multipleEdges) + " multiple, " + std::to_string(report.inconsistentEdges) +
-           " inconsistently wound edges): handled exactly by signed edge counts";
+           " inconsistently wound edges): handled exactly by signed edge counts" + holes;
 }
 
 } // namespace shadowlab::shadow_volume

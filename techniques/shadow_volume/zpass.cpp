@@ -72,14 +72,16 @@ Way ZPass::wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterV
     // The eye's own count is known for volumes that end at a plane or nowhere.
     const bool unsure =
         params_.eyeCorrection &&
-        (endsAtDistance() ? eyeLineMayTouch(caster.bounds, eyeWorld, scene::homogeneousPositionWorld(source))
-                          : eyeLineGrazes(scene, caster, source, eyeWorld));
+        (eyeMaySeeThrough(scene, caster) ||
+         (endsAtDistance() ? eyeLineMayTouch(caster.bounds, eyeWorld, scene::homogeneousPositionWorld(source))
+                           : eyeLineGrazes(scene, caster, source, eyeWorld)));
     return unsure ? Way::fail : Way::pass;
 }
 
 std::string ZPass::remark(const scene::MeshReport& report) const {
     return VolumeTechnique::remark(report) +
-           "; wrong from an eye in its shadow, or so near that the near plane cuts it";
+           "; wrong from an eye in its shadow, or so near that the near plane cuts it" +
+           (report.hasHoles ? ", and for what is seen through a hole" : "");
 }
 
 TechniqueInfo zpassInfo() {

@@ -177,6 +177,32 @@ TEST_F(InspectTest, ASceneWithAllItsParts) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
+TEST_F(InspectTest, WhoHonoursHolesAndWhoDoesNot) {
+    const auto honours = [](const std::string& sentence) {
+        return sentence.find("alpha map cuts") != std::string::npos;
+    };
+    const auto castsAsSolid = [](const std::string& sentence) {
+        return sentence.find("holes cut by its alpha map are cast as solid") != std::string::npos;
+    };
+    const std::string screen = SHADOWLAB_SOURCE_DIR "/assets/models/screen.obj";
+    for (const auto& [file, name] : {std::pair(std::string("lattice"), "screen"), std::pair(screen, "screen")}) {
+        const Json json = inspected(file);
+        int perforated = 0;
+        for (const Json& mesh : json["meshes"])
+            perforated += mesh["holes"] == true && mesh["name"] == name;
+        EXPECT_EQ(perforated, 1) << file;
+        for (const char* technique : {"shadow-map", "ray-traced"})
+            EXPECT_TRUE(honours(remark(json, technique, name))) << file << ", " << technique;
+        for (const char* technique : {"planar", "shadow-volume-zpass", "shadow-volume-zfail", "shadow-volume"})
+            EXPECT_TRUE(castsAsSolid(remark(json, technique, name))) << file << ", " << technique;
+    }
+    const Json json = inspected("lattice");
+    for (const Json& mesh : json["meshes"])
+        EXPECT_EQ(mesh["holes"], mesh["name"] == "screen") << mesh["name"];
+    EXPECT_FALSE(honours(remark(json, "shadow-map", "ball")));
+    EXPECT_FALSE(castsAsSolid(remark(json, "shadow-volume", "ball")));
+}
+
 TEST_F(InspectTest, TheTableOfAMesh) {
     folder.write("sheet.obj", kSheet);
     const ProgramResult result = succeed({"inspect", "sheet.obj"});
