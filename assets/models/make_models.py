@@ -1,20 +1,24 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the models of the built-in scenes: OBJ and MTL files, into the folder of this script.
+"""Writes the models of the built-in scenes: OBJ and MTL files and an image, into the folder of this script.
 
     python3 make_models.py
 
 Every model is a list of closed shells: each edge has exactly two faces, and every face is counter-clockwise seen from
-outside, which is what shadow volumes ask of a mesh. Only leaves are open on purpose: thin sheets, seen from both sides. Where two shells meet (a leg and the table top) they overlap by a
+outside, which is what shadow volumes ask of a mesh. Only leaves and the lattice of the screen are open on purpose: thin
+sheets, seen from both sides. Where two shells meet (a leg and the table top) they overlap by a
 few millimetres, so that no light leaks through the joint. Units are metres, y is up. The same script gives the same bytes.
 """
 
+import struct
+import zlib
 from math import acos, cos, degrees, pi, sin, sqrt
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 
-OPEN = {"leaf"}  # shells of these materials are sheets
+OPEN = {"leaf", "lattice"}  # shells of these materials are sheets
+ALPHA_MAPS = {"lattice": "lattice.png"}  # images that cut holes, one grey byte per texel, laid on by texture coordinates
 
 # Name: (Kd, Ks, Ns, Ke). Linear RGB, as everywhere in this program.
 MATERIALS = {
@@ -29,6 +33,7 @@ MATERIALS = {
     "soil": ((0.10, 0.08, 0.06), (0, 0, 0), 32),
     "stem": ((0.24, 0.30, 0.13), (0, 0, 0), 32),
     "leaf": ((0.20, 0.34, 0.13), (0.03, 0.03, 0.03), 40),
+    "lattice": ((0.42, 0.27, 0.15), (0, 0, 0), 32),
 }
 
 
@@ -208,17 +213,20 @@ def number(x, digits):
 
 
 def write_model(name, description, parts, crease_degrees=40.0):
-    """`parts`: (material, shell) each. Positions get 5 decimals (10 micrometres), normals 4."""
+    """`parts`: (material, shell) each, a shell being (points, faces) or (points, faces, texture coordinates of the points).
+    Positions get 5 decimals (10 micrometres), normals 4."""
     lines = [f"# {description}", "# Written by make_models.py", f"mtllib {name}.mtl"]
     normal_index = {}
-    first, count = 1, 0
+    first, first_texcoord, count = 1, 1, 0
     current = None
     for material, shell in parts:
         (check_sheet if material in OPEN else check_closed)(name, shell)
-        points, faces = shell
+        points, faces, *texcoords = shell
         lines += ["v " + " ".join(number(x, 5) for x in point) for point in points]
+        for uv in texcoords[0] if texcoords else []:
+            lines.append("vt " + " ".join(number(x, 4) for x in uv))
         corners = []
-        for normals in corner_normals(shell, crease_degrees):
+        for normals in corner_normals((points, faces), crease_degrees):
             corners.append([])
             for normal in normals:
                 text = "vn " + " ".join(number(x, 4) for x in normal)
@@ -230,9 +238,11 @@ def write_model(name, description, parts, crease_degrees=40.0):
             lines.append(f"usemtl {material}")
             current = material
         for face, normals in zip(faces, corners):
-            lines.append("f " + " ".join(f"{v + first}//{n}" for v, n in zip(face, normals)))
+            image = [f"{v + first_texcoord}" if texcoords else "" for v in face]
+            lines.append("f " + " ".join(f"{v + first}/{t}/{n}" for v, t, n in zip(face, image, normals)))
             count += len(face) - 2
         first += len(points)
+        first_texcoord += len(points) if texcoords else 0
     (FOLDER / f"{name}.obj").write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
 
     lines = ["# Written by make_models.py"]
@@ -241,9 +251,24 @@ def write_model(name, description, parts, crease_degrees=40.0):
         lines += [f"newmtl {material}", "Kd " + " ".join(number(x, 4) for x in diffuse)]
         lines += ["Ks " + " ".join(number(x, 4) for x in specular), f"Ns {shininess}"]
         lines += ["Ke " + " ".join(number(x, 4) for x in emission)] if any(emission) else []
+        lines += [f"map_d {ALPHA_MAPS[material]}"] if material in ALPHA_MAPS else []
     (FOLDER / f"{name}.mtl").write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
     size = (FOLDER / f"{name}.obj").stat().st_size
     print(f"{name:12} {count:6} triangles {size / 1000:6.0f} kB")
+
+
+def write_image(name, side, is_solid):
+    """A square PNG, white where is_solid(x, y) and black elsewhere; x to the right and y up, each from -1 to 1. Stored, not
+    packed: what packs best is not the same for every version of zlib."""
+    middles = [(2 * i + 1) / side - 1 for i in range(side)]
+    rows = b"".join(b"\0" + bytes(255 if is_solid(x, -y) else 0 for x in middles) for y in middles)
+
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+    header = struct.pack(">IIBBBBB", side, side, 8, 0, 0, 0, 0)  # 8 bits of grey
+    png = b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 0)) + chunk(b"IEND", b"")
+    (FOLDER / f"{name}.png").write_bytes(png)
 
 
 def arc(centre, radii, degrees_from, degrees_to, steps):
@@ -464,6 +489,29 @@ def plant():
     write_model("plant", "A plant in a pot, 0.75 m high; its leaves are open sheets", parts, 60.0)
 
 
+def screen():
+    """A wooden screen, 1.3 m wide and 1.9 m high: a frame about a lattice of eight-pointed stars, which is two triangles and
+    an image. The image is one star; it is repeated four times across and six times up."""
+    width, height, post, depth, across, up = 1.2, 1.8, 0.05, 0.025, 4, 6
+
+    def is_solid(x, y):
+        x, y = abs(x), abs(y)
+        tip = 1.0  # the points of neighbouring stars meet
+        strap = 0.09
+        square = abs(max(x, y) - tip / sqrt(2)) < strap
+        diamond = abs((x + y) / sqrt(2) - tip / sqrt(2)) < strap
+        return square or diamond
+
+    write_image("lattice", 96, is_solid)
+    x, low, high = width / 2, post, post + height
+    points = [(-x, low, 0), (x, low, 0), (x, high, 0), (-x, high, 0)]
+    sheet = (points, [[0, 1, 2], [0, 2, 3]], [(0, 0), (across, 0), (across, up), (0, up)])
+    overlap = 0.004  # of the frame and the sheet
+    parts = [("wood", box((s * x - post / 2 + s * (post / 2 - overlap), 0, -depth), (s * x + post / 2 + s * (post / 2 - overlap), high + post, depth))) for s in (-1, 1)]
+    parts += [("wood", box((-x, y0, -depth * 0.9), (x, y1, depth * 0.9))) for y0, y1 in ((0, low + overlap), (high - overlap, high + post))]
+    write_model("screen", "A screen, 1.9 m high: a lattice cut out of one sheet by an image", parts + [("lattice", sheet)])
+
+
 if __name__ == "__main__":
-    for model in (torus_knot, column, entablature, table, vase, pawn, candle, flame, plant):
+    for model in (torus_knot, column, entablature, table, vase, pawn, candle, flame, plant, screen):
         model()
