@@ -99,10 +99,6 @@ inline void see(const BlockLeaf& leaf, const BlockRays& rays, float least, FourS
     storeFloats(seen.valueBounds, valueBound);
 }
 
-inline bool hasHoles(const BlockTreeView& tree, std::uint32_t primitive) {
-    return tree.perforated && tree.perforated[primitive];
-}
-
 /// A linear function of the places of eight rays.
 inline Float8 at(Float8 c0, Float8 cx, Float8 cy, Float8 x, Float8 y) { return (c0 + cx * x) + cy * y; }
 
@@ -251,7 +247,9 @@ inline void walk(const BlockTreeView& tree, const BlockRays& rays, const AtLeaf&
     }
 }
 
-inline void nearestHits(const BlockTreeView& tree, const BlockRays& rays, BlockAnswers& answers) {
+/// `kHoles`: some triangle may have holes. Made twice, so that scenes without any do not even ask.
+template <bool kHoles>
+void nearestHits(const BlockTreeView& tree, const BlockRays& rays, BlockAnswers& answers) {
     for (int i = 0; i < kBlockRays; ++i) {
         answers.least[i] = answers.most[i] = rays.asked >> i & 1 ? kNever : -kNever;
         answers.primitives[i] = ~std::uint32_t{0};
@@ -267,7 +265,7 @@ inline void nearestHits(const BlockTreeView& tree, const BlockRays& rays, BlockA
         for (unsigned left = seen.left; left != 0; left &= left - 1) {
             const int t = __builtin_ctz(left);
             const OneSeen one(seen, t);
-            const bool doubtful = seen.doubtful >> t & 1, perforated = hasHoles(tree, leaf.primitives[t]);
+            const bool doubtful = seen.doubtful >> t & 1, perforated = kHoles && tree.perforated[leaf.primitives[t]];
             unsigned inRows = doubtful ? 0xffu : one.possibleRows(rows);
             for (; inRows != 0; inRows &= inRows - 1) {
                 const int row = __builtin_ctz(inRows);
@@ -309,8 +307,9 @@ inline void nearestHits(const BlockTreeView& tree, const BlockRays& rays, BlockA
     });
 }
 
-inline void blockedRays(const BlockTreeView& tree, const BlockRays& rays, const std::uint8_t* mayBlock,
-                        const std::uint32_t* own, BlockAnswers& answers) {
+template <bool kHoles>
+void blockedRays(const BlockTreeView& tree, const BlockRays& rays, const std::uint8_t* mayBlock,
+                 const std::uint32_t* own, BlockAnswers& answers) {
     answers.doubtCount = 0;
     answers.givenUp = 0;
     answers.blocked = 0;
@@ -327,7 +326,7 @@ inline void blockedRays(const BlockTreeView& tree, const BlockRays& rays, const 
             const std::uint32_t primitive = leaf.primitives[t];
             if (!mayBlock[primitive]) continue;
             const OneSeen one(seen, t);
-            const bool doubtful = seen.doubtful >> t & 1, perforated = hasHoles(tree, primitive);
+            const bool doubtful = seen.doubtful >> t & 1, perforated = kHoles && tree.perforated[primitive];
             unsigned inRows = doubtful ? 0xffu : one.possibleRows(rows);
             for (; inRows != 0; inRows &= inRows - 1) {
                 const int row = __builtin_ctz(inRows);
@@ -350,6 +349,16 @@ inline void blockedRays(const BlockTreeView& tree, const BlockRays& rays, const 
         }
         return answers.blocked == rays.asked ? kNever : rays.farthest;
     });
+}
+
+inline void nearestHits(const BlockTreeView& tree, const BlockRays& rays, BlockAnswers& answers) {
+    tree.perforated ? nearestHits<true>(tree, rays, answers) : nearestHits<false>(tree, rays, answers);
+}
+
+inline void blockedRays(const BlockTreeView& tree, const BlockRays& rays, const std::uint8_t* mayBlock,
+                        const std::uint32_t* own, BlockAnswers& answers) {
+    tree.perforated ? blockedRays<true>(tree, rays, mayBlock, own, answers)
+                    : blockedRays<false>(tree, rays, mayBlock, own, answers);
 }
 
 } // namespace
