@@ -1,15 +1,14 @@
 // Whole scenes against the exact judge: every built-in one, and any that SHADOWLAB_TRUTH_SCENES names (paths separated
 // by colons: .json or .obj), each from its own camera and from others around it.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
 #include <sstream>
 
 #include "app/session/assets.h"
 #include "app/session/orbit.h"
-#include "techniques/foundation/scene/holes.h"
 #include "techniques/foundation/scene/load.h"
 #include "tests/shadow_map/edge_reach.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/perforated.h"
 #include "tests/support/truth_comparison.h"
 
 namespace shadowlab {
@@ -21,13 +20,6 @@ using TruthOfScenes = testing::GlTest;
 
 // See zfail_gl_test.cpp: what is left are isolated pixels at cracks.
 constexpr double kCrackShare = 3e-5;
-
-/// Volumes cast those objects whole: holes_gl_test.cpp says how wrong that is.
-bool castsThroughHoles(const scene::Scene& scene) {
-    return std::ranges::any_of(scene.objects, [&](const scene::Object& object) {
-        return object.castsShadow && scene::hasHoles(scene, object);
-    });
-}
 
 TruthComparison zfailFromAround(const scene::Snapshot& base, ivec2 size, int views) {
     TruthComparison sum;
@@ -46,7 +38,7 @@ TEST_F(TruthOfScenes, ZFailIsExactInEveryBuiltInScene) {
     TruthComparison all;
     for (const std::string& name : scene::builtInScenes(root)) {
         const scene::Snapshot snapshot = scene::loadScene(name, {.assetsRoot = root, .allowed = {}, .limits = {}});
-        if (castsThroughHoles(*snapshot)) continue;
+        if (testing::castsThroughHoles(*snapshot)) continue; // see holes_gl_test.cpp
         const TruthComparison sum = zfailFromAround(snapshot, {160, 90}, std::getenv("SHADOWLAB_LONG") ? 8 : 1);
         std::cout << name << ": " << sum << "\n";
         EXPECT_GT(sum.lit, 500) << name;

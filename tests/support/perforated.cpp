@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "techniques/foundation/image/png.h"
+#include "techniques/foundation/scene/holes.h"
 #include "techniques/foundation/scene/shapes.h"
 #include "tests/support/scenes.h"
 
@@ -34,6 +35,12 @@ void perforate(scene::Scene& scene, std::size_t object, const Pattern& pattern) 
     material.alphaMask = maskOf(pattern);
     std::ranges::fill(scene.objects[object].partMaterials, static_cast<std::uint32_t>(scene.materials.size()));
     scene.materials.push_back(std::move(material));
+}
+
+bool castsThroughHoles(const scene::Scene& scene) {
+    return std::ranges::any_of(scene.objects, [&](const scene::Object& object) {
+        return object.castsShadow && scene::hasHoles(scene, object);
+    });
 }
 
 scene::Scene perforatedScene() {
