@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include <glm/gtc/constants.hpp>
 
@@ -54,8 +55,9 @@ public:
     }
 
     /// The answer if a pixel showed this triangle, whatever lies before it. The eye ray may pass it at a hair's breadth:
-    /// the point is where it meets the triangle's plane.
-    [[nodiscard]] Visibility ofPrimitive(std::uint32_t primitive, dvec2 pixel) const {
+    /// the point is where it meets the triangle's plane. Nothing where the triangle has a hole: if its border were near
+    /// enough for rounding, points around the centre would have seen so.
+    [[nodiscard]] std::optional<Visibility> ofPrimitive(std::uint32_t primitive, dvec2 pixel) const {
         if (primitive == trace::kNoPrimitive) return Visibility::noSurface;
         const trace::Ray ray = rays_.through(pixel);
         const trace::Triangle& t = tracer_.world().triangles[primitive];
@@ -67,7 +69,9 @@ public:
         const double area = glm::dot(normal, normal);
         const dvec2 weights(glm::dot(normal, glm::cross(t.c - t.b, point - t.b)) / area,
                             glm::dot(normal, glm::cross(t.a - t.c, point - t.c)) / area);
-        return tracer_.visibility({primitive, along < 0, weights}, light_);
+        const SurfacePoint shown{primitive, along < 0, weights};
+        if (tracer_.isInHole(shown)) return std::nullopt;
+        return tracer_.visibility(shown, light_);
     }
 
     [[nodiscard]] std::uint32_t objectOf(const SurfacePoint& point) const {
@@ -156,7 +160,8 @@ Truth exactTruth(const trace::SceneTracer& tracer, const scene::Camera& camera, 
         forEachPixel(tile, truth, [&](std::size_t i, std::size_t inTile, ivec2 pixel) {
             const std::uint32_t drawn = rasterised.primitives[i];
             if (drawn == centres.points[inTile].primitive) return;
-            if (asking.ofPrimitive(drawn, dvec2(pixel) + 0.5) != centres.visibility[inTile]) truth.ties[i] = 1;
+            const std::optional<Visibility> other = asking.ofPrimitive(drawn, dvec2(pixel) + 0.5);
+            if (other && *other != centres.visibility[inTile]) truth.ties[i] = 1;
         });
     });
 }

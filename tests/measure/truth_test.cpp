@@ -118,6 +118,33 @@ TEST(Truth, BordersOfHolesMakeTiesAsEdgesDo) {
     }
 }
 
+// A rasteriser that draws a triangle where it has a hole is wrong, and no tie excuses it.
+TEST(Truth, WhoDrawsOverAHoleIsNotExcused) {
+    const ivec2 size{80, 60};
+    scene::Scene scene = testing::floorScene();
+    testing::addObject(scene, scene::makeQuad({4, 4}), testing::translation({0, 1, 0})).receivesShadow = false;
+    testing::perforate(scene, 1, {"#.#.", ".#.#"});
+    testing::addObject(scene, scene::makeQuad({9, 9}), testing::translation({0, 2.5, -2})); // all below is in shadow
+    scene.lights.push_back(testing::directionalLight({0, -1, 0.2}));
+    const auto snapshot = testing::snapshot(scene);
+    const trace::SceneTracer tracer = tracerOf(snapshot);
+    const Truth truth = exactTruth(tracer, snapshot->camera, size, 0, {kTiePx, {}});
+    scene.objects[1].partMaterials[0] = 0;
+    const trace::SceneTracer solid = tracerOf(testing::snapshot(scene));
+    const trace::EyeRays rays = tracer.eyeRays(scene.camera, size);
+    Rasterised whole{kTiePx, {}};
+    int drawnOver = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            whole.primitives.push_back(solid.eyePoint(rays, dvec2(x, y) + 0.5).primitive);
+            const bool over = whole.primitives.back() != tracer.eyePoint(rays, dvec2(x, y) + 0.5).primitive;
+            // The sheet is lit, whatever is above it: what is drawn over a shadow shows another truth.
+            drawnOver += over && truth.visibility[truth.index(x, y)] == Visibility::shadowed;
+        }
+    EXPECT_GT(drawnOver, 100);
+    EXPECT_EQ(exactTruth(tracer, snapshot->camera, size, 0, whole).ties, truth.ties);
+}
+
 TEST(Truth, TiesOfAFewPixelsAreThoseOfThePicture) {
     const ivec2 size{96, 72};
     const auto snapshot = testing::snapshot(testing::hardScene(testing::HardClass::soup, 21, false));

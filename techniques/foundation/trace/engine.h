@@ -13,6 +13,7 @@
 
 namespace shadowlab::trace {
 
+/// Triangles are whole to an engine; holes (holes.h) are the SceneTracer's.
 class Engine {
 public:
     virtual ~Engine() = default;

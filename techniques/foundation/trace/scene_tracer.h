@@ -62,6 +62,11 @@ public:
     }
     [[nodiscard]] SurfacePoint eyePoint(const EyeRays& rays, dvec2 pixel) const;
 
+    /// Is there a hole in the point's triangle? Where an eye ray ends there never is; for points found in another way.
+    [[nodiscard]] bool isInHole(const SurfacePoint& point) const {
+        return holes_(point.primitive, point.barycentric());
+    }
+
     [[nodiscard]] dvec3 positionCentred(const SurfacePoint& point) const;
     [[nodiscard]] dvec3 positionWorld(const SurfacePoint& point) const {
         return world().originWorld + positionCentred(point);

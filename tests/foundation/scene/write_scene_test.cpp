@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/image/png.h"
 #include "techniques/foundation/scene/edit_scene.h"
+#include "techniques/foundation/scene/holes.h"
 #include "techniques/foundation/scene/write_scene.h"
 #include "tests/foundation/scene/scene_files.h"
 
@@ -124,6 +125,16 @@ TEST(WriteScene, AStagedMeshComesBackWithItsStage) {
     const auto back = again(*scene, scene->camera, folder);
     EXPECT_EQ(expectSame(*scene, *back), 3);
     EXPECT_EQ(back->camera, scene->camera);
+}
+
+TEST(WriteScene, AStagedMeshKeepsItsHoles) {
+    const TempFolder folder;
+    const auto scene = loadScene((kAssets / "models" / "screen.obj").string(), {});
+    const auto back = again(*scene, scene->camera, folder);
+    EXPECT_EQ(expectSame(*scene, *back), 3);
+    EXPECT_TRUE(hasHoles(*scene, scene->objects[1]));
+    EXPECT_TRUE(hasHoles(*back, back->objects[1]));
+    EXPECT_TRUE(scene->notes.empty());
 }
 
 TEST(WriteScene, WhatWasMovedIsWrittenWhereItIs) {
