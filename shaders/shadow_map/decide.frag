@@ -35,7 +35,7 @@ bool isBefore(uint triangle, MapPlace place, vec2 texel, float certain) {
     vec3 inside = insideOfEdges(t, vec2(0.0));
     vec2 depth = depthAndSlopeAt(t, vec2(0.0));
     float ownSlope = (abs(place.slope.x) + abs(place.slope.y)) / resolution;
-    return t.beforeLight && min(inside.x, min(inside.y, inside.z)) > certain &&
+    return t.beforeLight && !t.mayHaveHoles && min(inside.x, min(inside.y, inside.z)) > certain &&
            depth.x + apart + certain * (depth.y + ownSlope) < place.depth;
 }
 

@@ -1,20 +1,22 @@
 // From one triangle of a surface to the next, along a line in the map. The surface is the light's picture of one mesh, in
 // texels; where no loose edge is near, its triangles lie side by side there, and each point belongs to one of them.
 uniform samplerBuffer positionsLightRelative;
-uniform usamplerBuffer triangles; // two texels each: numbers of corners, and of the triangles beyond the edges after them
+uniform usamplerBuffer triangles; // two texels each: numbers of corners and 1 where there may be
+                                 // holes; numbers of the triangles beyond the edges after the corners
 
 const uint kNoTriangle = 0xffffffffu;
 const int kMostSteps = 24;
 
 struct MapTriangle {
     vec3 corners[3]; // texels from where the walk starts, and depth (0..1)
-    bool beforeLight;
+    bool beforeLight, mayHaveHoles;
 };
 
 MapTriangle mapTriangle(uint triangle, int layer, vec2 startTexel) {
-    uvec3 vertices = texelFetch(triangles, 2 * int(triangle)).xyz;
+    uvec4 vertices = texelFetch(triangles, 2 * int(triangle));
     MapTriangle result;
     result.beforeLight = true;
+    result.mayHaveHoles = vertices.w == 1u;
     for (int i = 0; i < 3; ++i) {
         vec4 lightClip = lightClipFromLightRelative[layer] * texelFetch(positionsLightRelative, int(vertices[i]));
         if (lightClip.w <= 0.0) result.beforeLight = false;

@@ -36,7 +36,7 @@ void ShadowMap::drawExact(const Frame& frame, int light, const LightMaps& maps, 
                           const ExactMap& exact) {
     depthPass_.drawWithIds(frame, maps, layer, casters, depth, exact.triangles, {.depthClamp = params_.depthClamp});
     exact_.findEdges(frame.scene(), light, maps, drawnCasters(frame.scene(), light));
-    exact_.drawEdges(maps, light, layer, exact.edges);
+    exact_.drawEdges(frame, maps, light, layer, casters, exact.edges);
 }
 
 void ShadowMap::publishTraced(Frame& frame, int light, const DrawnMap& map) {

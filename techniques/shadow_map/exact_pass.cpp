@@ -4,6 +4,7 @@
 #include "techniques/foundation/gl/debug.h"
 #include "techniques/foundation/look.h"
 #include "techniques/foundation/scene/facing.h"
+#include "techniques/foundation/scene/holes.h"
 #include "techniques/foundation/trace/pixel_rays.h"
 #include "techniques/shadow_map/loose_edges.h"
 
@@ -19,6 +20,16 @@ constexpr float kReachTexels = 0.6f;
 Region drawnRegion(const View& view) {
     const bool all = view.region.size.x <= 0 || view.region.size.y <= 0;
     return all ? Region{ivec2(0), view.size} : view.region;
+}
+
+template <typename Visit>
+void forEachTriangleWithHoles(const scene::Scene& scene, const scene::Object& object, const Visit& visit) {
+    for (std::size_t p = 0; p < object.mesh->parts.size(); ++p) {
+        if (!scene::maskOfPart(scene, object, p)) continue;
+        const scene::MeshPart& part = object.mesh->parts[p];
+        for (std::uint32_t t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t)
+            visit(object.mesh->triangles[t]);
+    }
 }
 
 LooseEdges upload(const std::vector<vec3>& points) {
@@ -59,15 +70,13 @@ void ExactPass::bindWalk(const gl::Program& program, int light, int positionUnit
 
 void ExactPass::findEdges(const scene::Scene& scene, int light, const LightMaps& maps,
                           std::span<const std::size_t> casters) {
-    if (walkedGeometry_ != scene.revisions.geometry) triangles_ = walkTriangles(scene, topologies_);
-    walkedGeometry_ = scene.revisions.geometry;
+    const std::pair revisions(scene.revisions.geometry, scene.revisions.materials);
+    if (walkedRevisions_ != revisions) triangles_ = walkTriangles(scene, topologies_);
+    walkedRevisions_ = revisions;
     const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
     KeptEdges& kept = edges_[light];
-    EdgesOrigin origin{scene.revisions.geometry,
-                       scene.revisions.transforms,
-                       source,
-                       maps.originWorld,
-                       {casters.begin(), casters.end()}};
+    EdgesOrigin origin{scene.revisions.geometry, scene.revisions.transforms,      scene.revisions.materials, source,
+                       maps.originWorld,         {casters.begin(), casters.end()}};
     if (kept.foundFrom == origin) return;
     std::vector<vec3> points;
     for (const std::size_t caster : casters) {
@@ -76,11 +85,15 @@ void ExactPass::findEdges(const scene::Scene& scene, int light, const LightMaps&
         const auto add = [&](std::uint32_t vertex) {
             points.emplace_back(transformPoint(lightRelative, dvec3(object.mesh->positionsMesh[vertex])));
         };
-        forEachLooseEdge(topologies_.of(object.mesh), scene::facingSigns(object, source),
-                         [&](std::uint32_t a, std::uint32_t b) {
-                             add(a);
-                             add(b);
-                         });
+        const auto addEdge = [&](std::uint32_t a, std::uint32_t b) {
+            add(a);
+            add(b);
+        };
+        forEachLooseEdge(topologies_.of(object.mesh), scene::facingSigns(object, source), addEdge);
+        forEachTriangleWithHoles(scene, object, [&](const uvec3& corners) {
+            for (int i = 0; i < 3; ++i)
+                addEdge(corners[i], corners[(i + 1) % 3]);
+        });
     }
     const dvec3 lightRelativeFromCentred = tracer_.world().originWorld - maps.originWorld;
     for (const Crossing& crossing : crossings_)
@@ -91,7 +104,8 @@ void ExactPass::findEdges(const scene::Scene& scene, int light, const LightMaps&
     kept.foundFrom = std::move(origin);
 }
 
-void ExactPass::drawEdges(const LightMaps& maps, int light, int layer, const gl::DepthTextureArray& edgeDepths) const {
+void ExactPass::drawEdges(const Frame& frame, const LightMaps& maps, int light, int layer,
+                          std::span<const std::size_t> casters, const gl::DepthTextureArray& edgeDepths) const {
     const LooseEdges& edges = edges_.at(light).edges;
     const gl::Framebuffer framebuffer(edgeDepths, layer, "loose edges");
     framebuffer.bind();
@@ -102,6 +116,21 @@ void ExactPass::drawEdges(const LightMaps& maps, int light, int layer, const gl:
     looseEdge_.set("reach", kReachTexels);
     glBindVertexArray(edges.vertexArray.id());
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, edges.count);
+
+    // A surface with holes may end anywhere. At its texel's centre it may be farther away than elsewhere in the texel: by
+    // half its slope in both directions, of which the offset takes the larger.
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(-1.5f, -4.0f);
+    whole_.use();
+    for (const std::size_t caster : casters) {
+        const scene::Object& object = frame.scene().objects[caster];
+        whole_.set("clipFromMesh", mat4(maps.lightClipFromLightRelative(layer) * lightRelativeFromMesh(maps, object)));
+        for (std::size_t p = 0; p < object.mesh->parts.size(); ++p)
+            if (scene::maskOfPart(frame.scene(), object, p))
+                frame.buffers().mesh(caster).draw(object.mesh->parts[p].firstTriangle,
+                                                  object.mesh->parts[p].triangleCount);
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 const Decisions& ExactPass::decide(Frame& frame, int light, const std::function<void()>& draw) {

@@ -41,7 +41,8 @@ public:
     /// Finds the edges of these casters (numbers of objects), if they are not those of the last time.
     void findEdges(const scene::Scene& scene, int light, const LightMaps& maps, std::span<const std::size_t> casters);
     /// Draws into each texel that they touch how near to the light they come there; 1 elsewhere.
-    void drawEdges(const LightMaps& maps, int light, int layer, const gl::DepthTextureArray& edgeDepths) const;
+    void drawEdges(const Frame& frame, const LightMaps& maps, int light, int layer,
+                   std::span<const std::size_t> casters, const gl::DepthTextureArray& edgeDepths) const;
 
     /// Decides every pixel, once in a frame. `draw(program)` draws the receivers with it, the map's textures bound.
     const Decisions& decide(Frame& frame, int light, const std::function<void()>& draw);
@@ -55,7 +56,7 @@ public:
 private:
     /// What a light's edges depend on.
     struct EdgesOrigin {
-        std::uint64_t geometry = 0, transforms = 0;
+        std::uint64_t geometry = 0, transforms = 0, materials = 0;
         scene::Light light;
         dvec3 originWorld{0.0};
         std::vector<std::size_t> casters;
@@ -69,12 +70,13 @@ private:
 
     trace::SceneTracer tracer_;
     Topologies topologies_;
-    std::optional<std::uint64_t> walkedGeometry_;
+    std::pair<std::uint64_t, std::uint64_t> walkedRevisions_{0, 0};
     gl::BufferTexture triangles_;
     std::pair<std::uint64_t, std::uint64_t> crossedRevisions_{0, 0};
     std::vector<Crossing> crossings_;
     std::map<int, KeptEdges> edges_; ///< per light
     std::map<int, Decisions> decisions_;
+    gl::Program whole_{"position.vert", "nothing.frag"};
     gl::Program looseEdge_{"shadow_map/loose_edge.vert", "nothing.frag"};
 };
 

@@ -10,7 +10,7 @@ namespace shadowlab::shadow_map {
 
 /// All that the depths of one layer depend on.
 struct LayerOrigin {
-    std::uint64_t geometry = 0, transforms = 0;
+    std::uint64_t geometry = 0, transforms = 0, materials = 0; ///< materials: their holes
     dvec3 originWorld{0.0};
     dmat4 lightClipFromLightRelative{1.0};
     std::vector<std::size_t> casters;

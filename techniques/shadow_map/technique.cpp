@@ -195,6 +195,7 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
     for (int layer = 0; layer < maps.layers(); ++layer) {
         const LayerOrigin origin{scene.revisions.geometry,
                                  scene.revisions.transforms,
+                                 scene.revisions.materials,
                                  maps.originWorld,
                                  maps.lightClipFromLightRelative(layer),
                                  castersOf(scene, maps, light, layer),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/walk_buffers.h"
 
+#include "techniques/foundation/scene/holes.h"
+
 namespace shadowlab::shadow_map {
 
 namespace {
@@ -21,9 +23,13 @@ gl::BufferTexture walkTriangles(const scene::Scene& scene, Topologies& topologie
     std::uint32_t firstVertex = 0;
     for (const scene::Object& object : scene.objects) {
         const auto firstTriangle = static_cast<std::uint32_t>(numbers.size() / 2);
-        for (const uvec3& corners : object.mesh->triangles) {
-            numbers.emplace_back(corners + firstVertex, 0);
-            numbers.emplace_back(kNoNeighbour);
+        for (std::size_t p = 0; p < object.mesh->parts.size(); ++p) {
+            const scene::MeshPart& part = object.mesh->parts[p];
+            const std::uint32_t holes = scene::maskOfPart(scene, object, p) ? 1 : 0;
+            for (std::uint32_t t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t) {
+                numbers.emplace_back(object.mesh->triangles[t] + firstVertex, holes);
+                numbers.emplace_back(kNoNeighbour);
+            }
         }
         const scene::MeshTopology& topology = topologies.of(object.mesh);
         for (const scene::Edge& edge : topology.edges) {

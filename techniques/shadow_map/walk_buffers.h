@@ -10,8 +10,8 @@ namespace shadowlab::shadow_map {
 /// A triangle beyond an edge that is not there, or that more than one shares.
 constexpr std::uint32_t kNoNeighbour = ~std::uint32_t{0};
 
-/// Two texels for each triangle of all objects, counted through: the numbers of its corners, and of the triangles beyond the
-/// edges that follow them.
+/// Two texels for each triangle of all objects, counted through: the numbers of its corners and 1 if it may have a hole, and
+/// the numbers of the triangles beyond the edges that follow the corners.
 gl::BufferTexture walkTriangles(const scene::Scene& scene, Topologies& topologies);
 
 /// Where the corners of all objects are, relative to a light, in the same order.

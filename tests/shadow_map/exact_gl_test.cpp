@@ -2,8 +2,8 @@
 // projection. The same map without it is wrong in thousands.
 // SPDX-License-Identifier: MIT
 #include "app/session/assets.h"
-#include "techniques/foundation/scene/scene_json.h"
 #include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/scene_json.h"
 #include "techniques/foundation/scene/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/hard_scenes.h"
@@ -32,7 +32,8 @@ struct Both {
 void compare(const scene::Scene& scene, const std::vector<std::string>& settings, Both& both, ivec2 size = kSize) {
     const auto snapshot = testing::snapshot(scene);
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
-        both.exact += compareWithTruth(snapshot, "shadow-map", with(settings, "exact=true"), size, light, testing::kTiePx);
+        both.exact +=
+            compareWithTruth(snapshot, "shadow-map", with(settings, "exact=true"), size, light, testing::kTiePx);
         both.plain += compareWithTruth(snapshot, "shadow-map", settings, size, light, testing::kTiePx);
     }
 }
@@ -50,8 +51,12 @@ TEST_F(ExactMapTest, HardScenesOfEveryClass) {
     for (const testing::HardClass hardClass : testing::kHardClasses) {
         Both both;
         for (unsigned number = 0; number < scenes; ++number)
-            for (const bool directional : {false, true})
+            for (const bool directional : {false, true}) {
+                const int before = both.exact.wrong();
                 compare(testing::hardScene(hardClass, number, directional), {"resolution=256"}, both);
+                EXPECT_EQ(both.exact.wrong(), before)
+                    << toText(hardClass) << " " << number << (directional ? ", sun" : "");
+            }
         expectExact(both, testing::toText(hardClass));
         plainWrong += both.plain.wrong();
     }
@@ -62,19 +67,19 @@ TEST_F(ExactMapTest, EveryProjectionResolutionAndFormat) {
     scene::Scene scene = testing::simpleScene();
     scene.lights.push_back(testing::directionalLight({0.5, -1, 0.25}));
     scene.lights.push_back(testing::pointLight({0, 1.2, 0.1})); // among the casters: six maps
-    for (const std::vector<std::string>& settings : std::vector<std::vector<std::string>>{
-             {"resolution=64"},
-             {"resolution=1024"},
-             {"resolution=4096"},
-             {"resolution=512", "depth-format=16"},
-             {"resolution=512", "depth-format=32f"},
-             {"resolution=512", "fit=scene"},
-             {"resolution=512", "cascades=4"},
-             {"resolution=512", "cascades=3", "stable=false"},
-             {"resolution=512", "warp=lispsm"},
-             {"resolution=512", "warp=lispsm", "cascades=2"},
-             {"resolution=512", "cull=false"},
-             {"resolution=512", "bias-mode=none", "filter=hard"}}) {
+    for (const std::vector<std::string>& settings :
+         std::vector<std::vector<std::string>>{{"resolution=64"},
+                                               {"resolution=1024"},
+                                               {"resolution=4096"},
+                                               {"resolution=512", "depth-format=16"},
+                                               {"resolution=512", "depth-format=32f"},
+                                               {"resolution=512", "fit=scene"},
+                                               {"resolution=512", "cascades=4"},
+                                               {"resolution=512", "cascades=3", "stable=false"},
+                                               {"resolution=512", "warp=lispsm"},
+                                               {"resolution=512", "warp=lispsm", "cascades=2"},
+                                               {"resolution=512", "cull=false"},
+                                               {"resolution=512", "bias-mode=none", "filter=hard"}}) {
         Both both;
         compare(scene, settings, both);
         std::string what;

@@ -116,6 +116,7 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
     const scene::Mesh& mesh = *scene.objects[object].mesh;
     program.use();
     program.set("clipFromMesh", mat4(clipFromMesh));
+    program.set("triangleBase", buffers.triangleBase(object));
     if (!buffers.hasHoles(object))
         return buffers.mesh(object).draw(0, static_cast<std::uint32_t>(mesh.triangles.size()));
     for (std::size_t part = 0; part < mesh.parts.size(); ++part) {
@@ -123,6 +124,7 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
         const Program& chosen = mask ? useCutting(program, *mask) : program;
         chosen.use();
         chosen.set("clipFromMesh", mat4(clipFromMesh));
+        chosen.set("triangleBase", buffers.triangleBase(object) + static_cast<int>(mesh.parts[part].firstTriangle));
         buffers.mesh(object).draw(mesh.parts[part].firstTriangle, mesh.parts[part].triangleCount);
     }
 }
