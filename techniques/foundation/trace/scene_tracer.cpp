@@ -111,6 +111,15 @@ std::uint32_t SceneTracer::blocker(const SurfacePoint& point, int light, ShadowS
         [&](std::uint32_t primitive) { return primitive != itself && blocks[primitive]; }, holesForLight_);
 }
 
+bool SceneTracer::isBlockedBy(std::uint32_t primitive, const SurfacePoint& point, int light) const {
+    if (primitive == point.primitive || !blockers(light)[primitive]) return false;
+    const Ray ray = shadowRay(point, light, ShadowStart::exact);
+    if (!isUsable(ray)) return false;
+    const ShearedRay sheared(ray);
+    const auto hit = intersect(sheared, bvh().triangles[primitive], sheared.farthest);
+    return hit && hit->reach < sheared.farthest;
+}
+
 std::optional<dvec3> SceneTracer::blockedAtWorld(const SurfacePoint& point, int light) const {
     const std::vector<std::uint8_t>& blocks = lights_[static_cast<std::size_t>(light)].blocks;
     const Ray ray = shadowRay(point, light, ShadowStart::exact);

@@ -83,6 +83,12 @@ public:
     /// The triangle that stands between the point and the light's centre, or kNoPrimitive: the first that is found.
     [[nodiscard]] std::uint32_t blocker(const SurfacePoint& point, int light,
                                         ShadowStart start = ShadowStart::exact) const;
+    /// Does this one triangle stand there? For who finds out in another way than by a tree which triangles may.
+    [[nodiscard]] bool isBlockedBy(std::uint32_t primitive, const SurfacePoint& point, int light) const;
+    /// Of each triangle, 1 or 0: can it stand in the light's way at all?
+    [[nodiscard]] std::span<const std::uint8_t> blockers(int light) const {
+        return lights_[static_cast<std::size_t>(light)].blocks;
+    }
     /// Where, on the way from the point to the light's centre, the first thing stands; nothing where the way is free.
     [[nodiscard]] std::optional<dvec3> blockedAtWorld(const SurfacePoint& point, int light) const;
     /// Does it face the light, is it blocked, and does the surface receives shadows at all.

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_map/asked_samples.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+namespace shadowlab::shadow_map {
+
+namespace {
+
+struct BoxCentred {
+    dvec3 lower{std::numeric_limits<double>::infinity()}, upper{-std::numeric_limits<double>::infinity()};
+    void include(const dvec3& from, const dvec3& to) {
+        lower = glm::min(lower, from);
+        upper = glm::max(upper, to);
+    }
+};
+
+/// Sets answers; puts the positions of those that ask into samples.places, as yet in centred space, and marks them. Returns
+/// the middle of the box around them.
+dvec3 gate(const Question& question, Samples& samples) {
+    const std::size_t count = question.points.size();
+    samples.places.resize(count);
+    samples.planeOf.assign(count, kNotAsked);
+    std::vector<BoxCentred> boxes(count / kPointPiece + 1);
+    inPieces(count, kPointPiece, question.threads, [&](std::size_t piece, std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end; ++i) {
+            const trace::SurfacePoint& point = question.points[i];
+            question.answers[i] = trace::Visibility::noSurface;
+            if (!point) continue;
+            const bool faces = question.tracer.facesLight(point, question.light);
+            question.answers[i] = faces ? trace::Visibility::lit : trace::Visibility::turnedAway;
+            if (!faces || !question.tracer.objectOf(point).receivesShadow) continue;
+            samples.planeOf[i] = 0;
+            samples.places[i] = question.tracer.positionCentred(point);
+            boxes[piece].include(samples.places[i], samples.places[i]);
+        }
+    });
+    BoxCentred all;
+    for (const BoxCentred& box : boxes)
+        all.include(box.lower, box.upper);
+    return all.lower.x <= all.upper.x ? 0.5 * (all.lower + all.upper) : dvec3(0.0);
+}
+
+bool fitInto(const LightPlanes& planes, const Question& question, const Samples& samples) {
+    std::atomic<bool> fit = true;
+    inPieces(samples.places.size(), kPointPiece, question.threads,
+             [&](std::size_t, std::size_t first, std::size_t end) {
+                 for (std::size_t i = first; i < end && fit; ++i)
+                     if (samples.planeOf[i] != kNotAsked && planes.planeOf(samples.places[i]) < 0) fit = false;
+             });
+    return fit;
+}
+
+/// From centred space to the planes. A point that has no place there is answered by a ray.
+void place(const Question& question, const LightPlanes& planes, Samples& samples) {
+    samples.planes.assign(planes.all().begin(), planes.all().end());
+    const std::vector<Region> none(samples.planes.size());
+    std::vector<std::vector<Region>> regions(samples.places.size() / kPointPiece + 1, none);
+    inPieces(samples.places.size(), kPointPiece, question.threads,
+             [&](std::size_t piece, std::size_t first, std::size_t end) {
+                 for (std::size_t i = first; i < end; ++i) {
+                     if (samples.planeOf[i] == kNotAsked) continue;
+                     const int plane = planes.planeOf(samples.places[i]);
+                     samples.planeOf[i] = plane < 0 ? kNotAsked : static_cast<std::uint8_t>(plane);
+                     if (plane < 0) {
+                         question.answers[i] = question.tracer.visibility(question.points[i], question.light);
+                         continue;
+                     }
+                     samples.places[i] = samples.planes[samples.planeOf[i]].place(samples.places[i]);
+                     regions[piece][samples.planeOf[i]].include(samples.places[i], question.isParallel());
+                 }
+             });
+    samples.regions = none;
+    for (const std::vector<Region>& ofPiece : regions)
+        for (std::size_t p = 0; p < none.size(); ++p)
+            samples.regions[p].include(ofPiece[p]);
+}
+
+} // namespace
+
+double largestCoordinate(const dvec3& place, bool parallel) {
+    const double aside = std::max(std::abs(place.x), std::abs(place.y));
+    return parallel ? std::max(aside, std::abs(place.z)) : std::max(aside, 1.0) / place.z;
+}
+
+void Region::include(const dvec3& place, bool parallel) {
+    rect.include(dvec2(place));
+    largest = std::max(largest, largestCoordinate(place, parallel));
+    ++count;
+}
+
+void Region::include(const Region& other) {
+    rect.include(other.rect);
+    largest = std::max(largest, other.largest);
+    count += other.count;
+}
+
+Samples findSamples(const Question& question) {
+    Samples samples;
+    const dvec3 middleCentred = gate(question, samples);
+    const dvec3& originWorld = question.tracer.world().originWorld;
+    const LightPlanes one = LightPlanes::one(question.source(), originWorld, middleCentred);
+    if (question.isParallel() || fitInto(one, question, samples))
+        place(question, one, samples);
+    else
+        place(question, LightPlanes::cube(question.source(), originWorld), samples);
+    return samples;
+}
+
+} // namespace shadowlab::shadow_map
