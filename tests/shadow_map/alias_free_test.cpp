@@ -187,7 +187,7 @@ TEST(AliasFree, CastersThatReachBehindTheLight) {
         const dvec3 light(number(random, -1, 1), number(random, 0.5, 3), number(random, -1, 1));
         std::vector<dvec3> corners; // large ones that pass the light closely, on all sides
         for (int t = 0; t < 3; ++t) {
-            const dvec3 beside = light + std::pow(10.0, number(random, -9, 0)) * onSphere(random);
+            const dvec3 beside = light + std::pow(10.0, number(random, -16, 0)) * onSphere(random);
             const dvec3 along = onSphere(random), across = onSphere(random);
             corners.insert(corners.end(), {beside + 20.0 * along, beside - 30.0 * along, beside + 0.2 * across});
         }

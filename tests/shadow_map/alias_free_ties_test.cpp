@@ -1,0 +1,132 @@
+// Points at which rounding decides: in the shadow of an edge, behind a triangle seen edge-on, in contact. Each handful of
+// them is asked alone, so that nothing farther away makes its bucket, and what float may get wrong in it, larger than it need
+// be.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "techniques/foundation/scene/shapes.h"
+#include "techniques/shadow_map/alias_free.h"
+#include "tests/foundation/trace/ray_meshes.h"
+#include "tests/support/scenes.h"
+
+namespace shadowlab::shadow_map {
+namespace {
+
+using namespace shadowlab::testing;
+using trace::SceneTracer;
+using trace::SurfacePoint;
+using trace::Visibility;
+
+struct Counts {
+    long shadowed = 0, lit = 0, different = 0, mixed = 0; ///< mixed: handfuls with both answers
+};
+
+void compare(const SceneTracer& tracer, std::span<const SurfacePoint> points, Counts& counts) {
+    for (int light = 0; light < static_cast<int>(tracer.scene().lights.size()); ++light) {
+        std::vector<Visibility> answers(points.size());
+        aliasFreeVisibilities(tracer, points, light, answers);
+        long shadowed = 0, lit = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Visibility expected = tracer.visibility(points[i], light);
+            counts.different += answers[i] != expected;
+            shadowed += expected == Visibility::shadowed;
+            lit += expected == Visibility::lit;
+        }
+        counts.shadowed += shadowed;
+        counts.lit += lit;
+        counts.mixed += shadowed > 0 && lit > 0;
+    }
+}
+
+/// Some points on a triangle, or just outside it, about where the line from `from` through `through` meets its plane: up to
+/// `spread` away, in shares of its edges.
+std::vector<SurfacePoint> behind(const SceneTracer& tracer, std::uint32_t primitive, const dvec3& fromCentred,
+                                 const dvec3& throughCentred, double spread, Random& random) {
+    const trace::Triangle& t = tracer.world().triangles[primitive];
+    const dvec3 along = throughCentred - fromCentred, toA = t.a - t.c, toB = t.b - t.c, normal = glm::cross(toA, toB);
+    const double share = glm::dot(normal, t.c - fromCentred) / glm::dot(normal, along);
+    const dvec3 at = fromCentred + share * along - t.c;
+    const double area = glm::dot(normal, normal);
+    const dvec2 weights(glm::dot(glm::cross(at, toB), normal) / area, glm::dot(glm::cross(toA, at), normal) / area);
+    std::vector<SurfacePoint> points;
+    for (int i = 0; i < 9; ++i) {
+        const dvec2 aside = i == 0 ? dvec2(0.0) : spread * dvec2(number(random, -1, 1), number(random, -1, 1));
+        points.push_back({primitive, glm::dot(normal, fromCentred - t.c) > 0, weights + aside});
+    }
+    return points;
+}
+
+// The shadow of every kind of place on a triangle: within, on an edge, in a corner; the triangle seen from its side as well as
+// edge-on, down to a plane that misses the light by an atom's width.
+TEST(AliasFreeTies, BehindEdgesAndEdgeOnTriangles) {
+    Counts sum;
+    Random random(21);
+    for (int i = 0; i < longRun(40) * 3000; ++i) {
+        const dvec3 light(number(random, -1, 1), number(random, 2, 4), number(random, -1, 1));
+        scene::Scene scene = floorScene();
+        const bool sun = i % 3 == 0;
+        scene.lights = {sun ? directionalLight(-light) : pointLight(light)};
+        // One corner; another anywhere; the third so that the light is nearly in the plane, or not at all.
+        const dvec3 a = inCube(random, 1) + dvec3(0, 1.1, 0), b = a + number(random, 0.01, 1) * onSphere(random);
+        const dvec3 toward = sun ? light : light - a;
+        const dvec3 aside = std::pow(10.0, number(random, -16, 0)) * onSphere(random);
+        const dvec3 c = a + number(random, -0.5, 1.5) * toward + number(random, -1, 1) * (b - a) + aside;
+        // A mesh is in float: corners in double come from where objects are, each mesh a triangle and a stretched one at that.
+        dmat4 worldFromMesh(1.0);
+        worldFromMesh[0] = dvec4(b - a, 0);
+        worldFromMesh[1] = dvec4(c - a, 0);
+        worldFromMesh[2] = dvec4(glm::normalize(glm::cross(b - a, c - a)), 0);
+        worldFromMesh[3] = dvec4(a, 1);
+        addObject(scene, triangleSoup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), worldFromMesh);
+        SceneTracer tracer;
+        tracer.advance(snapshot(scene), std::chrono::steady_clock::time_point::max());
+        const dvec3 lightCentred = light - tracer.world().originWorld;
+        const double p = number(random, 0, 1), q = number(random, 0, 1) * (1 - p);
+        const dvec2 places[] = {{p, q}, {p, 0}, {0, p}, {p, 1 - p}, {1, 0}, {0, 1}, {0, 0}};
+        const dvec2 place = places[static_cast<std::size_t>(i) % std::size(places)];
+        const trace::Triangle& caster = tracer.world().triangles.back();
+        const dvec3 through = caster.a + place.x * (caster.b - caster.a) + place.y * (caster.c - caster.a);
+        const double spread = std::pow(10.0, number(random, -17, -6));
+        compare(tracer,
+                behind(tracer, static_cast<std::uint32_t>(i % 2), sun ? through + light : lightCentred, through, spread,
+                       random),
+                sum);
+    }
+    EXPECT_EQ(sum.different, 0);
+    EXPECT_GT(sum.shadowed, 3000);
+    EXPECT_GT(sum.lit, 3000);
+    EXPECT_GT(sum.mixed, 500);
+}
+
+// Sheets one above the other, from touching to apart: what is contact toward the sun depends on how large coordinates are.
+TEST(AliasFreeTies, ContactTowardTheSunAndALamp) {
+    Counts sum;
+    Random random(22);
+    for (const double gap : {0.0, 1e-14, 1e-13, 1e-12, 1e-11, 1e-10, 2e-10, 5e-10, 1e-9, 2e-9, 1e-8, 1e-6}) {
+        scene::Scene scene = floorScene();
+        scene.objects.clear();
+        addObject(scene, scene::makeQuad({1000, 1000}));
+        addObject(scene, scene::makeQuad({1500, 1500}), translation({0, gap, 0}));
+        addObject(scene, scene::makeQuad({1e-3, 1e-3}),
+                  translation({0, 1, 0})); // the middle of the scene is on the floor
+        addObject(scene, scene::makeQuad({1e-3, 1e-3}), translation({0, -1, 0}));
+        scene.lights = {directionalLight({0, -1, 0}), directionalLight({0.3, -1, 0.2}), pointLight({0, 2, 0}),
+                        pointLight({100, 20, 3})};
+        SceneTracer tracer;
+        tracer.advance(snapshot(scene), std::chrono::steady_clock::time_point::max());
+        for (int i = 0; i < 200; ++i) {
+            const dvec3 from = dvec3(0, 1, 0) + 100.0 * inCube(random, 1), through = 700.0 * inCube(random, 1);
+            const auto primitive = static_cast<std::uint32_t>(i % 2);
+            compare(tracer, behind(tracer, primitive, from, through, std::pow(10.0, number(random, -9, -2)), random),
+                    sum);
+        }
+    }
+    EXPECT_EQ(sum.different, 0);
+    EXPECT_GT(sum.shadowed, 3000);
+    EXPECT_GT(sum.lit, 3000);
+}
+
+} // namespace
+} // namespace shadowlab::shadow_map
