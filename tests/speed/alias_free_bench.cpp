@@ -2,8 +2,9 @@
 //
 //   ninja -C build/release alias_free_bench && build/release/tests/alias_free_bench
 //
-// A million pixels, a floor and a knot of 10^3 to 10^6 triangles, and a light of each kind of picture plane: the sun, a point
-// outside (one plane) and one amid all (six). For each the median of the times of
+// A million pixels, nearly all of which ask the light; on a floor that fills the picture a knot of 10^3 to 10^6 triangles, or
+// as many loose leaves as a tree has; and a light of each kind of picture plane: the sun, a point outside (one plane) and one
+// amid all (six). For each the median of the times of
 //   rays    SceneTracer::visibilities, the picture in blocks, on all cores
 //   map     aliasFreeVisibilities, from points to answers
 // and of the ratio. Both take turns, so that whatever else the machine does falls on both alike. The answers are compared; a
@@ -13,8 +14,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <random>
 #include <vector>
 
+#include "techniques/foundation/scene/shapes.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/shadow_map/alias_free.h"
 #include "tests/support/scenes.h"
@@ -42,14 +45,34 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-scene::Scene knotScene(std::uint32_t around) {
-    scene::Scene scene = floorScene();
+scene::Mesh knot(std::uint32_t around) {
     scene::Mesh mesh = trefoil(0.3, 5 * around, around);
     mesh.normalsMesh.assign(mesh.positionsMesh.size(), vec3(0, 1, 0));
     mesh.parts = {{"", 0, static_cast<std::uint32_t>(mesh.triangles.size())}};
-    addObject(scene, std::move(mesh), translation({0, 1.6, 0}));
-    scene.lights = {directionalLight({-0.3, -1, -0.5}), pointLight({2, 12, 5}), pointLight({0.1, 1.7, 0.2})};
-    scene.camera.positionWorld = {0, 4, 8};
+    return mesh;
+}
+
+/// Small triangles that lie any way, in a ball.
+scene::Mesh leaves(int count) {
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    const auto anywhere = [&] { return dvec3(normal(random), normal(random), normal(random)); };
+    std::vector<dvec3> corners;
+    for (int i = 0; i < count; ++i) {
+        const dvec3 middle = anywhere();
+        for (int corner = 0; corner < 3; ++corner)
+            corners.push_back(middle + 0.02 * anywhere());
+    }
+    return triangleSoup(corners);
+}
+
+scene::Scene sceneOf(scene::Mesh mesh) {
+    scene::Scene scene = floorScene();
+    scene.objects.clear();
+    addObject(scene, scene::makeQuad({60, 60}));
+    addObject(scene, std::move(mesh), translation({0, 2, 0}));
+    scene.lights = {directionalLight({-0.3, -1, -0.5}), pointLight({2, 12, 5}), pointLight({0.1, 2.1, 0.2})};
+    scene.camera.positionWorld = {0, 8, 8};
     return scene;
 }
 
@@ -75,9 +98,9 @@ void traceAll(const SceneTracer& tracer, std::span<const SurfacePoint> points, i
     });
 }
 
-bool measure(std::uint32_t around) {
+bool measure(const char* casters, scene::Mesh mesh) {
     SceneTracer tracer;
-    tracer.advance(snapshot(knotScene(around)), std::chrono::steady_clock::time_point::max());
+    tracer.advance(snapshot(sceneOf(std::move(mesh))), std::chrono::steady_clock::time_point::max());
     const std::vector<SurfacePoint> points = pointsOf(tracer);
     std::vector<Visibility> rays(points.size()), map(points.size());
     bool same = true;
@@ -94,8 +117,8 @@ bool measure(std::uint32_t around) {
         }
         same = same && rays == map;
         static constexpr const char* names[] = {"sun", "point, one plane", "point, amid all"};
-        std::printf("%9zu %-17s %9zu %9td %10llu %8llu %9.1f %9.1f %9.2f%s\n", tracer.world().triangles.size(),
-                    names[light], static_cast<std::size_t>(record.samples), shadowed,
+        std::printf("%-7s %9zu %-17s %9zu %9td %10llu %8llu %9.1f %9.1f %9.2f%s\n", casters,
+                    tracer.world().triangles.size(), names[light], static_cast<std::size_t>(record.samples), shadowed,
                     static_cast<unsigned long long>(record.overlaps),
                     static_cast<unsigned long long>(record.askedExactly), median(raysMs), median(mapMs), median(ratios),
                     rays == map ? "" : "   THEY DIFFER");
@@ -108,11 +131,13 @@ bool measure(std::uint32_t around) {
 } // namespace shadowlab
 
 int main() {
-    std::printf("%d x %d pixels, median of %d runs, %d threads\n%9s %-17s %9s %9s %10s %8s %9s %9s %9s\n",
-                shadowlab::kSize.x, shadowlab::kSize.y, shadowlab::kRuns, shadowlab::trace::threadCount(), "triangles",
-                "light", "samples", "shadowed", "overlaps", "exact", "rays ms", "map ms", "map/rays");
+    std::printf("%d x %d pixels, median of %d runs, %d threads\n%-7s %9s %-17s %9s %9s %10s %8s %9s %9s %9s\n",
+                shadowlab::kSize.x, shadowlab::kSize.y, shadowlab::kRuns, shadowlab::trace::threadCount(), "casters",
+                "triangles", "light", "samples", "shadowed", "overlaps", "exact", "rays ms", "map ms", "map/rays");
     bool same = true;
     for (const std::uint32_t around : {10u, 32u, 100u, 316u})
-        same = shadowlab::measure(around) && same;
+        same = shadowlab::measure("knot", shadowlab::knot(around)) && same;
+    for (const int count : {10'000, 100'000})
+        same = shadowlab::measure("leaves", shadowlab::leaves(count)) && same;
     return same ? 0 : 1;
 }
