@@ -31,14 +31,14 @@ std::vector<std::vector<TriangleRun>> seeTriangles(const Question& question, con
              [&](std::size_t piece, std::size_t first, std::size_t end) {
                  for (std::size_t p = 0; p < runs.size(); ++p) {
                      const LightPlane& plane = samples.planes[p];
-                     const Region& region = samples.regions[p];
+                     const auto& [box, count] = samples.regions[p];
+                     const double largest = box.largestCoordinate(plane.parallel);
                      TriangleRun& run = runs[p][piece];
-                     for (std::size_t i = first; i < end && region.count > 0; ++i) {
+                     for (std::size_t i = first; i < end && count > 0; ++i) {
                          if (!blocks[i]) continue;
-                         const auto rect = coveredRect(plane, triangles[i], region.rect, region.largest);
+                         const auto rect = coveredRect(plane, triangles[i], box.rect, largest);
                          if (!rect) continue;
-                         run.triangles.push_back(
-                             seenFrom(plane, triangles[i], static_cast<std::uint32_t>(i), region.largest));
+                         run.triangles.push_back(seenFrom(plane, triangles[i], static_cast<std::uint32_t>(i), largest));
                          run.lower.emplace_back(rect->lower);
                          run.upper.emplace_back(rect->upper);
                          run.rect.include(*rect);
@@ -102,8 +102,9 @@ void aliasFreeVisibilities(const trace::SceneTracer& tracer, std::span<const tra
             const auto p = static_cast<std::size_t>(plane);
             // Twice the way within which SceneTracer calls it contact, in metres toward the sun. A share of the way to a light
             // nearby is less than the rounding of a float.
-            const double contact =
-                question.isParallel() ? 2 * trace::kContactPerMetre * (1 + 2 * samples.regions[p].largest) : 0;
+            const double contact = question.isParallel() ? 2 * trace::kContactPerMetre *
+                                                               (1 + 2 * samples.regions[p].box.largestCoordinate(true))
+                                                         : 0;
             SampleStrip strip = makeStrip(question, samples, std::span(lists.indices).subspan(first, count), contact);
             StripTest test(question, strip);
             for (const TriangleRun& run : runs[p])

@@ -70,33 +70,20 @@ void place(const Question& question, const LightPlanes& planes, Samples& samples
                          continue;
                      }
                      samples.places[i] = samples.planes[samples.planeOf[i]].place(samples.places[i]);
-                     regions[piece][samples.planeOf[i]].include(samples.places[i], question.isParallel());
+                     Region& region = regions[piece][samples.planeOf[i]];
+                     region.box.include(samples.places[i]);
+                     ++region.count;
                  }
              });
     samples.regions = none;
     for (const std::vector<Region>& ofPiece : regions)
-        for (std::size_t p = 0; p < none.size(); ++p)
-            samples.regions[p].include(ofPiece[p]);
+        for (std::size_t p = 0; p < none.size(); ++p) {
+            samples.regions[p].box.include(ofPiece[p].box);
+            samples.regions[p].count += ofPiece[p].count;
+        }
 }
 
 } // namespace
-
-double largestCoordinate(const dvec3& place, bool parallel) {
-    const double aside = std::max(std::abs(place.x), std::abs(place.y));
-    return parallel ? std::max(aside, std::abs(place.z)) : std::max(aside, 1.0) / place.z;
-}
-
-void Region::include(const dvec3& place, bool parallel) {
-    rect.include(dvec2(place));
-    largest = std::max(largest, largestCoordinate(place, parallel));
-    ++count;
-}
-
-void Region::include(const Region& other) {
-    rect.include(other.rect);
-    largest = std::max(largest, other.largest);
-    count += other.count;
-}
 
 Samples findSamples(const Question& question) {
     Samples samples;

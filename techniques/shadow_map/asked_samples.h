@@ -23,17 +23,10 @@ struct Question {
     [[nodiscard]] bool isParallel() const { return source().type == scene::LightType::directional; }
 };
 
-/// The largest coordinate, along the axes of its plane (LightPlane::alongAxes), of what has that place: bounds for rounding
-/// grow with it.
-double largestCoordinate(const dvec3& place, bool parallel);
-
 /// Where the samples of one plane are.
 struct Region {
-    PlaneRect rect;
-    double largest = 0; ///< see largestCoordinate()
+    PlaceBox box;
     std::size_t count = 0;
-    void include(const dvec3& place, bool parallel);
-    void include(const Region& other);
 };
 
 constexpr std::uint8_t kNotAsked = 0xff;

@@ -5,6 +5,8 @@
 // are fitted to points that are asked, not to casters, and composed in double throughout.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -41,6 +43,29 @@ struct LightPlane {
     [[nodiscard]] dvec3 place(const dvec3& positionCentred) const {
         const dvec3 p = alongAxes(positionCentred);
         return parallel ? p : dvec3(p.x, p.y, 1.0) / p.z;
+    }
+};
+
+/// A box around places of one plane.
+struct PlaceBox {
+    PlaneRect rect;
+    double farthest = std::numeric_limits<double>::infinity(), nearest = -farthest; ///< least and most nearness
+    void include(const dvec3& place) {
+        rect.include(dvec2(place));
+        farthest = std::min(farthest, place.z);
+        nearest = std::max(nearest, place.z);
+    }
+    void include(const PlaceBox& other) {
+        rect.include(other.rect);
+        farthest = std::min(farthest, other.farthest);
+        nearest = std::max(nearest, other.nearest);
+    }
+    /// No coordinate along the plane's axes (LightPlane::alongAxes) is larger, of anything that is in the box: bounds for
+    /// rounding grow with it.
+    [[nodiscard]] double largestCoordinate(bool parallel) const {
+        const dvec2 aside = glm::max(glm::abs(rect.lower), glm::abs(rect.upper));
+        const double most = std::max(aside.x, aside.y);
+        return parallel ? std::max({most, std::abs(farthest), std::abs(nearest)}) : std::max(most, 1.0) / farthest;
     }
 };
 

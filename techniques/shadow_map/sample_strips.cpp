@@ -42,17 +42,12 @@ void sortBuckets(std::span<Key> keys) {
 /// Returns the rectangle that holds the samples.
 PlaneRect fill(Bucket& bucket, const Question& question, const Samples& samples, std::span<const Key> keys,
                double contact) {
-    PlaneRect rect;
-    double nearest = 0;
-    bucket.farthest = std::numeric_limits<double>::infinity();
-    for (const Key& key : keys) {
-        const dvec3& place = samples.places[key.index];
-        rect.include(dvec2(place));
-        bucket.farthest = std::min(bucket.farthest, place.z);
-        nearest = std::max(nearest, std::abs(place.z));
-        bucket.largest = std::max(bucket.largest, largestCoordinate(place, question.isParallel()));
-    }
-    bucket.middle = 0.5 * (rect.lower + rect.upper);
+    PlaceBox box;
+    for (const Key& key : keys)
+        box.include(samples.places[key.index]);
+    bucket.middle = 0.5 * (box.rect.lower + box.rect.upper);
+    bucket.farthest = box.farthest;
+    bucket.largest = box.largestCoordinate(question.isParallel());
     vec2 half(0.0f);
     for (const Key& key : keys) {
         const dvec3& place = samples.places[key.index];
@@ -69,8 +64,9 @@ PlaneRect fill(Bucket& bucket, const Question& question, const Samples& samples,
         bucket.u[i] = bucket.v[i] = bucket.nearness[i] = 0;
     bucket.half = dvec2(half);
     bucket.live = bucket.count;
-    bucket.clearance = 0x1p-23 * nearest + contact; // rounding of the nearness, twice, and contact
-    return rect;
+    bucket.clearance = 0x1p-23 * std::max(std::abs(box.farthest), std::abs(box.nearest)) +
+                       contact; // rounding of the nearness, twice, and contact
+    return box.rect;
 }
 
 } // namespace

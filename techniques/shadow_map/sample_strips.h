@@ -14,8 +14,8 @@
 
 namespace shadowlab::shadow_map {
 
-// A whole number of fours, which are tested together. With 32 a triangle meets more buckets than it saves tests, with 128
-// the other way round.
+// A whole number of fours, which are tested together. A million samples and 10^5 triangles take the same time, to a tenth,
+// with anything from 64 to 256; smaller buckets meet more triangles, and larger ones make 10^6 triangles slow.
 constexpr std::size_t kBucketSamples = 64;
 
 /// Which samples belong to which strip.
@@ -38,7 +38,7 @@ struct Bucket {
     std::uint32_t count = 0;                  ///< of samples
     std::uint32_t live = 0;                   ///< those that nobody has put in shadow; they come first
     dvec2 middle{0.0}, half{0.0};             ///< all samples are within
-    double largest = 0;                       ///< see largestCoordinate()
+    double largest = 0;                       ///< PlaceBox::largestCoordinate() of its samples
     double farthest = 0;                      ///< least nearness of those that live
     double clearance = 0; ///< by how much a blocker must be nearer than a sample to be so for certain
 };
