@@ -74,6 +74,7 @@ public:
     }
 
 private:
+    /// The triangle against all buckets that its rectangle meets.
     void test(const SeenTriangle& triangle, const vec2& lower, const vec2& upper) {
         const auto from = std::ranges::lower_bound(strip_.upper, lower.y, {}, &vec2::y) - strip_.upper.begin();
         for (auto b = static_cast<std::size_t>(from); b < strip_.buckets.size() && strip_.lower[b].y <= upper.y; ++b)
@@ -100,8 +101,8 @@ void aliasFreeVisibilities(const trace::SceneTracer& tracer, std::span<const tra
         [&](std::size_t s) {
             const auto [plane, first, count] = lists.strips[s];
             const auto p = static_cast<std::size_t>(plane);
-            // Twice the way within which SceneTracer calls it contact, in metres toward the sun. A share of the way to a light
-            // nearby is less than the rounding of a float.
+            // Twice the way within which SceneTracer calls it contact, in metres toward the sun. Toward other lights contact is
+            // a share of the way so small that rounding to float covers it.
             const double contact = question.isParallel() ? 2 * trace::kContactPerMetre *
                                                                (1 + 2 * samples.regions[p].box.largestCoordinate(true))
                                                          : 0;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <limits>
 
 namespace shadowlab::shadow_map {
@@ -12,9 +11,13 @@ namespace {
 
 struct BoxCentred {
     dvec3 lower{std::numeric_limits<double>::infinity()}, upper{-std::numeric_limits<double>::infinity()};
-    void include(const dvec3& from, const dvec3& to) {
-        lower = glm::min(lower, from);
-        upper = glm::max(upper, to);
+    void include(const dvec3& position) {
+        lower = glm::min(lower, position);
+        upper = glm::max(upper, position);
+    }
+    void include(const BoxCentred& other) {
+        lower = glm::min(lower, other.lower);
+        upper = glm::max(upper, other.upper);
     }
 };
 
@@ -35,15 +38,16 @@ dvec3 gate(const Question& question, Samples& samples) {
             if (!faces || !question.tracer.objectOf(point).receivesShadow) continue;
             samples.planeOf[i] = 0;
             samples.places[i] = question.tracer.positionCentred(point);
-            boxes[piece].include(samples.places[i], samples.places[i]);
+            boxes[piece].include(samples.places[i]);
         }
     });
     BoxCentred all;
     for (const BoxCentred& box : boxes)
-        all.include(box.lower, box.upper);
+        all.include(box);
     return all.lower.x <= all.upper.x ? 0.5 * (all.lower + all.upper) : dvec3(0.0);
 }
 
+/// Has every sample a place in one of the planes?
 bool fitInto(const LightPlanes& planes, const Question& question, const Samples& samples) {
     std::atomic<bool> fit = true;
     inPieces(samples.places.size(), kPointPiece, question.threads,

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "techniques/foundation/trace/float4.h"
 
@@ -29,6 +28,7 @@ struct InBucket {
     [[nodiscard]] double size() const { return std::abs(middle) + spread; }
 };
 
+/// The same for four places at once, counted from the bucket's middle.
 struct OfFour {
     Float4 middle, slopeU, slopeV;
     explicit OfFour(const InBucket& f)

@@ -29,6 +29,7 @@ struct PlaneRect {
     [[nodiscard]] bool isEmpty() const { return !(lower.x <= upper.x && lower.y <= upper.y); }
 };
 
+/// One plane, and how to find what lies where in it.
 struct LightPlane {
     bool parallel = false;
     dvec3 originCentred{0.0};    ///< the light; of parallel light, the origin of centred space
@@ -43,6 +44,11 @@ struct LightPlane {
     [[nodiscard]] dvec3 place(const dvec3& positionCentred) const {
         const dvec3 p = alongAxes(positionCentred);
         return parallel ? p : dvec3(p.x, p.y, 1.0) / p.z;
+    }
+    /// The point that has this place: for pictures that show the plane, or what lies in it.
+    [[nodiscard]] dvec3 positionCentred(const dvec3& place) const {
+        const dvec3 p = parallel ? place : dvec3(place.x, place.y, 1.0) / place.z;
+        return originCentred + glm::transpose(planeFromCentred) * p;
     }
 };
 

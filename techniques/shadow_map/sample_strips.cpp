@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace shadowlab::shadow_map {
@@ -25,6 +24,7 @@ std::vector<double> bordersOf(std::vector<double> polled, std::size_t samples) {
     return borders;
 }
 
+/// A sample of a strip: all that sorting along v moves about.
 struct Key {
     float v;
     std::uint32_t index;
@@ -64,14 +64,15 @@ PlaneRect fill(Bucket& bucket, const Question& question, const Samples& samples,
         bucket.u[i] = bucket.v[i] = bucket.nearness[i] = 0;
     bucket.half = dvec2(half);
     bucket.live = bucket.count;
-    bucket.clearance = 0x1p-23 * std::max(std::abs(box.farthest), std::abs(box.nearest)) +
-                       contact; // rounding of the nearness, twice, and contact
+    constexpr double kRounding = 0x1p-23; // of a nearness to float: twice what it can be
+    bucket.clearance = kRounding * std::max(std::abs(box.farthest), std::abs(box.nearest)) + contact;
     return box.rect;
 }
 
 } // namespace
 
 StripLists cutIntoStrips(const Samples& samples, int threads) {
+    // Where to cut is told by a poll; which points are polled, and so the strips, does not depend on who does the work.
     const std::size_t planes = samples.regions.size(), count = samples.places.size();
     std::vector<std::vector<double>> polled(planes), borders(planes);
     for (std::size_t i = 0; i < count; ++i)

@@ -28,6 +28,7 @@ struct StripLists {
     std::vector<std::uint32_t> indices; ///< of samples
 };
 
+/// Strips of about equally many samples of one plane, across u; none without samples.
 StripLists cutIntoStrips(const Samples& samples, int threads);
 
 /// Up to kBucketSamples neighbours. Their places count from the middle of the bucket, so that float tells them apart.
@@ -50,7 +51,7 @@ struct SampleStrip {
     PlaneRect rect;
 };
 
-/// `contact`: by how much a blocker's nearness must differ from the sample's at least.
+/// Sorts the samples of one strip. `contact`: by how much a blocker's nearness must differ from the sample's at least.
 SampleStrip makeStrip(const Question& question, const Samples& samples, std::span<const std::uint32_t> indices,
                       double contact);
 

@@ -92,7 +92,7 @@ public:
             for (int x = 0; x < side; ++x) {
                 const dvec2 place = rect.lower + (rect.upper - rect.lower) * (dvec2(x, y) + 0.5) / double(side);
                 trace::Ray ray; // from beyond the scene, the way the light goes
-                ray.originCentred = glm::transpose(plane.planeFromCentred) * dvec3(place, kBeyond);
+                ray.originCentred = plane.positionCentred(dvec3(place, kBeyond));
                 ray.directionCentred = -glm::transpose(plane.planeFromCentred)[2];
                 const trace::RayHit hit =
                     tracer.bvh().closest(ray, [&](std::uint32_t p) { return tracer.blockers(0)[p] != 0; });
@@ -195,6 +195,30 @@ TEST(AliasFreeShapes, TheRecordCountsWhatWasAsked) {
             EXPECT_LE(certainlyWithin, bucket.samples);
         }
     }
+}
+
+TEST(AliasFreeShapes, PlacesLeadBackToThePoints) {
+    const std::vector<LightPlanes> lights = {LightPlanes::one(directionalLight({0.3, -1, 0.2}), {1, 2, 3}, {}),
+                                             LightPlanes::one(pointLight({2, 5, 3}), {1, 2, 3}, {1, 2, 1}),
+                                             LightPlanes::cube(pointLight({2, 5, 3}), {1, 2, 3})};
+    Random random(9);
+    int placed = 0;
+    for (const LightPlanes& planes : lights)
+        for (int i = 0; i < 500; ++i) {
+            const dvec3 positionCentred = 10.0 * inCube(random, 1);
+            const int index = planes.planeOf(positionCentred);
+            if (index < 0) continue; // beside the one plane
+            const LightPlane& plane = planes.all()[static_cast<std::size_t>(index)];
+            const dvec3 place = plane.place(positionCentred);
+            EXPECT_LT(glm::length(plane.positionCentred(place) - positionCentred), 1e-12);
+            if (!plane.parallel) {
+                EXPECT_GT(place.z, 0);
+                EXPECT_LE(std::max(std::abs(place.x), std::abs(place.y)), planes.all().size() == 6 ? 1 : kWidestPlane);
+            }
+            ++placed;
+        }
+    EXPECT_GT(placed, 1100);
+    EXPECT_LT(placed, 1500) << "one plane does not see all around";
 }
 
 TEST(AliasFreeShapes, SameForAnyNumberOfThreads) {

@@ -245,6 +245,19 @@ TEST(AliasFree, NothingThere) {
     EXPECT_EQ(std::ranges::count(answers, Visibility::noSurface), 100) << "no object at all";
 }
 
+// Nothing can be sorted, or cut in two.
+TEST(AliasFree, ThousandsOfPointsInOnePlace) {
+    SceneTracer tracer;
+    scene::Scene scene = simpleScene();
+    scene.lights.push_back(directionalLight({0.3, -1, 0.2}));
+    tracer.advance(snapshot(scene), std::chrono::steady_clock::time_point::max());
+    const std::vector<SurfacePoint> seen = seenBy(tracer, {61, 45});
+    Counts sum;
+    for (std::size_t i = 0; i < seen.size(); i += 40)
+        sum += compare(tracer, std::vector<SurfacePoint>(5000, seen[i]));
+    expectSame(sum, 20'000, "one place");
+}
+
 TEST(AliasFree, APointInTheLightItself) {
     scene::Scene scene = simpleScene();
     SceneTracer tracer;
