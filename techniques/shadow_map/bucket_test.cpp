@@ -50,13 +50,15 @@ bool BucketTest::test(const SeenTriangle& triangle, Bucket& bucket) {
         inFront |= side.middle - side.spread > bound;
     }
     // Where the light lies in the triangle's plane, or nearly, nobody knows which side of it is the inner one: then sides of
-    // both signs are a miss, and the nearness says nothing.
-    const bool certain = triangle.isCertain(m, parallel_);
+    // both signs are a miss, and of the nearness only that of the corners is known.
+    const bool certain = isCertain(triangle.determinant, m, parallel_);
     if (outside && (certain || inFront)) return false;
     const InBucket plane(triangle.nearness, bucket);
     const double error =
         kFloat * plane.size() + triangle.nearnessBound(m, plane.size(), parallel_) + kUnderflow + bucket.clearance;
-    if (certain && std::min(plane.middle + plane.spread, triangle.nearest) + error < bucket.farthest) return false;
+    const double nearest =
+        certain ? std::min(plane.middle + plane.spread, triangle.nearest) + error : triangle.nearest + bucket.clearance;
+    if (nearest < bucket.farthest) return false;
 
     const OfFour side[3] = {OfFour(sides[0]), OfFour(sides[1]), OfFour(sides[2])}, nearness(plane);
     const Float4 above = Float4::all(static_cast<float>(bound)), below = Float4::all(static_cast<float>(-bound));
@@ -81,16 +83,20 @@ bool BucketTest::test(const SeenTriangle& triangle, Bucket& bucket) {
             possible &= ~(1 << lane);
             const unsigned sample = first + static_cast<unsigned>(lane);
             if (bucket.primitives[sample] == triangle.primitive) continue;
-            if (!(sure >> lane & 1)) {
-                ++askedExactly_;
-                if (!question_.tracer.isBlockedBy(triangle.primitive, question_.points[bucket.indices[sample]],
-                                                  question_.light))
-                    continue;
-            }
-            drop(bucket, sample);
+            if (sure >> lane & 1 || isBlocked(bucket, sample, triangle, certain)) drop(bucket, sample);
         }
     }
     return true;
+}
+
+bool BucketTest::isBlocked(const Bucket& bucket, unsigned sample, const SeenTriangle& triangle, bool certain) {
+    ++askedExactly_;
+    const trace::SurfacePoint& point = question_.points[bucket.indices[sample]];
+    // Seen edge-on, to within rounding, a triangle is hit anywhere along itself. Where that may be before the sample as well as
+    // behind it, or behind the light, what a ray finds depends on the boxes of the tree it goes through.
+    const bool between = certain || triangle.farthest - bucket.clearance > bucket.nearness[sample];
+    return between ? question_.tracer.isBlockedBy(triangle.primitive, point, question_.light)
+                   : question_.tracer.visibility(point, question_.light) == trace::Visibility::shadowed;
 }
 
 void BucketTest::drop(Bucket& bucket, unsigned sample) {

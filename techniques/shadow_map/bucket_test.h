@@ -22,6 +22,7 @@ public:
     [[nodiscard]] std::uint64_t askedExactly() const { return askedExactly_; }
 
 private:
+    bool isBlocked(const Bucket& bucket, unsigned sample, const SeenTriangle& triangle, bool certain);
     /// In shadow: nobody need ask for it again.
     void drop(Bucket& bucket, unsigned sample);
 

@@ -77,10 +77,15 @@ SeenTriangle seenFrom(const LightPlane& plane, const trace::Triangle& triangle, 
         for (dvec3& side : seen.sides)
             side = -side;
     largest = std::max(largest, seen.largest);
-    const double least = std::min({a.z, b.z, c.z});
-    seen.nearest = plane.parallel                ? std::max({a.z, b.z, c.z}) + kCertainlyOutside * largest
-                   : least >= kShallow * largest ? (1 + kPlaceError) / least
-                                                 : std::numeric_limits<double>::infinity();
+    const double least = std::min({a.z, b.z, c.z}), most = std::max({a.z, b.z, c.z});
+    if (plane.parallel) {
+        seen.nearest = most + kCertainlyOutside * largest;
+        seen.farthest = least - kCertainlyOutside * largest;
+    } else {
+        const bool before = least >= kShallow * largest;
+        seen.nearest = before ? (1 + kPlaceError) / least : std::numeric_limits<double>::infinity();
+        seen.farthest = before ? (1 - kPlaceError) / most : -std::numeric_limits<double>::infinity();
+    }
     return seen;
 }
 
@@ -100,12 +105,18 @@ std::optional<PlaneRect> coveredRect(const LightPlane& plane, const trace::Trian
         return std::ranges::all_of(
             corners, [&](const dvec3& corner) { return glm::dot(corner, outside) > kCertainlyOutside * largest; });
     };
+    if (allBeyond({0, 0, -1})) return std::nullopt; // behind the light
+    const bool reachesBehind =
+        std::ranges::any_of(corners, [&](const dvec3& corner) { return corner.z < kShallow * largest; });
+    if (reachesBehind) {
+        const double determinant = glm::dot(corners[0], glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+        if (!isCertain(determinant, largest, plane.parallel)) return asked;
+    }
     const PlaneRect wide = widened(asked, 1);
-    if (allBeyond({0, 0, -1}) || allBeyond({1, 0, -wide.upper.x}) || allBeyond({-1, 0, wide.lower.x}) ||
-        allBeyond({0, 1, -wide.upper.y}) || allBeyond({0, -1, wide.lower.y}))
+    if (allBeyond({1, 0, -wide.upper.x}) || allBeyond({-1, 0, wide.lower.x}) || allBeyond({0, 1, -wide.upper.y}) ||
+        allBeyond({0, -1, wide.lower.y}))
         return std::nullopt;
-    if (std::ranges::any_of(corners, [&](const dvec3& corner) { return corner.z < kShallow * largest; }))
-        return clippedRect(corners, asked, kShallow * largest);
+    if (reachesBehind) return clippedRect(corners, asked, kShallow * largest);
     for (const dvec3& corner : corners)
         rect.include(dvec2(corner) / corner.z);
     return common(widened(rect, 1), asked);

@@ -11,6 +11,7 @@
 // only, whose sides are computed from the corners, not the edges. kNearnessDouble is a quarter more than that.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -21,18 +22,20 @@ namespace shadowlab::shadow_map {
 
 constexpr double kSideDouble = 0x1p-42, kNearnessDouble = 0x1p-36;
 
+/// Can a determinant of that size, or its sign, be relied on? M is meant as above.
+inline bool isCertain(double determinant, double m, bool parallel) {
+    return 4 * kNearnessDouble * m * m * (parallel ? 1 : m) <= std::abs(determinant);
+}
+
 struct SeenTriangle {
-    dvec3 sides[3]; ///< side(u, v) = x u + y v + z: positive inside, unless the determinant is in doubt
-    dvec3 nearness; ///< likewise
-    double nearest; ///< at least that of its corners; infinite where it reaches behind the light, or nearly
+    dvec3 sides[3];           ///< side(u, v) = x u + y v + z: positive inside, unless the determinant is in doubt
+    dvec3 nearness;           ///< likewise
+    double nearest, farthest; ///< nearness that no corner exceeds, and none falls short of; infinite where it reaches
+                              ///< behind the light, or nearly
     double largest, longest;
     double determinant; ///< size of what the nearness was divided by
     std::uint32_t primitive;
 
-    /// Is its plane, with M as above, certainly not one that goes through the light?
-    [[nodiscard]] bool isCertain(double m, bool parallel) const {
-        return 4 * kNearnessDouble * m * m * (parallel ? 1 : m) <= determinant;
-    }
     [[nodiscard]] double sideBound(double m) const { return kSideDouble * m * longest; }
     /// Largest error of a nearness of at most `size`, where the determinant is certain.
     [[nodiscard]] double nearnessBound(double m, double size, bool parallel) const {
@@ -44,7 +47,8 @@ struct SeenTriangle {
 SeenTriangle seenFrom(const LightPlane& plane, const trace::Triangle& triangle, std::uint32_t primitive,
                       double largest);
 
-/// A rectangle of the plane outside which no sample of `asked` is covered by the triangle; nothing where none is at all.
+/// A rectangle of the plane outside which no sample of `asked` is covered by the triangle; nothing where none is at all. Of a
+/// triangle that reaches behind the light, and seems to have it in its plane, it is all that is asked.
 std::optional<PlaneRect> coveredRect(const LightPlane& plane, const trace::Triangle& triangle, const PlaneRect& asked,
                                      double largest);
 
