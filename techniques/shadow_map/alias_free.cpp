@@ -32,13 +32,13 @@ std::vector<std::vector<TriangleRun>> seeTriangles(const Question& question, con
                  for (std::size_t p = 0; p < runs.size(); ++p) {
                      const LightPlane& plane = samples.planes[p];
                      const auto& [box, count] = samples.regions[p];
-                     const double largest = box.largestCoordinate(plane.parallel);
+                     const Asked asked{box.rect, box.largestCoordinate(plane.parallel), question.extent()};
                      TriangleRun& run = runs[p][piece];
                      for (std::size_t i = first; i < end && count > 0; ++i) {
                          if (!blocks[i]) continue;
-                         const auto rect = coveredRect(plane, triangles[i], box.rect, largest);
+                         const auto rect = coveredRect(plane, triangles[i], asked);
                          if (!rect) continue;
-                         run.triangles.push_back(seenFrom(plane, triangles[i], static_cast<std::uint32_t>(i), largest));
+                         run.triangles.push_back(seenFrom(plane, triangles[i], static_cast<std::uint32_t>(i), asked));
                          run.lower.emplace_back(rect->lower);
                          run.upper.emplace_back(rect->upper);
                          run.rect.include(*rect);

@@ -20,6 +20,8 @@ struct Question {
     std::span<trace::Visibility> answers; ///< one per point
     int threads;                          ///< as for trace::parallelFor
     [[nodiscard]] const scene::Light& source() const { return tracer.scene().lights[static_cast<std::size_t>(light)]; }
+    /// Of the scene: the largest difference of two coordinates.
+    [[nodiscard]] double extent() const { return 2 * tracer.largestCentred(); }
     [[nodiscard]] bool isParallel() const { return source().type == scene::LightType::directional; }
 };
 

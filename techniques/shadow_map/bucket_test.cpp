@@ -41,6 +41,7 @@ struct OfFour {
 
 bool BucketTest::test(const SeenTriangle& triangle, Bucket& bucket) {
     const double m = std::max(triangle.largest, bucket.largest);
+    const Sizes sizes{m, std::min(m, extent_)};
     const InBucket sides[3] = {{triangle.sides[0], bucket}, {triangle.sides[1], bucket}, {triangle.sides[2], bucket}};
     const double size = std::max({sides[0].size(), sides[1].size(), sides[2].size()});
     const double bound = kFloat * size + triangle.sideBound(m) + kUnderflow;
@@ -49,16 +50,14 @@ bool BucketTest::test(const SeenTriangle& triangle, Bucket& bucket) {
         outside |= side.middle + side.spread < -bound;
         inFront |= side.middle - side.spread > bound;
     }
-    // Where the light lies in the triangle's plane, or nearly, nobody knows which side of it is the inner one: then sides of
-    // both signs are a miss, and of the nearness only that of the corners is known.
-    const bool certain = isCertain(triangle.determinant, m, parallel_);
+    // Of a triangle in doubt nobody knows which is the inner side of its edges: then sides of both signs are a miss, and the
+    // nearness says nothing.
+    const bool certain = isCertain(triangle.determinant, sizes, parallel_);
     if (outside && (certain || inFront)) return false;
     const InBucket plane(triangle.nearness, bucket);
     const double error =
-        kFloat * plane.size() + triangle.nearnessBound(m, plane.size(), parallel_) + kUnderflow + bucket.clearance;
-    const double nearest =
-        certain ? std::min(plane.middle + plane.spread, triangle.nearest) + error : triangle.nearest + bucket.clearance;
-    if (nearest < bucket.farthest) return false;
+        kFloat * plane.size() + triangle.nearnessBound(sizes, plane.size(), parallel_) + kUnderflow + bucket.clearance;
+    if (certain && std::min(plane.middle + plane.spread, triangle.nearest) + error < bucket.farthest) return false;
 
     const OfFour side[3] = {OfFour(sides[0]), OfFour(sides[1]), OfFour(sides[2])}, nearness(plane);
     const Float4 above = Float4::all(static_cast<float>(bound)), below = Float4::all(static_cast<float>(-bound));
@@ -92,8 +91,8 @@ bool BucketTest::test(const SeenTriangle& triangle, Bucket& bucket) {
 bool BucketTest::isBlocked(const Bucket& bucket, unsigned sample, const SeenTriangle& triangle, bool certain) {
     ++askedExactly_;
     const trace::SurfacePoint& point = question_.points[bucket.indices[sample]];
-    // Seen edge-on, to within rounding, a triangle is hit anywhere along itself. Where that may be before the sample as well as
-    // behind it, or behind the light, what a ray finds depends on the boxes of the tree it goes through.
+    // A triangle in doubt is hit anywhere along itself. Where that may be behind the sample, or behind the light, too, what a
+    // ray finds depends on the boxes of the tree it goes through.
     const bool between = certain || triangle.farthest - bucket.clearance > bucket.nearness[sample];
     return between ? question_.tracer.isBlockedBy(triangle.primitive, point, question_.light)
                    : question_.tracer.visibility(point, question_.light) == trace::Visibility::shadowed;

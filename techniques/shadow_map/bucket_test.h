@@ -13,7 +13,8 @@ namespace shadowlab::shadow_map {
 
 class BucketTest {
 public:
-    explicit BucketTest(const Question& question) : question_(question), parallel_(question.isParallel()) {}
+    explicit BucketTest(const Question& question)
+        : question_(question), parallel_(question.isParallel()), extent_(question.extent()) {}
 
     /// Answers `shadowed` for all living samples that the triangle blocks, and takes them out of the bucket. False when the
     /// bucket as a whole could be passed over.
@@ -28,6 +29,7 @@ private:
 
     const Question& question_;
     bool parallel_;
+    double extent_;
     std::uint64_t askedExactly_ = 0;
 };
 

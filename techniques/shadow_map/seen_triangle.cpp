@@ -54,7 +54,7 @@ std::optional<PlaneRect> clippedRect(const std::array<dvec3, 3>& corners, const 
 } // namespace
 
 SeenTriangle seenFrom(const LightPlane& plane, const trace::Triangle& triangle, std::uint32_t primitive,
-                      double largest) {
+                      const Asked& asked) {
     const dvec3 a = plane.alongAxes(triangle.a), b = plane.alongAxes(triangle.b), c = plane.alongAxes(triangle.c);
     const dvec3 toB = plane.planeFromCentred * (triangle.b - triangle.a),
                 toC = plane.planeFromCentred * (triangle.c - triangle.a);
@@ -76,50 +76,51 @@ SeenTriangle seenFrom(const LightPlane& plane, const trace::Triangle& triangle, 
     if (determinant < 0)
         for (dvec3& side : seen.sides)
             side = -side;
-    largest = std::max(largest, seen.largest);
+    const double m = asked.sizes(seen.largest).m;
     const double least = std::min({a.z, b.z, c.z}), most = std::max({a.z, b.z, c.z});
     if (plane.parallel) {
-        seen.nearest = most + kCertainlyOutside * largest;
-        seen.farthest = least - kCertainlyOutside * largest;
+        seen.nearest = most + kCertainlyOutside * m;
+        seen.farthest = least - kCertainlyOutside * m;
     } else {
-        const bool before = least >= kShallow * largest;
+        const bool before = least >= kShallow * m;
         seen.nearest = before ? (1 + kPlaceError) / least : std::numeric_limits<double>::infinity();
         seen.farthest = before ? (1 - kPlaceError) / most : -std::numeric_limits<double>::infinity();
     }
     return seen;
 }
 
-std::optional<PlaneRect> coveredRect(const LightPlane& plane, const trace::Triangle& triangle, const PlaneRect& asked,
-                                     double largest) {
+std::optional<PlaneRect> coveredRect(const LightPlane& plane, const trace::Triangle& triangle, const Asked& asked) {
     const std::array<dvec3, 3> corners{plane.alongAxes(triangle.a), plane.alongAxes(triangle.b),
                                        plane.alongAxes(triangle.c)};
-    for (const dvec3& corner : corners)
-        largest = std::max(largest, largestOf(corner));
+    const Sizes sizes = asked.sizes(std::max({largestOf(corners[0]), largestOf(corners[1]), largestOf(corners[2])}));
     PlaneRect rect;
     if (plane.parallel) {
         for (const dvec3& corner : corners)
             rect.include(dvec2(corner));
-        return common(widened(rect, largest), asked);
+        return common(widened(rect, sizes.m), asked.rect);
     }
     const auto allBeyond = [&](const dvec3& outside) {
         return std::ranges::all_of(
-            corners, [&](const dvec3& corner) { return glm::dot(corner, outside) > kCertainlyOutside * largest; });
+            corners, [&](const dvec3& corner) { return glm::dot(corner, outside) > kCertainlyOutside * sizes.m; });
     };
-    if (allBeyond({0, 0, -1})) return std::nullopt; // behind the light
-    const bool reachesBehind =
-        std::ranges::any_of(corners, [&](const dvec3& corner) { return corner.z < kShallow * largest; });
-    if (reachesBehind) {
+    const double least = std::min({corners[0].z, corners[1].z, corners[2].z}),
+                 most = std::max({corners[0].z, corners[1].z, corners[2].z}), shallow = kShallow * sizes.m;
+    if (least < shallow) {
         const double determinant = glm::dot(corners[0], glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-        if (!isCertain(determinant, largest, plane.parallel)) return asked;
+        const bool certain = isCertain(determinant, sizes, plane.parallel);
+        if (certain && allBeyond({0, 0, -1})) return std::nullopt;
+        if (!certain && most > -shallow) return asked.rect;
+        if (certain) {
+            const PlaneRect wide = widened(asked.rect, 1);
+            if (allBeyond({1, 0, -wide.upper.x}) || allBeyond({-1, 0, wide.lower.x}) ||
+                allBeyond({0, 1, -wide.upper.y}) || allBeyond({0, -1, wide.lower.y}))
+                return std::nullopt;
+            return clippedRect(corners, asked.rect, shallow);
+        }
     }
-    const PlaneRect wide = widened(asked, 1);
-    if (allBeyond({1, 0, -wide.upper.x}) || allBeyond({-1, 0, wide.lower.x}) || allBeyond({0, 1, -wide.upper.y}) ||
-        allBeyond({0, -1, wide.lower.y}))
-        return std::nullopt;
-    if (reachesBehind) return clippedRect(corners, asked, kShallow * largest);
     for (const dvec3& corner : corners)
-        rect.include(dvec2(corner) / corner.z);
-    return common(widened(rect, 1), asked);
+        rect.include(dvec2(corner) / corner.z); // right behind the light as well
+    return common(widened(rect, 1), asked.rect);
 }
 
 } // namespace shadowlab::shadow_map

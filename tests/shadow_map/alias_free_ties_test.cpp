@@ -4,6 +4,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "techniques/foundation/scene/shapes.h"
@@ -58,6 +59,24 @@ std::vector<SurfacePoint> behind(const SceneTracer& tracer, std::uint32_t primit
     return points;
 }
 
+/// A triangle somewhere above the floor. The light is in its plane, or nearly, or not at all; of a fourth of them as far as
+/// double can tell, and they reach behind the light. Another fourth does, too, but what a ray through the light hits of those
+/// is behind it, and they pass before it at a distance.
+std::array<dvec3, 3> cornersAbout(const dvec3& light, bool sun, int kind, Random& random) {
+    const bool inPlane = kind % 4 < 2;
+    const dvec3 aside = std::pow(10.0, inPlane ? number(random, -17, -14) : number(random, -16, 0)) * onSphere(random);
+    if (kind % 4 == 1 && !sun) {
+        const dvec3 up = glm::normalize(onSphere(random) + dvec3(0, 1.5, 0));
+        const dvec3 across = glm::normalize(glm::cross(up, onSphere(random)));
+        const auto at = [&](double along, double beside) { return light + along * up + beside * across; };
+        return {at(-number(random, 0.1, 1.5), number(random, 1, 5)), at(number(random, 0.5, 2), -number(random, 0, 1)),
+                at(number(random, 0.5, 2), number(random, 0, 1)) + aside};
+    }
+    const dvec3 a = inCube(random, 1) + dvec3(0, 1.1, 0), b = a + number(random, 0.01, 1) * onSphere(random);
+    const double along = kind % 4 == 0 ? number(random, 1, 2) : number(random, -0.5, 1.5);
+    return {a, b, a + along * (sun ? light : light - a) + number(random, -1, 1) * (b - a) + aside};
+}
+
 // The shadow of every kind of place on a triangle: within, on an edge, in a corner; the triangle seen from its side as well as
 // edge-on, down to a plane that misses the light by an atom's width.
 TEST(AliasFreeTies, BehindEdgesAndEdgeOnTriangles) {
@@ -68,15 +87,7 @@ TEST(AliasFreeTies, BehindEdgesAndEdgeOnTriangles) {
         scene::Scene scene = floorScene();
         const bool sun = i % 3 == 0;
         scene.lights = {sun ? directionalLight(-light) : pointLight(light)};
-        // One corner; another anywhere; the third so that the light is nearly in the plane, or not at all.
-        const dvec3 a = inCube(random, 1) + dvec3(0, 1.1, 0), b = a + number(random, 0.01, 1) * onSphere(random);
-        const dvec3 toward = sun ? light : light - a;
-        // A fourth of them have it there as far as double can tell, and reach behind the light.
-        const bool behindLight = i % 4 == 0;
-        const dvec3 aside =
-            std::pow(10.0, behindLight ? number(random, -17, -14) : number(random, -16, 0)) * onSphere(random);
-        const dvec3 c = a + (behindLight ? number(random, 1, 2) : number(random, -0.5, 1.5)) * toward +
-                        number(random, -1, 1) * (b - a) + aside;
+        const auto [a, b, c] = cornersAbout(light, sun, i, random);
         // A mesh is in float: corners in double come from where objects are, each mesh a triangle and a stretched one at that.
         dmat4 worldFromMesh(1.0);
         worldFromMesh[0] = dvec4(b - a, 0);

@@ -56,6 +56,8 @@ public:
     [[nodiscard]] const scene::Scene& scene() const { return *snapshot_; }
     [[nodiscard]] const Bvh& bvh() const { return geometry_->bvh; }
     [[nodiscard]] const WorldTriangles& world() const { return geometry_->world; }
+    /// No coordinate of a triangle is larger, in centred space.
+    [[nodiscard]] double largestCentred() const { return geometry_->blockTree.view().largest; }
 
     [[nodiscard]] EyeRays eyeRays(const scene::Camera& camera, ivec2 size) const {
         return {camera, size, world().originWorld};
