@@ -244,6 +244,19 @@ TEST(AliasFreeShapes, SameForAnyNumberOfThreads) {
     }
 }
 
+// What double knows of a triangle goes by the size of the scene, not by how far away the lamp is.
+TEST(AliasFreeShapes, AFarLampLeavesFewPairsOpen) {
+    scene::Scene scene = simpleScene();
+    scene.lights = {pointLight(1000.0 * glm::normalize(dvec3(2, 5, 3)))};
+    const SceneTracer tracer = tracerOf(std::move(scene));
+    const std::vector<SurfacePoint> points = seenBy(tracer, {400, 300});
+    std::vector<Visibility> answers(points.size());
+    AliasFreeRecord record;
+    aliasFreeVisibilities(tracer, points, 0, answers, &record);
+    EXPECT_GT(record.samples, 50'000u);
+    EXPECT_LT(record.askedExactly, record.samples / 100);
+}
+
 // Where the eye looks closely, the light is asked more: nobody gets a bucket for himself, and none gets very many.
 TEST(AliasFreeShapes, BucketsFollowTheEye) {
     scene::Scene scene = floorScene();
