@@ -15,6 +15,7 @@
 // which side of its edges a ray passes is certain even then (exact_sign.h), and where along itself it is hit is not.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -36,6 +37,7 @@ inline bool isCertain(double determinant, const Sizes& sizes, bool parallel) {
     return 4 * kNearnessDouble * sizes.r * sizes.r * (parallel ? 1 : sizes.m) <= std::abs(determinant);
 }
 
+/// What the light sees of a triangle.
 struct SeenTriangle {
     dvec3 sides[3];           ///< side(u, v) = x u + y v + z: positive inside, unless in doubt
     dvec3 nearness;           ///< likewise
@@ -63,6 +65,7 @@ struct Asked {
     }
 };
 
+/// The triangle in the light's plane; its number, `primitive`, goes along.
 SeenTriangle seenFrom(const LightPlane& plane, const trace::Triangle& triangle, std::uint32_t primitive,
                       const Asked& asked);
 
