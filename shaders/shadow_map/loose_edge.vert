@@ -43,5 +43,5 @@ void main() {
     vec2 texel = end.xy + halfWidth * (corner.x * along + corner.y * vec2(-along.y, along.x));
     // The nearest that the edge comes to the light within a texel whose centre this is.
     float nearest = upright ? min(aMap.z, bMap.z) : end.z + slope * corner.x * halfWidth - abs(slope) * 2.0 * halfWidth;
-    gl_Position = vec4(texel / (0.5 * resolution), clamp(nearest, -1.0, 1.0), 1.0);
+    gl_Position = vec4(texel / (0.5 * resolution), nearest, 1.0);
 }

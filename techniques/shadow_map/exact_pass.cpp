@@ -110,6 +110,7 @@ void ExactPass::drawEdges(const Frame& frame, const LightMaps& maps, int light, 
     const gl::Framebuffer framebuffer(edgeDepths, layer, "loose edges");
     framebuffer.bind();
     glClear(GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_DEPTH_CLAMP); // an edge may begin before the near plane, and is the nearer for it
     looseEdge_.use();
     looseEdge_.set("lightClipFromEdges", mat4(maps.lightClipFromLightRelative(layer)));
     looseEdge_.set("resolution", static_cast<float>(edgeDepths.side()));

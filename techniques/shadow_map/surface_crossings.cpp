@@ -56,10 +56,15 @@ Span spanOf(const Corners& corners, const std::array<double, 3>& d, const dvec3&
     return span;
 }
 
-bool shareCorner(const Corners& first, const Corners& second) {
-    for (const dvec3& a : first)
-        if (std::ranges::find(second, a) != second.end()) return true;
-    return false;
+std::ptrdiff_t sharedCorners(const Corners& first, const Corners& second) {
+    return std::ranges::count_if(first, [&](const dvec3& a) { return std::ranges::find(second, a) != second.end(); });
+}
+
+/// So short that it is the shared corner, found twice.
+bool isPoint(const Crossing& crossing) {
+    constexpr double kRounding = 1e-12;
+    return glm::length(crossing.bCentred - crossing.aCentred) <=
+           kRounding * (glm::length(crossing.aCentred) + glm::length(crossing.bCentred));
 }
 
 struct FloatBox {
@@ -134,9 +139,11 @@ std::vector<Crossing> surfaceCrossings(const trace::Bvh& bvh, const trace::World
             const Corners corners = cornersOf(world.triangles[t]);
             forEachNear(bvh, boxOf(corners), [&](std::uint32_t other) {
                 if (other <= t || !objects[world.objects[other]]) return;
-                if (shareCorner(corners, cornersOf(world.triangles[other]))) return;
-                if (const auto crossing = crossingOf(world.triangles[t], world.triangles[other]))
-                    found[run].push_back(*crossing);
+                // Along an edge that they share they meet anyway; from a corner they may go on through each other.
+                const std::ptrdiff_t shared = sharedCorners(corners, cornersOf(world.triangles[other]));
+                if (shared > 1) return;
+                const auto crossing = crossingOf(world.triangles[t], world.triangles[other]);
+                if (crossing && !(shared == 1 && isPoint(*crossing))) found[run].push_back(*crossing);
             });
         }
     });
