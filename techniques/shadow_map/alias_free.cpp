@@ -27,24 +27,25 @@ std::vector<std::vector<TriangleRun>> seeTriangles(const Question& question, con
     const std::span<const std::uint8_t> blocks = question.tracer.blockers(question.light);
     const std::vector<TriangleRun> none((triangles.size() + kTrianglePiece - 1) / kTrianglePiece);
     std::vector<std::vector<TriangleRun>> runs(samples.planes.size(), none);
-    inPieces(triangles.size(), kTrianglePiece, question.threads,
-             [&](std::size_t piece, std::size_t first, std::size_t end) {
-                 for (std::size_t p = 0; p < runs.size(); ++p) {
-                     const LightPlane& plane = samples.planes[p];
-                     const auto& [box, count] = samples.regions[p];
-                     const Asked asked{box.rect, box.largestCoordinate(plane.parallel), question.extent()};
-                     TriangleRun& run = runs[p][piece];
-                     for (std::size_t i = first; i < end && count > 0; ++i) {
-                         if (!blocks[i]) continue;
-                         const auto rect = coveredRect(plane, triangles[i], asked);
-                         if (!rect) continue;
-                         run.triangles.push_back(seenFrom(plane, triangles[i], static_cast<std::uint32_t>(i), asked));
-                         run.lower.emplace_back(rect->lower);
-                         run.upper.emplace_back(rect->upper);
-                         run.rect.include(*rect);
-                     }
-                 }
-             });
+    inPieces(
+        triangles.size(), kTrianglePiece, question.threads, [&](std::size_t piece, std::size_t first, std::size_t end) {
+            for (std::size_t p = 0; p < runs.size(); ++p) {
+                const LightPlane& plane = samples.planes[p];
+                const auto& [box, count] = samples.regions[p];
+                const Asked asked{box.rect, box.largestCoordinate(plane.parallel), question.extent()};
+                TriangleRun& run = runs[p][piece];
+                for (std::size_t i = first; i < end && count > 0; ++i) {
+                    if (!blocks[i]) continue;
+                    const auto rect = coveredRect(plane, triangles[i], asked);
+                    if (!rect) continue;
+                    run.triangles.push_back(seenFrom(plane, triangles[i], static_cast<std::uint32_t>(i), asked));
+                    run.triangles.back().mayHaveHoles = question.tracer.mayHaveHoles(static_cast<std::uint32_t>(i));
+                    run.lower.emplace_back(rect->lower);
+                    run.upper.emplace_back(rect->upper);
+                    run.rect.include(*rect);
+                }
+            }
+        });
     return runs;
 }
 

@@ -61,8 +61,8 @@ bool fitInto(const LightPlanes& planes, const Question& question, const Samples&
 /// From centred space to the planes. A point that has no place there is answered by a ray.
 void place(const Question& question, const LightPlanes& planes, Samples& samples) {
     samples.planes.assign(planes.all().begin(), planes.all().end());
-    const std::vector<Region> none(samples.planes.size());
-    std::vector<std::vector<Region>> regions(samples.places.size() / kPointPiece + 1, none);
+    const std::vector<PlaneRegion> none(samples.planes.size());
+    std::vector<std::vector<PlaneRegion>> regions(samples.places.size() / kPointPiece + 1, none);
     inPieces(samples.places.size(), kPointPiece, question.threads,
              [&](std::size_t piece, std::size_t first, std::size_t end) {
                  for (std::size_t i = first; i < end; ++i) {
@@ -74,13 +74,13 @@ void place(const Question& question, const LightPlanes& planes, Samples& samples
                          continue;
                      }
                      samples.places[i] = samples.planes[samples.planeOf[i]].place(samples.places[i]);
-                     Region& region = regions[piece][samples.planeOf[i]];
+                     PlaneRegion& region = regions[piece][samples.planeOf[i]];
                      region.box.include(samples.places[i]);
                      ++region.count;
                  }
              });
     samples.regions = none;
-    for (const std::vector<Region>& ofPiece : regions)
+    for (const std::vector<PlaneRegion>& ofPiece : regions)
         for (std::size_t p = 0; p < none.size(); ++p) {
             samples.regions[p].box.include(ofPiece[p].box);
             samples.regions[p].count += ofPiece[p].count;

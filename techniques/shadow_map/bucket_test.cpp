@@ -82,7 +82,8 @@ bool BucketTest::test(const SeenTriangle& triangle, Bucket& bucket) {
             possible &= ~(1 << lane);
             const unsigned sample = first + static_cast<unsigned>(lane);
             if (bucket.primitives[sample] == triangle.primitive) continue;
-            if (sure >> lane & 1 || isBlocked(bucket, sample, triangle, certain)) drop(bucket, sample);
+            if ((sure >> lane & 1 && !triangle.mayHaveHoles) || isBlocked(bucket, sample, triangle, certain))
+                drop(bucket, sample);
         }
     }
     return true;

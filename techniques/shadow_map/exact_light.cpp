@@ -11,7 +11,7 @@ namespace shadowlab::shadow_map {
 namespace {
 
 constexpr int kIdUnit = kMapUnit + 1, kPositionUnit = kMapUnit + 2, kTriangleUnit = kMapUnit + 3,
-              kDecidedUnit = kMapUnit + 4, kEdgeUnit = kMapUnit + 5;
+              kEdgeUnit = kMapUnit + 4;
 
 // Depths that differ by less may be of surfaces that touch: this share of the map's range covers the rounding of float
 // positions, and four steps of the format that of the depths themselves.
@@ -23,12 +23,13 @@ std::vector<std::size_t> ShadowMap::drawnCasters(const scene::Scene& scene, int 
     return params_.cull ? usefulCasters_[static_cast<std::size_t>(light)] : scene::allCasters(scene);
 }
 
-void ShadowMap::decide(Frame& frame, int light, const DrawnMap& map) {
+const gl::Texture2D& ShadowMap::decide(Frame& frame, int light, const DrawnMap& map) {
     gl::setBaselineState();
     map.depth->compare(false);
     const gl::Program& program = programsFor(map.maps).decide;
-    exact_.decide(frame, light, [&] { drawReceivers(frame, program, light, map); });
+    const Decisions& decisions = exact_.decide(frame, light, [&] { drawReceivers(frame, program, light, map); });
     map.depth->compare(true);
+    return decisions.visibility;
 }
 
 void ShadowMap::drawExact(const Frame& frame, int light, const LightMaps& maps, int layer,
@@ -71,9 +72,6 @@ void ShadowMap::setExactUniforms(const gl::Program& program, int light, const Dr
     exact_.bindWalk(program, light, kPositionUnit, kTriangleUnit);
     const bool fixed16 = params_.depthFormat == ShadowMapParams::DepthFormat::fixed16;
     program.set("apart", std::max(kRounding, 4.0f / static_cast<float>(1 << (fixed16 ? 16 : 24))));
-    if (!exact_.isDecided(light)) return;
-    exact_.decisions(light).visibility.bind(kDecidedUnit);
-    program.set("decided", kDecidedUnit);
 }
 
 void ShadowMap::setObjectUniforms(const Frame& frame, const gl::Program& program, int light,

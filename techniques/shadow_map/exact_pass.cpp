@@ -6,6 +6,7 @@
 #include "techniques/foundation/scene/facing.h"
 #include "techniques/foundation/scene/holes.h"
 #include "techniques/foundation/trace/pixel_rays.h"
+#include "techniques/shadow_map/drawn_region.h"
 #include "techniques/shadow_map/loose_edges.h"
 
 namespace shadowlab::shadow_map {
@@ -15,12 +16,6 @@ namespace {
 // A texel reaches half its width to each side of its centre. A tenth more is for rounding: positions in the shader are
 // good to a thousandth of a texel, of maps with many texels far from their light to some hundredths.
 constexpr float kReachTexels = 0.6f;
-
-/// The part of the picture that is drawn.
-Region drawnRegion(const View& view) {
-    const bool all = view.region.size.x <= 0 || view.region.size.y <= 0;
-    return all ? Region{ivec2(0), view.size} : view.region;
-}
 
 template <typename Visit>
 void forEachTriangleWithHoles(const scene::Scene& scene, const scene::Object& object, const Visit& visit) {

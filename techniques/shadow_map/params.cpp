@@ -90,6 +90,10 @@ params::ParamList describeFilter(ShadowMapParams& p) {
         params::boolean("exact", p.exact,
                         "Decide by rays wherever an edge touches the point's texel or the map is not certain; then "
                         "filter and bias do not matter."),
+        params::boolean(
+            "alias-free", p.aliasFree,
+            "Draw no map: ask the light for each visible point instead, on the processor. As exact as rays; "
+            "resolution, filter and bias do not matter."),
         params::boolean("cull", p.cull,
                         "Leave out casters that cannot shadow anything in a map, and what is out of view; the picture "
                         "is the same."),

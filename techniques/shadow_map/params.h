@@ -49,6 +49,7 @@ struct ShadowMapParams {
     enum class Border { lit, edge } border = Border::lit;
     bool rejectBehind = true;
     bool exact = false;
+    bool aliasFree = false;
     bool cull = true;
     friend bool operator==(const ShadowMapParams&, const ShadowMapParams&) = default;
 

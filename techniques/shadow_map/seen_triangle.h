@@ -46,6 +46,7 @@ struct SeenTriangle {
     double largest, longest;  ///< its part in M; s
     double determinant;       ///< size of what the nearness was divided by
     std::uint32_t primitive;
+    bool mayHaveHoles = false; ///< then a sample that is certainly behind it may still be lit
 
     [[nodiscard]] double sideBound(double m) const { return kSideDouble * m * longest; }
     /// Largest error of a nearness of at most `size`, of a triangle that is not in doubt.

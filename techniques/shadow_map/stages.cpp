@@ -45,6 +45,7 @@ void ShadowMap::publishStages(Frame& frame, int light, const DrawnMap& map) {
             gl::setVisibilityState();
             drawReceivers(frame, lightProgram(map, true), light, map);
         });
+    if (frame.wants("eye-samples", light)) aliasFree_.publishSamples(frame, light);
     if (frame.wants("traced", light)) publishTraced(frame, light, map);
     publishTexelStages(frame, light, map);
     const std::string_view lessons[] = {"light-view", "light-depth", "depth-on-view", "distance-on-view", "comparison"};

@@ -23,6 +23,12 @@ const PassInfo kPasses[] = {
      "The map stores, for every direction from the light, how far the first surface is: all the light ever sees. It "
      "stays as it is until light, casters or parameters change; the eye may move.",
      "depth only, depth test LESS, depth clamp, slope-scaled polygon offset", true, "light-depth"},
+    {"samples", "Ask the light for every point that the eye sees",
+     "A map asks the light at the middles of its texels, and the eye at other places: all its faults come from that. "
+     "Here "
+     "the visible points themselves are put into the light's picture, and every triangle is tested against those it "
+     "covers. Only with alias-free = true.",
+     "none: on the processor, and the answers uploaded", true, "eye-samples"},
     {"decide", "Decide where the map is certain, and send rays elsewhere",
      "An edge that touches a texel makes it uncertain: a surface ends there, begins, or passes through another. All "
      "other "
@@ -43,6 +49,7 @@ const StageInfo kStages[] = {
     {"texel-size", "Aliasing: how many pixels a texel covers", StageKind::scalar, true},
     {"texel-grid", "The texels as they lie on what the eye sees", StageKind::swatches, true},
     {"map-layers", "Which map answers: cascades, or those around the light", StageKind::swatches, true},
+    {"eye-samples", "Where in the light's picture the eye asks", StageKind::scalar, true},
     {"traced", "What the map decides for certain, and what rays do", StageKind::swatches, true},
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };
@@ -53,7 +60,9 @@ constexpr std::size_t kMostReceivers = 64;
 } // namespace
 
 Progress ShadowMap::prepare(const scene::Snapshot& snapshot, Deadline deadline) {
-    if (params_.exact && !exact_.prepare(snapshot, deadline)) return {.done = 0.5, .converged = false};
+    const bool ready = (!params_.exact || exact_.prepare(snapshot, deadline)) &&
+                       (!params_.aliasFree || aliasFree_.prepare(snapshot, deadline));
+    if (!ready) return {.done = 0.5, .converged = false};
     if (preparedFor_ == snapshot) return {};
     bounds_ = scene::objectBounds(*snapshot);
     usefulCasters_.clear();
@@ -72,14 +81,20 @@ Progress ShadowMap::render(Frame& frame) {
     if (frame.wants("without-shadows")) publishWithoutShadows(frame);
     lookAt(frame);
     exact_.beginFrame();
+    aliasFree_.beginFrame();
 
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
         DrawnMap map;
-        frame.pass(
-            passInfo(kPasses, "depth"), [&] { map = updateMap(frame, light); }, light);
-        if (params_.exact && map.depth)
+        if (params_.aliasFree) {
             frame.pass(
-                passInfo(kPasses, "decide"), [&] { decide(frame, light, map); }, light);
+                passInfo(kPasses, "samples"), [&] { map.decided = &aliasFree_.decide(frame, light); }, light);
+        } else {
+            frame.pass(
+                passInfo(kPasses, "depth"), [&] { map = updateMap(frame, light); }, light);
+            if (params_.exact && map.depth)
+                frame.pass(
+                    passInfo(kPasses, "decide"), [&] { map.decided = &decide(frame, light, map); }, light);
+        }
         publishStages(frame, light, map);
         frame.pass(
             passInfo(kPasses, "light"),
@@ -115,8 +130,8 @@ ShadowMap::Programs ShadowMap::makePrograms(const Choice& choice) {
 }
 
 const gl::Program& ShadowMap::lightProgram(const DrawnMap& map, bool visibilityOnly) {
+    if (map.decided) return visibilityOnly ? decidedVisibility_ : decidedShade_;
     if (!map.depth) return visibilityOnly ? unshadowedVisibility_ : unshadowed_;
-    if (params_.exact) return visibilityOnly ? decidedVisibility_ : decidedShade_;
     const Programs& programs = programsFor(map.maps);
     return visibilityOnly ? programs.visibility : programs.shade;
 }
@@ -227,6 +242,10 @@ void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, in
         program.set("shadowMap", kMapUnit);
     }
     if (map.exact) setExactUniforms(program, light, map);
+    if (map.decided) {
+        map.decided->bind(kDecidedUnit);
+        program.set("decided", kDecidedUnit);
+    }
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
         program.set("lightRelativeFromMesh", mat4(lightRelativeFromMesh(map.maps, object)));
         if (map.exact) setObjectUniforms(frame, program, light, object);

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "techniques/frame.h"
+#include "techniques/shadow_map/alias_free_pass.h"
 #include "techniques/shadow_map/exact_pass.h"
 #include "techniques/shadow_map/fit.h"
 #include "techniques/shadow_map/kept_maps.h"
@@ -11,13 +12,14 @@
 namespace shadowlab::shadow_map {
 
 /// Texture unit of the map; what else a pass needs comes after it.
-constexpr int kMapUnit = gl::kFirstFreeUnit;
+constexpr int kMapUnit = gl::kFirstFreeUnit, kDecidedUnit = kMapUnit + 5;
 
 /// One light's map: its cameras, and the depths themselves.
 struct DrawnMap {
     LightMaps maps;
     const gl::DepthTextureArray* depth = nullptr;
     const ExactMap* exact = nullptr;
+    const gl::Texture2D* decided = nullptr; ///< visibility of every pixel, where it is known already
 };
 
 /// What was in the picture that was drawn last: the cascades may depend on it.
@@ -60,7 +62,7 @@ private:
     const gl::Program& lightProgram(const DrawnMap& map, bool visibilityOnly);
 
     // exact_light.cpp
-    void decide(Frame& frame, int light, const DrawnMap& map);
+    const gl::Texture2D& decide(Frame& frame, int light, const DrawnMap& map);
     void publishTraced(Frame& frame, int light, const DrawnMap& map);
     void drawExact(const Frame& frame, int light, const LightMaps& maps, int layer,
                    std::span<const std::size_t> casters, const gl::DepthTextureArray& depth, const ExactMap& exact);
@@ -96,6 +98,7 @@ private:
     KeptMaps kept_;
     DepthPass depthPass_;
     ExactPass exact_;
+    AliasFreePass aliasFree_;
     std::map<Choice, Programs> programs_;
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program unshadowed_{"surface.vert", "shade_light.frag"};

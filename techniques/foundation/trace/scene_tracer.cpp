@@ -117,7 +117,7 @@ bool SceneTracer::isBlockedBy(std::uint32_t primitive, const SurfacePoint& point
     if (!isUsable(ray)) return false;
     const ShearedRay sheared(ray);
     const auto hit = intersect(sheared, bvh().triangles[primitive], sheared.farthest);
-    return hit && hit->reach < sheared.farthest;
+    return hit && hit->reach < sheared.farthest && !holesForLight_(primitive, hit->barycentric);
 }
 
 std::optional<dvec3> SceneTracer::blockedAtWorld(const SurfacePoint& point, int light) const {

@@ -69,6 +69,9 @@ public:
         return holes_(point.primitive, point.barycentric());
     }
 
+    /// May a shadow ray pass through that triangle?
+    [[nodiscard]] bool mayHaveHoles(std::uint32_t primitive) const { return holesForLight_.in(primitive); }
+
     [[nodiscard]] dvec3 positionCentred(const SurfacePoint& point) const;
     [[nodiscard]] dvec3 positionWorld(const SurfacePoint& point) const {
         return world().originWorld + positionCentred(point);
