@@ -118,7 +118,7 @@ def parameters_table(program, technique):
 
 def passes_table(program, technique):
     passes = program.passes_of(technique)
-    more = [(key, title) for key, title in (("why", "why"), ("glState", "state")) if any(p.get(key) for p in passes)]
+    more = [(key, title) for key, title in (("why", "why"), ("pseudocode", "in the lecture"), ("glState", "state")) if any(p.get(key) for p in passes)]
     rows = [(code(p["stage"]), p["caption"] + (", for each light" if p["perLight"] else ""), *(p.get(key, "") for key, _ in more))
             for p in passes]
     return table(("pass", "what it does", *(title for _, title in more)), rows)

@@ -33,6 +33,8 @@ struct PassInfo {
     bool perLight = false;
     /// The stage that shows what the pass wrote, where that is not the picture (but a stencil, a map, answers of rays).
     std::string_view shownBy = {};
+    /// The same step as a lecture writes it, in lines; empty: it has none.
+    std::string_view pseudocode = {};
 };
 
 /// What a stage's texture holds, and so how it is shown.
@@ -110,7 +112,8 @@ struct SceneShape {
     std::string label; ///< what it is, for the key of the colours; shapes of one label have one colour
     vec3 colorLinear;
     Kind kind = Kind::lines;
-    std::vector<dvec3> pointsWorld; ///< lines: two for each segment; faces: three for each triangle, seen from both sides
+    std::vector<dvec3>
+        pointsWorld; ///< lines: two for each segment; faces: three for each triangle, seen from both sides
 };
 
 class Technique {

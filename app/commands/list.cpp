@@ -47,16 +47,33 @@ Table parametersTable() {
     return table;
 }
 
+/// Lines of pseudocode as one line of a list.
+std::string inOneLine(std::string_view lines) {
+    std::string line;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (lines[i] == '\n') {
+            line += "; ";
+            while (i + 1 < lines.size() && lines[i + 1] == ' ')
+                ++i;
+        } else {
+            line += lines[i];
+        }
+    }
+    return line;
+}
+
 Table stagesTable() {
-    Table table{{"technique", "stage", "perLight", "caption", "why", "glState", "derived"}, {}};
+    Table table{{"technique", "stage", "perLight", "caption", "why", "pseudocode", "glState", "derived"}, {}};
     for (const RegisteredTechnique& technique : registeredTechniques()) {
         const std::string id(technique.info->id);
         for (const StageInfo& stage : session::stagesOf(*technique.info))
             table.rows.push_back({id, std::string(stage.id), stage.perLight ? "true" : "false",
-                                  std::string(stage.caption), "", "", session::isDerived(stage.id) ? "true" : "false"});
+                                  std::string(stage.caption), "", "", "",
+                                  session::isDerived(stage.id) ? "true" : "false"});
         for (const PassInfo& pass : technique.info->passes)
             table.rows.push_back({id, "pass:" + std::string(pass.id), pass.perLight ? "true" : "false",
-                                  std::string(pass.title), std::string(pass.why), std::string(pass.glState), "false"});
+                                  std::string(pass.title), std::string(pass.why), inOneLine(pass.pseudocode),
+                                  std::string(pass.glState), "false"});
     }
     return table;
 }

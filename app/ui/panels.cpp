@@ -297,14 +297,16 @@ float stepPanelHeight(const Desk& desk, const Theme& theme, float width) {
     const float room = std::max(theme.em, width - 2 * style.WindowPadding.x);
     const float titleRoom = std::max(theme.em, room - kStepNumberEm * theme.em);
     const auto lines = [](ImFont* font, float wrap, std::string_view text) {
-        return font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, text.data(), text.data() + text.size()).y;
+        return text.empty()
+                   ? 0.0f
+                   : font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, text.data(), text.data() + text.size()).y;
     };
     float highest = 0;
     for (const PassInfo& pass : info.passes)
         highest = std::max(highest, std::max(ImGui::GetFrameHeight(), lines(theme.heading, titleRoom, pass.title)) +
-                                        lines(theme.text, room, pass.why) +
+                                        lines(theme.text, room, pass.why) + lines(theme.text, room, pass.pseudocode) +
                                         lines(theme.text, room, "GL state: " + std::string(pass.glState)));
-    return std::ceil(highest + 2 * style.WindowPadding.y + 3 * style.ItemSpacing.y);
+    return std::ceil(highest + 2 * style.WindowPadding.y + 4 * style.ItemSpacing.y);
 }
 
 void stepPanel(Desk& desk, const Area& area, const Theme& theme) {
@@ -339,6 +341,11 @@ void stepPanel(Desk& desk, const Area& area, const Theme& theme) {
     ImGui::TextWrapped("%s", std::string(pass.title).c_str());
     ImGui::PopFont();
     ImGui::TextWrapped("%s", std::string(pass.why).c_str());
+    if (!pass.pseudocode.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
+        ImGui::TextWrapped("%s", std::string(pass.pseudocode).c_str());
+        ImGui::PopStyleColor();
+    }
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);
     ImGui::TextWrapped("GL state: %s", std::string(pass.glState).c_str());
     ImGui::PopStyleColor();

@@ -36,7 +36,7 @@ constexpr std::uint8_t kNotAsked = 0xff;
 /// All points that ask the light, as it sees them.
 struct Samples {
     std::vector<LightPlane> planes;
-    std::vector<PlaneRegion> regions;       ///< of each plane
+    std::vector<PlaneRegion> regions;  ///< of each plane
     std::vector<std::uint8_t> planeOf; ///< of each point: which plane it is in, or kNotAsked
     std::vector<dvec3> places;         ///< of each point: LightPlane::place()
 };

@@ -56,10 +56,15 @@ dvec2 depthBounds(const FitRequest& request, const Box& region, const LightMaps&
     if (request.params.depthBounds == picture && request.eye.visibleDepth) narrowTo(*request.eye.visibleDepth);
     bounds.y = std::max(bounds.y, 1.001 * bounds.x);
     if (!request.params.stable) return bounds;
-    // In quarters of a power of two: as long as the eye moves little the slices stay what they are, and with them the size
-    // of their texels.
-    const auto quarter = [](double value) { return std::exp2(value / 4); };
-    return {quarter(std::floor(4 * std::log2(bounds.x))), quarter(std::ceil(4 * std::log2(bounds.y)))};
+    // In quarters of a power of two of the scene's own size: as long as the eye moves little the slices stay what they are,
+    // and with them the size of their texels.
+    scene::Bounds whole;
+    for (const scene::Bounds& box : request.all)
+        whole.include(box);
+    const double unit = std::max(glm::length(whole.upperWorld - whole.lowerWorld), 1e-30);
+    const auto quarters = [unit](double value) { return 4 * std::log2(value / unit); };
+    const auto metres = [unit](double value) { return unit * std::exp2(value / 4); };
+    return {metres(std::floor(quarters(bounds.x))), metres(std::ceil(quarters(bounds.y)))};
 }
 
 /// The slice of the view between two distances, as the light sees its corners.

@@ -10,6 +10,14 @@ constexpr int kFirstUnit = gl::kFirstFreeUnit, kSecondUnit = kFirstUnit + 1, kPu
 /// Depths that differ by less are of one surface: four steps of the format.
 float apart(GLenum format) { return format == GL_DEPTH_COMPONENT16 ? 4.0f / (1 << 16) : 4.0f / (1 << 24); }
 
+/// Does the light see a front face wherever it sees the object? Then half of its triangles need not be drawn.
+bool mayLeaveOutBackFaces(const Frame& frame, const LightMaps& maps, std::size_t object) {
+    const scene::Bounds& box = frame.buffers().bounds()[object];
+    const bool lightIsOutside = maps.parallel || glm::any(glm::lessThan(maps.originWorld, box.lowerWorld)) ||
+                                glm::any(glm::greaterThan(maps.originWorld, box.upperWorld));
+    return frame.scene().objects[object].mesh->outward && !frame.buffers().hasHoles(object) && lightIsOutside;
+}
+
 void pushBack(const DepthRules& rules, double slopeFactor) {
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(static_cast<float>(slopeFactor), static_cast<float>(rules.units));
@@ -67,10 +75,16 @@ void DepthPass::drawWithIds(const Frame& frame, const LightMaps& maps, int layer
 
 void DepthPass::drawCasters(const gl::Program& program, const Frame& frame, const LightMaps& maps, int layer,
                             std::span<const std::size_t> casters) const {
-    for (const std::size_t caster : casters)
+    for (const std::size_t caster : casters) {
+        if (&program != &secondDepth_ && mayLeaveOutBackFaces(frame, maps, caster)) {
+            glEnable(GL_CULL_FACE);
+            glCullFace(scene::isMirrored(frame.scene().objects[caster]) ? GL_FRONT : GL_BACK);
+        }
         gl::drawDepth(program, frame.scene(), frame.buffers(), caster,
                       maps.lightClipFromLightRelative(layer) *
                           lightRelativeFromMesh(maps, frame.scene().objects[caster]));
+        glDisable(GL_CULL_FACE);
+    }
 }
 
 void DepthPass::drawDual(const Frame& frame, const LightMaps& maps, int layer, std::span<const std::size_t> casters,

@@ -27,7 +27,8 @@ const gl::Texture2D& ShadowMap::decide(Frame& frame, int light, const DrawnMap& 
     gl::setBaselineState();
     map.depth->compare(false);
     const gl::Program& program = programsFor(map.maps).decide;
-    const Decisions& decisions = exact_.decide(frame, light, [&] { drawReceivers(frame, program, light, map); });
+    const Decisions& decisions =
+        exact_.decide(frame, light, [&] { drawAsked(frame, program, unshadowedVisibility_, light, map); });
     map.depth->compare(true);
     return decisions.visibility;
 }
@@ -74,9 +75,8 @@ void ShadowMap::setExactUniforms(const gl::Program& program, int light, const Dr
     program.set("apart", std::max(kRounding, 4.0f / static_cast<float>(1 << (fixed16 ? 16 : 24))));
 }
 
-void ShadowMap::setObjectUniforms(const Frame& frame, const gl::Program& program, int light,
-                                  const scene::Object& object) const {
-    const auto index = static_cast<std::size_t>(&object - frame.scene().objects.data());
+void ShadowMap::setObjectUniforms(const Frame& frame, const gl::Program& program, int light, std::size_t index) const {
+    const scene::Object& object = frame.scene().objects[index];
     program.set("castsShadow", object.castsShadow ? 1 : 0);
     const std::vector<std::size_t> drawn = drawnCasters(frame.scene(), light);
     program.set("isDrawn", std::ranges::binary_search(drawn, index) ? 1 : 0);

@@ -131,12 +131,15 @@ LightMaps fitPerspective(const FitRequest& request) {
     const std::span<const scene::Bounds> receivers = request.receivers.empty() ? request.all : request.receivers;
     const dvec2 distances = distanceRange(receivers, maps.originWorld);
     // The distance along one of the six axes is at least 1/sqrt(3) of the distance itself; in a single wide picture, half.
-    // Rounded to a power of two in eighths, so that it seldom changes.
-    const auto eighth = [](double value) { return std::exp2(value / 8); };
-    maps.farthest = std::max(eighth(std::ceil(8 * std::log2(std::max(1.001 * distances.y, 1e-6)))), 1e-6);
+    // Rounded to the casters' own distance times a power of two in eighths, so that it seldom changes.
+    const double unit = std::max(distanceRange(request.casters, maps.originWorld).y, 1e-30);
+    const auto rounded = [unit](double value, auto round) {
+        return unit * std::exp2(round(8 * std::log2(value / unit)) / 8);
+    };
+    maps.farthest = rounded(std::max(1.001 * distances.y, 1e-6 * unit), [](double v) { return std::ceil(v); });
     const double nearest = 0.49 * distances.x;
-    maps.nearest =
-        std::max(nearest > 0 ? eighth(std::floor(8 * std::log2(nearest))) : 0.0, kLeastNearShare * maps.farthest);
+    maps.nearest = std::max(nearest > 0 ? rounded(nearest, [](double v) { return std::floor(v); }) : 0.0,
+                            kLeastNearShare * maps.farthest);
     if (request.params.depthRange == ProjectionParams::DepthRange::wide) {
         maps.nearest = kWideNear;
         maps.farthest = std::max(maps.farthest, kWideFar);

@@ -12,8 +12,12 @@ namespace {
 
 constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
 
-/// The smallest power of two that is not less, in steps.
-double stepOf(double extent) { return std::exp2(std::ceil(std::log2(std::max(extent, 1e-9)))) / kRegionSteps; }
+/// Of the steps that divide `whole` by a power of two, the largest of which `part` has kRegionSteps. A share of the casters'
+/// own size and no round number of metres: at any scale the same scene has the same map.
+double stepOf(double part, double whole) {
+    const double share = std::max(part, 1e-6 * whole) / whole;
+    return whole * std::exp2(std::ceil(std::log2(share))) / kRegionSteps;
+}
 
 } // namespace
 
@@ -44,10 +48,12 @@ Box sharedRegion(const Box& casters, std::span<const scene::Bounds> receivers, c
         }
     // All casters beyond all receivers shadow nothing.
     if (seen.isEmpty() || casters.upper.z < seen.lower.z) return {};
-    const dvec3 extent = seen.upper - seen.lower;
-    const double sideways = stepOf(std::max(extent.x, extent.y));
-    const dvec3 step(sideways, sideways, stepOf(extent.z));
-    Box region{glm::floor(seen.lower / step) * step, glm::ceil(seen.upper / step) * step};
+    const dvec3 extent = seen.upper - seen.lower, whole = casters.upper - casters.lower;
+    const double size = std::max({whole.x, whole.y, whole.z, extent.x, extent.y, extent.z, 1e-30});
+    const double sideways = stepOf(std::max(extent.x, extent.y), size);
+    const dvec3 step(sideways, sideways, stepOf(extent.z, size));
+    Box region{casters.lower + glm::floor((seen.lower - casters.lower) / step) * step,
+               casters.lower + glm::ceil((seen.upper - casters.lower) / step) * step};
     for (int axis = 0; axis < 2; ++axis) {
         region.lower[axis] = std::max(region.lower[axis], casters.lower[axis]);
         region.upper[axis] = std::min(region.upper[axis], casters.upper[axis]);

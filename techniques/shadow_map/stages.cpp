@@ -43,7 +43,7 @@ void ShadowMap::publishStages(Frame& frame, int light, const DrawnMap& map) {
         frame.drawStage("visibility", light, GL_RG32F, [&] {
             glClear(GL_STENCIL_BUFFER_BIT);
             gl::setVisibilityState();
-            drawReceivers(frame, lightProgram(map, true), light, map);
+            drawAsked(frame, lightProgram(map, true), unshadowedVisibility_, light, map);
         });
     if (frame.wants("eye-samples", light)) aliasFree_.publishSamples(frame, light);
     if (frame.wants("traced", light)) publishTraced(frame, light, map);

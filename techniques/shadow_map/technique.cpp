@@ -6,7 +6,6 @@
 #include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/depth_fit.h"
 #include "techniques/foundation/scene/visible_receivers.h"
-#include "techniques/foundation/trace/exact_visibility.h"
 #include "techniques/shadow_map/frusta.h"
 #include "techniques/shadow_map/receiver_uniforms.h"
 #include "techniques/shadow_map/seen_depth.h"
@@ -22,7 +21,8 @@ const PassInfo kPasses[] = {
     {"depth", "Render the scene from the light and keep the depth",
      "The map stores, for every direction from the light, how far the first surface is: all the light ever sees. It "
      "stays as it is until light, casters or parameters change; the eye may move.",
-     "depth only, depth test LESS, depth clamp, slope-scaled polygon offset", true, "light-depth"},
+     "depth only, depth test LESS, depth clamp, slope-scaled polygon offset", true, "light-depth",
+     "render z-buffer from light's point of view to depth map D\nstore D as texture map d(u,v)"},
     {"samples", "Ask the light for every point that the eye sees",
      "A map asks the light at the middles of its texels, and the eye at other places: all its faults come from that. "
      "Here "
@@ -34,9 +34,14 @@ const PassInfo kPasses[] = {
      "other "
      "texels know which surface is the first; the point is lit if it lies on that. Only with exact = true.",
      "depth EQUAL; triangle numbers and depths read with texelFetch; undecided pixels read back", true, "traced"},
-    {"light", "Render the scene from the eye and compare",
+    {"light",
+     "Render the scene from the eye and compare",
      "Transform each point into the light's coordinates; if the map holds something nearer, the point is in shadow.",
-     "depth EQUAL, blending ONE ONE, map sampled with comparison LEQUAL", true},
+     "depth EQUAL, blending ONE ONE, map sampled with comparison LEQUAL",
+     true,
+     {},
+     "for each rasterized pixel with texture coords (u,v) and transformed distance z(u,v) do\n"
+     "   if d(u,v) < z(u,v) then\n      pixel is shadowed"},
 };
 
 const StageInfo kStages[] = {
@@ -101,7 +106,7 @@ Progress ShadowMap::render(Frame& frame) {
             [&] {
                 glClear(GL_STENCIL_BUFFER_BIT);
                 gl::setAddLightState();
-                drawReceivers(frame, lightProgram(map, false), light, map);
+                drawAsked(frame, lightProgram(map, false), unshadowed_, light, map);
             },
             light);
     }
@@ -127,13 +132,6 @@ ShadowMap::Programs ShadowMap::makePrograms(const Choice& choice) {
             gl::Program("surface.vert", "shadow_map/layers.frag", {}, chosen),
             gl::Program("surface.vert", "shadow_map/decide.frag", {},
                         {chosen[1], {"shadow_map/bias.glsl", "shadow_map/bias_none.glsl"}})};
-}
-
-const gl::Program& ShadowMap::lightProgram(const DrawnMap& map, bool visibilityOnly) {
-    if (map.decided) return visibilityOnly ? decidedVisibility_ : decidedShade_;
-    if (!map.depth) return visibilityOnly ? unshadowedVisibility_ : unshadowed_;
-    const Programs& programs = programsFor(map.maps);
-    return visibilityOnly ? programs.visibility : programs.shade;
 }
 
 const ShadowMap::Programs& ShadowMap::programsFor(const LightMaps& maps) {
@@ -231,47 +229,6 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
     frame.count("casters", static_cast<double>(drawn.size()), allCasters, "objects");
     frame.count("map-texels", layerTexels * maps.layers(), 0, "texels");
     return {maps, &kept.depth, params_.exact ? &*kept.exact : nullptr};
-}
-
-void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) {
-    program.use();
-    gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
-    if (map.depth) {
-        setReceiverUniforms(program, map.maps, params_);
-        map.depth->bind(kMapUnit);
-        program.set("shadowMap", kMapUnit);
-    }
-    if (map.exact) setExactUniforms(program, light, map);
-    if (map.decided) {
-        map.decided->bind(kDecidedUnit);
-        program.set("decided", kDecidedUnit);
-    }
-    gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
-        program.set("lightRelativeFromMesh", mat4(lightRelativeFromMesh(map.maps, object)));
-        if (map.exact) setObjectUniforms(frame, program, light, object);
-        return true;
-    });
-}
-
-Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
-    Probe probe = Technique::probe(snapshot, view, pixel, light);
-    const auto hit = trace::ExactVisibility(snapshot).eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
-    if (!hit || light < 0 || light >= static_cast<int>(snapshot->lights.size())) return probe;
-    prepare(snapshot, Deadline::max());
-    const LightMaps maps = fit(*snapshot, view, light, receiversInView(*snapshot, view), FitRequest::Cover::needed);
-    for (int layer = 0; layer < maps.layers(); ++layer) {
-        const dvec4 clip = maps.lightClipFromLightRelative(layer) * dvec4(hit->positionWorld - maps.originWorld, 1.0);
-        const dvec3 ndc = dvec3(clip) / clip.w;
-        if (clip.w <= 0 || std::abs(ndc.x) > 1 || std::abs(ndc.y) > 1) continue;
-        const dvec2 texel = (dvec2(ndc) * 0.5 + 0.5) * static_cast<double>(params_.resolution);
-        probe.facts.push_back({"map texel (layer, column, row)",
-                               std::to_string(layer) + ", " + std::to_string(static_cast<int>(texel.x)) + ", " +
-                                   std::to_string(static_cast<int>(texel.y)),
-                               ""});
-        probe.facts.push_back({"depth of the point in the map z(u,v)", std::to_string(0.5 * ndc.z + 0.5), ""});
-        break;
-    }
-    return probe;
 }
 
 std::vector<SceneShape> ShadowMap::shapes(const scene::Snapshot& snapshot, const View& view, int light) {

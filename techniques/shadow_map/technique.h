@@ -68,10 +68,15 @@ private:
                    std::span<const std::size_t> casters, const gl::DepthTextureArray& depth, const ExactMap& exact);
     [[nodiscard]] std::vector<std::size_t> drawnCasters(const scene::Scene& scene, int light) const;
     void setExactUniforms(const gl::Program& program, int light, const DrawnMap& map) const;
-    void setObjectUniforms(const Frame& frame, const gl::Program& program, int light,
-                           const scene::Object& object) const;
+    void setObjectUniforms(const Frame& frame, const gl::Program& program, int light, std::size_t index) const;
 
+    /// Draws the receivers: with `asking` where a shadow may fall, with `plain` elsewhere.
+    void drawAsked(const Frame& frame, const gl::Program& asking, const gl::Program& plain, int light,
+                   const DrawnMap& map);
     void drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map);
+    void useForReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const;
+    bool setReceiver(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map,
+                     std::size_t object) const;
 
     // stages.cpp
     void publishStages(Frame& frame, int light, const DrawnMap& map);

@@ -139,7 +139,7 @@ TEST_F(ScreenTest, AWrongSettingLeavesTheLastPictureAndSaysWhy) {
     const GLuint picture = lab.desk.bench.pane(0).picture().texture.id();
     lab.desk.bench.change("", [](session::Document& d) { d.panes[0].settings["shadow-map"]["resolution"] = "7"; });
     lab.screen.frame(0.03);
-    EXPECT_NE(lab.desk.bench.pane(0).failure().find("64..8192"), std::string::npos) << lab.desk.bench.pane(0).failure();
+    EXPECT_NE(lab.desk.bench.pane(0).failure().find("64..32768"), std::string::npos) << lab.desk.bench.pane(0).failure();
     EXPECT_EQ(lab.desk.bench.pane(0).picture().texture.id(), picture);
     lab.desk.bench.undo();
     settle(lab.screen);

@@ -55,24 +55,22 @@ const Program& useCutting(const Program& program, const Texture2D& mask) {
     return cutting;
 }
 
-/// `drawObject(index)` for each object that may be seen.
+/// `drawObject()` if the object may be seen.
 template <typename DrawObject>
-void forEachSeen(const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
-                 const ObjectSetup& setup, const DrawObject& drawObject) {
+void drawIfSeen(const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye, std::size_t index,
+                const ObjectSetup& setup, const DrawObject& drawObject) {
     const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const scene::Object& object = scene.objects[i];
-        if (eye.part && !scene::mayTouch(buffers.bounds()[i], clipFromWorld, *eye.part)) continue;
-        if (setup && !setup(object)) continue;
-        // Back faces that front faces hide are left out: half of the triangles of most objects. Through holes they are seen.
-        if (object.mesh->outward && !buffers.hasHoles(i) &&
-            scene::isBeyondNearPlane(buffers.bounds()[i], clipFromWorld)) {
-            glEnable(GL_CULL_FACE);
-            glCullFace(scene::isMirrored(object) ? GL_FRONT : GL_BACK);
-        }
-        drawObject(i);
-        glDisable(GL_CULL_FACE);
+    const scene::Object& object = scene.objects[index];
+    if (eye.part && !scene::mayTouch(buffers.bounds()[index], clipFromWorld, *eye.part)) return;
+    if (setup && !setup(object)) return;
+    // Back faces that front faces hide are left out: half of the triangles of most objects. Through holes they are seen.
+    if (object.mesh->outward && !buffers.hasHoles(index) &&
+        scene::isBeyondNearPlane(buffers.bounds()[index], clipFromWorld)) {
+        glEnable(GL_CULL_FACE);
+        glCullFace(scene::isMirrored(object) ? GL_FRONT : GL_BACK);
     }
+    drawObject();
+    glDisable(GL_CULL_FACE);
 }
 
 } // namespace
@@ -84,10 +82,16 @@ EyeMatrices eyeMatrices(const scene::Camera& camera, ivec2 size) {
 
 void drawSurfaces(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
                   const EyeMatrices& eye, const ObjectSetup& setup) {
-    forEachSeen(scene, buffers, eye, setup, [&](std::size_t i) {
-        setObject(program, scene, eye, scene.objects[i]);
-        for (std::size_t part = 0; part < scene.objects[i].mesh->parts.size(); ++part)
-            drawPart(program, scene, buffers, i, part);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        drawSurface(program, scene, buffers, eye, i, setup);
+}
+
+void drawSurface(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
+                 std::size_t object, const ObjectSetup& setup) {
+    drawIfSeen(scene, buffers, eye, object, setup, [&] {
+        setObject(program, scene, eye, scene.objects[object]);
+        for (std::size_t part = 0; part < scene.objects[object].mesh->parts.size(); ++part)
+            drawPart(program, scene, buffers, object, part);
     });
 }
 
@@ -95,7 +99,7 @@ void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, co
                            const EyeMatrices& eye, const ObjectSetup& setup) {
     // Object by object and part by part, as drawSurfaces does: of two surfaces at one depth the first drawn is the visible
     // one, in every pass.
-    forEachSeen(scene, buffers, eye, setup, [&](std::size_t i) {
+    const auto drawObject = [&](std::size_t i) {
         setObject(program, scene, eye, scene.objects[i]);
         for (std::size_t part = 0; part < scene.objects[i].mesh->parts.size(); ++part) {
             const Texture2D* mask = buffers.mask(i, part);
@@ -108,7 +112,9 @@ void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, co
             drawPart(cutting, scene, buffers, i, part);
             program.use();
         }
-    });
+    };
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        drawIfSeen(scene, buffers, eye, i, setup, [&] { drawObject(i); });
 }
 
 void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t object,

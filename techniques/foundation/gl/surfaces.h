@@ -39,6 +39,10 @@ using ObjectSetup = std::function<bool(const scene::Object&)>;
 void drawSurfaces(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
                   const EyeMatrices& eye, const ObjectSetup& setup = {});
 
+/// The same for one object, for a technique that draws them in different ways.
+void drawSurface(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
+                 std::size_t object, const ObjectSetup& setup = {});
+
 /// The same for passes that write depth: in holes nothing is drawn. Parts that have any are drawn by program.cutting(), which
 /// the fragment shader must know of (shaders/cut_holes.glsl); uniforms of the pass have to be set for both.
 void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,

@@ -1,0 +1,75 @@
+// Drawing the receivers with a light's map: asked only where the shadow of a caster can fall.
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_map/receiver_uniforms.h"
+#include "techniques/shadow_map/shadowed_part.h"
+#include "techniques/shadow_map/technique.h"
+
+namespace shadowlab::shadow_map {
+
+const gl::Program& ShadowMap::lightProgram(const DrawnMap& map, bool visibilityOnly) {
+    if (map.decided) return visibilityOnly ? decidedVisibility_ : decidedShade_;
+    if (!map.depth) return visibilityOnly ? unshadowedVisibility_ : unshadowed_;
+    const Programs& programs = programsFor(map.maps);
+    return visibilityOnly ? programs.visibility : programs.shade;
+}
+
+void ShadowMap::drawAsked(const Frame& frame, const gl::Program& asking, const gl::Program& plain, int light,
+                          const DrawnMap& map) {
+    // Streaks and mirror images lie outside of what the map is for.
+    const bool outsideIsLit = params_.border == ShadowMapParams::Border::lit && params_.rejectBehind;
+    if (!params_.cull || !map.depth || !outsideIsLit) {
+        drawReceivers(frame, asking, light, map);
+        return;
+    }
+    const gl::EyeMatrices& eye = frame.eye();
+    const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
+    useForReceivers(frame, plain, light, map);
+    useForReceivers(frame, asking, light, map);
+    // Object by object, as gl::drawSurfaces does: of two surfaces at one depth the first drawn is the visible one. The stencil
+    // lets each pixel be lit once: what was asked is not drawn again with the rest of its object.
+    for (std::size_t object = 0; object < frame.scene().objects.size(); ++object) {
+        const auto part = shadowedPart(map.maps, std::span(&bounds_[object], 1), clipFromWorld);
+        const auto draw = [&](const gl::Program& program) {
+            program.use();
+            gl::drawSurface(program, frame.scene(), frame.buffers(), eye, object,
+                            [&](const scene::Object&) { return setReceiver(frame, program, light, map, object); });
+        };
+        const bool any = !part || glm::all(glm::lessThan(part->lower, part->upper));
+        frame.scissorTo(part);
+        if (any) draw(asking);
+        frame.scissorTo(std::nullopt);
+        if (part && !(any && isWithin(bounds_[object], *part, clipFromWorld))) draw(plain);
+    }
+}
+
+void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) {
+    useForReceivers(frame, program, light, map);
+    gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
+        const auto index = static_cast<std::size_t>(&object - frame.scene().objects.data());
+        return setReceiver(frame, program, light, map, index);
+    });
+}
+
+void ShadowMap::useForReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const {
+    program.use();
+    gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+    if (map.depth) {
+        setReceiverUniforms(program, map.maps, params_);
+        map.depth->bind(kMapUnit);
+        program.set("shadowMap", kMapUnit);
+    }
+    if (map.exact) setExactUniforms(program, light, map);
+    if (map.decided) {
+        map.decided->bind(kDecidedUnit);
+        program.set("decided", kDecidedUnit);
+    }
+}
+
+bool ShadowMap::setReceiver(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map,
+                            std::size_t object) const {
+    program.set("lightRelativeFromMesh", mat4(lightRelativeFromMesh(map.maps, frame.scene().objects[object])));
+    if (map.exact) setObjectUniforms(frame, program, light, object);
+    return true;
+}
+
+} // namespace shadowlab::shadow_map

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_map/shadowed_part.h"
+
+#include <array>
+
+#include "techniques/foundation/scene/clip_polygon.h"
+
+namespace shadowlab::shadow_map {
+
+namespace {
+
+constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+
+/// The sides of a map, and the plane through the light, in the world: positive inside.
+std::array<dvec4, 5> sidesWorld(const LightMaps& maps, int layer) {
+    dmat4 lightRelativeFromWorld(1.0);
+    lightRelativeFromWorld[3] = dvec4(-maps.originWorld, 1.0);
+    const dmat4 transposed = glm::transpose(maps.lightClipFromLightRelative(layer) * lightRelativeFromWorld);
+    return {transposed * dvec4(1, 0, 0, 1), transposed * dvec4(-1, 0, 0, 1), transposed * dvec4(0, 1, 0, 1),
+            transposed * dvec4(0, -1, 0, 1), transposed * dvec4(0, 0, 0, 1)};
+}
+
+} // namespace
+
+std::optional<scene::PicturePart> shadowedPart(const LightMaps& maps, std::span<const scene::Bounds> receivers,
+                                               const dmat4& clipFromWorld) {
+    if (maps.layout == Layout::cube) return std::nullopt;
+    const dvec4 nearWorld = glm::transpose(clipFromWorld) * dvec4(0, 0, 1, 1);
+    scene::PicturePart part{dvec2(1), dvec2(-1)};
+    for (const scene::Bounds& box : receivers) {
+        // Of a box that the eye is in, or the light, the surfaces may be seen where none of the box's own sides are.
+        const bool flat = glm::any(glm::equal(box.lowerWorld, box.upperWorld));
+        const bool holdsLight = !maps.parallel && glm::all(glm::lessThanEqual(box.lowerWorld, maps.originWorld)) &&
+                                glm::all(glm::greaterThanEqual(box.upperWorld, maps.originWorld));
+        if (!flat && (holdsLight || !scene::isBeyondNearPlane(box, clipFromWorld))) return std::nullopt;
+    }
+    for (int layer = 0; layer < maps.layers(); ++layer) {
+        const std::array<dvec4, 5> sides = sidesWorld(maps, layer);
+        for (const scene::Bounds& box : receivers)
+            for (const auto& face : kFaces) {
+                std::vector<dvec4> polygon;
+                for (const int corner : face)
+                    polygon.emplace_back(box.corner(corner), 1.0);
+                for (const dvec4& side : sides)
+                    polygon = scene::clippedPolygon(polygon, side);
+                polygon = scene::clippedPolygon(polygon, nearWorld);
+                for (const dvec4& cornerWorld : polygon) {
+                    const dvec4 clip = clipFromWorld * cornerWorld;
+                    part.lower = glm::min(part.lower, dvec2(clip) / clip.w);
+                    part.upper = glm::max(part.upper, dvec2(clip) / clip.w);
+                }
+            }
+    }
+    part.lower = glm::max(part.lower, dvec2(-1));
+    part.upper = glm::min(part.upper, dvec2(1));
+    return part;
+}
+
+bool isWithin(const scene::Bounds& bounds, const scene::PicturePart& part, const dmat4& clipFromWorld) {
+    for (int i = 0; i < 8; ++i) {
+        const dvec4 clip = clipFromWorld * dvec4(bounds.corner(i), 1.0);
+        if (clip.z <= -clip.w) return false; // before the near plane, or behind the eye
+        const dvec2 place = dvec2(clip) / clip.w;
+        if (!glm::all(glm::greaterThan(place, part.lower)) || !glm::all(glm::lessThan(place, part.upper))) return false;
+    }
+    return true;
+}
+
+} // namespace shadowlab::shadow_map
