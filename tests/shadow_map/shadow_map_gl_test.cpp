@@ -1,4 +1,5 @@
-// Shadow maps against the exact judge: whatever is wrong is wrong near an edge of the truth, within the texels' reach.
+// Shadow maps against the exact judge: whatever is wrong is wrong near an edge of the truth, within the texels' reach. Ordinary
+// scenes here; the hard ones are in hard_*_gl_test.cpp.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
@@ -54,65 +55,6 @@ TEST_F(ShadowMapTest, PcfIsWrongOnlyWithinItsKernel) {
     expectOnlyEdgeErrors(scene, {"filter=pcf", "pcf-radius=1", "resolution=1024"}, 3.0);
 }
 
-TEST_F(ShadowMapTest, LightAmidTheCastersHasNoSeams) {
-    scene::Scene scene = testing::floorScene();
-    scene.lights.push_back(testing::pointLight({0, 1, 0}));
-    // Casters across the diagonals, where two of the six maps meet.
-    for (const dvec3 at : {dvec3(1, 0.5, 1), dvec3(-1, 0.5, 1), dvec3(1, 0.5, -1), dvec3(-1, 0.5, -1)})
-        testing::addObject(scene, scene::makeBox({0.5, 0.5, 0.5}), testing::translation(at));
-    expectOnlyEdgeErrors(scene, kHard, 1.5);
-    expectOnlyEdgeErrors(scene, {"filter=pcf", "pcf-radius=3", "resolution=1024"}, 7.0);
-}
-
-TEST_F(ShadowMapTest, NothingShadowedMeansNoAcneAtAnyElevation) {
-    for (const double elevation : {1.0, 5.0, 10.0, 30.0, 60.0, 90.0})
-        for (const char* filter : {"filter=hard", "filter=pcf"}) {
-            scene::Scene scene = testing::floorScene();
-            const double radians = elevation * M_PI / 180;
-            scene.lights.push_back(testing::directionalLight({-std::cos(radians), -std::sin(radians), 0}));
-            const TruthComparison sum = compareWithTruth(testing::snapshot(scene), "shadow-map", {filter, "cull=false"},
-                                                         kSize, 0, testing::kTiePx);
-            EXPECT_GT(sum.lit, 20000);
-            EXPECT_EQ(sum.falseShadow, 0) << elevation << " degrees, " << filter << ": " << sum;
-        }
-}
-
-TEST_F(ShadowMapTest, WithoutBiasThereIsAcne) {
-    scene::Scene scene = testing::floorScene();
-    scene.lights.push_back(testing::directionalLight({-1, -0.5, 0.3}));
-    const auto snapshot = testing::snapshot(scene);
-    const TruthComparison without = compareWithTruth(
-        snapshot, "shadow-map", {"bias-mode=none", "fit=scene", "cull=false"}, kSize, 0, testing::kTiePx);
-    EXPECT_GT(without.falseShadow, 2000) << without;
-}
-
-TEST_F(ShadowMapTest, AnyDepthFormatIsWrongOnlyNearEdges) {
-    scene::Scene scene = testing::simpleScene();
-    scene.lights.push_back(testing::directionalLight({0.5, -1, 0.25}));
-    for (const char* format : {"depth-format=16", "depth-format=24", "depth-format=32f"})
-        expectOnlyEdgeErrors(scene, {"filter=hard", "resolution=1024", format}, 1.5);
-}
-
-// The range of depths is fitted to the casters, however far away the light is: at 1000 m with a step of half a metre, 16 bits
-// could not tell the two boxes apart if the range began at the light.
-TEST_F(ShadowMapTest, SixteenBitsAreEnoughForCastersFarFromTheLight) {
-    scene::Scene scene = testing::simpleScene();
-    scene.lights = {testing::pointLight({300, 900, 200})};
-    for (const char* format : {"depth-format=16", "depth-format=24", "depth-format=32f"})
-        expectOnlyEdgeErrors(scene, {"filter=hard", "resolution=1024", format}, 1.5);
-}
-
-TEST_F(ShadowMapTest, BehindASpotNothingIsMirrored) {
-    scene::Scene scene = testing::floorScene();
-    scene.lights.push_back(spot({0, 1, 0}, {1, 0, 0}, 90));
-    testing::addObject(scene, scene::makeBox({0.5, 0.5, 0.5}), testing::translation({2, 0.75, 0}));
-    testing::addObject(scene, scene::makeBox({0.2, 2, 4}), testing::translation({-3, 1, 0}));
-    const TruthComparison sum =
-        compareWithTruth(testing::snapshot(scene), "shadow-map", {"filter=hard"}, kSize, 0, 3.0);
-    EXPECT_GT(sum.lit, 500);
-    EXPECT_EQ(sum.wrong(), 0) << sum;
-}
-
 TEST_F(ShadowMapTest, CullingChangesNoByte) {
     scene::Scene scene = testing::simpleScene();
     scene.lights.push_back(testing::directionalLight({0.5, -1, 0.25}));
@@ -128,10 +70,6 @@ TEST_F(ShadowMapTest, PcfOfRadiusZeroIsTheHardMap) {
     const auto snapshot = testing::snapshot(testing::simpleScene());
     EXPECT_EQ(testing::renderVisibility(snapshot, "shadow-map", {"filter=hard"}, kSize, 0).greyAlpha,
               testing::renderVisibility(snapshot, "shadow-map", {"filter=pcf", "pcf-radius=0"}, kSize, 0).greyAlpha);
-}
-
-TEST_F(ShadowMapTest, MovedFarFromTheOrigin) {
-    expectOnlyEdgeErrors(testing::moved(testing::simpleScene(), dvec3(1e6, -1e6, 1e6)), kHard, 1.5);
 }
 
 } // namespace
