@@ -42,14 +42,18 @@ vec2 receiverSlope(vec3 point, vec3 shadowUv, int layer) {
     return known ? clamp(slope, -1e4, 1e4) : vec2(0.0);
 }
 
-// Metres that a texel measures, at right angles to the light, where the point is: the larger of its two sides.
+// Metres that a texel measures, at right angles to the light, where the point is: in the direction in which it is longest.
+// Beside the axis of a perspective map texels are skewed, and longer than either of their sides.
 float texelMetres(vec3 point, int layer) {
     mat4 rows = transpose(lightClipFromLightRelative[layer]);
     vec4 lightClip = lightClipFromLightRelative[layer] * vec4(point, 1.0);
-    // u and v are quotients; these are their gradients.
+    // u and v are quotients; these are their gradients. Along the light's ray neither changes.
     vec3 alongU = (rows[0].xyz * lightClip.w - rows[3].xyz * lightClip.x) / (lightClip.w * lightClip.w);
     vec3 alongV = (rows[1].xyz * lightClip.w - rows[3].xyz * lightClip.y) / (lightClip.w * lightClip.w);
-    return 2.0 / (resolution * min(length(alongU), length(alongV)));
+    // How fast (u, v) changes in the direction in which it does so least: the smaller singular value of both together.
+    float u = dot(alongU, alongU), v = dot(alongV, alongV), mixed = dot(alongU, alongV);
+    float least = sqrt(max(0.5 * (u + v) - length(vec2(0.5 * (u - v), mixed)), 1e-6 * (u + v)));
+    return 2.0 / (resolution * least);
 }
 
 #include "shadow_map/bias.glsl"
