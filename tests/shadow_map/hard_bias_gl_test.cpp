@@ -60,8 +60,8 @@ TEST_F(HardBiasTest, FloorAloneIsLitAtEveryElevation) {
         }
 }
 
-// M1, for maps of other kinds, and for all modes that adapt to the slope: cascades, a warped map, and lamps beside the floor and
-// high above it. Of a perspective map the texels are skewed, and depths are compared along its axis, not along rays.
+// M1, for maps of other kinds, and for all modes that adapt to the slope: cascades, a warped map, and lamps beside the floor
+// and high above it. Of a perspective map the texels are skewed, and depths are compared along its axis, not along rays.
 TEST_F(HardBiasTest, NoKindOfMapShadowsTheFloor) {
     const auto expectLit = [](const scene::Light& light, const std::vector<std::string>& maps) {
         const JudgedPicture judged = floorUnder(light);
@@ -253,8 +253,8 @@ scene::Scene thinCasters() {
 }
 
 // M3. Only the shadow is asked for: of a sheet thinner than a texel's slope the middle that dual-depth stores is too near, and
-// the sheet itself shows acne. A single comparison is at most sqrt(1/2) texels off, and a kernel of three by three by one more where a corner is sharp:
-// of two sides that meet at 50 degrees less than half of the kernel may be inside.
+// the sheet itself shows acne. A single comparison is at most sqrt(1/2) texels off, and a kernel of three by three by one more
+// where a corner is sharp: of two sides that meet at 50 degrees less than half of the kernel may be inside.
 TEST_F(HardBiasTest, ThinCastersKeepTheirShadow) {
     const auto snapshot = testing::snapshot(thinCasters());
     for (const std::string& mode : kBiasModes)

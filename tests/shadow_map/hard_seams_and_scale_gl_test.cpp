@@ -1,8 +1,8 @@
 // Hard cases of where maps meet, and of numbers that are large or small.
-//   M10 seams of six maps  NoMoreErrorsWhereTwoMapsMeet, AllErrorsAmidTheCastersAreNearEdges. No switch makes seams: the test
-//       paints them to show that it would notice.
-//   M18 far from the origin  MovedByAMillionMetresThePictureIsTheSame. Nothing to switch, either: without coordinates relative to
-//       the light there would be no picture to speak of.
+//   M10 seams of six maps    NoMoreErrorsWhereTwoMapsMeet, AllErrorsAmidTheCastersAreNearEdges.
+//       No switch makes seams: the test paints them, to show that it would notice.
+//   M18 far from the origin  MovedByAMillionMetresThePictureIsTheSame.
+//       Nothing to switch, either: there is no way to draw in single precision.
 //   M19 tiny and huge        AScaleChangesNothing; naive: bias-mode=constant with bias-unit=metres
 // SPDX-License-Identifier: MIT
 #include <algorithm>
