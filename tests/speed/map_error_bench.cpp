@@ -140,7 +140,7 @@ Plot againstAngle() {
               .xByPowersOfTwo = false,
               .xMarks = {0, 30, 60, 90, 120, 150, 180},
               .firstPower = -1,
-              .lastPower = 2,
+              .lastPower = 1,
               .lines = {}};
     for (double degrees = 0; degrees <= 180; degrees += 15)
         plot.x.push_back(degrees);

@@ -80,6 +80,20 @@ scene::Scene moved(const scene::Scene& scene, const dvec3& offsetWorld) {
     return result;
 }
 
+scene::Scene scaled(const scene::Scene& scene, double factor) {
+    scene::Scene result = scene;
+    result.camera.positionWorld *= factor;
+    result.camera.targetWorld *= factor;
+    result.camera.near *= factor;
+    for (scene::Light& light : result.lights)
+        light.positionWorld *= factor;
+    for (scene::Object& object : result.objects)
+        for (int column = 0; column < 4; ++column)
+            for (int row = 0; row < 3; ++row)
+                object.worldFromObject[column][row] *= factor;
+    return result;
+}
+
 dmat4 translation(const dvec3& offset) {
     dmat4 matrix(1.0);
     matrix[3] = dvec4(offset, 1.0);

@@ -27,6 +27,9 @@ scene::Scene simpleScene();
 /// The whole scene moved: camera, lights and objects.
 scene::Scene moved(const scene::Scene& scene, const dvec3& offsetWorld);
 
+/// Everything as many times as large: camera, lights and objects.
+scene::Scene scaled(const scene::Scene& scene, double factor);
+
 inline scene::Snapshot snapshot(scene::Scene scene) { return std::make_shared<const scene::Scene>(std::move(scene)); }
 
 dmat4 translation(const dvec3& offset);
