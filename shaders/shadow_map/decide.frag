@@ -43,31 +43,38 @@ float shadowedBeyond(vec2 depth, ivec3 address, float certain) {
     return depth.x > texelFetch(shadowMap, address, 0).r + apart + certain * depth.y ? kShadowed : kAskRay;
 }
 
-float decide(int layer) {
-    MapPlace place = mapPlaceIn(layer);
-    if (place.behind) return kLit; // all casters are on the other side
-    vec2 texel = place.uv * resolution;
-    if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, vec2(resolution)))) return kLit; // no caster there
-    float certain = kCertain + kPerPixel * (length(dFdx(texel)) + length(dFdy(texel)));
-    if (!(certain < kMostUncertain)) return kAskRay;
-    ivec3 address = ivec3(floor(texel), layer);
-    vec2 centre = floor(texel) + 0.5 - texel;
-    uint first = texelFetch(firstTriangles, address, 0).r, own = uint(triangleBase + gl_PrimitiveID);
-    float edge = texelFetch(edgeDepths, address, 0).r;
-    if (first == kNothing) return edge < 1.0 ? kAskRay : kLit;
-    float slope = (abs(place.slope.x) + abs(place.slope.y)) / resolution; // per texel
-    float farthest = place.depth + slope + apart;
-    if (first == own) return edge <= farthest ? kAskRay : kLit;
+// The point's surface is not the first at the texel's centre: `first` is. Is it before the point, or is the point on it after
+// all, as another triangle of the same sheet?
+float decideBehind(uint first, uint own, MapPlace place, vec2 texel, ivec3 address, float edge, float certain) {
     if (isBefore(first, place, texel, certain)) return kShadowed;
+    vec2 centre = floor(texel) + 0.5 - texel;
+    float slope = (abs(place.slope.x) + abs(place.slope.y)) / resolution; // per texel
     if (isDrawn == 0) {
         // A floor with everything before it is not in the map. What is seen but casts no shadow may be anywhere.
         vec2 depth = vec2(place.depth + dot(place.slope, centre / resolution), slope);
         return edge < 1.0 || castsShadow == 0 ? kAskRay : shadowedBeyond(depth, address, certain);
     }
-    WalkEnd end = walk(own, layer, texel, centre);
-    if (!end.arrived || edge <= max(farthest, end.farthest + certain * end.depth.y + apart)) return kAskRay;
+    WalkEnd end = walk(own, place.layer, texel, centre);
+    float farthest = max(place.depth + slope, end.farthest + certain * end.depth.y) + apart;
+    if (!end.arrived || edge <= farthest) return kAskRay;
     if (end.triangle == first) return kLit;
     return end.inside < certain ? kAskRay : shadowedBeyond(end.depth, address, certain);
+}
+
+float decide(int layer) {
+    MapPlace place = mapPlaceIn(layer);
+    vec2 texel = place.uv * resolution;
+    bool outside = any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, vec2(resolution)));
+    if (place.behind || outside) return kLit; // no caster there
+    float certain = kCertain + kPerPixel * (length(dFdx(texel)) + length(dFdy(texel)));
+    if (!(certain < kMostUncertain)) return kAskRay;
+    ivec3 address = ivec3(floor(texel), layer);
+    uint first = texelFetch(firstTriangles, address, 0).r, own = uint(triangleBase + gl_PrimitiveID);
+    float edge = texelFetch(edgeDepths, address, 0).r;
+    if (first == kNothing) return edge < 1.0 ? kAskRay : kLit;
+    float slope = (abs(place.slope.x) + abs(place.slope.y)) / resolution;
+    if (first == own) return edge <= place.depth + slope + apart ? kAskRay : kLit;
+    return decideBehind(first, own, place, texel, address, edge, certain);
 }
 
 void main() {
