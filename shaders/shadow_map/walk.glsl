@@ -7,9 +7,14 @@ uniform usamplerBuffer triangles; // two texels each: numbers of corners and 1 w
 const uint kNoTriangle = 0xffffffffu;
 const int kMostSteps = 24;
 
+// A corner near the plane of the light is far outside of the map, where float cannot tell texels apart: within these bounds,
+// of texels and of the map's range, rounding is a five-hundredth of a texel and a millionth of the range.
+const float kFarthestCorner = 8192.0, kDeepestCorner = 4.0;
+
 struct MapTriangle {
     vec3 corners[3]; // texels from where the walk starts, and depth (0..1)
-    bool beforeLight, mayHaveHoles;
+    bool beforeLight; // all of it, and well enough known
+    bool mayHaveHoles;
 };
 
 MapTriangle mapTriangle(uint triangle, int layer, vec2 startTexel) {
@@ -19,9 +24,11 @@ MapTriangle mapTriangle(uint triangle, int layer, vec2 startTexel) {
     result.mayHaveHoles = vertices.w == 1u;
     for (int i = 0; i < 3; ++i) {
         vec4 lightClip = lightClipFromLightRelative[layer] * texelFetch(positionsLightRelative, int(vertices[i]));
-        if (lightClip.w <= 0.0) result.beforeLight = false;
         vec3 place = lightClip.xyz / lightClip.w * 0.5 + 0.5;
         result.corners[i] = vec3(place.xy * resolution - startTexel, place.z);
+        bool known = lightClip.w > 0.0 && all(lessThan(abs(result.corners[i].xy), vec2(kFarthestCorner))) &&
+                     abs(place.z) < kDeepestCorner;
+        if (!known) result.beforeLight = false;
     }
     return result;
 }

@@ -48,9 +48,9 @@ inline const vec3 kOtherLight = linearFromSrgb8(0xB0, 0xB0, 0xB0);
 inline const vec3 kLightFrustum = linearFromSrgb8(0xE6, 0x9F, 0x00);
 
 /// The maps of one light: cascades from the eye outward, or those along +x -x +y -y +z -z.
-inline const std::array<vec3, 6> kLayers = {linearFromSrgb8(0xD5, 0x5E, 0x00), linearFromSrgb8(0xF0, 0xE4, 0x42),
-                                            linearFromSrgb8(0x00, 0x9E, 0x73), linearFromSrgb8(0x56, 0xB4, 0xE9),
-                                            linearFromSrgb8(0xCC, 0x79, 0xA7), linearFromSrgb8(0xF2, 0xF2, 0xF2)};
+inline const std::array<vec3, 6> kLayers = {linearFromSrgb8(0xD5, 0x5E, 0x00), linearFromSrgb8(0x00, 0x9E, 0x73),
+                                            linearFromSrgb8(0xCC, 0x79, 0xA7), linearFromSrgb8(0x00, 0x72, 0xB2),
+                                            linearFromSrgb8(0xE6, 0x9F, 0x00), linearFromSrgb8(0xF2, 0xF2, 0xF2)};
 
 // A technique's visibility against the truth; what is right is the picture without its colours.
 inline const vec3 kFalseLit = linearFromSrgb8(0xE6, 0x9F, 0x00);

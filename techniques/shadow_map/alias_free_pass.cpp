@@ -16,9 +16,10 @@ constexpr int kBlock = trace::SceneTracer::kBlock;
 
 /// Six planes are shown as the six maps are: +x +y +z above -x -y -z.
 struct Sheet {
-    ivec2 cells, cellSize;
+    ivec2 cells, cellSize; ///< square, as the light's own picture is
     Sheet(std::size_t planes, ivec2 within)
-        : cells(planes == 6 ? ivec2(3, 2) : ivec2(1)), cellSize(glm::max(within / cells, ivec2(1))) {}
+        : cells(planes == 6 ? ivec2(3, 2) : ivec2(1)),
+          cellSize(std::max(std::min(within.x / cells.x, within.y / cells.y), 1)) {}
     [[nodiscard]] ivec2 corner(int plane) const {
         return cells.x == 1 ? ivec2(0) : ivec2(plane / 2, plane % 2) * cellSize;
     }
@@ -96,11 +97,13 @@ void AliasFreePass::publishSamples(Frame& frame, int light) {
     std::vector<std::vector<dvec2>> places(samples.planes.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         if (samples.planeOf[i] != kNotAsked) places[samples.planeOf[i]].emplace_back(samples.places[i]);
-    const ivec2 size = frame.view().size;
-    const Sheet sheet(places.size(), size);
+    const Sheet sheet(places.size(), frame.view().size);
+    const ivec2 size = sheet.cells * sheet.cellSize;
     std::vector<vec4> texels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), vec4(0, 0, 0, 1));
     for (std::size_t p = 0; p < places.size(); ++p) {
-        const PlaneRect rect = middleOf(places[p]);
+        PlaneRect rect = middleOf(places[p]);
+        const dvec2 extent = rect.upper - rect.lower, side(std::max(extent.x, extent.y));
+        rect = {rect.lower - 0.5 * (side - extent), rect.upper + 0.5 * (side - extent)};
         for (const dvec2& place : places[p]) {
             const dvec2 share = (place - rect.lower) / (rect.upper - rect.lower);
             if (glm::any(glm::lessThan(share, dvec2(0))) || glm::any(glm::greaterThanEqual(share, dvec2(1)))) continue;

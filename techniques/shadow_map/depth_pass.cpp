@@ -29,7 +29,7 @@ DepthRules depthRules(const ShadowMapParams& params) {
     DepthRules rules;
     using enum BiasParams::Mode;
     const BiasParams& bias = params.bias;
-    rules.depthClamp = params.depthClamp;
+    rules.depthClamp = params.depthClamp || params.exact;
     rules.ids = params.exact;
     if (params.exact) return rules; // the depths themselves: the comparison has a margin of its own
     const int radius = params.kernelRadius();

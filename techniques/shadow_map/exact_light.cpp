@@ -36,7 +36,7 @@ const gl::Texture2D& ShadowMap::decide(Frame& frame, int light, const DrawnMap& 
 void ShadowMap::drawExact(const Frame& frame, int light, const LightMaps& maps, int layer,
                           std::span<const std::size_t> casters, const gl::DepthTextureArray& depth,
                           const ExactMap& exact) {
-    depthPass_.drawWithIds(frame, maps, layer, casters, depth, exact.triangles, {.depthClamp = params_.depthClamp});
+    depthPass_.drawWithIds(frame, maps, layer, casters, depth, exact.triangles, {});
     exact_.findEdges(frame.scene(), light, maps, drawnCasters(frame.scene(), light));
     exact_.drawEdges(frame, maps, light, layer, casters, exact.edges);
 }

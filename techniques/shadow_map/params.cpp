@@ -89,14 +89,14 @@ params::ParamList describeFilter(ShadowMapParams& p) {
         params::integer("pcf-radius", p.pcfRadius, 0, 15, "texels", "PCF averages (2 r + 1) x (2 r + 1) comparisons."),
         params::boolean("exact", p.exact,
                         "Decide by rays wherever an edge touches the point's texel or the map is not certain; then "
-                        "filter and bias do not matter."),
+                        "filter, bias, border and the range of depths do not matter."),
         params::boolean(
             "alias-free", p.aliasFree,
             "Draw no map: ask the light for each visible point instead, on the processor. As exact as rays; "
             "resolution, filter and bias do not matter."),
         params::boolean("cull", p.cull,
                         "Leave out casters that cannot shadow anything in a map, and what is out of view; the picture "
-                        "is the same."),
+                        "is the same, but for a floor that would wrongly shadow itself."),
     };
 }
 

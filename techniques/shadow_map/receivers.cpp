@@ -53,10 +53,10 @@ void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, in
 void ShadowMap::useForReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const {
     program.use();
     gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+    program.set("shadowMap", kMapUnit); // also where there is none: no unit holds textures of two kinds
     if (map.depth) {
         setReceiverUniforms(program, map.maps, params_);
         map.depth->bind(kMapUnit);
-        program.set("shadowMap", kMapUnit);
     }
     if (map.exact) setExactUniforms(program, light, map);
     if (map.decided) {

@@ -159,7 +159,10 @@ LightMaps ShadowMap::fit(const scene::Scene& scene, const View& view, int light,
     const double aspect = static_cast<double>(view.size.x) / view.size.y;
     FitEye eye{scene::withTightNear(view.camera, scene, bounds_, aspect), aspect, std::nullopt};
     if (seen_ && seen_->camera == view.camera && seen_->size == view.size) eye.visibleDepth = seen_->range;
-    return fitLightMaps({scene.lights[index], bounds_, casters, receivers, eye, params_.projection, params_.resolution,
+    ProjectionParams projection = params_.projection;
+    if (params_.exact)
+        projection.depthRange = ProjectionParams::DepthRange::fitted; // teaching faults have no place there
+    return fitLightMaps({scene.lights[index], bounds_, casters, receivers, eye, projection, params_.resolution,
                          params_.kernelRadius(), cover});
 }
 

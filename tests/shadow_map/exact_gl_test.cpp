@@ -108,6 +108,36 @@ TEST_F(ExactMapTest, SurfacesThatPassThroughEachOther) {
     expectExact(both, "passing through");
 }
 
+/// Boxes with faces in one plane, which pass the light's height far aside: in the map above the light their corners are
+/// thousands of texels away, and float is coarse there. All that is seen is lit.
+TEST_F(ExactMapTest, FacesThatShareAPlaneAndReachPastTheLight) {
+    scene::Scene scene = testing::floorScene();
+    scene.objects.clear();
+    testing::addObject(scene, scene::makeBox({50, 50, 50}), testing::translation({100, 50, -200}));
+    testing::addObject(scene, scene::makeBox({50, 200, 100}), testing::translation({-181.2, 192.7, 4.1}));
+    testing::addObject(scene, scene::makeBox({50, 200, 100}), testing::translation({-181.2, 242.7, 4.1}));
+    scene.lights = {testing::pointLight({-92.9, 91.4, -97.2})};
+    scene.camera.positionWorld = {245.5, -44.9, 80.9};
+    scene.camera.targetWorld = {-81.8, 7.5, 24.5};
+    scene.camera.fovYDegrees = 90;
+    scene.camera.near = 10;
+    Both both;
+    for (const char* resolution : {"resolution=1024", "resolution=2048"})
+        compare(scene, {resolution}, both, {320, 240});
+    std::cout << both.exact << "\n";
+    EXPECT_GT(both.exact.lit, 5000);
+    EXPECT_EQ(both.exact.wrong(), 0);
+}
+
+/// Teaching faults of the map itself have no place where it is to be certain.
+TEST_F(ExactMapTest, WithoutDepthClampAndWithAWideRange) {
+    Both both;
+    for (const char* fault : {"depth-clamp=false", "depth-range=wide", "border=edge", "reject-behind=false"})
+        compare(testing::hardScene(testing::HardClass::eyeInSoup, 72, true), {"resolution=256", fault}, both,
+                {160, 120});
+    expectExact(both, "teaching faults");
+}
+
 TEST_F(ExactMapTest, WhatIsSeenButCastsNoShadowAndWhatReceivesNone) {
     scene::Scene scene = testing::simpleScene();
     scene.objects[1].castsShadow = false;

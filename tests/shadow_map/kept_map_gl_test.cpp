@@ -113,5 +113,28 @@ TEST_F(KeptMapTest, WhereMapsWouldTakeTooMuchMemoryTheyShareOneAndTheSamePicture
     EXPECT_EQ(second.picture, first.picture);
 }
 
+/// Where there is no map, as over a bare floor, the lecture's pictures are still there: of a map that holds what is seen.
+TEST_F(KeptMapTest, TheLecturesStagesNeedNoMapOfTheFramesOwn) {
+    scene::Scene floor = testing::floorScene();
+    floor.lights = {testing::pointLight({1, 3, 1})};
+    const std::vector<std::string> stages = {"light-view", "light-depth", "depth-on-view", "distance-on-view",
+                                             "comparison", "texel-size",  "texel-grid",    "map-layers",
+                                             "traced",     "eye-samples", "visibility"};
+    for (const scene::Scene& scene : {floor, testing::simpleScene()})
+        for (const char* setting : {"alias-free=false", "alias-free=true", "exact=true"}) {
+            session::Session session(testing::snapshot(scene));
+            session::Slot slot = slotWith({std::string("shadow-map.") + setting});
+            View view;
+            view.camera = scene.camera;
+            view.size = kSize;
+            FrameRequest request;
+            for (const std::string& stage : stages)
+                request.stages.push_back({stage, 0});
+            const session::RenderedFrame frame = session.render(slot, view, request);
+            EXPECT_EQ(frame.result.stages.size(), stages.size()) << setting;
+            EXPECT_EQ(gl::takeDebugMessages(), "") << setting;
+        }
+}
+
 } // namespace
 } // namespace shadowlab
