@@ -22,15 +22,6 @@ params::ParamList describeMap(ShadowMapParams& p) {
         params::choice("depth-format", p.depthFormat, {"16", "24", "32f"},
                        "Bits of a depth in the map; 32f: as a floating-point number. The fewer, the larger the offset "
                        "against rounding has to be."),
-        params::boolean("depth-clamp", p.depthClamp,
-                        "Keep casters that stand nearer to the light than the map's near plane; false: they are cut "
-                        "off, and with them their shadows (teaching)."),
-        params::choice("border", p.border, {"lit", "edge"},
-                       "What lies outside the map: lit; edge: as its outermost texels, which draws shadows out into "
-                       "streaks (teaching)."),
-        params::boolean(
-            "reject-behind", p.rejectBehind,
-            "Ask no map about what lies behind a spot; false: there the projection is mirrored (teaching)."),
     };
 }
 
@@ -87,6 +78,11 @@ params::ParamList describeFilter(ShadowMapParams& p) {
         params::choice("filter", p.filter, {"hard", "pcf"},
                        "hard: one comparison a pixel; pcf: the share of a square of comparisons that are lit."),
         params::integer("pcf-radius", p.pcfRadius, 0, 15, "texels", "PCF averages (2 r + 1) x (2 r + 1) comparisons."),
+    };
+}
+
+params::ParamList describeExact(ShadowMapParams& p) {
+    return {
         params::boolean("exact", p.exact,
                         "Decide by rays wherever an edge touches the point's texel or the map is not certain; then "
                         "filter, bias, border and the range of depths do not matter."),
@@ -94,6 +90,20 @@ params::ParamList describeFilter(ShadowMapParams& p) {
             "alias-free", p.aliasFree,
             "Draw no map: ask the light for each visible point instead, on the processor. As exact as rays; "
             "resolution, filter and bias do not matter."),
+    };
+}
+
+params::ParamList describeLimits(ShadowMapParams& p) {
+    return {
+        params::boolean("depth-clamp", p.depthClamp,
+                        "Keep casters that stand nearer to the light than the map's near plane; false: they are cut "
+                        "off, and with them their shadows (teaching)."),
+        params::choice("border", p.border, {"lit", "edge"},
+                       "What lies outside the map: lit; edge: as its outermost texels, which draws shadows out into "
+                       "streaks (teaching)."),
+        params::boolean(
+            "reject-behind", p.rejectBehind,
+            "Ask no map about what lies behind a spot; false: there the projection is mirrored (teaching)."),
         params::boolean("cull", p.cull,
                         "Leave out casters that cannot shadow anything in a map, and what is out of view; the picture "
                         "is the same, but for a floor that would wrongly shadow itself."),
@@ -103,8 +113,10 @@ params::ParamList describeFilter(ShadowMapParams& p) {
 } // namespace
 
 params::ParamList describe(ShadowMapParams& p) {
+    // How fine, how smooth, how certain; then what keeps surfaces lit, and where the light looks; what seldom changes is last.
     params::ParamList all = describeMap(p);
-    for (params::ParamList part : {describeProjection(p.projection), describeBias(p.bias), describeFilter(p)})
+    for (params::ParamList part : {describeFilter(p), describeExact(p), describeBias(p.bias),
+                                   describeProjection(p.projection), describeLimits(p)})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }
