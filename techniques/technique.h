@@ -79,6 +79,12 @@ struct View {
     std::uint32_t seed = 0;
 };
 
+/// The part of the picture that is drawn: the view's region, or all of it where it has none.
+inline Region drawnRegion(const View& view) {
+    const bool all = view.region.size.x <= 0 || view.region.size.y <= 0;
+    return all ? Region{ivec2(0), view.size} : view.region;
+}
+
 using Deadline = std::chrono::steady_clock::time_point;
 
 struct Progress {

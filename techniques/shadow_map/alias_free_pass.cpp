@@ -6,7 +6,6 @@
 #include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/shadow_map/asked_samples.h"
-#include "techniques/shadow_map/drawn_region.h"
 
 namespace shadowlab::shadow_map {
 

@@ -30,7 +30,6 @@ DepthRules depthRules(const ShadowMapParams& params) {
     using enum BiasParams::Mode;
     const BiasParams& bias = params.bias;
     rules.depthClamp = params.depthClamp || params.exact;
-    rules.ids = params.exact;
     if (params.exact) return rules; // the depths themselves: the comparison has a margin of its own
     const int radius = params.kernelRadius();
     // Of a kernel's texels the farthest centre is radius + 1/2 away in both directions; the factor is for the larger of the

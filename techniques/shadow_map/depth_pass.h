@@ -15,7 +15,6 @@ struct DepthRules {
     double units = 0;       ///< by so many of the format's smallest steps
     bool depthClamp = true; ///< keep what is nearer than the near plane
     bool dual = false;      ///< the middle between two surfaces
-    bool ids = false;       ///< which triangle, too
     friend bool operator==(const DepthRules&, const DepthRules&) = default;
 };
 DepthRules depthRules(const ShadowMapParams& params);

@@ -78,8 +78,10 @@ void ShadowMap::setExactUniforms(const gl::Program& program, int light, const Dr
 void ShadowMap::setObjectUniforms(const Frame& frame, const gl::Program& program, int light, std::size_t index) const {
     const scene::Object& object = frame.scene().objects[index];
     program.set("castsShadow", object.castsShadow ? 1 : 0);
-    const std::vector<std::size_t> drawn = drawnCasters(frame.scene(), light);
-    program.set("isDrawn", std::ranges::binary_search(drawn, index) ? 1 : 0);
+    const bool isDrawn = params_.cull
+                             ? std::ranges::binary_search(usefulCasters_[static_cast<std::size_t>(light)], index)
+                             : object.castsShadow;
+    program.set("isDrawn", isDrawn ? 1 : 0);
 }
 
 } // namespace shadowlab::shadow_map

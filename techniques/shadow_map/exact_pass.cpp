@@ -6,7 +6,6 @@
 #include "techniques/foundation/scene/facing.h"
 #include "techniques/foundation/scene/holes.h"
 #include "techniques/foundation/trace/pixel_rays.h"
-#include "techniques/shadow_map/drawn_region.h"
 #include "techniques/shadow_map/loose_edges.h"
 
 namespace shadowlab::shadow_map {

@@ -9,8 +9,6 @@ namespace shadowlab::shadow_map {
 
 namespace {
 
-constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
-
 /// The sides of a map, and the plane through the light, in the world: positive inside.
 std::array<dvec4, 5> sidesWorld(const LightMaps& maps, int layer) {
     dmat4 lightRelativeFromWorld(1.0);
@@ -37,10 +35,8 @@ std::optional<scene::PicturePart> shadowedPart(const LightMaps& maps, std::span<
     for (int layer = 0; layer < maps.layers(); ++layer) {
         const std::array<dvec4, 5> sides = sidesWorld(maps, layer);
         for (const scene::Bounds& box : receivers)
-            for (const auto& face : kFaces) {
-                std::vector<dvec4> polygon;
-                for (const int corner : face)
-                    polygon.emplace_back(box.corner(corner), 1.0);
+            for (int face = 0; face < 6; ++face) {
+                std::vector<dvec4> polygon = scene::boxFaceWorld(box, face);
                 for (const dvec4& side : sides)
                     polygon = scene::clippedPolygon(polygon, side);
                 polygon = scene::clippedPolygon(polygon, nearWorld);

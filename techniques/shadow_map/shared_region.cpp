@@ -10,8 +10,6 @@ namespace shadowlab::shadow_map {
 
 namespace {
 
-constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
-
 /// Of the steps that divide `whole` by a power of two, the largest of which `part` has kRegionSteps. A share of the casters'
 /// own size and no round number of metres: at any scale the same scene has the same map.
 double stepOf(double part, double whole) {
@@ -37,10 +35,10 @@ Box sharedRegion(const Box& casters, std::span<const scene::Bounds> receivers, c
                             dvec4(0, 1, 0, -casters.lower.y), dvec4(0, -1, 0, casters.upper.y)};
     Box seen;
     for (const scene::Bounds& box : receivers)
-        for (const auto& face : kFaces) {
-            std::vector<dvec4> polygon;
-            for (const int corner : face)
-                polygon.emplace_back(transformPoint(lightViewFromLightRelative, box.corner(corner) - originWorld), 1.0);
+        for (int face = 0; face < 6; ++face) {
+            std::vector<dvec4> polygon = scene::boxFaceWorld(box, face);
+            for (dvec4& corner : polygon)
+                corner = dvec4(transformPoint(lightViewFromLightRelative, dvec3(corner) - originWorld), 1.0);
             for (const dvec4& side : sides)
                 polygon = scene::clippedPolygon(polygon, side);
             for (const dvec4& corner : polygon)

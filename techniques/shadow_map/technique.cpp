@@ -25,14 +25,12 @@ const PassInfo kPasses[] = {
      "render z-buffer from light's point of view to depth map D\nstore D as texture map d(u,v)"},
     {"samples", "Ask the light for every point that the eye sees",
      "A map asks the light at the middles of its texels, and the eye at other places: all its faults come from that. "
-     "Here "
-     "the visible points themselves are put into the light's picture, and every triangle is tested against those it "
-     "covers. Only with alias-free = true.",
+     "Here the visible points themselves are put into the light's picture, and every triangle is tested against those "
+     "it covers. Only with alias-free = true.",
      "none: on the processor, and the answers uploaded", true, "eye-samples"},
     {"decide", "Decide where the map is certain, and send rays elsewhere",
      "An edge that touches a texel makes it uncertain: a surface ends there, begins, or passes through another. All "
-     "other "
-     "texels know which surface is the first; the point is lit if it lies on that. Only with exact = true.",
+     "other texels know which surface is the first; the point is lit if it lies on that. Only with exact = true.",
      "depth EQUAL; triangle numbers and depths read with texelFetch; undecided pixels read back", true, "traced"},
     {"light",
      "Render the scene from the eye and compare",

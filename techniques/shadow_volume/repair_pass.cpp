@@ -10,11 +10,11 @@ namespace {
 
 /// The part of the picture that is drawn, without what is in it.
 CountedPart partOf(const View& view) {
+    const auto [corner, size] = drawnRegion(view);
     CountedPart part;
     part.pictureSize = view.size;
-    const bool all = view.region.size.x <= 0 || view.region.size.y <= 0;
-    part.corner = all ? ivec2(0) : view.region.corner;
-    part.size = all ? view.size : view.region.size;
+    part.corner = corner;
+    part.size = size;
     return part;
 }
 

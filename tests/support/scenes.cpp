@@ -69,6 +69,28 @@ scene::Scene simpleScene() {
     return scene;
 }
 
+scene::Scene everyKindOfLight() {
+    using enum scene::LightType;
+    scene::Scene scene = simpleScene();
+    dmat4 mirror = translation({-1, 1, 1});
+    mirror[0][0] = -1.5;
+    addObject(scene, scene::makeTorus(0.5, 0.2, {24, 12}), mirror);
+    addObject(scene, scene::makeBox({0.6, 0.6, 0.6}), translation({1, 2, 0.5})).castsShadow = false;
+    addObject(scene, scene::makeQuad({1.5, 1.5}), translation({-1, 0.4, 2})).receivesShadow = false;
+    const scene::Light first = scene.lights[0];
+    scene.lights.clear();
+    for (const scene::LightType type : {point, directional, spot, rect, sphere}) {
+        scene.lights.push_back(first);
+        scene.lights.back().type = type;
+        scene.lights.back().directionWorld = glm::normalize(dvec3(-0.4, -1, -0.6));
+        scene.lights.back().edgeVWorld = {0, 0.3, 1};
+    }
+    scene.lights.push_back(directionalLight({0, -1, 0})); // along an axis
+    scene.lights.push_back(pointLight({0.2, 1e-3, 0.3})); // so near that rays leave it on all sides
+    scene.lights.push_back(pointLight({0, 1, 0}));        // within things
+    return scene;
+}
+
 scene::Scene moved(const scene::Scene& scene, const dvec3& offsetWorld) {
     scene::Scene result = scene;
     result.camera.positionWorld += offsetWorld;

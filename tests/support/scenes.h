@@ -24,6 +24,10 @@ scene::Light directionalLight(const dvec3& directionWorld);
 /// A small, simple scene that every technique can be tried on: floor, box, sphere and torus, one point light.
 scene::Scene simpleScene();
 
+/// The simple scene with a mirrored object, one that casts no shadow and one that receives none, under a light of each type,
+/// and under lights that rays find hard: along an axis, close to the floor, among the objects.
+scene::Scene everyKindOfLight();
+
 /// The whole scene moved: camera, lights and objects.
 scene::Scene moved(const scene::Scene& scene, const dvec3& offsetWorld);
 

@@ -29,6 +29,14 @@ void requireSize(GLint limit, int wanted, std::string_view what) {
                                                "; choose a smaller size");
 }
 
+/// After a texture of layers was made.
+void requireMemory(int side, int layers, std::string_view name) {
+    if (glGetError() == GL_OUT_OF_MEMORY)
+        throw Error(ExitStatus::overLimit, std::string(name) + ": no memory for " + std::to_string(layers) +
+                                               " layers of " + std::to_string(side) + " x " + std::to_string(side) +
+                                               " texels; choose a smaller resolution");
+}
+
 GLint limitOf(GLenum name) {
     GLint value = 0;
     glGetIntegerv(name, &value);
@@ -76,10 +84,7 @@ DepthTextureArray::DepthTextureArray(GLenum internalFormat, int side, int layers
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
     compare(true);
     label(GL_TEXTURE, handle_.id(), name);
-    if (glGetError() == GL_OUT_OF_MEMORY)
-        throw Error(ExitStatus::overLimit, std::string(name) + ": no memory for " + std::to_string(layers) +
-                                               " layers of " + std::to_string(side) + " x " + std::to_string(side) +
-                                               " texels; choose a smaller resolution");
+    requireMemory(side, layers, name);
 }
 
 void DepthTextureArray::bind(int unit) const {
@@ -105,10 +110,7 @@ IdTextureArray::IdTextureArray(int side, int layers, std::string_view name)
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32UI, side, side, layers, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
     sampleNearestClamped(GL_TEXTURE_2D_ARRAY);
     label(GL_TEXTURE, handle_.id(), name);
-    if (glGetError() == GL_OUT_OF_MEMORY)
-        throw Error(ExitStatus::overLimit, std::string(name) + ": no memory for " + std::to_string(layers) +
-                                               " layers of " + std::to_string(side) + " x " + std::to_string(side) +
-                                               " texels; choose a smaller resolution");
+    requireMemory(side, layers, name);
 }
 
 void IdTextureArray::bind(int unit) const {

@@ -3,6 +3,15 @@
 
 namespace shadowlab::scene {
 
+std::vector<dvec4> boxFaceWorld(const Bounds& box, int face) {
+    static constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                         {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+    std::vector<dvec4> polygon;
+    for (const int corner : kFaces[face])
+        polygon.emplace_back(box.corner(corner), 1.0);
+    return polygon;
+}
+
 std::vector<dvec4> clippedPolygon(const std::vector<dvec4>& polygon, const dvec4& plane) {
     std::vector<dvec4> inside;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -43,15 +43,9 @@ Bounds visibleOfTriangles(const Object& object, const Planes& planes) {
 
 /// Of a box that the eye is not in: what is seen through its sides.
 Bounds visibleOfBox(const Bounds& box, const Planes& planes) {
-    static constexpr int kFaces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                                         {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
     Bounds visible;
-    for (const auto& face : kFaces) {
-        std::vector<dvec4> polygon;
-        for (const int corner : face)
-            polygon.emplace_back(box.corner(corner), 1.0);
-        includeVisible(visible, std::move(polygon), planes);
-    }
+    for (int face = 0; face < 6; ++face)
+        includeVisible(visible, boxFaceWorld(box, face), planes);
     return visible;
 }
 

@@ -99,25 +99,8 @@ TEST(Blocks, HardScenes) {
 }
 
 TEST(Blocks, EveryKindOfLightFarFromTheWorldsOrigin) {
-    using enum scene::LightType;
     for (const double offset : {0.0, 1e6}) {
-        scene::Scene scene = simpleScene();
-        dmat4 mirror = translation({-1, 1, 1});
-        mirror[0][0] = -1.5;
-        addObject(scene, scene::makeTorus(0.5, 0.2, {24, 12}), mirror);
-        addObject(scene, scene::makeBox({0.6, 0.6, 0.6}), translation({1, 2, 0.5})).castsShadow = false;
-        addObject(scene, scene::makeQuad({1.5, 1.5}), translation({-1, 0.4, 2})).receivesShadow = false;
-        const scene::Light first = scene.lights[0];
-        scene.lights.clear();
-        for (const scene::LightType type : {point, directional, spot, rect, sphere}) {
-            scene.lights.push_back(first);
-            scene.lights.back().type = type;
-            scene.lights.back().directionWorld = glm::normalize(dvec3(-0.4, -1, -0.6));
-            scene.lights.back().edgeVWorld = {0, 0.3, 1};
-        }
-        scene.lights.push_back(directionalLight({0, -1, 0})); // along an axis
-        scene.lights.push_back(pointLight({0.2, 1e-3, 0.3})); // so near that rays leave it on all sides
-        scene.lights.push_back(pointLight({0, 1, 0}));        // within things
+        const scene::Scene scene = everyKindOfLight();
         const scene::Scene there = moved(scene, dvec3(offset, -offset, offset));
         expectSame(compare(there, {101, 75}), 2000, std::to_string(offset));
         expectSame(compare(there, {16, 12}, {0, 0}), 50, "corners of pixels");
