@@ -1,15 +1,18 @@
 #version 330 core
 // A surface as the eye sees it: position for the rasteriser, position and normal in view space for shading, and position
-// relative to the light (world axes, origin at the light) for techniques that ask the light's own picture.
+// relative to the light (world axes, origin at the light) and in the clip space of a camera there, for techniques that ask the
+// light's own picture. What a fragment shader does not read costs nothing: the linker leaves it out.
 #include "attributes.glsl"
 #include "clip_position.glsl"
 #include "texcoord.glsl"
 uniform mat4 viewFromMesh;
 uniform mat3 normalViewFromMesh;
 uniform mat4 lightRelativeFromMesh;
+uniform mat4 lightClipFromMesh;
 out vec3 positionView;
 out vec3 normalView;
 out vec3 positionLightRelative;
+out vec4 positionLightClip;
 
 void main() {
     gl_Position = clipPosition(vec4(positionMesh, 1.0));
@@ -17,4 +20,5 @@ void main() {
     positionView = (viewFromMesh * vec4(positionMesh, 1.0)).xyz;
     normalView = normalViewFromMesh * normalMesh;
     positionLightRelative = (lightRelativeFromMesh * vec4(positionMesh, 1.0)).xyz;
+    positionLightClip = lightClipFromMesh * vec4(positionMesh, 1.0);
 }

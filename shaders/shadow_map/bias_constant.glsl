@@ -3,8 +3,8 @@
 uniform float constantTexels; // how far, in texels, or
 uniform float constantMetres;
 
-vec3 pointToAsk(vec3 pointLightRelative, int layer) {
-    float metres = constantMetres + constantTexels * texelMetres(pointLightRelative, layer);
-    return pointLightRelative + metres * towardLightFrom(pointLightRelative);
+vec4 biasedClip(vec4 lightClip, int layer) {
+    float metres = constantMetres + constantTexels * texelMetres(lightClip, layer);
+    return lightClip + lightClipFromLightRelative[layer] * vec4(metres * towardLightFrom(positionLightRelative), 0.0);
 }
 float depthToCompare(MapPlace place, vec2 offsetUv) { return place.depth; }

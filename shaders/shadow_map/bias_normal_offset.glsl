@@ -11,9 +11,9 @@
 uniform float normalOffset; // 1: just that
 uniform float kernelTexels; // r + 1/2
 
-vec3 pointToAsk(vec3 pointLightRelative, int layer) {
+vec4 biasedClip(vec4 lightClip, int layer) {
     vec3 normal = normalize(cross(dFdx(positionLightRelative), dFdy(positionLightRelative)));
-    vec3 towardLight = towardLightFrom(pointLightRelative);
+    vec3 towardLight = towardLightFrom(positionLightRelative);
     float cosine = dot(normal, towardLight);
     if (cosine < 0.0) {
         normal = -normal;
@@ -21,12 +21,11 @@ vec3 pointToAsk(vec3 pointLightRelative, int layer) {
     }
     // Depth is the quotient z / w: its gradient, but for a factor.
     mat4 rows = transpose(lightClipFromLightRelative[layer]);
-    vec4 lightClip = lightClipFromLightRelative[layer] * vec4(pointLightRelative, 1.0);
     vec3 gradient = rows[2].xyz * lightClip.w - rows[3].xyz * lightClip.z;
     vec3 nearer = normal - gradient * (cosine / dot(gradient, towardLight));
     nearer -= towardLight * dot(nearer, towardLight);
-    float metres = normalOffset * kernelTexels * 1.4142136 * texelMetres(pointLightRelative, layer) * length(nearer);
+    float metres = normalOffset * kernelTexels * 1.4142136 * texelMetres(lightClip, layer) * length(nearer);
     bool known = metres >= 0.0; // not where the eye sees the surface exactly edge-on
-    return known ? pointLightRelative + metres * normal : pointLightRelative;
+    return known ? lightClip + lightClipFromLightRelative[layer] * vec4(metres * normal, 0.0) : lightClip;
 }
 float depthToCompare(MapPlace place, vec2 offsetUv) { return place.depth; }

@@ -3,7 +3,7 @@
 // ShaderX4, 2005.
 uniform float halfTexel; // of the map's side, times slope-bias
 
-vec3 pointToAsk(vec3 pointLightRelative, int layer) { return pointLightRelative; }
+vec4 biasedClip(vec4 lightClip, int layer) { return lightClip; }
 
 float depthToCompare(MapPlace place, vec2 offsetUv) {
     // Never a depth behind the point itself: beyond its edge the surface does not go on.

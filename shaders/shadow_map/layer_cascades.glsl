@@ -16,3 +16,9 @@ float fadeToNext() {
     float width = max(cascadeEnds[layer] - fadeStarts[layer], 1e-9);
     return clamp((-positionView.z - fadeStarts[layer]) / width, 0.0, 1.0);
 }
+
+vec4 lightClipIn(int layer) { return lightClipFromLightRelative[layer] * vec4(positionLightRelative, 1.0); }
+LightSteps lightStepsIn(int layer) {
+    return LightSteps(lightClipFromLightRelative[layer] * vec4(dFdx(positionLightRelative), 0.0),
+                      lightClipFromLightRelative[layer] * vec4(dFdy(positionLightRelative), 0.0));
+}

@@ -5,10 +5,14 @@
 in vec3 positionLightRelative;
 uniform mat4 lightClipFromLightRelative[6];
 uniform vec3 towardLightRelative; // unit, of a directional light; zero for one that is at the origin
-uniform float roundingShare;      // of the distance to the light, or of `roundingMetres` for a directional one: how far points
-uniform float roundingMetres;     // are moved toward the light against rounding
-uniform float slopeStep;          // metres: length of the steps along the surface that its slope is taken from
+uniform float pullScale;          // Against rounding points are moved toward the light by a hundred-thousandth of the way. In clip
+uniform vec4 pullClip[6];         // space that is a point times pullScale plus pullClip, of each map.
 uniform float resolution;         // texels along a side of the map
+
+// From this pixel to the next, to the right and upward: in clip space, along the surface.
+struct LightSteps {
+    vec4 alongX, alongY;
+};
 
 #include "shadow_map/layer.glsl"
 
@@ -21,21 +25,16 @@ struct MapPlace {
     bool behind; // on the far side of a spot's apex: the projection would mirror it
 };
 
-vec3 shadowUvOf(vec3 point, int layer) {
-    vec4 lightClip = lightClipFromLightRelative[layer] * vec4(point, 1.0);
-    return lightClip.xyz / lightClip.w * 0.5 + 0.5;
-}
-
 vec3 towardLightFrom(vec3 point) {
     return towardLightRelative == vec3(0.0) ? -normalize(point) : towardLightRelative;
 }
 
-// (dz/du, dz/dv) of the receiver's plane: how depth varies across the map. A plane stays a plane in (u, v, z), so two
-// steps along it tell, however long. After Isidoro, "Shadow Mapping: GPU-based Tips and Techniques", 2006.
-vec2 receiverSlope(vec3 point, vec3 shadowUv, int layer) {
-    vec3 alongX = dFdx(positionLightRelative), alongY = dFdy(positionLightRelative);
-    vec3 stepX = shadowUvOf(point + slopeStep * normalize(alongX), layer) - shadowUv;
-    vec3 stepY = shadowUvOf(point + slopeStep * normalize(alongY), layer) - shadowUv;
+// (dz/du, dz/dv) of the receiver's plane: how depth varies across the map. A plane stays a plane in (u, v, z), so two steps
+// along it tell. After Isidoro, "Shadow Mapping: GPU-based Tips and Techniques", 2006, who takes differences of (u, v, z)
+// themselves; the way in which a quotient changes keeps the digits that a difference of quotients loses.
+vec2 receiverSlope(vec3 lightNdc, LightSteps steps) {
+    vec3 stepX = steps.alongX.xyz - lightNdc * steps.alongX.w; // times 1 / w, which cancels
+    vec3 stepY = steps.alongY.xyz - lightNdc * steps.alongY.w;
     float area = stepX.x * stepY.y - stepX.y * stepY.x;
     vec2 slope = vec2(stepX.z * stepY.y - stepY.z * stepX.y, stepY.z * stepX.x - stepX.z * stepY.x) / area;
     bool known = abs(slope.x) + abs(slope.y) >= 0.0; // not where eye or light see the plane exactly edge-on
@@ -44,9 +43,8 @@ vec2 receiverSlope(vec3 point, vec3 shadowUv, int layer) {
 
 // Metres that a texel measures, at right angles to the light, where the point is: in the direction in which it is longest.
 // Beside the axis of a perspective map texels are skewed, and longer than either of their sides.
-float texelMetres(vec3 point, int layer) {
+float texelMetres(vec4 lightClip, int layer) {
     mat4 rows = transpose(lightClipFromLightRelative[layer]);
-    vec4 lightClip = lightClipFromLightRelative[layer] * vec4(point, 1.0);
     // u and v are quotients; these are their gradients. Along the light's ray neither changes.
     vec3 alongU = (rows[0].xyz * lightClip.w - rows[3].xyz * lightClip.x) / (lightClip.w * lightClip.w);
     vec3 alongV = (rows[1].xyz * lightClip.w - rows[3].xyz * lightClip.y) / (lightClip.w * lightClip.w);
@@ -59,12 +57,10 @@ float texelMetres(vec3 point, int layer) {
 #include "shadow_map/bias.glsl"
 
 MapPlace mapPlaceIn(int layer) {
-    vec3 point = pointToAsk(positionLightRelative, layer);
-    float toLight = towardLightRelative == vec3(0.0) ? length(point) : roundingMetres;
-    point += roundingShare * toLight * towardLightFrom(point);
-    vec4 lightClip = lightClipFromLightRelative[layer] * vec4(point, 1.0);
-    vec3 shadowUv = lightClip.xyz / lightClip.w * 0.5 + 0.5;
-    return MapPlace(shadowUv.xy, shadowUv.z, receiverSlope(point, shadowUv, layer), layer, lightClip.w <= 0.0);
+    vec4 lightClip = biasedClip(lightClipIn(layer), layer) * pullScale + pullClip[layer];
+    vec3 lightNdc = lightClip.xyz / lightClip.w;
+    vec3 shadowUv = lightNdc * 0.5 + 0.5;
+    return MapPlace(shadowUv.xy, shadowUv.z, receiverSlope(lightNdc, lightStepsIn(layer)), layer, lightClip.w <= 0.0);
 }
 
 MapPlace mapPlace() { return mapPlaceIn(mapLayer(positionLightRelative)); }

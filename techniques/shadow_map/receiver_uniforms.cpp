@@ -20,7 +20,6 @@ void setProjection(const gl::Program& program, const LightMaps& maps) {
     program.set("lightViewFromLightClip", std::span<const mat4>(lightViewFromLightClip));
     program.set("distanceStart", static_cast<float>(maps.parallel ? maps.nearest : 0.0));
     program.set("towardLightRelative", vec3(maps.towardLight));
-    program.set("slopeStep", static_cast<float>(0.01 * (maps.farthest - maps.nearest)));
     if (maps.layout != Layout::cascades) return;
     vec4 ends(0), fades(0);
     for (int i = 0; i < maps.layers(); ++i) {
@@ -32,11 +31,20 @@ void setProjection(const gl::Program& program, const LightMaps& maps) {
     program.set("fadeStarts", fades);
 }
 
+/// A point p at the light's side of rounding: p + share (light - p), or p + share * depth of the map * toward the sun. Both are
+/// a factor and a summand, in clip space as anywhere.
+void setPull(const gl::Program& program, const LightMaps& maps, double share) {
+    const dvec4 light = maps.parallel ? dvec4((maps.farthest - maps.nearest) * maps.towardLight, 0) : dvec4(0, 0, 0, 1);
+    std::vector<vec4> pullClip;
+    for (int layer = 0; layer < maps.layers(); ++layer)
+        pullClip.emplace_back(share * (maps.lightClipFromLightRelative(layer) * light));
+    program.set("pullScale", static_cast<float>(maps.parallel ? 1 : 1 - share));
+    program.set("pullClip", std::span<const vec4>(pullClip));
+}
+
 void setBias(const gl::Program& program, const LightMaps& maps, const ShadowMapParams& params) {
     const BiasParams& bias = params.bias;
-    const bool none = bias.mode == BiasParams::Mode::none;
-    program.set("roundingShare", static_cast<float>(none ? 0 : bias.rounding * kRoundingShare));
-    program.set("roundingMetres", static_cast<float>(maps.farthest - maps.nearest));
+    setPull(program, maps, bias.mode == BiasParams::Mode::none ? 0 : bias.rounding * kRoundingShare);
     const bool metres = bias.unit == BiasParams::Unit::metres;
     program.set("constantTexels", static_cast<float>(metres ? 0 : bias.constantTexels));
     program.set("constantMetres", static_cast<float>(metres ? bias.constantTexels : 0));

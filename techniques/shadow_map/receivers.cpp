@@ -67,7 +67,10 @@ void ShadowMap::useForReceivers(const Frame& frame, const gl::Program& program, 
 
 bool ShadowMap::setReceiver(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map,
                             std::size_t object) const {
-    program.set("lightRelativeFromMesh", mat4(lightRelativeFromMesh(map.maps, frame.scene().objects[object])));
+    const dmat4 lightRelative = lightRelativeFromMesh(map.maps, frame.scene().objects[object]);
+    program.set("lightRelativeFromMesh", mat4(lightRelative));
+    if (map.maps.layers() > 0) // where there is one map; of several the fragment chooses
+        program.set("lightClipFromMesh", mat4(map.maps.lightClipFromLightRelative(0) * lightRelative));
     if (map.exact) setObjectUniforms(frame, program, light, object);
     return true;
 }
