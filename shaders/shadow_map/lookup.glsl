@@ -21,6 +21,7 @@ struct MapPlace {
     vec2 uv;     // 0..1 inside the map
     float depth; // z(u, v): of the point itself, 0..1
     vec2 slope;  // of its plane: dz/du and dz/dv
+    vec2 pixelRight, pixelUp; // what uv changes by from pixel to pixel
     int layer;
     bool behind; // on the far side of a spot's apex: the projection would mirror it
 };
@@ -32,9 +33,7 @@ vec3 towardLightFrom(vec3 point) {
 // (dz/du, dz/dv) of the receiver's plane: how depth varies across the map. A plane stays a plane in (u, v, z), so two steps
 // along it tell. After Isidoro, "Shadow Mapping: GPU-based Tips and Techniques", 2006, who takes differences of (u, v, z)
 // themselves; the way in which a quotient changes keeps the digits that a difference of quotients loses.
-vec2 receiverSlope(vec3 lightNdc, LightSteps steps) {
-    vec3 stepX = steps.alongX.xyz - lightNdc * steps.alongX.w; // times 1 / w, which cancels
-    vec3 stepY = steps.alongY.xyz - lightNdc * steps.alongY.w;
+vec2 receiverSlope(vec3 stepX, vec3 stepY) {
     float area = stepX.x * stepY.y - stepX.y * stepY.x;
     vec2 slope = vec2(stepX.z * stepY.y - stepY.z * stepX.y, stepY.z * stepX.x - stepX.z * stepY.x) / area;
     bool known = abs(slope.x) + abs(slope.y) >= 0.0; // not where eye or light see the plane exactly edge-on
@@ -60,7 +59,11 @@ MapPlace mapPlaceIn(int layer) {
     vec4 lightClip = biasedClip(lightClipIn(layer), layer) * pullScale + pullClip[layer];
     vec3 lightNdc = lightClip.xyz / lightClip.w;
     vec3 shadowUv = lightNdc * 0.5 + 0.5;
-    return MapPlace(shadowUv.xy, shadowUv.z, receiverSlope(lightNdc, lightStepsIn(layer)), layer, lightClip.w <= 0.0);
+    LightSteps steps = lightStepsIn(layer);
+    vec3 stepX = steps.alongX.xyz - lightNdc * steps.alongX.w; // times w: of the quotient
+    vec3 stepY = steps.alongY.xyz - lightNdc * steps.alongY.w;
+    return MapPlace(shadowUv.xy, shadowUv.z, receiverSlope(stepX, stepY), 0.5 / lightClip.w * stepX.xy,
+                    0.5 / lightClip.w * stepY.xy, layer, lightClip.w <= 0.0);
 }
 
 MapPlace mapPlace() { return mapPlaceIn(mapLayer(positionLightRelative)); }

@@ -1,6 +1,5 @@
 // The shadow map's answer: the share of comparisons in which nothing nearer to the light was found.
 #include "shadow_map/lookup.glsl"
-uniform sampler2DArrayShadow shadowMap;
 uniform int rejectBehind;
 #include "shadow_map/filter.glsl"
 

@@ -31,7 +31,7 @@ DepthRules depthRules(const ShadowMapParams& params) {
     const BiasParams& bias = params.bias;
     rules.depthClamp = params.depthClamp || params.exact;
     if (params.exact) return rules; // the depths themselves: the comparison has a margin of its own
-    const int radius = params.kernelRadius();
+    const double radius = params.filter.comparedRadius();
     // Of a kernel's texels the farthest centre is radius + 1/2 away in both directions; the factor is for the larger of the
     // two slopes, of which the other may be as large.
     if (bias.mode == slopeScaled || bias.mode == dualDepth) rules.slopeFactor = bias.slope * (2 * radius + 1);
@@ -97,7 +97,7 @@ void DepthPass::drawDual(const Frame& frame, const LightMaps& maps, int layer, s
     const gl::DepthTextureArray first(format, depth.side(), 1, "first depth"),
         second(format, depth.side(), 1, "second depth"), pushed(format, depth.side(), 1, "pushed depth");
     for (const gl::DepthTextureArray* texture : {&first, &second, &pushed})
-        texture->compare(false);
+        texture->sample(gl::DepthSampling::depths);
     drawInto(first, 0, depth_);
     pushBack(rules, rules.slopeFactor);
     drawInto(pushed, 0, depth_);

@@ -25,11 +25,10 @@ std::vector<std::size_t> ShadowMap::drawnCasters(const scene::Scene& scene, int 
 
 const gl::Texture2D& ShadowMap::decide(Frame& frame, int light, const DrawnMap& map) {
     gl::setBaselineState();
-    map.depth->compare(false);
+    map.depth->sample(gl::DepthSampling::depths);
     const gl::Program& program = programsFor(map.maps).decide;
     const Decisions& decisions =
         exact_.decide(frame, light, [&] { drawAsked(frame, program, unshadowedVisibility_, light, map); });
-    map.depth->compare(true);
     return decisions.visibility;
 }
 
@@ -59,7 +58,7 @@ void ShadowMap::publishTraced(Frame& frame, int light, const DrawnMap& map) {
             gl::setBaselineState();
             drawExact(frame, light, map.maps, layer, castersOf(frame.scene(), map.maps, light, layer), depth, exact);
         }
-        decide(frame, light, {map.maps, &depth, &exact});
+        decide(frame, light, {.maps = map.maps, .depth = &depth, .exact = &exact});
     }
     exact_.publishTraced(frame, light);
     exact_.beginFrame();

@@ -49,10 +49,11 @@ LightMaps fitParallel(const FitRequest& request) {
                                    : lookAlong(request.light.directionWorld);
     const Box casters = boxInView(request.casters, maps.originWorld, lightView);
     const std::span<const scene::Bounds> receivers = request.receivers.empty() ? request.all : request.receivers;
-    const Box region = request.cover == FitRequest::Cover::shown
-                           ? around(casters, boxInView(receivers, maps.originWorld, lightView))
-                           : sharedRegion(casters, receivers, maps.originWorld, lightView);
+    Box region = request.cover == FitRequest::Cover::shown
+                     ? around(casters, boxInView(receivers, maps.originWorld, lightView))
+                     : sharedRegion(casters, receivers, maps.originWorld, lightView);
     if (region.isEmpty()) return maps;
+    if (request.castersInDepth) region.upper.z = std::max(region.upper.z, casters.upper.z);
     const std::vector<Box> parts =
         params.cascades > 1 ? cascadeParts(request, region, lightView, maps) : std::vector{region};
     const double share = guardShare(request.resolution, request.guardTexels);
@@ -137,7 +138,8 @@ LightMaps fitPerspective(const FitRequest& request) {
         return unit * std::exp2(round(8 * std::log2(value / unit)) / 8);
     };
     maps.farthest = rounded(std::max(1.001 * distances.y, 1e-6 * unit), [](double v) { return std::ceil(v); });
-    const double nearest = 0.49 * distances.x;
+    const double casterDistance = distanceRange(request.casters, maps.originWorld).x;
+    const double nearest = 0.49 * (request.castersInDepth ? std::min(distances.x, casterDistance) : distances.x);
     maps.nearest = std::max(nearest > 0 ? rounded(nearest, [](double v) { return std::floor(v); }) : 0.0,
                             kLeastNearShare * maps.farthest);
     if (request.params.depthRange == ProjectionParams::DepthRange::wide) {

@@ -32,7 +32,8 @@ struct FitRequest {
     FitEye eye;
     const ProjectionParams& params;
     int resolution = 0;
-    int guardTexels = 0; ///< on each side, for the filter's kernel
+    int guardTexels = 0;         ///< on each side, for the filter's kernel
+    bool castersInDepth = false; ///< nothing is clamped to the near plane: the filter asks how far casters are
     /// What a map holds sideways. shown: casters and receivers together, for a picture of the map; needed: what they share.
     enum class Cover { needed, shown } cover = Cover::needed;
 };

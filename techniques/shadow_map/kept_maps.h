@@ -26,13 +26,15 @@ struct ExactMap {
     ExactMap(int resolution, int layers, GLenum format)
         : triangles(resolution, layers, "triangles in the shadow map"),
           edges(format, resolution, layers, "edges in the shadow map") {
-        edges.compare(false);
+        edges.sample(gl::DepthSampling::depths);
     }
 };
 
 struct KeptMap {
     gl::DepthTextureArray depth;
     std::optional<ExactMap> exact;                     ///< only where that is asked for
+    std::optional<gl::ColorTextureArray> moments;      ///< only where the filter asks for them
+    std::optional<FilterParams> momentsFor;            ///< what they were made for; none: not made from these depths
     GLenum format = GL_NONE;                           ///< of the depths
     std::vector<std::optional<LayerOrigin>> drawnFrom; ///< per layer; none: not drawn, or not to be relied on
 };

@@ -73,14 +73,6 @@ params::ParamList describeBias(BiasParams& p) {
     };
 }
 
-params::ParamList describeFilter(ShadowMapParams& p) {
-    return {
-        params::choice("filter", p.filter, {"hard", "pcf"},
-                       "hard: one comparison a pixel; pcf: the share of a square of comparisons that are lit."),
-        params::integer("pcf-radius", p.pcfRadius, 0, 15, "texels", "PCF averages (2 r + 1) x (2 r + 1) comparisons."),
-    };
-}
-
 params::ParamList describeExact(ShadowMapParams& p) {
     return {
         params::boolean("exact", p.exact,
@@ -115,7 +107,7 @@ params::ParamList describeLimits(ShadowMapParams& p) {
 params::ParamList describe(ShadowMapParams& p) {
     // How fine, how smooth, how certain; then what keeps surfaces lit, and where the light looks; what seldom changes is last.
     params::ParamList all = describeMap(p);
-    for (params::ParamList part : {describeFilter(p), describeExact(p), describeBias(p.bias),
+    for (params::ParamList part : {describe(p.filter), describeExact(p), describeBias(p.bias),
                                    describeProjection(p.projection), describeLimits(p)})
         all.insert(all.end(), part.begin(), part.end());
     return all;

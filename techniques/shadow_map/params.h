@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/gl/handle.h"
-#include "techniques/foundation/params/param.h"
+#include "techniques/shadow_map/filter_params.h"
 
 namespace shadowlab::shadow_map {
 
@@ -43,8 +43,7 @@ struct ShadowMapParams {
     enum class DepthFormat { fixed16, fixed24, float32 } depthFormat = DepthFormat::fixed24;
     ProjectionParams projection;
     BiasParams bias;
-    enum class Filter { hard, pcf } filter = Filter::pcf;
-    int pcfRadius = 1;
+    FilterParams filter;
     bool depthClamp = true;
     enum class Border { lit, edge } border = Border::lit;
     bool rejectBehind = true;
@@ -55,8 +54,6 @@ struct ShadowMapParams {
 
     /// As OpenGL names it.
     [[nodiscard]] GLenum glDepthFormat() const;
-    /// Texels around the point's own that are asked as well.
-    [[nodiscard]] int kernelRadius() const { return filter == Filter::pcf ? pcfRadius : 0; }
 };
 
 /// The descriptions refer to the fields of `params`.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/receiver_uniforms.h"
 
+#include "techniques/shadow_map/moment_maps.h"
+
 namespace shadowlab::shadow_map {
 
 namespace {
@@ -11,14 +13,10 @@ namespace {
 constexpr double kRoundingShare = 1e-5;
 
 void setProjection(const gl::Program& program, const LightMaps& maps) {
-    std::vector<mat4> lightClipFromLightRelative, lightViewFromLightClip;
-    for (int layer = 0; layer < maps.layers(); ++layer) {
+    std::vector<mat4> lightClipFromLightRelative;
+    for (int layer = 0; layer < maps.layers(); ++layer)
         lightClipFromLightRelative.emplace_back(maps.lightClipFromLightRelative(layer));
-        lightViewFromLightClip.emplace_back(maps.lightViewFromLightClip(layer));
-    }
     program.set("lightClipFromLightRelative", std::span<const mat4>(lightClipFromLightRelative));
-    program.set("lightViewFromLightClip", std::span<const mat4>(lightViewFromLightClip));
-    program.set("distanceStart", static_cast<float>(maps.parallel ? maps.nearest : 0.0));
     program.set("towardLightRelative", vec3(maps.towardLight));
     if (maps.layout != Layout::cascades) return;
     vec4 ends(0), fades(0);
@@ -49,17 +47,26 @@ void setBias(const gl::Program& program, const LightMaps& maps, const ShadowMapP
     program.set("constantTexels", static_cast<float>(metres ? 0 : bias.constantTexels));
     program.set("constantMetres", static_cast<float>(metres ? bias.constantTexels : 0));
     program.set("normalOffset", static_cast<float>(bias.normalOffset));
-    program.set("kernelTexels", static_cast<float>(params.kernelRadius() + 0.5));
+    program.set("kernelTexels", static_cast<float>(params.filter.comparedRadius() + 0.5));
     program.set("halfTexel", static_cast<float>(bias.slope * 0.5 / params.resolution));
 }
 
 } // namespace
 
+void setDistanceUniforms(const gl::Program& program, const LightMaps& maps) {
+    std::vector<mat4> lightViewFromLightClip;
+    for (int layer = 0; layer < maps.layers(); ++layer)
+        lightViewFromLightClip.emplace_back(maps.lightViewFromLightClip(layer));
+    program.set("lightViewFromLightClip", std::span<const mat4>(lightViewFromLightClip));
+    program.set("distanceStart", static_cast<float>(maps.parallel ? maps.nearest : 0.0));
+    program.set("depthRange", momentDepthRange(maps));
+}
+
 void setReceiverUniforms(const gl::Program& program, const LightMaps& maps, const ShadowMapParams& params) {
     setProjection(program, maps);
+    setDistanceUniforms(program, maps);
     setBias(program, maps, params);
     program.set("resolution", static_cast<float>(params.resolution));
-    program.set("pcfRadius", params.pcfRadius);
     program.set("rejectBehind", params.rejectBehind ? 1 : 0);
 }
 

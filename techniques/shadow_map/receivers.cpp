@@ -1,6 +1,6 @@
 // Drawing the receivers with a light's map: asked only where the shadow of a caster can fall.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_map/receiver_uniforms.h"
+#include "techniques/shadow_map/filter_uniforms.h"
 #include "techniques/shadow_map/shadowed_part.h"
 #include "techniques/shadow_map/technique.h"
 
@@ -9,6 +9,7 @@ namespace shadowlab::shadow_map {
 const gl::Program& ShadowMap::lightProgram(const DrawnMap& map, bool visibilityOnly) {
     if (map.decided) return visibilityOnly ? decidedVisibility_ : decidedShade_;
     if (!map.depth) return visibilityOnly ? unshadowedVisibility_ : unshadowed_;
+    map.depth->sample(depthSampling(params_));
     const Programs& programs = programsFor(map.maps);
     return visibilityOnly ? programs.visibility : programs.shade;
 }
@@ -56,8 +57,11 @@ void ShadowMap::useForReceivers(const Frame& frame, const gl::Program& program, 
     program.set("shadowMap", kMapUnit); // also where there is none: no unit holds textures of two kinds
     if (map.depth) {
         setReceiverUniforms(program, map.maps, params_);
+        setFilterUniforms(program, frame.scene().lights[static_cast<std::size_t>(light)], map.maps, params_);
         map.depth->bind(kMapUnit);
     }
+    program.set("moments", kMomentsUnit);
+    if (map.moments) map.moments->bind(kMomentsUnit);
     if (map.exact) setExactUniforms(program, light, map);
     if (map.decided) {
         map.decided->bind(kDecidedUnit);

@@ -80,7 +80,8 @@ DrawnMap ShadowMap::lessonMap(const Frame& frame, int light, const DrawnMap& map
         region.include(map.maps.originWorld + upper);
     }
     const std::vector<scene::Bounds> receivers = region.isEmpty() ? bounds_ : std::vector{region};
-    DrawnMap lesson{fit(frame.scene(), frame.view(), light, receivers, FitRequest::Cover::shown), &depth};
+    DrawnMap lesson{.maps = fit(frame.scene(), frame.view(), light, receivers, FitRequest::Cover::shown),
+                    .depth = &depth};
     const GLenum format = params_.glDepthFormat();
     depth = gl::DepthTextureArray(format, params_.resolution, lesson.maps.layers(), "shadow map shown");
     const std::vector<std::size_t> casters = scene::allCasters(frame.scene());
@@ -147,7 +148,7 @@ void ShadowMap::publishLightDepth(Frame& frame, int light, const DrawnMap& map, 
     gl::setBaselineState();
     glDisable(GL_DEPTH_TEST);
     framebuffer.bind();
-    map.depth->compare(false);
+    map.depth->sample(gl::DepthSampling::depths);
     showDepth_.use();
     map.depth->bind(kMapUnit);
     showDepth_.set("shadowMap", kMapUnit);
@@ -166,7 +167,7 @@ void ShadowMap::publishLightDepth(Frame& frame, int light, const DrawnMap& map, 
 
 void ShadowMap::drawProjected(const Frame& frame, int light, const DrawnMap& map, int mode) {
     glDepthFunc(GL_EQUAL);
-    if (map.depth) map.depth->compare(false);
+    if (map.depth) map.depth->sample(gl::DepthSampling::depths);
     const gl::Program& project = programsFor(map.maps).project;
     project.use();
     project.set("mode", mode);
@@ -175,7 +176,6 @@ void ShadowMap::drawProjected(const Frame& frame, int light, const DrawnMap& map
     project.set("nothingStoredColor", look::kNothingStored);
     project.set("notAskedColor", look::kNotAsked);
     drawReceivers(frame, project, light, map);
-    if (map.depth) map.depth->compare(true);
 }
 
 std::vector<vec4> ShadowMap::projectedTexels(const Frame& frame, int light, const DrawnMap& map, int mode) {

@@ -6,8 +6,8 @@
 #include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/depth_fit.h"
 #include "techniques/foundation/scene/visible_receivers.h"
+#include "techniques/shadow_map/filter_uniforms.h"
 #include "techniques/shadow_map/frusta.h"
-#include "techniques/shadow_map/receiver_uniforms.h"
 #include "techniques/shadow_map/seen_depth.h"
 
 namespace shadowlab::shadow_map {
@@ -116,15 +116,21 @@ ShadowMap::Programs ShadowMap::makePrograms(const Choice& choice) {
     static constexpr const char* biases[] = {"bias_none",          "bias_constant",       "bias_slope_scaled",
                                              "bias_normal_offset", "bias_receiver_plane", "bias_dual_depth",
                                              "bias_adaptive"};
-    static constexpr const char* filters[] = {"filter_hard", "filter_pcf"};
+    static constexpr const char* filters[] = {"filter_hard", "filter_hw2x2", "filter_pcf",
+                                              "filter_disc", "filter_pcss",  "filter_vsm",
+                                              "filter_esm",  "filter_evsm",  "filter_msm"};
     const auto file = [](const char* name) { return std::string("shadow_map/") + name + ".glsl"; };
     const std::vector<gl::Substitution> chosen = {
         {"shadow_visibility.glsl", "shadow_map/visibility.glsl"},
         {"shadow_map/layer.glsl", file(layers[static_cast<int>(choice.layout)])},
         {"shadow_map/bias.glsl", file(biases[static_cast<int>(choice.bias)])},
         {"shadow_map/filter.glsl", file(filters[static_cast<int>(choice.filter)])}};
-    return {gl::Program("surface.vert", "shade_light.frag", {}, chosen),
-            gl::Program("surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}, chosen),
+    std::vector<std::string> defines;
+    if (comparesWithOneDepth(choice.bias)) defines.emplace_back("ONE_DEPTH");
+    std::vector<std::string> visibilityDefines = defines;
+    visibilityDefines.emplace_back("VISIBILITY_ONLY");
+    return {gl::Program("surface.vert", "shade_light.frag", defines, chosen),
+            gl::Program("surface.vert", "shade_light.frag", visibilityDefines, chosen),
             gl::Program("surface.vert", "shadow_map/project.frag", {}, chosen),
             gl::Program("surface.vert", "shadow_map/texel_size.frag", {}, chosen),
             gl::Program("surface.vert", "shadow_map/layers.frag", {}, chosen),
@@ -133,7 +139,7 @@ ShadowMap::Programs ShadowMap::makePrograms(const Choice& choice) {
 }
 
 const ShadowMap::Programs& ShadowMap::programsFor(const LightMaps& maps) {
-    const Choice choice{maps.layout, params_.bias.mode, params_.filter};
+    const Choice choice{maps.layout, params_.bias.mode, params_.filter.kind};
     const auto known = programs_.find(choice);
     return known != programs_.end() ? known->second : programs_.emplace(choice, makePrograms(choice)).first->second;
 }
@@ -160,8 +166,12 @@ LightMaps ShadowMap::fit(const scene::Scene& scene, const View& view, int light,
     ProjectionParams projection = params_.projection;
     if (params_.exact)
         projection.depthRange = ProjectionParams::DepthRange::fitted; // teaching faults have no place there
+    const FilterParams& filter = params_.filter;
+    const bool filtered =
+        !params_.exact && (filter.kind != FilterParams::Kind::pcss || hasPenumbra(scene.lights[index], filter));
     return fitLightMaps({scene.lights[index], bounds_, casters, receivers, eye, projection, params_.resolution,
-                         params_.kernelRadius(), cover});
+                         filtered ? filter.kernelRadius(params_.resolution) : 0,
+                         filter.usesDistances() && !params_.exact, cover});
 }
 
 /// Fits the maps of all lights to what the eye sees.
@@ -181,8 +191,12 @@ void ShadowMap::lookAt(const Frame& frame) {
 std::vector<std::size_t> ShadowMap::castersOf(const scene::Scene& scene, const LightMaps& maps, int light,
                                               int layer) const {
     if (!params_.cull) return scene::allCasters(scene);
+    // Beside the edge of a shadow moments are of the caster and of what it shadows: that has to be in the map, even if
+    // it shadows nothing itself.
+    const bool receiversToo = params_.filter.usesMoments() && !params_.exact;
     std::vector<std::size_t> casters;
-    for (const std::size_t caster : usefulCasters_[static_cast<std::size_t>(light)])
+    for (const std::size_t caster :
+         receiversToo ? scene::allCasters(scene) : usefulCasters_[static_cast<std::size_t>(light)])
         if (mayDrawInto(maps, layer, bounds_[caster])) casters.push_back(caster);
     return casters;
 }
@@ -195,7 +209,7 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
     const double allCasters = static_cast<double>(scene::allCasters(scene).size());
     if (maps.layers() == 0) {
         frame.count("casters", 0, allCasters, "objects");
-        return {maps, nullptr};
+        return {.maps = maps};
     }
     const double layerTexels = static_cast<double>(params_.resolution) * params_.resolution;
     double allTexels = 0;
@@ -222,14 +236,30 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
         } else if (redraw) {
             depthPass_.draw(frame, maps, layer, origin.casters, kept.depth, format, origin.rules);
         }
+        if (redraw) kept.momentsFor.reset();
         drawnFrom = origin;
         drawn.insert(origin.casters.begin(), origin.casters.end());
         frame.count("maps-redrawn", redraw ? 1 : 0, 1, "maps");
         frame.count("caster-draws", static_cast<double>(origin.casters.size()), allCasters, "objects, each per map");
     }
+    if (params_.filter.usesMoments() && !params_.exact) updateMoments(frame, kept, maps);
     frame.count("casters", static_cast<double>(drawn.size()), allCasters, "objects");
     frame.count("map-texels", layerTexels * maps.layers(), 0, "texels");
-    return {maps, &kept.depth, params_.exact ? &*kept.exact : nullptr};
+    return {.maps = maps,
+            .depth = &kept.depth,
+            .exact = params_.exact ? &*kept.exact : nullptr,
+            .moments = params_.filter.usesMoments() && !params_.exact ? &*kept.moments : nullptr};
+}
+
+/// Makes the moments of a light's maps if these, or what is asked of them, changed.
+void ShadowMap::updateMoments(Frame& frame, KeptMap& kept, const LightMaps& maps) {
+    const bool make = kept.momentsFor != params_.filter;
+    frame.count("moments-made", make ? maps.layers() : 0, maps.layers(), "maps");
+    if (!make) return;
+    kept.moments.reset(); // first, so that both are never there at once
+    kept.moments = emptyMoments(params_.filter, params_.resolution, maps.layers());
+    momentMaker_.make(kept.depth, maps, params_.filter, *kept.moments);
+    kept.momentsFor = params_.filter;
 }
 
 std::vector<SceneShape> ShadowMap::shapes(const scene::Snapshot& snapshot, const View& view, int light) {

@@ -8,18 +8,20 @@
 #include "techniques/shadow_map/exact_pass.h"
 #include "techniques/shadow_map/fit.h"
 #include "techniques/shadow_map/kept_maps.h"
+#include "techniques/shadow_map/moment_maps.h"
+#include "techniques/shadow_map/receiver_uniforms.h"
 
 namespace shadowlab::shadow_map {
 
-/// Texture unit of the map; what else a pass needs comes after it.
-constexpr int kMapUnit = gl::kFirstFreeUnit, kDecidedUnit = kMapUnit + 5;
+constexpr int kDecidedUnit = kMapUnit + 5, kMomentsUnit = kMapUnit + 6;
 
 /// One light's map: its cameras, and the depths themselves.
 struct DrawnMap {
     LightMaps maps;
     const gl::DepthTextureArray* depth = nullptr;
     const ExactMap* exact = nullptr;
-    const gl::Texture2D* decided = nullptr; ///< visibility of every pixel, where it is known already
+    const gl::ColorTextureArray* moments = nullptr; ///< of the depths, where the filter asks for them
+    const gl::Texture2D* decided = nullptr;         ///< visibility of every pixel, where it is known already
 };
 
 /// What was in the picture that was drawn last: the cascades may depend on it.
@@ -43,7 +45,7 @@ private:
     struct Choice {
         Layout layout;
         BiasParams::Mode bias;
-        ShadowMapParams::Filter filter;
+        FilterParams::Kind filter;
         friend auto operator<=>(const Choice&, const Choice&) = default;
     };
     struct Programs {
@@ -59,6 +61,7 @@ private:
     [[nodiscard]] std::vector<scene::Bounds> receiversInView(const scene::Scene& scene, const View& view) const;
     std::vector<std::size_t> castersOf(const scene::Scene& scene, const LightMaps& maps, int light, int layer) const;
     DrawnMap updateMap(Frame& frame, int light);
+    void updateMoments(Frame& frame, KeptMap& kept, const LightMaps& maps);
     const gl::Program& lightProgram(const DrawnMap& map, bool visibilityOnly);
 
     // exact_light.cpp
@@ -102,6 +105,7 @@ private:
     std::vector<LightMaps> fitted_; ///< per light, for the frame that is drawn
     KeptMaps kept_;
     DepthPass depthPass_;
+    MomentMaker momentMaker_;
     ExactPass exact_;
     AliasFreePass aliasFree_;
     std::map<Choice, Programs> programs_;

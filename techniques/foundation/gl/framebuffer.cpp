@@ -39,6 +39,13 @@ Framebuffer::Framebuffer(const IdTextureArray& ids, const DepthTextureArray& dep
     requireComplete(name);
 }
 
+Framebuffer::Framebuffer(const ColorTextureArray& color, int layer, std::string_view name)
+    : handle_(FramebufferHandle::create()), size_(color.side()) {
+    glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, color.id(), 0, layer);
+    requireComplete(name);
+}
+
 void Framebuffer::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
     glViewport(0, 0, size_.x, size_.y);

@@ -18,6 +18,8 @@ public:
     Framebuffer(const DepthTextureArray& depth, int layer, std::string_view name);
     /// The same with a layer of numbers beside it.
     Framebuffer(const IdTextureArray& ids, const DepthTextureArray& depth, int layer, std::string_view name);
+    /// One layer of colours, without depth.
+    Framebuffer(const ColorTextureArray& color, int layer, std::string_view name);
     /// Binds it for drawing and sets the viewport to its size.
     void bind() const;
     [[nodiscard]] GLuint id() const { return handle_.id(); }

@@ -82,7 +82,7 @@ DepthTextureArray::DepthTextureArray(GLenum internalFormat, int side, int layers
     const float lit[4] = {1, 1, 1, 1}; // what lies outside the map is as far away as can be: lit
     glTexParameterfv(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BORDER_COLOR, lit);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-    compare(true);
+    sample(DepthSampling::compareNearest);
     label(GL_TEXTURE, handle_.id(), name);
     requireMemory(side, layers, name);
 }
@@ -92,9 +92,12 @@ void DepthTextureArray::bind(int unit) const {
     glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
 }
 
-void DepthTextureArray::compare(bool on) const {
+void DepthTextureArray::sample(DepthSampling how) const {
     glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, on ? GL_COMPARE_REF_TO_TEXTURE : GL_NONE);
+    const bool depths = how == DepthSampling::depths;
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, depths ? GL_NONE : GL_COMPARE_REF_TO_TEXTURE);
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glTexParameteri(GL_TEXTURE_2D_ARRAY, filter, how == DepthSampling::compareLinear ? GL_LINEAR : GL_NEAREST);
 }
 
 void DepthTextureArray::clampToEdge(bool on) const {
@@ -116,6 +119,32 @@ IdTextureArray::IdTextureArray(int side, int layers, std::string_view name)
 void IdTextureArray::bind(int unit) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
+}
+
+ColorTextureArray::ColorTextureArray(GLenum internalFormat, int side, int layers, bool mipmaps, std::string_view name)
+    : handle_(TextureHandle::create()), side_(side), layers_(layers), internalFormat_(internalFormat),
+      mipmaps_(mipmaps) {
+    requireSize(limitOf(GL_MAX_TEXTURE_SIZE), side, name);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
+    const auto [format, type] = transferFormat(internalFormat);
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(internalFormat), side, side, layers, 0, format, type,
+                 nullptr);
+    sampleNearestClamped(GL_TEXTURE_2D_ARRAY);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    label(GL_TEXTURE, handle_.id(), name);
+    requireMemory(side, layers, name);
+}
+
+void ColorTextureArray::bind(int unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
+}
+
+void ColorTextureArray::makeMipmaps() const {
+    if (!mipmaps_) return;
+    glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
+    glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
 }
 
 BufferTexture::BufferTexture(const std::vector<vec4>& texels, std::string_view name)

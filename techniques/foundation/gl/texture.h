@@ -27,15 +27,18 @@ private:
     GLenum internalFormat_ = 0;
 };
 
-/// GL_TEXTURE_2D_ARRAY of depths: one layer per cascade or per face around a point light.
-/// Sampled with a hardware comparison (GL_LEQUAL: 1 where reference <= stored), nearest filter, border depth 1 (lit).
+/// How a shader reads depths: compared with a reference (sampler2DArrayShadow; GL_LEQUAL: 1 where reference <= stored), one of
+/// them or four weighted; or as they are (sampler2DArray).
+enum class DepthSampling { compareNearest, compareLinear, depths };
+
+/// GL_TEXTURE_2D_ARRAY of depths: one layer per cascade or per face around a point light. Border depth 1 (lit).
 class DepthTextureArray {
 public:
     DepthTextureArray() = default;
     DepthTextureArray(GLenum internalFormat, int side, int layers, std::string_view name);
     void bind(int unit) const;
-    /// Comparison on (sampler2DArrayShadow) or off (sampler2DArray, reads the depth itself).
-    void compare(bool on) const;
+    /// At first compareNearest.
+    void sample(DepthSampling how) const;
     /// Beyond the border: as at the edge, or (false, and at first) lit.
     void clampToEdge(bool on) const;
     [[nodiscard]] GLuint id() const { return handle_.id(); }
@@ -61,6 +64,26 @@ public:
 private:
     TextureHandle handle_;
     int side_ = 0, layers_ = 0;
+};
+
+/// GL_TEXTURE_2D_ARRAY of colours, interpolated between texels and, with mipmaps, between their sizes; clamped to its edge.
+class ColorTextureArray {
+public:
+    ColorTextureArray() = default;
+    ColorTextureArray(GLenum internalFormat, int side, int layers, bool mipmaps, std::string_view name);
+    void bind(int unit) const;
+    /// All smaller sizes from the largest, if there are any.
+    void makeMipmaps() const;
+    [[nodiscard]] GLuint id() const { return handle_.id(); }
+    [[nodiscard]] int side() const { return side_; }
+    [[nodiscard]] int layers() const { return layers_; }
+    [[nodiscard]] GLenum internalFormat() const { return internalFormat_; }
+
+private:
+    TextureHandle handle_;
+    int side_ = 0, layers_ = 0;
+    GLenum internalFormat_ = 0;
+    bool mipmaps_ = false;
 };
 
 /// Numbers that a shader reads by index: four to a texel, floats (samplerBuffer) or whole (usamplerBuffer).

@@ -1,0 +1,20 @@
+#version 330 core
+// From the depths of a map to the moments of their neighbourhood, averaged along a row; average_column.frag does the rest.
+#include "shadow_map/moment_depth.glsl"
+#include "shadow_map/moments_of.glsl"
+#include "shadow_map/average.glsl"
+uniform sampler2DArray shadowMap;
+uniform int layer, blurRadius;
+out vec4 result;
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    int side = textureSize(shadowMap, 0).x;
+    Average average = emptyAverage();
+    for (int dx = -blurRadius; dx <= blurRadius; ++dx) {
+        ivec2 beside = ivec2(clamp(texel.x + dx, 0, side - 1), texel.y);
+        float depth = texelFetch(shadowMap, ivec3(beside, layer), 0).r;
+        add(average, momentsOf(momentDepth((vec2(beside) + 0.5) / float(side), depth, layer)));
+    }
+    result = meanOf(average);
+}

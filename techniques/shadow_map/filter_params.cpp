@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_map/filter_params.h"
+
+#include <cmath>
+
+namespace shadowlab::shadow_map {
+
+int FilterParams::kernelRadius(int resolution) const {
+    switch (kind) {
+    case Kind::hard: return 0;
+    case Kind::hw2x2: return 1;
+    case Kind::pcf: return pcfRadius;
+    case Kind::disc: return static_cast<int>(std::ceil(discRadius));
+    case Kind::pcss: return static_cast<int>(std::ceil(widest * resolution));
+    default: return blurRadius + 1; // moments are interpolated between texels
+    }
+}
+
+double FilterParams::comparedRadius() const {
+    switch (kind) {
+    case Kind::hw2x2: return 0.5;
+    case Kind::pcf: return pcfRadius;
+    case Kind::disc: return discRadius;
+    case Kind::pcss: return 1; // its kernel has no fixed size; the receiver's plane is what serves it
+    default: return 0;
+    }
+}
+
+namespace {
+
+params::ParamList describeComparisons(FilterParams& p) {
+    return {
+        params::choice("filter", p.kind, {"hard", "hw2x2", "pcf", "disc", "pcss", "vsm", "esm", "evsm", "msm"},
+                       "hard: one comparison a pixel; hw2x2: four, weighted; pcf: a square of them; disc: some in a "
+                       "disc; pcss: as many as the penumbra is wide; vsm, esm, evsm, msm: none, but averages of what "
+                       "depths become."),
+        params::integer("pcf-radius", p.pcfRadius, 0, 15, "texels", "PCF averages (2 r + 1) x (2 r + 1) comparisons."),
+        params::real("disc-radius", p.discRadius, 0, 32, "texels", "filter disc: radius of the disc."),
+        params::integer("samples", p.samples, 1, 256, "", "disc and pcss: comparisons for one pixel."),
+        params::choice("noise", p.noise, {"texel", "pixel", "none"},
+                       "disc and pcss turn their samples by chance: once for each texel, which stays on the surface; "
+                       "for each pixel, which swims when the eye moves (teaching); not at all, which shows bands."),
+        params::real("light-radius", p.lightRadius, 0, 10, "m",
+                     "pcss: half width of a light that has no area of its own; of a directional light, at a distance "
+                     "of 1 m."),
+        params::integer("blocker-samples", p.blockerSamples, 1, 256, "", "pcss: depths that the search looks at."),
+        params::real("widest", p.widest, 0, 0.25, "",
+                     "pcss: no kernel is wider to one side than this share of the map."),
+    };
+}
+
+params::ParamList describeMoments(FilterParams& p) {
+    return {
+        params::integer("blur-radius", p.blurRadius, 0, 31, "texels",
+                        "vsm to msm: the moments are averaged over (2 r + 1) x (2 r + 1) texels, once."),
+        params::boolean("mipmaps", p.mipmaps,
+                        "vsm to msm: coarser moments where texels are smaller than pixels (not for logarithms)."),
+        params::choice("moment-format", p.momentFormat, {"32f", "16f"},
+                       "vsm to msm: bits of a moment; 16f shows what rounding does to them (teaching)."),
+        params::real("least-deviation", p.leastDeviation, 0, 0.1, "",
+                     "vsm and evsm: depths are taken to vary by at least this share of the map's range; 0 shows what "
+                     "rounding does (teaching)."),
+        params::real("bleed-reduction", p.bleedReduction, 0, 0.99, "",
+                     "vsm, evsm and msm: what is no more lit than this is dark; 0 shows the light that bleeds through "
+                     "two surfaces (teaching)."),
+        params::real("esm-exponent", p.esmExponent, 0, 400, "",
+                     "esm: c in exp(c z), z from 0 to 1 in the map's range."),
+        params::boolean("esm-logarithms", p.esmLogarithms,
+                        "esm: keep c z instead of exp(c z), which overflows; false: exp(c z) itself (teaching)."),
+        params::choice("evsm-moments", p.evsmMoments, {"2", "4"},
+                       "evsm: of the positive exponential alone, or of the negative one as well, which leaks where the "
+                       "other does not."),
+        params::real("evsm-exponent", p.evsmExponent, 0, 100, "", "evsm: c in exp(c z), z from -1 to 1."),
+        params::real("evsm-negative", p.evsmNegative, 0, 100, "", "evsm: c in -exp(-c z)."),
+        params::boolean("exponent-limit", p.exponentLimit,
+                        "esm and evsm: no exponent larger than the format can hold; false: infinities (teaching)."),
+        params::real("msm-bias", p.msmBias, 0, 0.1, "",
+                     "msm: share of moments that no depths can have, against rounding; more lets light through."),
+    };
+}
+
+} // namespace
+
+params::ParamList describe(FilterParams& p) {
+    params::ParamList all = describeComparisons(p);
+    for (params::Param& param : describeMoments(p))
+        all.push_back(std::move(param));
+    return all;
+}
+
+} // namespace shadowlab::shadow_map

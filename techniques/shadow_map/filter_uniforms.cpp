@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_map/filter_uniforms.h"
+
+#include "techniques/shadow_map/moment_maps.h"
+
+namespace shadowlab::shadow_map {
+
+namespace {
+
+void setLightShape(const gl::Program& program, const scene::Light& light, const FilterParams& params) {
+    const bool isRect = light.type == scene::LightType::rect;
+    const double radius = isRect ? 0.0 : light.type == scene::LightType::sphere ? light.radius : params.lightRadius;
+    program.set("lightHalfU", vec3(isRect ? 0.5 * light.edgeUWorld : dvec3(0.0)));
+    program.set("lightHalfV", vec3(isRect ? 0.5 * light.edgeVWorld : dvec3(0.0)));
+    program.set("lightRadius", static_cast<float>(radius));
+}
+
+} // namespace
+
+bool hasPenumbra(const scene::Light& light, const FilterParams& params) {
+    return scene::hasArea(light) || params.lightRadius > 0;
+}
+
+bool comparesWithOneDepth(BiasParams::Mode mode) {
+    return mode != BiasParams::Mode::receiverPlane && mode != BiasParams::Mode::adaptive;
+}
+
+gl::DepthSampling depthSampling(const ShadowMapParams& params) {
+    using enum FilterParams::Kind;
+    if (params.filter.kind == pcss) return gl::DepthSampling::depths;
+    const bool four =
+        params.filter.kind == hw2x2 || (params.filter.kind == pcf && comparesWithOneDepth(params.bias.mode));
+    return four ? gl::DepthSampling::compareLinear : gl::DepthSampling::compareNearest;
+}
+
+void setFilterUniforms(const gl::Program& program, const scene::Light& light, const LightMaps& maps,
+                       const ShadowMapParams& params) {
+    const FilterParams& filter = params.filter;
+    const auto set = [&](const char* name, double value) { program.set(name, static_cast<float>(value)); };
+    program.set("pcfRadius", filter.pcfRadius);
+    set("discRadius", filter.discRadius);
+    program.set("samples", filter.samples);
+    program.set("noise", static_cast<int>(filter.noise));
+    program.set("blockerSamples", filter.blockerSamples);
+    set("widest", filter.widest);
+    set("nearestBlocker", maps.nearest);
+    setLightShape(program, light, filter);
+
+    const Exponents used = exponents(filter);
+    program.set("outsideIsLit", params.border == ShadowMapParams::Border::lit ? 1 : 0);
+    set("leastDeviation", 2 * filter.leastDeviation); // of depths from -1 to 1, which are two apart
+    set("bleedReduction", filter.bleedReduction);
+    set("esmExponent", used.esm);
+    program.set("logarithms", averagesLogarithms(filter) ? 1 : 0);
+    program.set("evsmExponents", vec2(used.evsm));
+    program.set("evsmMoments", filter.evsmMoments == FilterParams::EvsmMoments::two ? 2 : 4);
+    set("msmBias", filter.msmBias);
+}
+
+} // namespace shadowlab::shadow_map
