@@ -26,7 +26,7 @@ std::vector<std::size_t> ShadowMap::drawnCasters(const scene::Scene& scene, int 
 const gl::Texture2D& ShadowMap::decide(Frame& frame, int light, const DrawnMap& map) {
     gl::setBaselineState();
     map.depth->sample(gl::DepthSampling::depths);
-    const gl::Program& program = programsFor(map.maps).decide;
+    const gl::Program& program = programsFor(map).decide;
     const Decisions& decisions =
         exact_.decide(frame, light, [&] { drawAsked(frame, program, unshadowedVisibility_, light, map); });
     return decisions.visibility;
@@ -56,9 +56,10 @@ void ShadowMap::publishTraced(Frame& frame, int light, const DrawnMap& map) {
         const ExactMap exact(params_.resolution, layers, params_.glDepthFormat());
         for (int layer = 0; layer < layers; ++layer) {
             gl::setBaselineState();
-            drawExact(frame, light, map.maps, layer, castersOf(frame.scene(), map.maps, light, layer), depth, exact);
+            drawExact(frame, light, map.maps, layer, castersOf(frame.scene(), map.maps, map.asked, layer), depth,
+                      exact);
         }
-        decide(frame, light, {.maps = map.maps, .depth = &depth, .exact = &exact});
+        decide(frame, light, {.maps = map.maps, .asked = map.asked, .depth = &depth, .exact = &exact});
     }
     exact_.publishTraced(frame, light);
     exact_.beginFrame();

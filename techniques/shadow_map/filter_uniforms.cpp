@@ -25,17 +25,15 @@ bool comparesWithOneDepth(BiasParams::Mode mode) {
     return mode != BiasParams::Mode::receiverPlane && mode != BiasParams::Mode::adaptive;
 }
 
-gl::DepthSampling depthSampling(const ShadowMapParams& params) {
+gl::DepthSampling depthSampling(const FilterParams& filter, BiasParams::Mode bias) {
     using enum FilterParams::Kind;
-    if (params.filter.kind == pcss) return gl::DepthSampling::depths;
-    const bool four =
-        params.filter.kind == hw2x2 || (params.filter.kind == pcf && comparesWithOneDepth(params.bias.mode));
+    if (filter.kind == pcss) return gl::DepthSampling::depths;
+    const bool four = filter.kind == hw2x2 || (filter.kind == pcf && comparesWithOneDepth(bias));
     return four ? gl::DepthSampling::compareLinear : gl::DepthSampling::compareNearest;
 }
 
-void setFilterUniforms(const gl::Program& program, const scene::Light& light, const LightMaps& maps,
-                       const ShadowMapParams& params) {
-    const FilterParams& filter = params.filter;
+void setFilterUniforms(const gl::Program& program, const scene::Light& light, const FilterParams& filter,
+                       const LightMaps& maps) {
     const auto set = [&](const char* name, double value) { program.set(name, static_cast<float>(value)); };
     program.set("pcfRadius", filter.pcfRadius);
     set("discRadius", filter.discRadius);
@@ -47,7 +45,6 @@ void setFilterUniforms(const gl::Program& program, const scene::Light& light, co
     setLightShape(program, light, filter);
 
     const Exponents used = exponents(filter);
-    program.set("outsideIsLit", params.border == ShadowMapParams::Border::lit ? 1 : 0);
     set("leastDeviation", 2 * filter.leastDeviation); // of depths from -1 to 1, which are two apart
     set("bleedReduction", filter.bleedReduction);
     set("esmExponent", used.esm);

@@ -12,13 +12,13 @@ namespace shadowlab::shadow_map {
 bool hasPenumbra(const scene::Light& light, const FilterParams& params);
 
 /// How the filter's shader reads the depths of a map.
-gl::DepthSampling depthSampling(const ShadowMapParams& params);
+gl::DepthSampling depthSampling(const FilterParams& filter, BiasParams::Mode bias);
 
 /// Does the bias compare all texels of a kernel with one depth (shaders/shadow_map/bias_*.glsl)?
 bool comparesWithOneDepth(BiasParams::Mode mode);
 
 /// The program is in use; uniforms that it does not have are passed over.
-void setFilterUniforms(const gl::Program& program, const scene::Light& light, const LightMaps& maps,
-                       const ShadowMapParams& params);
+void setFilterUniforms(const gl::Program& program, const scene::Light& light, const FilterParams& filter,
+                       const LightMaps& maps);
 
 } // namespace shadowlab::shadow_map

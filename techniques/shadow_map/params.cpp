@@ -73,6 +73,18 @@ params::ParamList describeBias(BiasParams& p) {
     };
 }
 
+params::ParamList describeLightPoints(LightPointParams& p) {
+    return {
+        params::integer("light-samples", p.count, 1, 1024, "maps",
+                        "Of a light with an area: so many maps, each from another point of it, and the mean of their "
+                        "answers; 1: one from its centre. Not with exact or alias-free."),
+        params::choice("light-points", p.spread, {"jittered", "random"},
+                       "Where they are: one by chance in each of as many equal parts; random: anywhere, which takes "
+                       "far more of them (teaching)."),
+        params::integer("light-seed", p.seed, 0, 1000000, "", "Another number, another choice by chance."),
+    };
+}
+
 params::ParamList describeExact(ShadowMapParams& p) {
     return {
         params::boolean("exact", p.exact,
@@ -107,8 +119,8 @@ params::ParamList describeLimits(ShadowMapParams& p) {
 params::ParamList describe(ShadowMapParams& p) {
     // How fine, how smooth, how certain; then what keeps surfaces lit, and where the light looks; what seldom changes is last.
     params::ParamList all = describeMap(p);
-    for (params::ParamList part : {describe(p.filter), describeExact(p), describeBias(p.bias),
-                                   describeProjection(p.projection), describeLimits(p)})
+    for (params::ParamList part : {describe(p.filter), describeLightPoints(p.lightPoints), describeExact(p),
+                                   describeBias(p.bias), describeProjection(p.projection), describeLimits(p)})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

@@ -3,6 +3,7 @@
 #pragma once
 #include "techniques/foundation/gl/handle.h"
 #include "techniques/shadow_map/filter_params.h"
+#include "techniques/shadow_map/light_points.h"
 
 namespace shadowlab::shadow_map {
 
@@ -44,6 +45,7 @@ struct ShadowMapParams {
     ProjectionParams projection;
     BiasParams bias;
     FilterParams filter;
+    LightPointParams lightPoints;
     bool depthClamp = true;
     enum class Border { lit, edge } border = Border::lit;
     bool rejectBehind = true;

@@ -88,7 +88,8 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     const auto hit = trace::ExactVisibility(snapshot).eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
     if (!hit || light < 0 || light >= static_cast<int>(snapshot->lights.size())) return probe;
     prepare(snapshot, Deadline::max());
-    const LightMaps maps = fit(*snapshot, view, light, receiversInView(*snapshot, view), FitRequest::Cover::needed);
+    const LightMaps maps =
+        fit(*snapshot, view, asked(*snapshot, light), receiversInView(*snapshot, view), FitRequest::Cover::needed);
     const dvec3 pointLightRelative = hit->positionWorld - maps.originWorld;
     const double eyeDepth = -transformPoint(scene::viewFromWorld(view.camera), hit->positionWorld).z;
     const std::optional<int> layer = layerOf(maps, pointLightRelative, eyeDepth);
@@ -126,7 +127,7 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     add("texel (column, row)",
         std::to_string(static_cast<int>(texel.x)) + ", " + std::to_string(static_cast<int>(texel.y)));
     const std::optional<double> stored =
-        firstDepth(*snapshot, castersOf(*snapshot, maps, light, *layer), maps, *layer, centreUv);
+        firstDepth(*snapshot, castersOf(*snapshot, maps, asked(*snapshot, light), *layer), maps, *layer, centreUv);
     add("d(u,v): depth at the texel's centre, before any bias", stored ? text(*stored) : "1 (nothing there)");
     add("z(u,v): depth of the point itself", text(str.z));
     const auto distanceAt = [&](const dvec2& uv, double depth) {

@@ -9,8 +9,8 @@ namespace shadowlab::shadow_map {
 const gl::Program& ShadowMap::lightProgram(const DrawnMap& map, bool visibilityOnly) {
     if (map.decided) return visibilityOnly ? decidedVisibility_ : decidedShade_;
     if (!map.depth) return visibilityOnly ? unshadowedVisibility_ : unshadowed_;
-    map.depth->sample(depthSampling(params_));
-    const Programs& programs = programsFor(map.maps);
+    map.depth->sample(depthSampling(map.asked.filter, params_.bias.mode));
+    const Programs& programs = programsFor(map);
     return visibilityOnly ? programs.visibility : programs.shade;
 }
 
@@ -57,7 +57,8 @@ void ShadowMap::useForReceivers(const Frame& frame, const gl::Program& program, 
     program.set("shadowMap", kMapUnit); // also where there is none: no unit holds textures of two kinds
     if (map.depth) {
         setReceiverUniforms(program, map.maps, params_);
-        setFilterUniforms(program, frame.scene().lights[static_cast<std::size_t>(light)], map.maps, params_);
+        setFilterUniforms(program, map.asked.light, map.asked.filter, map.maps);
+        program.set("outsideIsLit", params_.border == ShadowMapParams::Border::lit ? 1 : 0);
         map.depth->bind(kMapUnit);
     }
     program.set("moments", kMomentsUnit);

@@ -80,7 +80,8 @@ DrawnMap ShadowMap::lessonMap(const Frame& frame, int light, const DrawnMap& map
         region.include(map.maps.originWorld + upper);
     }
     const std::vector<scene::Bounds> receivers = region.isEmpty() ? bounds_ : std::vector{region};
-    DrawnMap lesson{.maps = fit(frame.scene(), frame.view(), light, receivers, FitRequest::Cover::shown),
+    DrawnMap lesson{.maps = fit(frame.scene(), frame.view(), map.asked, receivers, FitRequest::Cover::shown),
+                    .asked = map.asked,
                     .depth = &depth};
     const GLenum format = params_.glDepthFormat();
     depth = gl::DepthTextureArray(format, params_.resolution, lesson.maps.layers(), "shadow map shown");
@@ -168,7 +169,7 @@ void ShadowMap::publishLightDepth(Frame& frame, int light, const DrawnMap& map, 
 void ShadowMap::drawProjected(const Frame& frame, int light, const DrawnMap& map, int mode) {
     glDepthFunc(GL_EQUAL);
     if (map.depth) map.depth->sample(gl::DepthSampling::depths);
-    const gl::Program& project = programsFor(map.maps).project;
+    const gl::Program& project = programsFor(map).project;
     project.use();
     project.set("mode", mode);
     project.set("equalColor", look::kEqualDepth);

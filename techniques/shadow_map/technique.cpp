@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/technique.h"
 
-#include <set>
-
 #include "techniques/foundation/scene/casters.h"
-#include "techniques/foundation/scene/depth_fit.h"
-#include "techniques/foundation/scene/visible_receivers.h"
 #include "techniques/shadow_map/filter_uniforms.h"
 #include "techniques/shadow_map/frusta.h"
-#include "techniques/shadow_map/seen_depth.h"
 
 namespace shadowlab::shadow_map {
 
@@ -28,6 +23,10 @@ const PassInfo kPasses[] = {
      "Here the visible points themselves are put into the light's picture, and every triangle is tested against those "
      "it covers. Only with alias-free = true.",
      "none: on the processor, and the answers uploaded", true, "eye-samples"},
+    {"average", "Draw and ask a map from each of many points of the light",
+     "A light with an area puts a point into shadow by degrees: as many as cannot be seen of its own points. Every map "
+     "answers for one of them, and the mean of the answers is the visible share. Only with light-samples above 1.",
+     "each map as in depth; visibility added up with blending CONSTANT_COLOR ONE", true, "visibility"},
     {"decide", "Decide where the map is certain, and send rays elsewhere",
      "An edge that touches a texel makes it uncertain: a surface ends there, begins, or passes through another. All "
      "other texels know which surface is the first; the point is lit if it lies on that. Only with exact = true.",
@@ -56,9 +55,6 @@ const StageInfo kStages[] = {
     {"traced", "What the map decides for certain, and what rays do", StageKind::swatches, true},
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };
-
-// Boxes around what is in view: more would make a fit slow, and hardly closer.
-constexpr std::size_t kMostReceivers = 64;
 
 } // namespace
 
@@ -91,6 +87,11 @@ Progress ShadowMap::render(Frame& frame) {
         if (params_.aliasFree) {
             frame.pass(
                 passInfo(kPasses, "samples"), [&] { map.decided = &aliasFree_.decide(frame, light); }, light);
+        } else if (averagesOver(scene.lights[static_cast<std::size_t>(light)])) {
+            frame.pass(
+                passInfo(kPasses, "average"), [&] { map.decided = &averageOverLight(frame, light); }, light);
+            map.maps = fitted_[static_cast<std::size_t>(light)]; // for the stages: of the light's centre
+            map.asked = asked(scene, light);
         } else {
             frame.pass(
                 passInfo(kPasses, "depth"), [&] { map = updateMap(frame, light); }, light);
@@ -138,132 +139,15 @@ ShadowMap::Programs ShadowMap::makePrograms(const Choice& choice) {
                         {chosen[1], {"shadow_map/bias.glsl", "shadow_map/bias_none.glsl"}})};
 }
 
-const ShadowMap::Programs& ShadowMap::programsFor(const LightMaps& maps) {
-    const Choice choice{maps.layout, params_.bias.mode, params_.filter.kind};
+const ShadowMap::Programs& ShadowMap::programsFor(const DrawnMap& map) {
+    const Choice choice{map.maps.layout, params_.bias.mode, map.asked.filter.kind};
     const auto known = programs_.find(choice);
     return known != programs_.end() ? known->second : programs_.emplace(choice, makePrograms(choice)).first->second;
 }
 
-std::vector<scene::Bounds> ShadowMap::receiversInView(const scene::Scene& scene, const View& view) const {
-    if (params_.projection.fit == ProjectionParams::Fit::scene) return bounds_;
-    const gl::EyeMatrices eye = gl::eyeMatrices(view.camera, view.size);
-    return scene::visibleReceivers(scene, bounds_, eye.clipFromView * eye.viewFromWorld, scene::PicturePart{},
-                                   kMostReceivers);
-}
-
-LightMaps ShadowMap::fit(const scene::Scene& scene, const View& view, int light,
-                         std::span<const scene::Bounds> receivers, FitRequest::Cover cover) const {
-    const auto index = static_cast<std::size_t>(light);
-    // The fit always uses the casters that matter, also when all are drawn: another map would be another picture. Without
-    // any there is no map, unless nothing is to be left out.
-    const std::vector<std::size_t>& useful = usefulCasters_[index];
-    std::vector<scene::Bounds> casters;
-    for (const std::size_t caster : useful.empty() && !params_.cull ? scene::allCasters(scene) : useful)
-        casters.push_back(bounds_[caster]);
-    const double aspect = static_cast<double>(view.size.x) / view.size.y;
-    FitEye eye{scene::withTightNear(view.camera, scene, bounds_, aspect), aspect, std::nullopt};
-    if (seen_ && seen_->camera == view.camera && seen_->size == view.size) eye.visibleDepth = seen_->range;
-    ProjectionParams projection = params_.projection;
-    if (params_.exact)
-        projection.depthRange = ProjectionParams::DepthRange::fitted; // teaching faults have no place there
-    const FilterParams& filter = params_.filter;
-    const bool filtered =
-        !params_.exact && (filter.kind != FilterParams::Kind::pcss || hasPenumbra(scene.lights[index], filter));
-    return fitLightMaps({scene.lights[index], bounds_, casters, receivers, eye, projection, params_.resolution,
-                         filtered ? filter.kernelRadius(params_.resolution) : 0,
-                         filter.usesDistances() && !params_.exact, cover});
-}
-
-/// Fits the maps of all lights to what the eye sees.
-void ShadowMap::lookAt(const Frame& frame) {
-    const View& view = frame.view();
-    const bool cascades =
-        params_.projection.cascades > 1 && params_.projection.depthBounds == ProjectionParams::DepthBounds::picture;
-    seen_.reset();
-    if (cascades)
-        if (const std::optional<dvec2> range = visibleDepthRange(frame)) seen_ = {view.camera, view.size, *range};
-    const std::vector<scene::Bounds> receivers = receiversInView(frame.scene(), view);
-    fitted_.clear();
-    for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
-        fitted_.push_back(fit(frame.scene(), view, light, receivers, FitRequest::Cover::needed));
-}
-
-std::vector<std::size_t> ShadowMap::castersOf(const scene::Scene& scene, const LightMaps& maps, int light,
-                                              int layer) const {
-    if (!params_.cull) return scene::allCasters(scene);
-    // Beside the edge of a shadow moments are of the caster and of what it shadows: that has to be in the map, even if
-    // it shadows nothing itself.
-    const bool receiversToo = params_.filter.usesMoments() && !params_.exact;
-    std::vector<std::size_t> casters;
-    for (const std::size_t caster :
-         receiversToo ? scene::allCasters(scene) : usefulCasters_[static_cast<std::size_t>(light)])
-        if (mayDrawInto(maps, layer, bounds_[caster])) casters.push_back(caster);
-    return casters;
-}
-
-/// Draws those of the light's layers that are not what they should be.
-DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
-    const scene::Scene& scene = frame.scene();
-    const LightMaps& maps = fitted_[static_cast<std::size_t>(light)];
-    frame.count("lights-with-map", maps.layers() > 0 ? 1 : 0, 1, "lights");
-    const double allCasters = static_cast<double>(scene::allCasters(scene).size());
-    if (maps.layers() == 0) {
-        frame.count("casters", 0, allCasters, "objects");
-        return {.maps = maps};
-    }
-    const double layerTexels = static_cast<double>(params_.resolution) * params_.resolution;
-    double allTexels = 0;
-    for (const LightMaps& fitted : fitted_)
-        allTexels += layerTexels * fitted.layers();
-    const GLenum format = params_.glDepthFormat();
-    KeptMap& kept = kept_.of(light, fitted_.size(), allTexels, maps, params_.resolution, format, params_.exact);
-    kept.depth.clampToEdge(params_.border == ShadowMapParams::Border::edge);
-
-    std::set<std::size_t> drawn; // in any layer
-    for (int layer = 0; layer < maps.layers(); ++layer) {
-        const LayerOrigin origin{scene.revisions.geometry,
-                                 scene.revisions.transforms,
-                                 scene.revisions.materials,
-                                 maps.originWorld,
-                                 maps.lightClipFromLightRelative(layer),
-                                 castersOf(scene, maps, light, layer),
-                                 depthRules(params_),
-                                 gl::shaderReloads()};
-        std::optional<LayerOrigin>& drawnFrom = kept.drawnFrom[static_cast<std::size_t>(layer)];
-        const bool redraw = drawnFrom != origin;
-        if (redraw && params_.exact) {
-            drawExact(frame, light, maps, layer, origin.casters, kept.depth, *kept.exact);
-        } else if (redraw) {
-            depthPass_.draw(frame, maps, layer, origin.casters, kept.depth, format, origin.rules);
-        }
-        if (redraw) kept.momentsFor.reset();
-        drawnFrom = origin;
-        drawn.insert(origin.casters.begin(), origin.casters.end());
-        frame.count("maps-redrawn", redraw ? 1 : 0, 1, "maps");
-        frame.count("caster-draws", static_cast<double>(origin.casters.size()), allCasters, "objects, each per map");
-    }
-    if (params_.filter.usesMoments() && !params_.exact) updateMoments(frame, kept, maps);
-    frame.count("casters", static_cast<double>(drawn.size()), allCasters, "objects");
-    frame.count("map-texels", layerTexels * maps.layers(), 0, "texels");
-    return {.maps = maps,
-            .depth = &kept.depth,
-            .exact = params_.exact ? &*kept.exact : nullptr,
-            .moments = params_.filter.usesMoments() && !params_.exact ? &*kept.moments : nullptr};
-}
-
-/// Makes the moments of a light's maps if these, or what is asked of them, changed.
-void ShadowMap::updateMoments(Frame& frame, KeptMap& kept, const LightMaps& maps) {
-    const bool make = kept.momentsFor != params_.filter;
-    frame.count("moments-made", make ? maps.layers() : 0, maps.layers(), "maps");
-    if (!make) return;
-    kept.moments.reset(); // first, so that both are never there at once
-    kept.moments = emptyMoments(params_.filter, params_.resolution, maps.layers());
-    momentMaker_.make(kept.depth, maps, params_.filter, *kept.moments);
-    kept.momentsFor = params_.filter;
-}
-
 std::vector<SceneShape> ShadowMap::shapes(const scene::Snapshot& snapshot, const View& view, int light) {
-    return frustumShapes(fit(*snapshot, view, light, receiversInView(*snapshot, view), FitRequest::Cover::needed));
+    return frustumShapes(
+        fit(*snapshot, view, asked(*snapshot, light), receiversInView(*snapshot, view), FitRequest::Cover::needed));
 }
 
 std::string ShadowMap::remark(const scene::MeshReport& report) const {

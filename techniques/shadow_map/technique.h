@@ -15,9 +15,17 @@ namespace shadowlab::shadow_map {
 
 constexpr int kDecidedUnit = kMapUnit + 5, kMomentsUnit = kMapUnit + 6;
 
+/// A light as its map is asked: where it stands, whose shadows may matter, and how the answers become one.
+struct AskedLight {
+    scene::Light light;
+    std::vector<std::size_t> casters; ///< objects whose shadow can fall on something
+    FilterParams filter;
+};
+
 /// One light's map: its cameras, and the depths themselves.
 struct DrawnMap {
     LightMaps maps;
+    AskedLight asked;
     const gl::DepthTextureArray* depth = nullptr;
     const ExactMap* exact = nullptr;
     const gl::ColorTextureArray* moments = nullptr; ///< of the depths, where the filter asks for them
@@ -53,16 +61,30 @@ private:
     };
     inline static const std::vector<gl::Substitution> kDecided{{"shadow_visibility.glsl", "shadow_map/decided.glsl"}};
     static Programs makePrograms(const Choice& choice);
-    const Programs& programsFor(const LightMaps& maps);
+    /// A map beside those that are kept.
+    struct OwnMap {
+        gl::DepthTextureArray depth;
+        GLenum format = GL_NONE;
+        std::optional<gl::ColorTextureArray> moments;
+    };
+    const Programs& programsFor(const DrawnMap& map);
 
+    // maps_of_frame.cpp
     void lookAt(const Frame& frame);
-    LightMaps fit(const scene::Scene& scene, const View& view, int light, std::span<const scene::Bounds> receivers,
-                  FitRequest::Cover cover) const;
+    [[nodiscard]] AskedLight asked(const scene::Scene& scene, int light) const;
+    LightMaps fit(const scene::Scene& scene, const View& view, const AskedLight& asked,
+                  std::span<const scene::Bounds> receivers, FitRequest::Cover cover) const;
     [[nodiscard]] std::vector<scene::Bounds> receiversInView(const scene::Scene& scene, const View& view) const;
-    std::vector<std::size_t> castersOf(const scene::Scene& scene, const LightMaps& maps, int light, int layer) const;
+    std::vector<std::size_t> castersOf(const scene::Scene& scene, const LightMaps& maps, const AskedLight& asked,
+                                       int layer) const;
     DrawnMap updateMap(Frame& frame, int light);
     void updateMoments(Frame& frame, KeptMap& kept, const LightMaps& maps);
     const gl::Program& lightProgram(const DrawnMap& map, bool visibilityOnly);
+
+    // averaged_light.cpp
+    [[nodiscard]] bool averagesOver(const scene::Light& light) const;
+    DrawnMap drawAnew(const Frame& frame, const AskedLight& asked, const LightMaps& maps, OwnMap& own);
+    const gl::Texture2D& averageOverLight(Frame& frame, int light);
 
     // exact_light.cpp
     const gl::Texture2D& decide(Frame& frame, int light, const DrawnMap& map);
@@ -108,6 +130,7 @@ private:
     MomentMaker momentMaker_;
     ExactPass exact_;
     AliasFreePass aliasFree_;
+    gl::Texture2D averaged_; ///< visibility of one light, while it is drawn
     std::map<Choice, Programs> programs_;
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program unshadowed_{"surface.vert", "shade_light.frag"};

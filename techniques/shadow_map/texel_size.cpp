@@ -33,7 +33,7 @@ gl::Texture2D ShadowMap::drawTexelSizes(const Frame& frame, int light, const Dra
     if (!map.depth) return texture;
     glClear(GL_STENCIL_BUFFER_BIT);
     gl::setVisibilityState();
-    const gl::Program& program = programsFor(map.maps).texelSize;
+    const gl::Program& program = programsFor(map).texelSize;
     program.use();
     const dvec2 size(frame.view().size);
     program.set("longest", static_cast<float>(glm::length(size))); // the picture's diagonal
@@ -80,7 +80,7 @@ void ShadowMap::publishLayers(Frame& frame, int light, const DrawnMap& map, std:
             gl::setVisibilityState();
             glEnable(GL_BLEND);
             glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-            const gl::Program& program = programsFor(map.maps).layers;
+            const gl::Program& program = programsFor(map).layers;
             program.use();
             program.set("squareTexels", static_cast<float>(squareTexels));
             program.set("strength", 0.6f);
