@@ -92,6 +92,15 @@ struct Cone {
     }
 };
 
+/// The least distance of the boxes along the camera's axis; negative where one reaches behind it.
+double axialDistance(std::span<const scene::Bounds> boxes, const dvec3& originWorld, const dmat4& lightView) {
+    double least = 1e300;
+    for (const scene::Bounds& box : boxes)
+        for (int i = 0; i < 8; ++i)
+            least = std::min(least, -transformPoint(lightView, box.corner(i) - originWorld).z);
+    return least;
+}
+
 /// Where the boxes lie in the light's picture; without bounds where one is beside the light or behind it.
 Cone coneOf(std::span<const scene::Bounds> boxes, const dvec3& originWorld, const dmat4& lightView) {
     Cone cone{dvec2(1e300), dvec2(-1e300)};
@@ -176,6 +185,11 @@ LightMaps fitPerspective(const FitRequest& request) {
             cone = coneOf(request.casters, maps.originWorld, *aim).sharedWith(rounded);
         }
         cone = cone.sharedWith(within);
+        if (request.castersInDepth) {
+            // How far a filter searches for what blocks the light depends on how near that may be: no nearer than it is.
+            const double least = std::min(axialDistance(request.casters, maps.originWorld, *aim), distances.x);
+            if (least > maps.nearest) maps.nearest = rounded(least, [](double v) { return std::floor(v); });
+        }
         if (!cone.isEmpty()) add(*aim, cone);
         return maps;
     }

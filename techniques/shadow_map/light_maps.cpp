@@ -17,6 +17,20 @@ dmat4 lightRelativeFromMesh(const LightMaps& maps, const scene::Object& object) 
     return relativeFromMesh;
 }
 
+std::optional<int> layerOf(const LightMaps& maps, const dvec3& pointLightRelative, double eyeDepth) {
+    if (maps.layers() == 0) return std::nullopt;
+    if (maps.layout == Layout::one) return 0;
+    if (maps.layout == Layout::cube) {
+        const dvec3 size = glm::abs(pointLightRelative);
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        return 2 * axis + (pointLightRelative[axis] > 0 ? 0 : 1);
+    }
+    int layer = 0;
+    while (layer < maps.layers() - 1 && eyeDepth > maps.cascadeEnds[static_cast<std::size_t>(layer)])
+        ++layer;
+    return layer;
+}
+
 bool mayDrawInto(const LightMaps& maps, int layer, const scene::Bounds& bounds) {
     const dmat4 lightClipFromLightRelative = maps.lightClipFromLightRelative(layer);
     // Left, right, bottom, top, far, and behind the light: beyond which of them are all corners?

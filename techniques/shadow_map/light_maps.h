@@ -5,6 +5,7 @@
 // one), so that nothing is lost far from the world's origin. Williams, "Casting Curved Shadows on Curved Surfaces", 1978.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "techniques/foundation/scene/scene.h"
@@ -42,6 +43,9 @@ struct LightMaps {
 
 /// World to light-relative for one object's mesh, composed in double.
 dmat4 lightRelativeFromMesh(const LightMaps& maps, const scene::Object& object);
+
+/// Which map holds a point so far from the eye, along its axis: as shaders/shadow_map/layer_*.glsl choose. None without maps.
+std::optional<int> layerOf(const LightMaps& maps, const dvec3& pointLightRelative, double eyeDepth);
 
 /// Can anything in that box leave a depth in that map? What stands before the near plane can: it is clamped.
 bool mayDrawInto(const LightMaps& maps, int layer, const scene::Bounds& bounds);

@@ -97,6 +97,13 @@ params::ParamList describeExact(ShadowMapParams& p) {
     };
 }
 
+params::ParamList describeKernel(dvec2& at) {
+    return {
+        params::real("kernel-x", at.x, 0, 1, "", "Stage kernel: for which pixel, as a share of the picture's width."),
+        params::real("kernel-y", at.y, 0, 1, "", "The same from the top, as a share of its height."),
+    };
+}
+
 params::ParamList describeLimits(ShadowMapParams& p) {
     return {
         params::boolean("depth-clamp", p.depthClamp,
@@ -119,8 +126,9 @@ params::ParamList describeLimits(ShadowMapParams& p) {
 params::ParamList describe(ShadowMapParams& p) {
     // How fine, how smooth, how certain; then what keeps surfaces lit, and where the light looks; what seldom changes is last.
     params::ParamList all = describeMap(p);
-    for (params::ParamList part : {describe(p.filter), describeLightPoints(p.lightPoints), describeExact(p),
-                                   describeBias(p.bias), describeProjection(p.projection), describeLimits(p)})
+    for (params::ParamList part :
+         {describe(p.filter), describeLightPoints(p.lightPoints), describeExact(p), describeBias(p.bias),
+          describeProjection(p.projection), describeLimits(p), describeKernel(p.kernelAt)})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

@@ -52,6 +52,7 @@ struct ShadowMapParams {
     bool exact = false;
     bool aliasFree = false;
     bool cull = true;
+    dvec2 kernelAt{0.5};
     friend bool operator==(const ShadowMapParams&, const ShadowMapParams&) = default;
 
     /// As OpenGL names it.

@@ -32,21 +32,6 @@ std::string matrixText(const dmat4& m) {
     return rows;
 }
 
-/// Which map holds the point: as shaders/shadow_map/layer_*.glsl choose.
-std::optional<int> layerOf(const LightMaps& maps, const dvec3& pointLightRelative, double eyeDepth) {
-    if (maps.layers() == 0) return std::nullopt;
-    if (maps.layout == Layout::one) return 0;
-    if (maps.layout == Layout::cube) {
-        const dvec3 size = glm::abs(pointLightRelative);
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        return 2 * axis + (pointLightRelative[axis] > 0 ? 0 : 1);
-    }
-    int layer = 0;
-    while (layer < maps.layers() - 1 && eyeDepth > maps.cascadeEnds[static_cast<std::size_t>(layer)])
-        ++layer;
-    return layer;
-}
-
 /// The first surface on the light's ray through a place of the map (0..1), as far as it is drawn into it: its depth there,
 /// 0..1; none where the ray meets nothing.
 std::optional<double> firstDepth(const scene::Scene& scene, std::span<const std::size_t> casters, const LightMaps& maps,

@@ -6,7 +6,7 @@
 #include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/look.h"
 #include "techniques/foundation/scene/casters.h"
-#include "techniques/shadow_map/receiver_uniforms.h"
+#include "techniques/shadow_map/sheet.h"
 #include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {
@@ -14,27 +14,7 @@ namespace shadowlab::shadow_map {
 namespace {
 
 // Modes of shaders/shadow_map/project.frag.
-constexpr int kMapDepth = 0, kPointDistance = 1, kComparison = 2, kPosition = 3;
-
-/// The six maps around a light are shown as a 3 x 2 sheet: +x +y +z above -x -y -z; cascades side by side, the nearest first.
-struct Sheet {
-    bool cube;
-    ivec2 cells;
-    int cellSize;
-    Sheet(const LightMaps& maps, ivec2 within)
-        : cube(maps.layout == Layout::cube), cells(cube ? ivec2(3, 2) : cellsOf(maps.layers())),
-          cellSize(std::max(1, std::min(within.x / cells.x, within.y / cells.y))) {}
-    /// Wide pictures have room for two maps beside each other, and below them for two more.
-    static ivec2 cellsOf(int layers) { return layers < 2 ? ivec2(1) : layers == 2 ? ivec2(2, 1) : ivec2(2, 2); }
-    [[nodiscard]] ivec2 size() const { return cells * cellSize; }
-    void setViewport(int layer) const {
-        const int column = cube ? layer / 2 : layer % cells.x, rowFromTop = cube ? layer % 2 : layer / cells.x;
-        const int x = column * cellSize, y = (cells.y - 1 - rowFromTop) * cellSize;
-        glViewport(x, y, cellSize, cellSize);
-        glScissor(x, y, cellSize, cellSize);
-        glEnable(GL_SCISSOR_TEST);
-    }
-};
+constexpr int kMapDepth = 0, kPointDistance = 1, kComparison = 2;
 
 } // namespace
 
@@ -48,6 +28,7 @@ void ShadowMap::publishStages(Frame& frame, int light, const DrawnMap& map) {
     if (frame.wants("eye-samples", light)) aliasFree_.publishSamples(frame, light);
     if (frame.wants("traced", light)) publishTraced(frame, light, map);
     publishTexelStages(frame, light, map);
+    publishFilterStages(frame, light, map);
     const std::string_view lessons[] = {"light-view", "light-depth", "depth-on-view", "distance-on-view", "comparison"};
     if (std::ranges::none_of(lessons, [&](std::string_view stage) { return frame.wants(stage, light); })) return;
     gl::DepthTextureArray depth;
@@ -62,7 +43,7 @@ void ShadowMap::publishStages(Frame& frame, int light, const DrawnMap& map) {
 // The map that is shown covers what the eye sees, and every caster: the lesson is the same, and the floor has a depth.
 DrawnMap ShadowMap::lessonMap(const Frame& frame, int light, const DrawnMap& map, gl::DepthTextureArray& depth) {
     std::vector<double> seen[3];
-    for (const vec4& texel : projectedTexels(frame, light, map, kPosition))
+    for (const vec4& texel : projectedTexels(frame, light, map, kProjectedPosition))
         if (texel.a > 0.5f)
             for (int axis = 0; axis < 3; ++axis)
                 seen[axis].push_back(texel[axis]);

@@ -51,6 +51,10 @@ const StageInfo kStages[] = {
     {"texel-size", "Aliasing: how many pixels a texel covers", StageKind::scalar, true},
     {"texel-grid", "The texels as they lie on what the eye sees", StageKind::swatches, true},
     {"map-layers", "Which map answers: cascades, or those around the light", StageKind::swatches, true},
+    {"moments", "Moments: how much the depths around each texel vary", StageKind::scalar, true},
+    {"blocker-search", "Blocker search: how far before the point its shadow comes from", StageKind::scalar, true},
+    {"penumbra-width", "Penumbra: how wide the shadow's edge is to be", StageKind::scalar, true},
+    {"kernel", "Which texels are asked for one pixel, and their answers", StageKind::swatches, true},
     {"eye-samples", "Where in the light's picture the eye asks", StageKind::scalar, true},
     {"traced", "What the map decides for certain, and what rays do", StageKind::swatches, true},
     {"visibility", "Visibility of the light", StageKind::visibility, true},
@@ -108,6 +112,7 @@ Progress ShadowMap::render(Frame& frame) {
                 drawAsked(frame, lightProgram(map, false), unshadowed_, light, map);
             },
             light);
+        if (frame.wants("kernel", light)) publishKernel(frame, light, map);
     }
     return {};
 }
@@ -135,6 +140,8 @@ ShadowMap::Programs ShadowMap::makePrograms(const Choice& choice) {
             gl::Program("surface.vert", "shadow_map/project.frag", {}, chosen),
             gl::Program("surface.vert", "shadow_map/texel_size.frag", {}, chosen),
             gl::Program("surface.vert", "shadow_map/layers.frag", {}, chosen),
+            gl::Program("surface.vert", "shadow_map/penumbra.frag", {}, chosen),
+            gl::Program("surface.vert", "shadow_map/kernel.frag", {}, chosen),
             gl::Program("surface.vert", "shadow_map/decide.frag", {},
                         {chosen[1], {"shadow_map/bias.glsl", "shadow_map/bias_none.glsl"}})};
 }

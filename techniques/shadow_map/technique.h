@@ -32,6 +32,16 @@ struct DrawnMap {
     const gl::Texture2D* decided = nullptr;         ///< visibility of every pixel, where it is known already
 };
 
+/// Mode of shaders/shadow_map/project.frag: where the points are, relative to the light.
+constexpr int kProjectedPosition = 3;
+
+/// Which part of a map is asked for one point: a parallelogram, or the ellipse in it.
+struct KernelShape {
+    int layer = 0;
+    dvec2 middleUv{0.0}, halfU{0.0}, halfV{0.0};
+    bool isRound = false;
+};
+
 /// What was in the picture that was drawn last: the cascades may depend on it.
 struct SeenDepth {
     scene::Camera camera;
@@ -57,7 +67,7 @@ private:
         friend auto operator<=>(const Choice&, const Choice&) = default;
     };
     struct Programs {
-        gl::Program shade, visibility, project, texelSize, layers, decide;
+        gl::Program shade, visibility, project, texelSize, layers, penumbra, kernel, decide;
     };
     inline static const std::vector<gl::Substitution> kDecided{{"shadow_visibility.glsl", "shadow_map/decided.glsl"}};
     static Programs makePrograms(const Choice& choice);
@@ -114,6 +124,14 @@ private:
     std::vector<vec4> projectedTexels(const Frame& frame, int light, const DrawnMap& map, int mode);
     Display distanceRange(const Frame& frame, int light, const DrawnMap& map);
 
+    // filter_stages.cpp
+    void publishFilterStages(Frame& frame, int light, const DrawnMap& map);
+    void publishMoments(Frame& frame, int light, const DrawnMap& map);
+    gl::Texture2D drawPenumbra(const Frame& frame, int light, const DrawnMap& map, int mode);
+    void publishPenumbra(Frame& frame, int light, const DrawnMap& map, std::string_view stage, int mode);
+    void publishKernel(Frame& frame, int light, const DrawnMap& map);
+    std::optional<KernelShape> kernelShape(const Frame& frame, int light, const DrawnMap& map, ivec2 pixel);
+
     // texel_size.cpp
     void publishTexelStages(Frame& frame, int light, const DrawnMap& map);
     gl::Texture2D drawTexelSizes(const Frame& frame, int light, const DrawnMap& map);
@@ -137,6 +155,7 @@ private:
     gl::Program unshadowedVisibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
     gl::Program decidedShade_{"surface.vert", "shade_light.frag", {}, kDecided};
     gl::Program decidedVisibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}, kDecided};
+    gl::Program showMoments_{"fullscreen.vert", "shadow_map/show_moments.frag"};
     gl::Program showDepth_{"fullscreen.vert", "shadow_map/show_depth.frag"};
 };
 
