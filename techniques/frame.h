@@ -36,8 +36,8 @@ struct Counter {
 
 /// What the session asks of one frame.
 struct FrameRequest {
-    std::vector<StageKey> stages;      ///< to be published
-    std::optional<StageKey> stopAfter; ///< pass after which nothing more is drawn: step mode, and stage `pass:ID`
+    std::vector<StageKey> stages{};      ///< to be published
+    std::optional<StageKey> stopAfter{}; ///< pass after which nothing more is drawn: step mode, and stage `pass:ID`
     bool timePasses = false;
     bool waitForGl = true; ///< until all is drawn; else frameMs is only what it took to ask for it
     Deadline deadline = Deadline::max();

@@ -96,6 +96,8 @@ void parameterPanel(Desk& desk, const Theme& theme) {
         ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.54f);
         ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, reset);
         for (params::Param& param : slot.params) {
+            // What has no effect, as the others are set, is not in the way; unless somebody has set it.
+            if (!params::hasEffect(param) && params::valueText(param) == params::initialText(param)) continue;
             ImGui::PushID(param.id.c_str());
             ImGui::TableNextRow();
             ImGui::TableNextColumn();

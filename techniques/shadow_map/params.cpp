@@ -26,22 +26,31 @@ params::ParamList describeMap(ShadowMapParams& p) {
 }
 
 params::ParamList describeProjection(ProjectionParams& p) {
+    using params::onlyIf;
+    const auto hasCascades = [&p] { return p.cascades > 1; };
     return {
         params::choice("fit", p.fit, {"view", "scene"},
                        "view: maps hold what can shadow the receivers in view; scene: what can shadow anything, so "
                        "they stay as they are wherever the eye goes."),
         params::integer("cascades", p.cascades, 1, 4, "maps",
                         "Maps of a directional light, one behind the other along the view."),
-        params::real("split-mix", p.splitMix, 0, 1, "",
-                     "Where cascades meet: 0 uniform, 1 logarithmic in the distance from the eye, between: a mix."),
-        params::choice("depth-bounds", p.depthBounds, {"picture", "receivers", "camera"},
-                       "Range that cascades share: of the depths in the picture; of the receivers' boxes in view; from "
-                       "the camera's near plane to the scene's end."),
-        params::boolean("stable", p.stable,
-                        "Cascades of constant size that move by whole texels; false: cut as close as can be, which "
-                        "makes edges crawl when the eye moves (teaching)."),
-        params::real("cascade-blend", p.cascadeBlend, 0, 0.5, "",
-                     "Share of each cascade over which it fades into the next; 0 shows where they meet."),
+        onlyIf(hasCascades,
+               params::real(
+                   "split-mix", p.splitMix, 0, 1, "",
+                   "Where cascades meet: 0 uniform, 1 logarithmic in the distance from the eye, between: a mix.")),
+        onlyIf(hasCascades,
+               params::choice(
+                   "depth-bounds", p.depthBounds, {"picture", "receivers", "camera"},
+                   "Range that cascades share: of the depths in the picture; of the receivers' boxes in view; from "
+                   "the camera's near plane to the scene's end.")),
+        onlyIf(
+            hasCascades,
+            params::boolean("stable", p.stable,
+                            "Cascades of constant size that move by whole texels; false: cut as close as can be, which "
+                            "makes edges crawl when the eye moves (teaching).")),
+        onlyIf(hasCascades,
+               params::real("cascade-blend", p.cascadeBlend, 0, 0.5, "",
+                            "Share of each cascade over which it fades into the next; 0 shows where they meet.")),
         params::choice("warp", p.warp, {"none", "lispsm"},
                        "Texels of a directional light: all alike; lispsm: smaller near the eye (light space "
                        "perspective)."),
@@ -52,6 +61,11 @@ params::ParamList describeProjection(ProjectionParams& p) {
 }
 
 params::ParamList describeBias(BiasParams& p) {
+    using params::onlyIf;
+    using enum BiasParams::Mode;
+    const auto is = [&p](BiasParams::Mode mode) { return [&p, mode] { return p.mode == mode; }; };
+    const auto takesSlope = [&p] { return p.mode == slopeScaled || p.mode == receiverPlane || p.mode == dualDepth; };
+    const auto isAny = [&p] { return p.mode != none; };
     return {
         params::choice(
             "bias-mode", p.mode,
@@ -59,29 +73,42 @@ params::ParamList describeBias(BiasParams& p) {
             "What keeps a surface from shadowing itself: nothing; a constant; an offset by the caster's "
             "slope; a step along the receiver's normal; the receiver's plane under each texel; the middle "
             "between two depths; the plane's depth at the texel's centre."),
-        params::real("constant-bias", p.constantTexels, 0, 1000, "", "bias-mode constant: how far, in bias-unit."),
-        params::choice("bias-unit", p.unit, {"texels", "metres"},
-                       "Unit of constant-bias; in metres it is right for one scale of the scene only (teaching)."),
-        params::real("slope-bias", p.slope, 0, 16, "",
-                     "slope-scaled, receiver-plane and dual-depth: offset in proportion to the slope; 1 is what the "
-                     "kernel needs on a plane, 0 shows acne (teaching)."),
-        params::real("normal-offset", p.normalOffset, 0, 16, "",
-                     "bias-mode normal-offset: how far; 1 is what the kernel needs on a plane."),
-        params::real("rounding-bias", p.rounding, 0, 1000, "",
-                     "Offset against rounding, in every mode but none; 1 is what float positions and the depth's own "
-                     "bits need."),
+        onlyIf(is(constant), params::real("constant-bias", p.constantTexels, 0, 1000, "",
+                                          "bias-mode constant: how far, in bias-unit.")),
+        onlyIf(
+            is(constant),
+            params::choice("bias-unit", p.unit, {"texels", "metres"},
+                           "Unit of constant-bias; in metres it is right for one scale of the scene only (teaching).")),
+        onlyIf(takesSlope,
+               params::real(
+                   "slope-bias", p.slope, 0, 16, "",
+                   "slope-scaled, receiver-plane and dual-depth: offset in proportion to the slope; 1 is what the "
+                   "kernel needs on a plane, 0 shows acne (teaching).")),
+        onlyIf(is(normalOffset),
+               params::real("normal-offset", p.normalOffset, 0, 16, "",
+                            "bias-mode normal-offset: how far; 1 is what the kernel needs on a plane.")),
+        onlyIf(isAny,
+               params::real(
+                   "rounding-bias", p.rounding, 0, 1000, "",
+                   "Offset against rounding, in every mode but none; 1 is what float positions and the depth's own "
+                   "bits need.")),
     };
 }
 
 params::ParamList describeLightPoints(LightPointParams& p) {
+    const auto areMany = [&p] { return p.count > 1; };
+    using params::onlyIf;
     return {
         params::integer("light-samples", p.count, 1, 1024, "maps",
                         "Of a light with an area: so many maps, each from another point of it, and the mean of their "
                         "answers; 1: one from its centre. Not with exact or alias-free."),
-        params::choice("light-points", p.spread, {"jittered", "random"},
-                       "Where they are: one by chance in each of as many equal parts; random: anywhere, which takes "
-                       "far more of them (teaching)."),
-        params::integer("light-seed", p.seed, 0, 1000000, "", "Another number, another choice by chance."),
+        onlyIf(areMany,
+               params::choice(
+                   "light-points", p.spread, {"jittered", "random"},
+                   "Where they are: one by chance in each of as many equal parts; random: anywhere, which takes "
+                   "far more of them (teaching).")),
+        onlyIf(areMany,
+               params::integer("light-seed", p.seed, 0, 1000000, "", "Another number, another choice by chance.")),
     };
 }
 
@@ -125,11 +152,20 @@ params::ParamList describeLimits(ShadowMapParams& p) {
 
 params::ParamList describe(ShadowMapParams& p) {
     // How fine, how smooth, how certain; then what keeps surfaces lit, and where the light looks; what seldom changes is last.
+    const auto isCompared = [&p] { return !p.exact && !p.aliasFree; };
+    const auto hasMap = [&p] { return !p.aliasFree; };
     params::ParamList all = describeMap(p);
-    for (params::ParamList part :
-         {describe(p.filter), describeLightPoints(p.lightPoints), describeExact(p), describeBias(p.bias),
-          describeProjection(p.projection), describeLimits(p), describeKernel(p.kernelAt)})
-        all.insert(all.end(), part.begin(), part.end());
+    const auto add = [&all](params::ParamList part, const std::function<bool()>& condition) {
+        for (params::Param& param : part)
+            all.push_back(condition ? params::onlyIf(condition, std::move(param)) : std::move(param));
+    };
+    add(describe(p.filter), isCompared);
+    add(describeLightPoints(p.lightPoints), isCompared);
+    add(describeExact(p), {});
+    add(describeBias(p.bias), isCompared);
+    add(describeProjection(p.projection), hasMap);
+    add(describeLimits(p), hasMap);
+    add(describeKernel(p.kernelAt), isCompared);
     return all;
 }
 

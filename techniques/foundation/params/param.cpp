@@ -73,6 +73,16 @@ Param real(std::string id, double& field, double minimum, double maximum, std::s
     return param;
 }
 
+Param onlyIf(std::function<bool()> condition, Param param) {
+    if (param.hasEffect)
+        param.hasEffect = [first = std::move(condition), second = std::move(param.hasEffect)] {
+            return first() && second();
+        };
+    else
+        param.hasEffect = std::move(condition);
+    return param;
+}
+
 std::string valueText(const Param& param) { return textOf(param, param.get()); }
 std::string initialText(const Param& param) { return textOf(param, param.initial); }
 

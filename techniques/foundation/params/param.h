@@ -22,11 +22,12 @@ struct Param {
     std::string help; ///< one line
     std::string unit; ///< "" where there is none
     Kind kind = Kind::boolean;
-    double minimum = 0, maximum = 0;  ///< integer and real
-    std::vector<std::string> choices; ///< choice; for booleans "false", "true"
-    std::function<double()> get;      ///< booleans as 0 or 1, choices as their index
-    std::function<void(double)> set;  ///< takes only values that are in range
-    double initial = 0;               ///< the field's value when it was described
+    double minimum = 0, maximum = 0;   ///< integer and real
+    std::vector<std::string> choices;  ///< choice; for booleans "false", "true"
+    std::function<double()> get;       ///< booleans as 0 or 1, choices as their index
+    std::function<void(double)> set;   ///< takes only values that are in range
+    double initial = 0;                ///< the field's value when it was described
+    std::function<bool()> hasEffect{}; ///< as the others are set now; empty: always. The panel leaves out what has none
 };
 using ParamList = std::vector<Param>;
 
@@ -49,6 +50,10 @@ requires std::is_enum_v<Enum> Param choice(std::string id, Enum& field, std::vec
     param.initial = param.get();
     return param;
 }
+
+/// The same parameter, which has an effect only while `condition` holds, beside the conditions it had before.
+Param onlyIf(std::function<bool()> condition, Param param);
+inline bool hasEffect(const Param& param) { return !param.hasEffect || param.hasEffect(); }
 
 /// The current value, or `initial`, as --set and JSON write it: "true", "1024", "1.5", "pcf".
 std::string valueText(const Param& param);

@@ -63,5 +63,20 @@ TEST(Param, RefusesInsteadOfClamping) {
     EXPECT_EQ(refusal("cuont", "1"), "'t' has no parameter 'cuont'; did you mean \"count\"?");
 }
 
+TEST(Param, HasAnEffectOnlyUnderAllItsConditions) {
+    Params values;
+    const ParamList list = describe(values);
+    EXPECT_TRUE(hasEffect(list[0]));
+    bool first = true, second = true;
+    const Param both = onlyIf([&] { return first; }, onlyIf([&] { return second; }, list[0]));
+    EXPECT_TRUE(hasEffect(both));
+    first = false;
+    EXPECT_FALSE(hasEffect(both));
+    first = true;
+    second = false;
+    EXPECT_FALSE(hasEffect(both));
+    EXPECT_TRUE(hasEffect(list[0]));
+}
+
 } // namespace
 } // namespace shadowlab::params
