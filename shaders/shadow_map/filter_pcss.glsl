@@ -5,15 +5,17 @@
 //   2. the penumbra is w = w_L (d_r - d_b) / d_b wide, for a light that is w_L wide
 //   3. filter: the share of comparisons over that width which are lit
 //
-// Exact where the light, one blocker and the receiver are parallel. Search and filter look through the light's own shape, as
-// the surface sees it through a hole at the blocker: a rectangle's, or a disc for a ball.
+// Exact where the light and one blocker are parallel. So distances count at right angles to the light's own surface, however
+// the map's camera is turned: along its axis a blocker to one side would seem farther than to the other. Search and filter look
+// through the light's own shape, as the surface sees it through a hole at the blocker: a rectangle's, or a disc for a ball.
 uniform sampler2DArray shadowMap; // depths, not compared by the sampler
 uniform int samples, blockerSamples;
 uniform vec3 lightHalfU, lightHalfV; // light-relative: half edges of a rectangle; for a disc both are in any direction
 uniform float lightRadius;           // metres, of a disc; a directional light: at a distance of 1 m. 0: a rectangle
-uniform float nearestBlocker;        // metres along the camera's axis: nothing is nearer to the light than that
+uniform vec3 lightAxis;              // unit: the way a rectangle or the sun faces; zero: a disc faces the point
+uniform float nearestBlocker;        // metres: nothing is nearer to the light than that
 uniform float widest;                // share of the map that a kernel may reach to each side
-#include "shadow_map/distance.glsl"
+uniform mat4 lightRelativeFromLightClip[6];
 #include "shadow_map/sample_points.glsl"
 
 // The light's half axes in the clip space of a map, per metre of the point's offset on the receiver.
@@ -41,10 +43,12 @@ vec2 offsetThrough(vec2 onLight, float magnified, LightShape light, MapPlace pla
     return clamp(clip.xy / clip.w * 0.5 + 0.5 - place.uv, -widest, widest);
 }
 
+bool lightIsParallel() { return towardLightRelative != vec3(0.0); }
+
 // w / w_L: how large the light's shape is on the receiver, seen through a hole at that distance.
 float magnification(float receiver, float blocker) {
-    bool parallel = towardLightRelative != vec3(0.0);
-    return parallel ? receiver - blocker : (receiver - blocker) / blocker;
+    float between = max(receiver - blocker, 0.0);
+    return lightIsParallel() ? between : between / max(blocker, 1e-3 * receiver); // what is beside a rectangle is at no distance
 }
 
 vec2 pointOnLight(int i, int count, vec2 chance) {
@@ -52,18 +56,24 @@ vec2 pointOnLight(int i, int count, vec2 chance) {
 }
 
 struct BlockerSearch {
-    float receiver, blockers; // metres along the camera's axis: the point, and the mean of what is before it
+    float receiver, blockers; // metres from the light, along its axis: the point, and the mean of what is before it
     float found;              // of the depths looked at: how many
 };
 
 BlockerSearch searchBlockers(MapPlace place, LightShape light, vec2 chance) {
-    float receiver = axialDistance(place.uv, place.depth, place.layer), sum = 0.0, found = 0.0;
-    float magnified = magnification(receiver, min(nearestBlocker, receiver));
+    vec3 axis = lightAxis == vec3(0.0) ? normalize(positionLightRelative) : lightAxis;
+    // The distance of what is at a place in the map is a quotient: of these two times that place.
+    vec4 along = vec4(axis, 0.0) * lightRelativeFromLightClip[place.layer];
+    vec4 weight = vec4(0.0, 0.0, 0.0, 1.0) * lightRelativeFromLightClip[place.layer];
+    float receiver = dot(axis, positionLightRelative), sum = 0.0, found = 0.0;
+    // Along the point's own ray all distances shrink alike, whichever axis they count along.
+    float magnified = magnification(lightIsParallel() ? receiver : length(positionLightRelative), nearestBlocker);
     for (int i = 0; i < blockerSamples; ++i) {
         vec2 offsetUv = offsetThrough(pointOnLight(i, blockerSamples, chance), magnified, light, place);
         float depth = texture(shadowMap, vec3(place.uv + offsetUv, float(place.layer))).r;
         if (depth >= referenceDepth(place, offsetUv)) continue;
-        sum += axialDistance(place.uv + offsetUv, depth, place.layer);
+        vec4 clip = vec4(vec3(place.uv + offsetUv, depth) * 2.0 - 1.0, 1.0);
+        sum += dot(along, clip) / dot(weight, clip);
         found += 1.0;
     }
     return BlockerSearch(receiver, sum / max(found, 1.0), found);

@@ -7,12 +7,20 @@ namespace shadowlab::shadow_map {
 
 namespace {
 
-void setLightShape(const gl::Program& program, const scene::Light& light, const FilterParams& params) {
+/// What filter_pcss.glsl asks of light and map.
+void setLightShape(const gl::Program& program, const scene::Light& light, const LightMaps& maps,
+                   const FilterParams& params) {
     const bool isRect = light.type == scene::LightType::rect;
     const double radius = isRect ? 0.0 : light.type == scene::LightType::sphere ? light.radius : params.lightRadius;
     program.set("lightHalfU", vec3(isRect ? 0.5 * light.edgeUWorld : dvec3(0.0)));
     program.set("lightHalfV", vec3(isRect ? 0.5 * light.edgeVWorld : dvec3(0.0)));
     program.set("lightRadius", static_cast<float>(radius));
+    program.set("lightAxis", vec3(isRect ? scene::rectNormalWorld(light) : -maps.towardLight));
+    program.set("nearestBlocker", static_cast<float>(maps.nearest));
+    std::vector<mat4> lightRelativeFromLightClip;
+    for (int layer = 0; layer < maps.layers(); ++layer)
+        lightRelativeFromLightClip.emplace_back(glm::inverse(maps.lightClipFromLightRelative(layer)));
+    program.set("lightRelativeFromLightClip", std::span<const mat4>(lightRelativeFromLightClip));
 }
 
 } // namespace
@@ -41,8 +49,7 @@ void setFilterUniforms(const gl::Program& program, const scene::Light& light, co
     program.set("noise", static_cast<int>(filter.noise));
     program.set("blockerSamples", filter.blockerSamples);
     set("widest", filter.widest);
-    set("nearestBlocker", maps.nearest);
-    setLightShape(program, light, filter);
+    setLightShape(program, light, maps, filter);
 
     const Exponents used = exponents(filter);
     set("leastDeviation", 2 * filter.leastDeviation); // of depths from -1 to 1, which are two apart
