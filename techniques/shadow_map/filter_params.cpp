@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/filter_params.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace shadowlab::shadow_map {
@@ -22,7 +23,12 @@ double FilterParams::comparedRadius() const {
     case Kind::pcf: return pcfRadius;
     case Kind::disc: return discRadius;
     case Kind::pcss: return 1; // its kernel has no fixed size; the receiver's plane is what serves it
-    default: return 0;
+    case Kind::evsm:
+    case Kind::msm:
+        // Of a plane that slants within the blur these take one end for something before the other: a lit floor would be
+        // down to 0.7. What a single comparison is given is enough for 3 x 3 texels.
+        return std::max(blurRadius - 1, 0);
+    default: return 0; // a point on a plane is at its mean depth, and that is lit
     }
 }
 
