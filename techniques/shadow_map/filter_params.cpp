@@ -6,13 +6,13 @@
 
 namespace shadowlab::shadow_map {
 
-int FilterParams::kernelRadius(int resolution) const {
+int FilterParams::kernelRadius() const {
     switch (kind) {
     case Kind::hard: return 0;
     case Kind::hw2x2: return 1;
     case Kind::pcf: return pcfRadius;
     case Kind::disc: return static_cast<int>(std::ceil(discRadius));
-    case Kind::pcss: return static_cast<int>(std::ceil(widest * resolution));
+    case Kind::pcss: return 1;
     default: return blurRadius + 1; // moments are interpolated between texels
     }
 }
@@ -62,7 +62,7 @@ params::ParamList describeComparisons(FilterParams& p) {
                    "of 1 m.")),
         onlyIf(is(pcss), params::integer("blocker-samples", p.blockerSamples, 1, 256, "",
                                          "pcss: depths that the search looks at.")),
-        onlyIf(is(pcss), params::real("widest", p.widest, 0, 0.25, "",
+        onlyIf(is(pcss), params::real("widest", p.widest, 0, 0.45, "",
                                       "pcss: no kernel is wider to one side than this share of the map.")),
     };
 }

@@ -15,7 +15,7 @@ struct FilterParams {
     enum class Noise { texel, pixel, none } noise = Noise::texel;
     double lightRadius = 0.0;
     int blockerSamples = 16;
-    double widest = 0.1;
+    double widest = 0.4;
     int blurRadius = 1;
     bool mipmaps = false;
     enum class MomentFormat { float32, float16 } momentFormat = MomentFormat::float32;
@@ -33,8 +33,8 @@ struct FilterParams {
     [[nodiscard]] bool usesMoments() const { return kind >= Kind::vsm; }
     /// Does it need the depths of what stands before the receivers, and not only that something does?
     [[nodiscard]] bool usesDistances() const { return usesMoments() || kind == Kind::pcss; }
-    /// Texels around the point's own that may be asked as well, in a map of that resolution.
-    [[nodiscard]] int kernelRadius(int resolution) const;
+    /// Texels around the point's own that may be asked as well; pcss: beside those of the penumbra.
+    [[nodiscard]] int kernelRadius() const;
     /// The same for what a bias has to cover: how far beside its own texel a point is compared.
     [[nodiscard]] double comparedRadius() const;
 };

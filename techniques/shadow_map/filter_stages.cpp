@@ -78,7 +78,7 @@ gl::Texture2D ShadowMap::drawPenumbra(const Frame& frame, int light, const Drawn
     framebuffer.bind();
     frame.scissorTo(std::nullopt);
     glClear(GL_COLOR_BUFFER_BIT);
-    if (!drawn.depth || !hasPenumbra(asked.light, asked.filter)) return texture;
+    if (!drawn.depth || !(lightReach(asked.light, asked.filter) > 0)) return texture;
     drawn.depth->sample(gl::DepthSampling::depths);
     glDepthFunc(GL_EQUAL);
     const gl::Program& program = programsFor(drawn).penumbra;

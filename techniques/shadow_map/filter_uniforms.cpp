@@ -25,8 +25,10 @@ void setLightShape(const gl::Program& program, const scene::Light& light, const 
 
 } // namespace
 
-bool hasPenumbra(const scene::Light& light, const FilterParams& params) {
-    return scene::hasArea(light) || params.lightRadius > 0;
+double lightReach(const scene::Light& light, const FilterParams& params) {
+    if (light.type == scene::LightType::rect)
+        return 0.5 * glm::length(light.edgeUWorld) + 0.5 * glm::length(light.edgeVWorld);
+    return light.type == scene::LightType::sphere ? light.radius : params.lightRadius;
 }
 
 bool comparesWithOneDepth(BiasParams::Mode mode) {

@@ -8,8 +8,9 @@
 
 namespace shadowlab::shadow_map {
 
-/// Is the light large enough for a penumbra: has it an area, or was it given one?
-bool hasPenumbra(const scene::Light& light, const FilterParams& params);
+/// Metres from the light's middle to its border, of a directional light at a distance of 1 m: by its own area, or as it was
+/// given one. 0: it has no penumbra.
+double lightReach(const scene::Light& light, const FilterParams& params);
 
 /// How the filter's shader reads the depths of a map.
 gl::DepthSampling depthSampling(const FilterParams& filter, BiasParams::Mode bias);

@@ -35,6 +35,12 @@ dvec2 distanceRange(std::span<const scene::Bounds> boxes, const dvec3& originWor
     return range;
 }
 
+/// The same for a penumbra: of a map that is for `side`, sideways, when a kernel may reach `reach` beyond the point.
+double penumbraShare(const FitRequest& request, double side, double reach) {
+    const double ofMap = std::min(reach / (side + 2 * reach), request.widestShare);
+    return std::max(guardShare(request.resolution, request.guardTexels), ofMap / (1 - 2 * ofMap));
+}
+
 LightMaps fitParallel(const FitRequest& request) {
     const ProjectionParams& params = request.params;
     LightMaps maps;
@@ -56,7 +62,6 @@ LightMaps fitParallel(const FitRequest& request) {
     if (request.castersInDepth) region.upper.z = std::max(region.upper.z, casters.upper.z);
     const std::vector<Box> parts =
         params.cascades > 1 ? cascadeParts(request, region, lightView, maps) : std::vector{region};
-    const double share = guardShare(request.resolution, request.guardTexels);
     for (Box part : parts) {
         if (params.depthRange == ProjectionParams::DepthRange::wide) {
             part.upper.z = std::max(part.upper.z, 0.5 * kWideFar);
@@ -66,6 +71,7 @@ LightMaps fitParallel(const FitRequest& request) {
         const dvec3 extent = part.upper - part.lower;
         const double largest = std::max({extent.x, extent.y, extent.z, 1e-6});
         const double side = std::max({extent.x, extent.y, 1e-3 * largest});
+        const double share = penumbraShare(request, side, request.lightReach * extent.z);
         dvec3 margin(0.5 * (side - extent.x) + share * side, 0.5 * (side - extent.y) + share * side, 1e-3 * largest);
         if (warped) margin = dvec3(1e-6 * largest, 1e-6 * largest, 1e-3 * largest);
         part.lower -= margin;
@@ -147,8 +153,9 @@ LightMaps fitPerspective(const FitRequest& request) {
         return unit * std::exp2(round(8 * std::log2(value / unit)) / 8);
     };
     maps.farthest = rounded(std::max(1.001 * distances.y, 1e-6 * unit), [](double v) { return std::ceil(v); });
-    const double casterDistance = distanceRange(request.casters, maps.originWorld).x;
-    const double nearest = 0.49 * (request.castersInDepth ? std::min(distances.x, casterDistance) : distances.x);
+    // What is nearer to the light than all casters is lit: before the near plane, too.
+    const double distance = request.castersInDepth ? distanceRange(request.casters, maps.originWorld).x : distances.x;
+    const double nearest = 0.49 * distance;
     maps.nearest = std::max(nearest > 0 ? rounded(nearest, [](double v) { return std::floor(v); }) : 0.0,
                             kLeastNearShare * maps.farthest);
     if (request.params.depthRange == ProjectionParams::DepthRange::wide) {
@@ -156,10 +163,12 @@ LightMaps fitPerspective(const FitRequest& request) {
         maps.farthest = std::max(maps.farthest, kWideFar);
     }
 
-    const double share = guardShare(request.resolution, request.guardTexels);
     const auto add = [&](const dmat4& lightView, Cone cone) {
         const dvec2 extent = cone.upper - cone.lower;
         const double side = std::max({extent.x, extent.y, 1e-6});
+        // A point at the far end, and what blocks the light at the near one: as tangents, that the map counts in.
+        const double reach = request.lightReach * (1 / maps.nearest - 1 / maps.farthest);
+        const double share = penumbraShare(request, side, reach);
         const dvec2 margin = 0.5 * (side - extent) + share * side;
         maps.lightViewFromLightRelative.push_back(lightView);
         maps.lightClipFromLightView.push_back(
@@ -187,7 +196,7 @@ LightMaps fitPerspective(const FitRequest& request) {
         cone = cone.sharedWith(within);
         if (request.castersInDepth) {
             // How far a filter searches for what blocks the light depends on how near that may be: no nearer than it is.
-            const double least = std::min(axialDistance(request.casters, maps.originWorld, *aim), distances.x);
+            const double least = axialDistance(request.casters, maps.originWorld, *aim);
             if (least > maps.nearest) maps.nearest = rounded(least, [](double v) { return std::floor(v); });
         }
         if (!cone.isEmpty()) add(*aim, cone);

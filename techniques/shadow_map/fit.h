@@ -32,7 +32,10 @@ struct FitRequest {
     FitEye eye;
     const ProjectionParams& params;
     int resolution = 0;
-    int guardTexels = 0;         ///< on each side, for the filter's kernel
+    int guardTexels = 0; ///< on each side, for the filter's kernel
+    double lightReach =
+        0; ///< for a penumbra: metres from the light's middle to its border, of a directional light at 1 m
+    double widestShare = 0;      ///< of a map's side: no more than that is kept free for a penumbra
     bool castersInDepth = false; ///< nothing is clamped to the near plane: the filter asks how far casters are
     /// What a map holds sideways. shown: casters and receivers together, for a picture of the map; needed: what they share.
     enum class Cover { needed, shown } cover = Cover::needed;
@@ -40,7 +43,7 @@ struct FitRequest {
 
 LightMaps fitLightMaps(const FitRequest& request);
 
-/// Share of a map's side, beyond what is asked for, that guard band and rounding need on each side.
+/// Share of what a map is for, as wide as its side, that guard band and rounding need beyond it on each side.
 double guardShare(int resolution, int guardTexels);
 
 } // namespace shadowlab::shadow_map

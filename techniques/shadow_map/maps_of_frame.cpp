@@ -46,9 +46,19 @@ LightMaps ShadowMap::fit(const scene::Scene& scene, const View& view, const Aske
     if (params_.exact)
         projection.depthRange = ProjectionParams::DepthRange::fitted; // teaching faults have no place there
     const FilterParams& filter = asked.filter;
-    const bool filtered = filter.kind != FilterParams::Kind::pcss || hasPenumbra(asked.light, filter);
-    return fitLightMaps({asked.light, bounds_, casters, receivers, eye, projection, params_.resolution,
-                         filtered ? filter.kernelRadius(params_.resolution) : 0, filter.usesDistances(), cover});
+    const bool hasPenumbra = filter.kind == FilterParams::Kind::pcss;
+    return fitLightMaps({.light = asked.light,
+                         .all = bounds_,
+                         .casters = casters,
+                         .receivers = receivers,
+                         .eye = eye,
+                         .params = projection,
+                         .resolution = params_.resolution,
+                         .guardTexels = filter.kernelRadius(),
+                         .lightReach = hasPenumbra ? lightReach(asked.light, filter) : 0.0,
+                         .widestShare = filter.widest,
+                         .castersInDepth = filter.usesDistances(),
+                         .cover = cover});
 }
 
 /// Fits the maps of all lights to what the eye sees.
