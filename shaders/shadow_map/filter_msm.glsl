@@ -17,9 +17,11 @@ float hamburgerVisibility(vec4 m, float d) {
     c.z = (d * d - m.y - l32 * c.y) / d3;
     c.y = c.y / d2 - l32 * c.z;
     c.x -= dot(vec2(m.x, m.y), c.yz);
-    float p = 0.5 * c.y / c.z, q = c.x / c.z;
-    float root = sqrt(max(p * p - q, 0.0));
-    float nearer = -p - root, farther = -p + root;
+    // c.z is nearly 0 where one of them is far away, and has no weight. Then -p +- sqrt(p^2 - q) would lose all digits of the
+    // other one; sums of numbers of one sign lose none.
+    float sum = c.y + (c.y < 0.0 ? -1.0 : 1.0) * sqrt(max(c.y * c.y - 4.0 * c.z * c.x, 0.0));
+    float one = clamp(-0.5 * sum / c.z, -1e6, 1e6), other = -2.0 * c.x / sum;
+    float nearer = min(one, other), farther = max(one, other);
     if (d <= nearer) return 1.0;
     // The weight of one of three depths follows from mean and mean square alone (Lagrange).
     float weightNearer = (m.y - m.x * (d + farther) + d * farther) / ((nearer - d) * (nearer - farther));
