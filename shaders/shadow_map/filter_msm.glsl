@@ -35,5 +35,6 @@ float filteredVisibility(MapPlace place) {
     // Rounding may leave moments that no depths have. A little of the moments of three depths at once, -1, 0 and 1, mends it.
     // Peters, Muenstermann, Wetzstein and Klein, "Improved Moment Shadow Maps", JCGT 6(1), 2017.
     vec4 m = mix(momentsAt(place), vec4(0.0, 0.375, 0.0, 0.375), msmBias);
-    return withoutBleeding(hamburgerVisibility(m, receiverMomentDepth(place)));
+    // Of that little any part may count as light; the bound is for the rest, and what is lit is so to the last bit.
+    return withoutBleeding(hamburgerVisibility(m, receiverMomentDepth(place)) / (1.0 - msmBias));
 }

@@ -113,10 +113,9 @@ params::ParamList describeMoments(FilterParams& p) {
                params::boolean(
                    "exponent-limit", p.exponentLimit,
                    "esm and evsm: no exponent larger than the format can hold; false: infinities (teaching).")),
-        onlyIf(
-            is(msm),
-            params::real("msm-bias", p.msmBias, 0, 0.1, "",
-                         "msm: share of moments that no depths can have, against rounding; more lets light through.")),
+        onlyIf(is(msm), params::real("msm-bias", p.msmBias, 0, 0.1, "",
+                                     "msm: share of moments that no depths can have, against rounding in a kernel of "
+                                     "radius 1 (wider ones take more of it); more lets light through.")),
     };
 }
 

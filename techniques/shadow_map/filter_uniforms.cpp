@@ -60,7 +60,7 @@ void setFilterUniforms(const gl::Program& program, const scene::Light& light, co
     program.set("logarithms", averagesLogarithms(filter) ? 1 : 0);
     program.set("evsmExponents", vec2(used.evsm));
     program.set("evsmMoments", filter.evsmMoments == FilterParams::EvsmMoments::two ? 2 : 4);
-    set("msmBias", filter.msmBias);
+    set("msmBias", msmBias(filter));
 }
 
 } // namespace shadowlab::shadow_map

@@ -53,6 +53,9 @@ Exponents exponents(const FilterParams& params) {
     return result;
 }
 
+// Along a row 2 r + 1 numbers are added and the sum is divided, which may lose as much as five sums do: 2 r + 6 roundings.
+double msmBias(const FilterParams& params) { return std::min(0.5, params.msmBias * (2 * params.blurRadius + 6) / 8); }
+
 bool averagesLogarithms(const FilterParams& params) { return params.kind == Kind::esm && params.esmLogarithms; }
 
 gl::ColorTextureArray emptyMoments(const FilterParams& params, int resolution, int layers) {

@@ -17,6 +17,9 @@ struct Exponents {
 };
 Exponents exponents(const FilterParams& params);
 
+/// The share of made-up moments that is used: msmBias in kernels of radius 1, and more where more is added up, and rounded.
+double msmBias(const FilterParams& params);
+
 /// Are logarithms averaged, and not what they stand for?
 bool averagesLogarithms(const FilterParams& params);
 
