@@ -1,0 +1,64 @@
+// The share of light that a shadow map finds at every pixel, in floats: filters are judged by more than black and white.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cmath>
+
+#include "app/session/picture.h"
+#include "app/session/settings.h"
+#include "techniques/foundation/gl/read_back.h"
+
+namespace shadowlab::testing {
+
+using LightShares = measure::Grid<float>;
+
+/// No surface there.
+inline constexpr float kNoShare = -1;
+
+/// What is no number is as wrong as can be; in comparisons it would pass for right.
+inline double asNumber(float share) { return std::isfinite(share) ? share : -1; }
+
+/// One technique that is kept from picture to picture, and with it its programs. What the settings of a picture do not name is
+/// at its default.
+class ShadowMapSlot {
+public:
+    explicit ShadowMapSlot(scene::Snapshot snapshot) : session_(std::move(snapshot)) {
+        slots_.push_back(session::Session::makeSlot("shadow-map"));
+    }
+    void setScene(scene::Snapshot snapshot) { session_.setScene(std::move(snapshot)); }
+
+    /// Of the first light.
+    LightShares shares(const std::vector<std::string>& settings, ivec2 size) {
+        FrameRequest request;
+        request.stages = {{"visibility", 0}};
+        const session::RenderedFrame frame = render(settings, size, request);
+        const std::vector<vec4> texels = gl::readTexels(session::findStage(frame, {"visibility", 0}).texture);
+        LightShares shares(size.x, size.y);
+        for (std::size_t i = 0; i < texels.size(); ++i) // green: whether there is a surface
+            shares.values[i] = texels[i].g > 0.5f ? texels[i].r : kNoShare;
+        return shares;
+    }
+    /// The picture itself, as it is before exposure.
+    std::vector<vec4> radiance(const std::vector<std::string>& settings, ivec2 size) {
+        render(settings, size, {});
+        return gl::readTexels(slots_[0].target.color);
+    }
+
+private:
+    session::RenderedFrame render(const std::vector<std::string>& settings, ivec2 size, const FrameRequest& request) {
+        for (const params::Param& param : slots_[0].params)
+            param.set(param.initial);
+        std::vector<std::string> full;
+        for (const std::string& setting : settings)
+            full.push_back("shadow-map." + setting);
+        session::applySettings(slots_, full);
+        View view;
+        view.camera = session_.snapshot()->camera;
+        view.size = size;
+        return session_.render(slots_[0], view, request);
+    }
+
+    session::Session session_;
+    std::vector<session::Slot> slots_;
+};
+
+} // namespace shadowlab::testing
