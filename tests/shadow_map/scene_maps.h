@@ -6,10 +6,11 @@
 
 namespace shadowlab::testing {
 
-/// Fitted to all casters that matter and all receivers, with fit=scene.
+/// Fitted to all casters that matter and all receivers, with fit=scene; `castersInDepth` for filters that ask how far casters are.
 inline shadow_map::LightMaps
 sceneMaps(const scene::Scene& scene, const scene::Light& light, int resolution, int guardTexels,
-          const shadow_map::ProjectionParams& params = {.fit = shadow_map::ProjectionParams::Fit::scene}) {
+          const shadow_map::ProjectionParams& params = {.fit = shadow_map::ProjectionParams::Fit::scene},
+          bool castersInDepth = false) {
     const std::vector<scene::Bounds> all = scene::objectBounds(scene);
     std::vector<scene::Bounds> casters;
     for (const std::size_t caster : scene::usefulCasters(scene, light, all))
@@ -21,7 +22,8 @@ sceneMaps(const scene::Scene& scene, const scene::Light& light, int resolution, 
                                      .eye = {.camera = scene.camera, .aspect = 4.0 / 3.0, .visibleDepth = {}},
                                      .params = params,
                                      .resolution = resolution,
-                                     .guardTexels = guardTexels});
+                                     .guardTexels = guardTexels,
+                                     .castersInDepth = castersInDepth});
 }
 
 } // namespace shadowlab::testing
