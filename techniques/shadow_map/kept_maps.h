@@ -34,7 +34,8 @@ struct KeptMap {
     gl::DepthTextureArray depth;
     std::optional<ExactMap> exact;                     ///< only where that is asked for
     std::optional<gl::ColorTextureArray> moments;      ///< only where the filter asks for them
-    std::optional<FilterParams> momentsFor;            ///< what they were made for; none: not made from these depths
+    FilterParams momentsFor;                           ///< what they were made for
+    bool momentsAreCurrent = false;                    ///< made from these depths
     GLenum format = GL_NONE;                           ///< of the depths
     std::vector<std::optional<LayerOrigin>> drawnFrom; ///< per layer; none: not drawn, or not to be relied on
 };

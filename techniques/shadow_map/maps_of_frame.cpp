@@ -122,7 +122,7 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
         } else if (redraw) {
             depthPass_.draw(frame, maps, layer, origin.casters, kept.depth, format, origin.rules);
         }
-        if (redraw) kept.momentsFor.reset();
+        if (redraw) kept.momentsAreCurrent = false;
         drawnFrom = origin;
         drawn.insert(origin.casters.begin(), origin.casters.end());
         frame.count("maps-redrawn", redraw ? 1 : 0, 1, "maps");
@@ -140,13 +140,16 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
 
 /// Makes the moments of a light's maps if these, or what is asked of them, changed.
 void ShadowMap::updateMoments(Frame& frame, KeptMap& kept, const LightMaps& maps) {
-    const bool make = kept.momentsFor != params_.filter;
+    const bool other = !kept.moments || kept.momentsFor != params_.filter, make = other || !kept.momentsAreCurrent;
     frame.count("moments-made", make ? maps.layers() : 0, maps.layers(), "maps");
     if (!make) return;
-    kept.moments.reset(); // first, so that both are never there at once
-    kept.moments = emptyMoments(params_.filter, params_.resolution, maps.layers());
+    if (other) {
+        kept.moments.reset(); // first, so that both are never there at once
+        kept.moments = emptyMoments(params_.filter, params_.resolution, maps.layers());
+    }
     momentMaker_.make(kept.depth, maps, params_.filter, *kept.moments);
     kept.momentsFor = params_.filter;
+    kept.momentsAreCurrent = true;
 }
 
 } // namespace shadowlab::shadow_map

@@ -65,19 +65,34 @@ gl::ColorTextureArray emptyMoments(const FilterParams& params, int resolution, i
 
 vec2 momentDepthRange(const LightMaps& maps) { return {dvec2(maps.nearest, maps.farthest)}; }
 
+const MomentMaker::Programs& MomentMaker::programsFor(const FilterParams& params) {
+    const std::pair choice(params.kind, averagesLogarithms(params));
+    if (const auto known = programs_.find(choice); known != programs_.end()) return known->second;
+    const gl::Substitution average{"shadow_map/average.glsl", choice.second ? "shadow_map/average_logarithms.glsl"
+                                                                            : "shadow_map/average_values.glsl"};
+    const gl::Substitution moments{"shadow_map/moments_of.glsl", momentsFile(params.kind)};
+    return programs_
+        .emplace(choice,
+                 Programs{gl::Program("fullscreen.vert", "shadow_map/make_moments.frag", {}, {average, moments}),
+                          gl::Program("fullscreen.vert", "shadow_map/average_column.frag", {}, {average})})
+        .first->second;
+}
+
 void MomentMaker::make(const gl::DepthTextureArray& depth, const LightMaps& maps, const FilterParams& params,
                        const gl::ColorTextureArray& moments) {
-    const auto known =
-        rows_.try_emplace(params.kind, "fullscreen.vert", "shadow_map/make_moments.frag", std::vector<std::string>{},
-                          std::vector<gl::Substitution>{{"shadow_map/moments_of.glsl", momentsFile(params.kind)}});
-    const gl::Program& rows = known.first->second;
+    const Programs& programs = programsFor(params);
     const Exponents used = exponents(params);
     gl::setBaselineState();
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_SCISSOR_TEST);
     depth.sample(gl::DepthSampling::depths);
-    const gl::Texture2D averagedRows(moments.internalFormat(), ivec2(moments.side()), "averaged rows");
-    const gl::Framebuffer rowsTarget(&averagedRows, nullptr, "averaged rows");
+    const ivec2 size(moments.side());
+    if (averagedRows_.size() != size || averagedRows_.internalFormat() != moments.internalFormat()) {
+        averagedRows_ = {}; // first, so that both are never there at once
+        averagedRows_ = gl::Texture2D(moments.internalFormat(), size, "averaged rows");
+    }
+    const gl::Framebuffer rowsTarget(&averagedRows_, nullptr, "averaged rows");
+    const gl::Program &rows = programs.rows, &columns = programs.columns;
     for (int layer = 0; layer < moments.layers(); ++layer) {
         rowsTarget.bind();
         rows.use();
@@ -85,7 +100,6 @@ void MomentMaker::make(const gl::DepthTextureArray& depth, const LightMaps& maps
         rows.set("shadowMap", kMapUnit);
         rows.set("layer", layer);
         rows.set("blurRadius", params.blurRadius);
-        rows.set("averageLogarithms", averagesLogarithms(params) ? 1 : 0);
         rows.set("logarithms", averagesLogarithms(params) ? 1 : 0);
         rows.set("esmExponent", static_cast<float>(used.esm));
         rows.set("evsmExponents", vec2(used.evsm));
@@ -94,11 +108,10 @@ void MomentMaker::make(const gl::DepthTextureArray& depth, const LightMaps& maps
 
         const gl::Framebuffer target(moments, layer, "moments");
         target.bind();
-        columns_.use();
-        averagedRows.bind(kMapUnit);
-        columns_.set("averagedRows", kMapUnit);
-        columns_.set("blurRadius", params.blurRadius);
-        columns_.set("averageLogarithms", averagesLogarithms(params) ? 1 : 0);
+        columns.use();
+        averagedRows_.bind(kMapUnit);
+        columns.set("averagedRows", kMapUnit);
+        columns.set("blurRadius", params.blurRadius);
         gl::drawFullscreenTriangle();
     }
     moments.bind(kMapUnit);

@@ -36,8 +36,14 @@ public:
               const gl::ColorTextureArray& moments);
 
 private:
-    std::map<FilterParams::Kind, gl::Program> rows_;
-    gl::Program columns_{"fullscreen.vert", "shadow_map/average_column.frag"};
+    struct Programs {
+        gl::Program rows, columns;
+    };
+    const Programs& programsFor(const FilterParams& params);
+
+    std::map<std::pair<FilterParams::Kind, bool>, Programs>
+        programs_;               ///< of a filter, and whether it averages logarithms
+    gl::Texture2D averagedRows_; ///< kept: to make it anew costs a renderer on the processor as much as to fill it
 };
 
 } // namespace shadowlab::shadow_map

@@ -16,8 +16,8 @@ import sys
 
 FILTERS = ["hard", "hw2x2", "pcf", "disc", "pcss", "vsm", "esm", "evsm", "msm"]
 COLORS = ["#000000", "#56B4E9", "#0072B2", "#009E73", "#999999", "#E69F00", "#CC79A7", "#D55E00", "#8B5A2B"]
-RESOLUTIONS = [512, 1024, 2048, 4096]
-MOTION = ["--frames", "7", "--orbit-light", "7"]
+RESOLUTIONS = [256, 512, 1024, 2048]
+MOTION = ["--frames", "5", "--orbit-light", "5"]
 
 
 def scene_names(program):
