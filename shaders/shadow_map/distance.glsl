@@ -3,10 +3,7 @@
 uniform mat4 lightViewFromLightClip[6];
 uniform float distanceStart; // metres: where distances count from
 
-// From the camera itself.
-float axialDistance(vec2 uv, float depth, int layer) {
+float distanceOf(vec2 uv, float depth, int layer) {
     vec4 positionLightView = lightViewFromLightClip[layer] * vec4(vec3(uv, depth) * 2.0 - 1.0, 1.0);
-    return -positionLightView.z / positionLightView.w;
+    return -positionLightView.z / positionLightView.w - distanceStart;
 }
-
-float distanceOf(vec2 uv, float depth, int layer) { return axialDistance(uv, depth, layer) - distanceStart; }

@@ -10,11 +10,12 @@ out vec4 result;
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
     int side = textureSize(shadowMap, 0).x;
+    DistanceRows rows = distanceRows(layer);
     Average average = emptyAverage();
     for (int dx = -blurRadius; dx <= blurRadius; ++dx) {
         ivec2 beside = ivec2(clamp(texel.x + dx, 0, side - 1), texel.y);
         float depth = texelFetch(shadowMap, ivec3(beside, layer), 0).r;
-        add(average, momentsOf(momentDepth((vec2(beside) + 0.5) / float(side), depth, layer)));
+        add(average, momentsOf(momentDepth(rows, (vec2(beside) + 0.5) / float(side), depth)));
     }
     result = meanOf(average);
 }

@@ -12,5 +12,5 @@ vec4 momentsAt(MapPlace place) {
 }
 
 float receiverMomentDepth(MapPlace place) {
-    return momentDepth(place.uv, referenceDepth(place, vec2(0.0)), place.layer);
+    return momentDepth(distanceRows(place.layer), place.uv, referenceDepth(place, vec2(0.0)));
 }

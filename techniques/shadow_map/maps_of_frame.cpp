@@ -128,21 +128,20 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
         frame.count("maps-redrawn", redraw ? 1 : 0, 1, "maps");
         frame.count("caster-draws", static_cast<double>(origin.casters.size()), allCasters, "objects, each per map");
     }
-    if (asked.filter.usesMoments()) updateMoments(frame, kept, maps);
     frame.count("casters", static_cast<double>(drawn.size()), allCasters, "objects");
     frame.count("map-texels", layerTexels * maps.layers(), 0, "texels");
     return {.maps = maps,
             .asked = asked,
             .depth = &kept.depth,
             .exact = params_.exact ? &*kept.exact : nullptr,
-            .moments = asked.filter.usesMoments() ? &*kept.moments : nullptr};
+            .kept = &kept};
 }
 
 /// Makes the moments of a light's maps if these, or what is asked of them, changed.
-void ShadowMap::updateMoments(Frame& frame, KeptMap& kept, const LightMaps& maps) {
+const gl::ColorTextureArray& ShadowMap::updateMoments(Frame& frame, KeptMap& kept, const LightMaps& maps) {
     const bool other = !kept.moments || kept.momentsFor != params_.filter, make = other || !kept.momentsAreCurrent;
     frame.count("moments-made", make ? maps.layers() : 0, maps.layers(), "maps");
-    if (!make) return;
+    if (!make) return *kept.moments;
     if (other) {
         kept.moments.reset(); // first, so that both are never there at once
         kept.moments = emptyMoments(params_.filter, params_.resolution, maps.layers());
@@ -150,6 +149,7 @@ void ShadowMap::updateMoments(Frame& frame, KeptMap& kept, const LightMaps& maps
     momentMaker_.make(kept.depth, maps, params_.filter, *kept.moments);
     kept.momentsFor = params_.filter;
     kept.momentsAreCurrent = true;
+    return *kept.moments;
 }
 
 } // namespace shadowlab::shadow_map

@@ -18,6 +18,11 @@ const PassInfo kPasses[] = {
      "stays as it is until light, casters or parameters change; the eye may move.",
      "depth only, depth test LESS, depth clamp, slope-scaled polygon offset", true, "light-depth",
      "render z-buffer from light's point of view to depth map D\nstore D as texture map d(u,v)"},
+    {"moments", "Turn the depths into what can be averaged, and average it",
+     "An average of depths is no depth of anything. Of their powers, or exponentials, it says how the depths around a "
+     "texel "
+     "are spread, and so at most which share of them is behind the point. Only with filter = vsm, esm, evsm or msm.",
+     "no depth test; two passes over the map, along rows and columns; float colours", true, "moments"},
     {"samples", "Ask the light for every point that the eye sees",
      "A map asks the light at the middles of its texels, and the eye at other places: all its faults come from that. "
      "Here the visible points themselves are put into the light's picture, and every triangle is tested against those "
@@ -99,6 +104,10 @@ Progress ShadowMap::render(Frame& frame) {
         } else {
             frame.pass(
                 passInfo(kPasses, "depth"), [&] { map = updateMap(frame, light); }, light);
+            if (map.kept && map.asked.filter.usesMoments())
+                frame.pass(
+                    passInfo(kPasses, "moments"), [&] { map.moments = &updateMoments(frame, *map.kept, map.maps); },
+                    light);
             if (params_.exact && map.depth)
                 frame.pass(
                     passInfo(kPasses, "decide"), [&] { map.decided = &decide(frame, light, map); }, light);

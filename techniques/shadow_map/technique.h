@@ -28,6 +28,7 @@ struct DrawnMap {
     AskedLight asked;
     const gl::DepthTextureArray* depth = nullptr;
     const ExactMap* exact = nullptr;
+    KeptMap* kept = nullptr;                        ///< where it is kept, if it is
     const gl::ColorTextureArray* moments = nullptr; ///< of the depths, where the filter asks for them
     const gl::Texture2D* decided = nullptr;         ///< visibility of every pixel, where it is known already
 };
@@ -88,7 +89,7 @@ private:
     std::vector<std::size_t> castersOf(const scene::Scene& scene, const LightMaps& maps, const AskedLight& asked,
                                        int layer) const;
     DrawnMap updateMap(Frame& frame, int light);
-    void updateMoments(Frame& frame, KeptMap& kept, const LightMaps& maps);
+    const gl::ColorTextureArray& updateMoments(Frame& frame, KeptMap& kept, const LightMaps& maps);
     const gl::Program& lightProgram(const DrawnMap& map, bool visibilityOnly);
 
     // averaged_light.cpp
