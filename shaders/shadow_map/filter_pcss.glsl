@@ -21,6 +21,7 @@ uniform mat4 lightRelativeFromLightClip[6];
 // The light's half axes in the clip space of a map, per metre of the point's offset on the receiver.
 struct LightShape {
     vec4 clip, clipU, clipV;
+    float mostMagnified; // so that it is no larger than `widest` in the map: all of it shrinks, none of it is cut off
 };
 
 LightShape lightShape(int layer) {
@@ -31,16 +32,19 @@ LightShape lightShape(int layer) {
         halfU = lightRadius * normalize(cross(toward, aside));
         halfV = cross(toward, halfU);
     }
-    return LightShape(biasedClip(lightClipIn(layer), layer) * pullScale + pullClip[layer],
-                      lightClipFromLightRelative[layer] * vec4(halfU, 0.0),
-                      lightClipFromLightRelative[layer] * vec4(halfV, 0.0));
+    vec4 clip = biasedClip(lightClipIn(layer), layer) * pullScale + pullClip[layer];
+    vec4 clipU = lightClipFromLightRelative[layer] * vec4(halfU, 0.0);
+    vec4 clipV = lightClipFromLightRelative[layer] * vec4(halfV, 0.0);
+    vec2 alongU = clipU.xy - clip.xy / clip.w * clipU.w, alongV = clipV.xy - clip.xy / clip.w * clipV.w;
+    vec2 reach = lightRadius > 0.0 ? sqrt(alongU * alongU + alongV * alongV) : abs(alongU) + abs(alongV);
+    return LightShape(clip, clipU, clipV, widest * 2.0 * abs(clip.w) / max(max(reach.x, reach.y), 1e-30));
 }
 
 // Where in the map the ray to a point of the light passes a blocker, of which the light's shape is seen `magnified` at the
 // receiver: the place where the map, which looks from the light's middle, sees what is on that ray.
 vec2 offsetThrough(vec2 onLight, float magnified, LightShape light, MapPlace place) {
     vec4 clip = light.clip + magnified * (onLight.x * light.clipU + onLight.y * light.clipV);
-    return clamp(clip.xy / clip.w * 0.5 + 0.5 - place.uv, -widest, widest);
+    return clip.xy / clip.w * 0.5 + 0.5 - place.uv;
 }
 
 bool lightIsParallel() { return towardLightRelative != vec3(0.0); }
@@ -67,7 +71,8 @@ BlockerSearch searchBlockers(MapPlace place, LightShape light, vec2 chance) {
     vec4 weight = vec4(0.0, 0.0, 0.0, 1.0) * lightRelativeFromLightClip[place.layer];
     float receiver = dot(axis, positionLightRelative), sum = 0.0, found = 0.0;
     // Along the point's own ray all distances shrink alike, whichever axis they count along.
-    float magnified = magnification(lightIsParallel() ? receiver : length(positionLightRelative), nearestBlocker);
+    float most = magnification(lightIsParallel() ? receiver : length(positionLightRelative), nearestBlocker);
+    float magnified = min(most, light.mostMagnified);
     for (int i = 0; i < blockerSamples; ++i) {
         vec2 offsetUv = offsetThrough(pointOnLight(i, blockerSamples, chance), magnified, light, place);
         float depth = texture(shadowMap, vec3(place.uv + offsetUv, float(place.layer))).r;
@@ -84,7 +89,7 @@ float filteredVisibility(MapPlace place) {
     LightShape light = lightShape(place.layer);
     BlockerSearch search = searchBlockers(place, light, chance);
     if (search.found == 0.0) return 1.0;
-    float magnified = magnification(search.receiver, search.blockers), lit = 0.0;
+    float magnified = min(magnification(search.receiver, search.blockers), light.mostMagnified), lit = 0.0;
     for (int i = 0; i < samples; ++i) {
         vec2 offsetUv = offsetThrough(pointOnLight(i, samples, chance), magnified, light, place);
         float depth = texture(shadowMap, vec3(place.uv + offsetUv, float(place.layer))).r;

@@ -9,6 +9,7 @@ uniform int kernelLayer;
 uniform vec2 kernelUv;       // its middle
 uniform vec2 kernelX, kernelY; // rows of the matrix that takes it to a square from -1 to 1, or to a disc
 uniform int kernelIsRound;
+uniform vec3 kernelPlane;    // of the point that it is for: the depth it compares with, and how that varies
 uniform vec2 kernelPixel;    // for which it is
 uniform vec3 litColor, occludedColor, pixelColor;
 out vec4 result;
@@ -24,7 +25,7 @@ void main() {
     bool marked = distance(gl_FragCoord.xy, kernelPixel) < kMark;
     if (!inside && !marked) discard;
     float stored = texture(shadowMap, vec3(place.uv, float(place.layer))).r;
-    vec3 answer = stored < referenceDepth(place, vec2(0.0)) ? occludedColor : litColor;
+    vec3 answer = stored < kernelPlane.x + dot(kernelPlane.yz, offsetUv) ? occludedColor : litColor;
     // Neighbouring texels are told apart by their brightness.
     vec2 texel = floor(place.uv * resolution);
     result = vec4(marked ? pixelColor : answer * (mod(texel.x + texel.y, 2.0) > 0.5 ? 0.55 : 1.0), 0.8);

@@ -8,9 +8,19 @@ bool isOutside(MapPlace place) {
 }
 
 vec4 momentsAt(MapPlace place) {
+    // A coarse texel at the border is a mean of one side only: there the finest ones are asked.
+    vec2 reach = 2.0 * max(abs(place.pixelRight), abs(place.pixelUp));
+    if (any(lessThan(0.5 - abs(place.uv - 0.5), vec2(max(reach.x, reach.y)))))
+        return textureLod(moments, vec3(place.uv, float(place.layer)), 0.0);
     return textureGrad(moments, vec3(place.uv, float(place.layer)), place.pixelRight, place.pixelUp);
 }
 
+// Moments are interpolated between the centres of texels: they are asked for the point itself.
 float receiverMomentDepth(MapPlace place) {
-    return momentDepth(distanceRows(place.layer), place.uv, referenceDepth(place, vec2(0.0)));
+#ifdef COMPARES_AT_CENTRES
+    float depth = min(place.depth, 1.0);
+#else
+    float depth = referenceDepth(place, vec2(0.0));
+#endif
+    return momentDepth(distanceRows(place.layer), place.uv, depth);
 }

@@ -15,8 +15,8 @@ void main() {
     MapPlace place = mapPlace();
     LightShape light = lightShape(place.layer);
     BlockerSearch search = searchBlockers(place, light, noiseAt(place));
-    float lightWidth = 2.0 * (lightRadius > 0.0 ? lightRadius : length(lightHalfU));
-    float width = lightWidth * magnification(search.receiver, search.blockers);
+    float lightWidth = 2.0 * (lightRadius > 0.0 ? lightRadius : max(length(lightHalfU), length(lightHalfV)));
+    float width = lightWidth * min(magnification(search.receiver, search.blockers), light.mostMagnified);
     float value = mode == 0 ? search.receiver - search.blockers : width;
     result = vec4(value, asked && !place.behind && search.found > 0.0 ? 1.0 : 0.0, 0.0, 1.0);
 }

@@ -7,7 +7,7 @@ in vec3 positionView;
 #include "shadow_map/lookup.glsl"
 #include "shadow_map/distance.glsl"
 uniform sampler2DArray shadowMap;
-uniform int mode; // 0 depth in the map, 1 distance of the point, 2 comparison, 3 position relative to the light
+uniform int mode; // 0 depth in the map, 1 distance of the point, 2 comparison, 3 position relative to the light, 4 plane
 uniform vec3 equalColor, occludedColor, nothingStoredColor, notAskedColor;
 out vec4 result;
 
@@ -28,4 +28,5 @@ void main() {
     if (mode == 1) result = vec4(distance, place.behind ? 0.0 : 1.0, 0.0, 1.0);
     if (mode == 2) result = vec4(comparison(place, stored, inside), 1.0);
     if (mode == 3) result = vec4(positionLightRelative, 1.0);
+    if (mode == 4) result = vec4(referenceDepth(place, vec2(0.0)), place.slope, 1.0);
 }

@@ -19,10 +19,11 @@ DrawnMap ShadowMap::drawAnew(const Frame& frame, const AskedLight& asked, const 
         own.depth = gl::DepthTextureArray(format, params_.resolution, maps.layers(), "shadow map of one point");
         own.format = format;
     }
+    own.depth.clampToEdge(params_.border == ShadowMapParams::Border::edge);
     for (int layer = 0; layer < maps.layers(); ++layer) {
         gl::setBaselineState();
         depthPass_.draw(frame, maps, layer, castersOf(frame.scene(), maps, asked, layer), own.depth, format,
-                        depthRules(params_));
+                        depthRules(params_, asked.filter));
     }
     if (asked.filter.usesMoments()) {
         own.moments = emptyMoments(asked.filter, params_.resolution, maps.layers());

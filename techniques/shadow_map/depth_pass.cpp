@@ -25,13 +25,13 @@ void pushBack(const DepthRules& rules, double slopeFactor) {
 
 } // namespace
 
-DepthRules depthRules(const ShadowMapParams& params) {
+DepthRules depthRules(const ShadowMapParams& params, const FilterParams& filter) {
     DepthRules rules;
     using enum BiasParams::Mode;
     const BiasParams& bias = params.bias;
     rules.depthClamp = params.depthClamp || params.exact;
     if (params.exact) return rules; // the depths themselves: the comparison has a margin of its own
-    const double radius = params.filter.comparedRadius();
+    const double radius = filter.comparedRadius();
     // Of a kernel's texels the farthest centre is radius + 1/2 away in both directions; the factor is for the larger of the
     // two slopes, of which the other may be as large.
     if (bias.mode == slopeScaled || bias.mode == dualDepth) rules.slopeFactor = bias.slope * (2 * radius + 1);

@@ -17,7 +17,7 @@ struct DepthRules {
     bool dual = false;      ///< the middle between two surfaces
     friend bool operator==(const DepthRules&, const DepthRules&) = default;
 };
-DepthRules depthRules(const ShadowMapParams& params);
+DepthRules depthRules(const ShadowMapParams& params, const FilterParams& filter);
 
 class DepthPass {
 public:

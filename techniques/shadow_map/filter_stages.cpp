@@ -61,6 +61,8 @@ void ShadowMap::publishMoments(Frame& frame, int light, const DrawnMap& map) {
     }
     Display display{
         .minimum = 0, .maximum = usualMaximum(picture), .unit = "m: standard deviation of depth", .key = {}};
+    if (maps.layout == Layout::cube) display.unit += "; above +x +y +z, below -x -y -z";
+    if (maps.layout == Layout::cascades) display.unit += "; cascades, the nearest first";
     frame.publish("moments", light, std::move(picture), display);
 }
 
@@ -136,9 +138,9 @@ std::optional<KernelShape> ShadowMap::kernelShape(const Frame& frame, int light,
     const dvec3 toward = map.maps.parallel ? map.maps.towardLight : -glm::normalize(point);
     const dvec3 aside = glm::normalize(glm::cross(toward, std::abs(toward.x) < 0.8 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
     const double half = 0.5 * width.r;
-    const dvec3 halfU = kernel.isRound ? half * aside : half * glm::normalize(source.edgeUWorld);
-    const dvec3 halfV =
-        kernel.isRound ? half * glm::cross(toward, aside) : half / glm::length(source.edgeUWorld) * source.edgeVWorld;
+    const double longerEdge = std::max(glm::length(source.edgeUWorld), glm::length(source.edgeVWorld));
+    const dvec3 halfU = kernel.isRound ? half * aside : half / longerEdge * source.edgeUWorld;
+    const dvec3 halfV = kernel.isRound ? half * glm::cross(toward, aside) : half / longerEdge * source.edgeVWorld;
     kernel.middleUv = uv;
     kernel.halfU = uvOf(point + halfU) - uv;
     kernel.halfV = uvOf(point + halfV) - uv;
@@ -148,12 +150,17 @@ std::optional<KernelShape> ShadowMap::kernelShape(const Frame& frame, int light,
 void ShadowMap::publishKernel(Frame& frame, int light, const DrawnMap& map) {
     const ivec2 size = frame.view().size;
     const ivec2 pixel = glm::min(ivec2(params_.kernelAt * dvec2(size)), size - 1);
-    const std::optional<KernelShape> kernel = kernelShape(frame, light, map, pixel);
+    std::optional<KernelShape> kernel = kernelShape(frame, light, map, pixel);
+    if (kernel)
+        kernel->plane = vec3(
+            projectedTexels(frame, light, map, kProjectedPlane)[static_cast<std::size_t>(pixel.y * size.x + pixel.x)]);
     const vec3 white(1.0f);
     Display display;
-    display.key = {
-        {look::kEqualDepth, "asked: lit"}, {look::kOccluded, "asked: something is nearer"}, {white, "the pixel"}};
-    if (!kernel) display.key = {{look::kNotAsked, "no texel is asked for that pixel"}};
+    display.key = {{look::kEqualDepth, "asked: nothing is nearer than the pixel's surface"},
+                   {look::kOccluded, "asked: something is nearer"},
+                   {white, "the pixel"}};
+    if (!kernel)
+        display.key = {{look::kNotAsked, "no kernel: no map is asked there, or nothing blocks the light (pcss)"}};
     frame.drawOverTarget(
         "kernel", light, true,
         [&] {
@@ -170,6 +177,7 @@ void ShadowMap::publishKernel(Frame& frame, int light, const DrawnMap& map) {
             program.set("kernelUv", vec2(kernel->middleUv));
             program.set("kernelX", vec2(kernelFromUv[0][0], kernelFromUv[1][0]));
             program.set("kernelY", vec2(kernelFromUv[0][1], kernelFromUv[1][1]));
+            program.set("kernelPlane", kernel->plane);
             program.set("kernelIsRound", kernel->isRound ? 1 : 0);
             program.set("kernelPixel", vec2(pixel.x, size.y - 1 - pixel.y) + 0.5f); // GL counts rows from below
             program.set("litColor", look::kEqualDepth);

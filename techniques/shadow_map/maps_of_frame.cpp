@@ -113,7 +113,7 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
                                  maps.originWorld,
                                  maps.lightClipFromLightRelative(layer),
                                  castersOf(scene, maps, asked, layer),
-                                 depthRules(params_),
+                                 depthRules(params_, asked.filter),
                                  gl::shaderReloads()};
         std::optional<LayerOrigin>& drawnFrom = kept.drawnFrom[static_cast<std::size_t>(layer)];
         const bool redraw = drawnFrom != origin;
@@ -130,6 +130,7 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
     }
     frame.count("casters", static_cast<double>(drawn.size()), allCasters, "objects");
     frame.count("map-texels", layerTexels * maps.layers(), 0, "texels");
+    if (!asked.filter.usesMoments()) kept.moments.reset();
     return {.maps = maps,
             .asked = asked,
             .depth = &kept.depth,
@@ -139,7 +140,8 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
 
 /// Makes the moments of a light's maps if these, or what is asked of them, changed.
 const gl::ColorTextureArray& ShadowMap::updateMoments(Frame& frame, KeptMap& kept, const LightMaps& maps) {
-    const bool other = !kept.moments || kept.momentsFor != params_.filter, make = other || !kept.momentsAreCurrent;
+    const FilterParams wanted = momentParams(params_.filter);
+    const bool other = !kept.moments || kept.momentsFor != wanted, make = other || !kept.momentsAreCurrent;
     frame.count("moments-made", make ? maps.layers() : 0, maps.layers(), "maps");
     if (!make) return *kept.moments;
     if (other) {
@@ -147,7 +149,7 @@ const gl::ColorTextureArray& ShadowMap::updateMoments(Frame& frame, KeptMap& kep
         kept.moments = emptyMoments(params_.filter, params_.resolution, maps.layers());
     }
     momentMaker_.make(kept.depth, maps, params_.filter, *kept.moments);
-    kept.momentsFor = params_.filter;
+    kept.momentsFor = wanted;
     kept.momentsAreCurrent = true;
     return *kept.moments;
 }

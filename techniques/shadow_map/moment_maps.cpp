@@ -58,6 +58,21 @@ double msmBias(const FilterParams& params) { return std::min(0.5, params.msmBias
 
 bool averagesLogarithms(const FilterParams& params) { return params.kind == Kind::esm && params.esmLogarithms; }
 
+FilterParams momentParams(const FilterParams& params) {
+    FilterParams result;
+    result.kind = params.kind;
+    result.blurRadius = params.blurRadius;
+    result.mipmaps = params.mipmaps;
+    result.momentFormat = params.momentFormat;
+    result.esmExponent = params.esmExponent;
+    result.esmLogarithms = params.esmLogarithms;
+    result.evsmMoments = params.evsmMoments;
+    result.evsmExponent = params.evsmExponent;
+    result.evsmNegative = params.evsmNegative;
+    result.exponentLimit = params.exponentLimit;
+    return result;
+}
+
 gl::ColorTextureArray emptyMoments(const FilterParams& params, int resolution, int layers) {
     const bool mipmaps = params.mipmaps && !averagesLogarithms(params);
     return {formatOf(params), resolution, layers, mipmaps, "moments of the shadow map"};

@@ -23,6 +23,9 @@ double msmBias(const FilterParams& params);
 /// Are logarithms averaged, and not what they stand for?
 bool averagesLogarithms(const FilterParams& params);
 
+/// Of the parameters those that moments depend on; all others as by default.
+FilterParams momentParams(const FilterParams& params);
+
 /// The texture that the moments of a map go into.
 gl::ColorTextureArray emptyMoments(const FilterParams& params, int resolution, int layers);
 

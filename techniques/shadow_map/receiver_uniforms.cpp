@@ -40,14 +40,15 @@ void setPull(const gl::Program& program, const LightMaps& maps, double share) {
     program.set("pullClip", std::span<const vec4>(pullClip));
 }
 
-void setBias(const gl::Program& program, const LightMaps& maps, const ShadowMapParams& params) {
+void setBias(const gl::Program& program, const LightMaps& maps, const ShadowMapParams& params,
+             const FilterParams& filter) {
     const BiasParams& bias = params.bias;
     setPull(program, maps, bias.mode == BiasParams::Mode::none ? 0 : bias.rounding * kRoundingShare);
     const bool metres = bias.unit == BiasParams::Unit::metres;
     program.set("constantTexels", static_cast<float>(metres ? 0 : bias.constantTexels));
     program.set("constantMetres", static_cast<float>(metres ? bias.constantTexels : 0));
     program.set("normalOffset", static_cast<float>(bias.normalOffset));
-    program.set("kernelTexels", static_cast<float>(params.filter.comparedRadius() + 0.5));
+    program.set("kernelTexels", static_cast<float>(filter.comparedRadius() + 0.5));
     program.set("halfTexel", static_cast<float>(bias.slope * 0.5 / params.resolution));
 }
 
@@ -62,10 +63,11 @@ void setDistanceUniforms(const gl::Program& program, const LightMaps& maps) {
     program.set("depthRange", momentDepthRange(maps));
 }
 
-void setReceiverUniforms(const gl::Program& program, const LightMaps& maps, const ShadowMapParams& params) {
+void setReceiverUniforms(const gl::Program& program, const LightMaps& maps, const ShadowMapParams& params,
+                         const FilterParams& filter) {
     setProjection(program, maps);
     setDistanceUniforms(program, maps);
-    setBias(program, maps, params);
+    setBias(program, maps, params, filter);
     program.set("resolution", static_cast<float>(params.resolution));
     program.set("rejectBehind", params.rejectBehind ? 1 : 0);
 }

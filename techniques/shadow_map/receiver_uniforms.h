@@ -15,6 +15,7 @@ constexpr int kMapUnit = gl::kFirstFreeUnit;
 void setDistanceUniforms(const gl::Program& program, const LightMaps& maps);
 
 /// The program is in use; uniforms that it does not have are passed over.
-void setReceiverUniforms(const gl::Program& program, const LightMaps& maps, const ShadowMapParams& params);
+void setReceiverUniforms(const gl::Program& program, const LightMaps& maps, const ShadowMapParams& params,
+                         const FilterParams& filter);
 
 } // namespace shadowlab::shadow_map

@@ -56,7 +56,7 @@ void ShadowMap::useForReceivers(const Frame& frame, const gl::Program& program, 
     gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
     program.set("shadowMap", kMapUnit); // also where there is none: no unit holds textures of two kinds
     if (map.depth) {
-        setReceiverUniforms(program, map.maps, params_);
+        setReceiverUniforms(program, map.maps, params_, map.asked.filter);
         setFilterUniforms(program, map.asked.light, map.asked.filter, map.maps);
         program.set("outsideIsLit", params_.border == ShadowMapParams::Border::lit ? 1 : 0);
         map.depth->bind(kMapUnit);

@@ -69,7 +69,7 @@ DrawnMap ShadowMap::lessonMap(const Frame& frame, int light, const DrawnMap& map
     const std::vector<std::size_t> casters = scene::allCasters(frame.scene());
     ShadowMapParams compared = params_;
     compared.exact = false; // the lesson is the comparison
-    const DepthRules rules = depthRules(compared);
+    const DepthRules rules = depthRules(compared, map.asked.filter);
     for (int layer = 0; layer < lesson.maps.layers(); ++layer) {
         gl::setBaselineState();
         depthPass_.draw(frame, lesson.maps, layer, casters, depth, format, rules);
@@ -134,7 +134,7 @@ void ShadowMap::publishLightDepth(Frame& frame, int light, const DrawnMap& map, 
     showDepth_.use();
     map.depth->bind(kMapUnit);
     showDepth_.set("shadowMap", kMapUnit);
-    setReceiverUniforms(showDepth_, maps, params_);
+    setReceiverUniforms(showDepth_, maps, params_, map.asked.filter);
     showDepth_.set("cellSize", sheet.cellSize);
     for (int layer = 0; layer < maps.layers(); ++layer) {
         sheet.setViewport(layer);

@@ -92,15 +92,13 @@ Progress ShadowMap::render(Frame& frame) {
     aliasFree_.beginFrame();
 
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
-        DrawnMap map;
+        DrawnMap map{.maps = fitted_[static_cast<std::size_t>(light)], .asked = asked(scene, light)};
         if (params_.aliasFree) {
             frame.pass(
                 passInfo(kPasses, "samples"), [&] { map.decided = &aliasFree_.decide(frame, light); }, light);
         } else if (averagesOver(scene.lights[static_cast<std::size_t>(light)])) {
             frame.pass(
                 passInfo(kPasses, "average"), [&] { map.decided = &averageOverLight(frame, light); }, light);
-            map.maps = fitted_[static_cast<std::size_t>(light)]; // for the stages: of the light's centre
-            map.asked = asked(scene, light);
         } else {
             frame.pass(
                 passInfo(kPasses, "depth"), [&] { map = updateMap(frame, light); }, light);

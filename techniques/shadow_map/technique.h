@@ -33,14 +33,15 @@ struct DrawnMap {
     const gl::Texture2D* decided = nullptr;         ///< visibility of every pixel, where it is known already
 };
 
-/// Mode of shaders/shadow_map/project.frag: where the points are, relative to the light.
-constexpr int kProjectedPosition = 3;
+/// Modes of shaders/shadow_map/project.frag: where the points are, relative to the light; the depths they are compared with.
+constexpr int kProjectedPosition = 3, kProjectedPlane = 4;
 
 /// Which part of a map is asked for one point: a parallelogram, or the ellipse in it.
 struct KernelShape {
     int layer = 0;
     dvec2 middleUv{0.0}, halfU{0.0}, halfV{0.0};
     bool isRound = false;
+    vec3 plane{0.0f}; ///< depth that the point is compared with, and how it varies with u and v on the point's plane
 };
 
 /// What was in the picture that was drawn last: the cascades may depend on it.

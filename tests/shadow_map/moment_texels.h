@@ -51,7 +51,7 @@ inline FilledMap drawnMap(const scene::Snapshot& snapshot, int light, int resolu
     for (int layer = 0; layer < drawn.maps.layers(); ++layer) {
         gl::setBaselineState();
         pass.draw(frame, drawn.maps, layer, scene::allCasters(*snapshot), drawn.depth, GL_DEPTH_COMPONENT24,
-                  shadow_map::depthRules({}));
+                  shadow_map::depthRules({}, {}));
     }
     return drawn;
 }
