@@ -34,19 +34,24 @@ double FilterParams::comparedRadius() const {
 
 namespace {
 
+using params::onlyIf;
+using enum FilterParams::Kind;
+
+/// The condition that this filter is chosen; it refers to `p`.
+auto is(const FilterParams& p, FilterParams::Kind kind) {
+    return [&p, kind] { return p.kind == kind; };
+}
+
 params::ParamList describeComparisons(FilterParams& p) {
-    using params::onlyIf;
-    using enum FilterParams::Kind;
-    const auto is = [&p](FilterParams::Kind kind) { return [&p, kind] { return p.kind == kind; }; };
     const auto takesSamples = [&p] { return p.kind == disc || p.kind == pcss; };
     return {
         params::choice("filter", p.kind, {"hard", "hw2x2", "pcf", "disc", "pcss", "vsm", "esm", "evsm", "msm"},
                        "hard: one comparison a pixel; hw2x2: four, weighted; pcf: a square of them; disc: some in a "
                        "disc; pcss: as many as the penumbra is wide; vsm, esm, evsm, msm: none, but averages of what "
                        "depths become."),
-        onlyIf(is(pcf), params::integer("pcf-radius", p.pcfRadius, 0, 15, "texels",
-                                        "PCF averages (2 r + 1) x (2 r + 1) comparisons.")),
-        onlyIf(is(disc),
+        onlyIf(is(p, pcf), params::integer("pcf-radius", p.pcfRadius, 0, 15, "texels",
+                                           "PCF averages (2 r + 1) x (2 r + 1) comparisons.")),
+        onlyIf(is(p, disc),
                params::real("disc-radius", p.discRadius, 0, 32, "texels", "filter disc: radius of the disc.")),
         onlyIf(takesSamples,
                params::integer("samples", p.samples, 1, 256, "", "disc and pcss: comparisons for one pixel.")),
@@ -55,22 +60,19 @@ params::ParamList describeComparisons(FilterParams& p) {
                    "noise", p.noise, {"texel", "pixel", "none"},
                    "disc and pcss turn their samples by chance: once for each texel, which stays on the surface; "
                    "for each pixel, which swims when the eye moves (teaching); not at all, which shows bands.")),
-        onlyIf(is(pcss),
+        onlyIf(is(p, pcss),
                params::real(
                    "light-radius", p.lightRadius, 0, 10, "m",
                    "pcss: half width of a light that has no area of its own; of a directional light, at a distance "
                    "of 1 m.")),
-        onlyIf(is(pcss), params::integer("blocker-samples", p.blockerSamples, 1, 256, "",
-                                         "pcss: depths that the search looks at.")),
-        onlyIf(is(pcss), params::real("widest", p.widest, 0, 0.45, "",
-                                      "pcss: no kernel is wider to one side than this share of the map.")),
+        onlyIf(is(p, pcss), params::integer("blocker-samples", p.blockerSamples, 1, 256, "",
+                                            "pcss: depths that the search looks at.")),
+        onlyIf(is(p, pcss), params::real("widest", p.widest, 0, 0.45, "",
+                                         "pcss: no kernel is wider to one side than this share of the map.")),
     };
 }
 
 params::ParamList describeMoments(FilterParams& p) {
-    using params::onlyIf;
-    using enum FilterParams::Kind;
-    const auto is = [&p](FilterParams::Kind kind) { return [&p, kind] { return p.kind == kind; }; };
     const auto usesMoments = [&p] { return p.usesMoments(); };
     const auto hasVariance = [&p] { return p.kind == vsm || p.kind == evsm; };
     const auto hasBound = [&p] { return p.usesMoments() && p.kind != esm; };
@@ -96,26 +98,28 @@ params::ParamList describeMoments(FilterParams& p) {
                    "bleed-reduction", p.bleedReduction, 0, 0.99, "",
                    "vsm, evsm and msm: what is no more lit than this is dark; 0 shows the light that bleeds through "
                    "two surfaces (teaching).")),
-        onlyIf(is(esm), params::real("esm-exponent", p.esmExponent, 0, 400, "",
-                                     "esm: c in exp(c z), z from 0 to 1 in the map's range.")),
-        onlyIf(is(esm), params::boolean(
-                            "esm-logarithms", p.esmLogarithms,
+        onlyIf(is(p, esm), params::real("esm-exponent", p.esmExponent, 0, 400, "",
+                                        "esm: c in exp(c z), z from 0 to 1 in the map's range.")),
+        onlyIf(
+            is(p, esm),
+            params::boolean("esm-logarithms", p.esmLogarithms,
                             "esm: keep c z instead of exp(c z), which overflows; false: exp(c z) itself (teaching).")),
-        onlyIf(is(evsm),
+        onlyIf(is(p, evsm),
                params::choice(
                    "evsm-moments", p.evsmMoments, {"2", "4"},
                    "evsm: of the positive exponential alone, or of the negative one as well, which leaks where the "
                    "other does not.")),
-        onlyIf(is(evsm),
+        onlyIf(is(p, evsm),
                params::real("evsm-exponent", p.evsmExponent, 0, 100, "", "evsm: c in exp(c z), z from -1 to 1.")),
-        onlyIf(is(evsm), params::real("evsm-negative", p.evsmNegative, 0, 100, "", "evsm: c in -exp(-c z).")),
+        onlyIf(is(p, evsm), params::real("evsm-negative", p.evsmNegative, 0, 100, "", "evsm: c in -exp(-c z).")),
         onlyIf(hasExponents,
                params::boolean(
                    "exponent-limit", p.exponentLimit,
                    "esm and evsm: no exponent larger than the format can hold; false: infinities (teaching).")),
-        onlyIf(is(msm), params::real("msm-bias", p.msmBias, 0, 0.1, "",
-                                     "msm: share of moments that no depths can have, against rounding in a kernel of "
-                                     "radius 1 (wider ones take more of it); more lets light through.")),
+        onlyIf(is(p, msm),
+               params::real("msm-bias", p.msmBias, 0, 0.1, "",
+                            "msm: share of moments that no depths can have, against rounding in a kernel of "
+                            "radius 1 (wider ones take more of it); more lets light through.")),
     };
 }
 

@@ -11,7 +11,7 @@ namespace {
 void setLightShape(const gl::Program& program, const scene::Light& light, const LightMaps& maps,
                    const FilterParams& params) {
     const bool isRect = light.type == scene::LightType::rect;
-    const double radius = isRect ? 0.0 : light.type == scene::LightType::sphere ? light.radius : params.lightRadius;
+    const double radius = isRect ? 0.0 : lightReach(light, params);
     program.set("lightHalfU", vec3(isRect ? 0.5 * light.edgeUWorld : dvec3(0.0)));
     program.set("lightHalfV", vec3(isRect ? 0.5 * light.edgeVWorld : dvec3(0.0)));
     program.set("lightRadius", static_cast<float>(radius));

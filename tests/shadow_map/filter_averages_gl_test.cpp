@@ -7,7 +7,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "tests/shadow_map/kept_slot.h"
+#include "tests/shadow_map/light_shares.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/plane_view.h"
 #include "tests/support/scenes.h"
@@ -48,11 +48,11 @@ public:
     explicit Averages(double beside = 0) : slot_(testing::snapshot(slivers(beside))) {}
     measure::Grid<float> image(std::vector<std::string> settings, int guardTexels) {
         settings.insert(settings.end(), {"fit=scene", resolutionFor(guardTexels)});
-        return slot_.visibility(settings, kSize, 0);
+        return slot_.shares(settings, kSize, 0);
     }
 
 private:
-    testing::KeptSlot slot_;
+    testing::ShadowMapSlot slot_;
 };
 
 double meanOf(const measure::Grid<float>& image) {

@@ -11,7 +11,7 @@
 #include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/shapes.h"
 #include "tests/shadow_map/edge_reach.h"
-#include "tests/shadow_map/kept_slot.h"
+#include "tests/shadow_map/light_shares.h"
 #include "tests/shadow_map/scene_maps.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
@@ -20,7 +20,7 @@ namespace shadowlab {
 namespace {
 
 using testing::JudgedPicture;
-using testing::KeptSlot;
+using testing::ShadowMapSlot;
 using testing::TieRadius;
 using CombinationsTest = testing::GlTest;
 using Settings = std::vector<std::string>;
@@ -71,7 +71,7 @@ TEST_F(CombinationsTest, EveryCombinationGivesVisibilities) {
     constexpr ivec2 kSize{96, 72};
     const scene::Snapshot amidCasters = simpleUnder(kSixMaps, 0);
     ASSERT_EQ(testing::sceneMaps(*amidCasters, amidCasters->lights[0], 128, 1).layers(), 6);
-    KeptSlot slot(amidCasters);
+    ShadowMapSlot slot(amidCasters);
     int pictures = 0;
     for (const MapKind& kind : kMapKinds) {
         slot.setScene(simpleUnder(kind, 0.2));
@@ -81,7 +81,7 @@ TEST_F(CombinationsTest, EveryCombinationGivesVisibilities) {
                 if (several && filter != "pcf" && mode != "receiver-plane") continue;
                 Settings settings = settingsFor(kind, filter, 128);
                 settings.insert(settings.end(), {"bias-mode=" + mode, "light-radius=0.05"});
-                const measure::Grid<float> image = slot.visibility(settings, kSize, 0);
+                const measure::Grid<float> image = slot.shares(settings, kSize, 0);
                 int lit = 0, dark = 0, outside = 0;
                 for (const float v : image.values) {
                     if (v == -1) continue;                                             // no surface
@@ -153,7 +153,7 @@ TieRadius penumbraReach(const scene::Snapshot& snapshot, double halfWidth, const
 // 3 x 3 texels and then interpolated, so over 5 x 5. In this scene nothing lies behind two casters, so that no light bleeds.
 TEST_F(CombinationsTest, BeyondTheKernelsReachAllIsRight) {
     constexpr double kHalfWidth = 0.02;
-    KeptSlot slot(simpleUnder(kSixMaps, 0));
+    ShadowMapSlot slot(simpleUnder(kSixMaps, 0));
     int naive = 0;
     for (const MapKind& kind : kMapKinds) {
         const scene::Snapshot snapshot = simpleUnder(kind, 2 * kHalfWidth);
@@ -165,7 +165,7 @@ TEST_F(CombinationsTest, BeyondTheKernelsReachAllIsRight) {
         const auto compare = [&](const JudgedPicture& judged, const std::string& filter, const char* bias) {
             Settings settings = settingsFor(kind, filter, resolution);
             settings.insert(settings.end(), {bias, "light-radius=" + std::to_string(kHalfWidth)});
-            const Beyond b = beyond(judged, slot.visibility(settings, kPictureSize, 0));
+            const Beyond b = beyond(judged, slot.shares(settings, kPictureSize, 0));
             std::cout << kind.name << " " << filter << " " << bias << ": " << b << "\n";
             return b;
         };
@@ -192,14 +192,14 @@ TEST_F(CombinationsTest, WideKernelsSeeNoSeamBetweenSixMaps) {
         testing::addObject(scene, scene::makeBox({0.4, 0.5, 0.4}), testing::translation(at));
     const auto snapshot = testing::snapshot(scene);
     ASSERT_EQ(testing::sceneMaps(scene, scene.lights[0], kResolution, 1).layers(), 6);
-    KeptSlot slot(snapshot);
+    ShadowMapSlot slot(snapshot);
     // (8 + 1/2) sqrt(2) texels, and of moments one more.
     const JudgedPicture judged(snapshot, kPictureSize, 0,
                                testing::edgeReach(snapshot, 0, kResolution, kPictureSize, 13.5));
     const auto compare = [&](const std::string& filter, const char* bias) {
         Settings settings = settingsFor(kSixMaps, filter, kResolution);
         settings.insert(settings.end(), {"pcf-radius=8", "disc-radius=12", "blur-radius=8", bias});
-        const Beyond b = beyond(judged, slot.visibility(settings, kPictureSize, 0));
+        const Beyond b = beyond(judged, slot.shares(settings, kPictureSize, 0));
         std::cout << filter << " " << bias << ": " << b << "\n";
         return b;
     };
@@ -212,7 +212,7 @@ TEST_F(CombinationsTest, WideKernelsSeeNoSeamBetweenSixMaps) {
 // The map is asked only in that part of the picture where a shadow can fall; with kernels so wide that is more than where
 // shadows would have hard edges. There is no naive variant: the guard bands that see to it cannot be turned off.
 TEST_F(CombinationsTest, CullingCutsNoPenumbraOff) {
-    KeptSlot slot(simpleUnder(kSixMaps, 0));
+    ShadowMapSlot slot(simpleUnder(kSixMaps, 0));
     for (const MapKind& kind : kMapKinds)
         for (const char* filter : {"hw2x2", "pcf", "disc", "pcss", "vsm", "evsm"}) {
             // Culling leaves the floor out of the map, which shadows nothing; seen from the foot of a wall it would be nearer to
@@ -220,9 +220,9 @@ TEST_F(CombinationsTest, CullingCutsNoPenumbraOff) {
             slot.setScene(simpleUnder(kind, 0.5, std::string(filter) != "pcss"));
             Settings settings = settingsFor(kind, filter, 256);
             settings.insert(settings.end(), {"pcf-radius=6", "disc-radius=16", "blur-radius=8", "light-radius=0.2"});
-            const auto with = slot.visibility(settings, kPictureSize, 0);
+            const auto with = slot.shares(settings, kPictureSize, 0);
             settings.emplace_back("cull=false");
-            const auto without = slot.visibility(settings, kPictureSize, 0);
+            const auto without = slot.shares(settings, kPictureSize, 0);
             int differing = 0, between = 0;
             for (std::size_t i = 0; i < with.values.size(); ++i) {
                 differing += with.values[i] != without.values[i];

@@ -10,7 +10,7 @@
 
 #include "techniques/foundation/scene/shapes.h"
 #include "tests/shadow_map/edge_reach.h"
-#include "tests/shadow_map/kept_slot.h"
+#include "tests/shadow_map/light_shares.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 
@@ -71,9 +71,9 @@ std::ostream& operator<<(std::ostream& stream, const Darkened& d) {
                   << " not quite lit, " << d.dark << " of them dark; " << d.near << " within the kernel's reach";
 }
 
-Darkened darkened(const JudgedPicture& judged, testing::KeptSlot& slot, std::vector<std::string> settings) {
+Darkened darkened(const JudgedPicture& judged, testing::ShadowMapSlot& slot, std::vector<std::string> settings) {
     settings.push_back("resolution=" + std::to_string(kResolution));
-    const measure::Grid<float> image = slot.visibility(settings, kSize, 0);
+    const measure::Grid<float> image = slot.shares(settings, kSize, 0);
     Darkened result;
     for (int y = 0; y < kSize.y; ++y)
         for (int x = 0; x < kSize.x; ++x) {
@@ -103,7 +103,7 @@ const std::pair<std::vector<std::string>, double> kKernels[] = {{{"filter=pcf", 
 // M9. A ball lies behind each of its tangent planes, so nothing of it is nearer than the receiver's plane says, wherever the
 // kernel looks; and beyond its outline the floor is farther still.
 TEST_F(FilterCurvedTest, NoPixelIsDarkenedAwayFromShadows) {
-    const auto expectLit = [](const JudgedPicture& judged, testing::KeptSlot& slot,
+    const auto expectLit = [](const JudgedPicture& judged, testing::ShadowMapSlot& slot,
                               const std::vector<std::string>& settings) {
         const Darkened d = darkened(judged, slot, settings);
         EXPECT_EQ(d.notQuiteLit, 0) << settings[0] << " " << settings[1] << ": " << d;
@@ -111,7 +111,7 @@ TEST_F(FilterCurvedTest, NoPixelIsDarkenedAwayFromShadows) {
     };
     for (const scene::Light& light : {lamp(), sun()}) {
         const auto snapshot = ballOnFloor(light);
-        testing::KeptSlot slot(snapshot);
+        testing::ShadowMapSlot slot(snapshot);
         for (const auto& [settings, texels] : kKernels)
             expectLit({snapshot, kSize, 0, testing::edgeReach(snapshot, 0, kResolution, kSize, texels)}, slot,
                       settings);
@@ -122,7 +122,7 @@ TEST_F(FilterCurvedTest, NoPixelIsDarkenedAwayFromShadows) {
     // for 2.5 m behind the outline: 0.05 * (2.5 + 0.7) = 0.16 m.
     for (const auto& [light, reach] : {std::pair{largeLamp(), 0.29}, std::pair{sun(), 0.16}}) {
         const auto snapshot = ballOnFloor(light);
-        testing::KeptSlot slot(snapshot);
+        testing::ShadowMapSlot slot(snapshot);
         expectLit({snapshot, kSize, 0, metresReach(snapshot, reach)}, slot, {"filter=pcss", "light-radius=0.05"});
     }
 }
@@ -130,7 +130,7 @@ TEST_F(FilterCurvedTest, NoPixelIsDarkenedAwayFromShadows) {
 /// Under the lamp, with a square of 5 x 5 texels and with one of 9 x 9.
 std::vector<Darkened> naive(const std::vector<std::string>& bias) {
     const auto snapshot = ballOnFloor(lamp());
-    testing::KeptSlot slot(snapshot);
+    testing::ShadowMapSlot slot(snapshot);
     std::vector<Darkened> results;
     for (const auto& [settings, texels] : std::span(kKernels).first(2)) {
         std::vector<std::string> full = settings;

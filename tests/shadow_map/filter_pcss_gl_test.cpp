@@ -10,7 +10,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "tests/shadow_map/kept_slot.h"
+#include "tests/shadow_map/light_shares.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/plane_view.h"
 #include "tests/support/scenes.h"
@@ -124,7 +124,7 @@ std::ostream& operator<<(std::ostream& stream, const Penumbra& p) {
 }
 
 Penumbra measure(const scene::Scene& scene, const Visibility& truth, const std::vector<std::string>& settings) {
-    const measure::Grid<float> image = testing::KeptSlot(testing::snapshot(scene)).visibility(settings, kSize, 0);
+    const measure::Grid<float> image = testing::ShadowMapSlot(testing::snapshot(scene)).shares(settings, kSize, 0);
     std::vector<double> means, truths;
     Penumbra result;
     double squares = 0;

@@ -26,12 +26,12 @@ public:
     }
     void setScene(scene::Snapshot snapshot) { session_.setScene(std::move(snapshot)); }
 
-    /// Of the first light.
-    LightShares shares(const std::vector<std::string>& settings, ivec2 size) {
+    /// As the shader computed them: not yet rounded to bytes, and not brought into 0..1 by that.
+    LightShares shares(const std::vector<std::string>& settings, ivec2 size, int light = 0) {
         FrameRequest request;
-        request.stages = {{"visibility", 0}};
+        request.stages = {{"visibility", light}};
         const session::RenderedFrame frame = render(settings, size, request);
-        const std::vector<vec4> texels = gl::readTexels(session::findStage(frame, {"visibility", 0}).texture);
+        const std::vector<vec4> texels = gl::readTexels(session::findStage(frame, {"visibility", light}).texture);
         LightShares shares(size.x, size.y);
         for (std::size_t i = 0; i < texels.size(); ++i) // green: whether there is a surface
             shares.values[i] = texels[i].g > 0.5f ? texels[i].r : kNoShare;
