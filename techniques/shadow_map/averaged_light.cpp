@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/scene/casters.h"
-#include "techniques/shadow_map/light_points.h"
+#include "techniques/foundation/scene/light_points.h"
 #include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {
@@ -47,7 +47,7 @@ const gl::Texture2D& ShadowMap::averageOverLight(Frame& frame, int light) {
     const float share = 1.0f / static_cast<float>(params_.lightPoints.count);
     const std::vector<scene::Bounds> receivers = receiversInView(scene, frame.view());
     OwnMap own;
-    for (const dvec3& pointWorld : pointsOfLight(whole, light, params_.lightPoints)) {
+    for (const dvec3& pointWorld : scene::pointsOfLight(whole, light, params_.lightPoints)) {
         AskedLight asked = this->asked(scene, light);
         asked.light.type = scene::LightType::point;
         asked.light.positionWorld = pointWorld;

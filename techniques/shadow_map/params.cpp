@@ -95,7 +95,7 @@ params::ParamList describeBias(BiasParams& p) {
     };
 }
 
-params::ParamList describeLightPoints(LightPointParams& p) {
+params::ParamList describeLightPoints(scene::LightPointParams& p) {
     const auto areMany = [&p] { return p.count > 1; };
     using params::onlyIf;
     return {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/gl/handle.h"
+#include "techniques/foundation/scene/light_points.h"
 #include "techniques/shadow_map/filter_params.h"
-#include "techniques/shadow_map/light_points.h"
 
 namespace shadowlab::shadow_map {
 
@@ -45,7 +45,7 @@ struct ShadowMapParams {
     ProjectionParams projection;
     BiasParams bias;
     FilterParams filter;
-    LightPointParams lightPoints;
+    scene::LightPointParams lightPoints;
     bool depthClamp = true;
     enum class Border { lit, edge } border = Border::lit;
     bool rejectBehind = true;

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "techniques/foundation/scene/light_points.h"
 #include "techniques/foundation/scene/shapes.h"
-#include "techniques/shadow_map/light_points.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/plane_view.h"
 #include "tests/support/scenes.h"
@@ -105,7 +105,7 @@ TEST_F(AveragedLightTest, PointsOfABallFillItsDiscFromEverywhere) {
     ball.type = scene::LightType::sphere;
     ball.positionWorld = {5, -3, 2};
     ball.radius = 0.7;
-    const std::vector<dvec3> points = shadow_map::pointsOfLight(ball, 0, {.count = 4096});
+    const std::vector<dvec3> points = scene::pointsOfLight(ball, 0, {.count = 4096});
     ASSERT_EQ(points.size(), 4096u);
     for (const dvec3& along : {dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1), glm::normalize(dvec3(1, 1, 1)),
                                glm::normalize(dvec3(-1, 2, 0.5))})

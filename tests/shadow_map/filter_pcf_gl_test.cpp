@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "tests/shadow_map/light_shares.h"
+#include "tests/support/light_shares.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <functional>
 
-#include "tests/shadow_map/light_shares.h"
+#include "tests/support/light_shares.h"
 #include "tests/shadow_map/stacked_layers.h"
 
 namespace shadowlab::testing {

@@ -5,7 +5,7 @@
 
 #include "techniques/foundation/scene/light.h"
 
-namespace shadowlab::shadow_map {
+namespace shadowlab::scene {
 
 struct LightPointParams {
     int count = 1;
@@ -17,6 +17,6 @@ struct LightPointParams {
 /// So many points in the world: jittered, one in each of as many parts of equal size. Always the same for the same parameters
 /// and number of the light. Of a rectangle they are on its surface. Of a ball they lie within it, so that from every
 /// direction they fill its disc evenly.
-std::vector<dvec3> pointsOfLight(const scene::Light& light, int lightNumber, const LightPointParams& params);
+std::vector<dvec3> pointsOfLight(const Light& light, int lightNumber, const LightPointParams& params);
 
-} // namespace shadowlab::shadow_map
+} // namespace shadowlab::scene

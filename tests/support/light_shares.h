@@ -1,4 +1,4 @@
-// The share of light that a shadow map finds at every pixel, in floats: filters are judged by more than black and white.
+// The share of light that a technique finds at every pixel, in floats: soft shadows are judged by more than black and white.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cmath>
@@ -19,10 +19,11 @@ inline double asNumber(float share) { return std::isfinite(share) ? share : -1; 
 
 /// One technique that is kept from picture to picture, and with it its programs. What the settings of a picture do not name is
 /// at its default.
-class ShadowMapSlot {
+class TechniqueSlot {
 public:
-    explicit ShadowMapSlot(scene::Snapshot snapshot) : session_(std::move(snapshot)) {
-        slots_.push_back(session::Session::makeSlot("shadow-map"));
+    TechniqueSlot(std::string technique, scene::Snapshot snapshot)
+        : technique_(std::move(technique)), session_(std::move(snapshot)) {
+        slots_.push_back(session::Session::makeSlot(technique_));
     }
     void setScene(scene::Snapshot snapshot) { session_.setScene(std::move(snapshot)); }
 
@@ -49,7 +50,7 @@ private:
             param.set(param.initial);
         std::vector<std::string> full;
         for (const std::string& setting : settings)
-            full.push_back("shadow-map." + setting);
+            full.push_back(technique_ + "." + setting);
         session::applySettings(slots_, full);
         View view;
         view.camera = session_.snapshot()->camera;
@@ -57,8 +58,14 @@ private:
         return session_.render(slots_[0], view, request);
     }
 
+    std::string technique_;
     session::Session session_;
     std::vector<session::Slot> slots_;
+};
+
+/// The shadow map's.
+struct ShadowMapSlot : TechniqueSlot {
+    explicit ShadowMapSlot(scene::Snapshot snapshot) : TechniqueSlot("shadow-map", std::move(snapshot)) {}
 };
 
 } // namespace shadowlab::testing

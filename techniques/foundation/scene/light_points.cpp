@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_map/light_points.h"
+#include "techniques/foundation/scene/light_points.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-namespace shadowlab::shadow_map {
+namespace shadowlab::scene {
 
 namespace {
 
@@ -59,12 +59,12 @@ std::vector<dvec3> randomCube(int count, const auto& chance) {
 
 } // namespace
 
-std::vector<dvec3> pointsOfLight(const scene::Light& light, int lightNumber, const LightPointParams& params) {
+std::vector<dvec3> pointsOfLight(const Light& light, int lightNumber, const LightPointParams& params) {
     std::mt19937 numbers(static_cast<std::uint32_t>(params.seed + 1000003 * lightNumber));
     const auto chance = [&numbers] { return static_cast<double>(numbers()) / 4294967296.0; };
     std::vector<dvec3> points;
     const bool jittered = params.spread == LightPointParams::Spread::jittered;
-    if (light.type == scene::LightType::rect) {
+    if (light.type == LightType::rect) {
         for (const dvec2& p : jittered ? jitteredSquare(params.count, chance) : randomSquare(params.count, chance))
             points.push_back(light.positionWorld + (p.x - 0.5) * light.edgeUWorld + (p.y - 0.5) * light.edgeVWorld);
         return points;
@@ -82,4 +82,4 @@ std::vector<dvec3> pointsOfLight(const scene::Light& light, int lightNumber, con
     return points;
 }
 
-} // namespace shadowlab::shadow_map
+} // namespace shadowlab::scene
