@@ -6,6 +6,7 @@ uniform int mirrored;     // 1: the object's matrix turns counter-clockwise into
 
 bool eyeSideFacesLight() {
     int lightSide = texelFetch(lightFacing, triangleBase + gl_PrimitiveID).r;
-    bool eyeOnFront = gl_FrontFacing != (mirrored == 1);
-    return eyeOnFront ? lightSide > 0 : lightSide < 0;
+    // Written so, and not with a comparison of truth values, because Mesa's softpipe compares them wrongly.
+    if (mirrored == 1) lightSide = -lightSide;
+    return gl_FrontFacing ? lightSide > 0 : lightSide < 0;
 }

@@ -5,6 +5,7 @@
 
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/gl/debug.h"
+#include "techniques/foundation/gl/primitive_id.h"
 
 namespace shadowlab::gl {
 
@@ -97,9 +98,18 @@ void Program::relink() const {
 void Program::link() const {
     reloadsSeen_ = reloads;
     const Shader vertex(GL_VERTEX_SHADER), fragment(GL_FRAGMENT_SHADER);
-    compile(vertex, shaderSource(vertexFile_, defines_, substitutions_));
-    compile(fragment, shaderSource(fragmentFile_, defines_, substitutions_));
+    const ShaderSource fragmentSource = shaderSource(fragmentFile_, defines_, substitutions_);
+    compile(fragment, fragmentSource);
     ProgramHandle handle = ProgramHandle::create();
+    std::vector<std::string> vertexDefines = defines_;
+    if (fragmentSource.text.find("gl_PrimitiveID") != std::string::npos && losesPrimitiveId()) {
+        const HandingOn handing = handingOn(shaderSource(vertexFile_, defines_, substitutions_).text, defines_);
+        vertexDefines.insert(vertexDefines.end(), handing.vertexDefines.begin(), handing.vertexDefines.end());
+        const Shader geometry(GL_GEOMETRY_SHADER);
+        compile(geometry, {handing.geometryText, {"(geometry shader for " + vertexFile_ + ")"}});
+        glAttachShader(handle.id(), geometry.id);
+    }
+    compile(vertex, shaderSource(vertexFile_, vertexDefines, substitutions_));
     glAttachShader(handle.id(), vertex.id);
     glAttachShader(handle.id(), fragment.id);
     glLinkProgram(handle.id());
