@@ -1,6 +1,10 @@
 #version 330 core
 // One colour for everything drawn.
+#include "cut_holes.glsl"
 uniform vec4 color;
 out vec4 result;
 
-void main() { result = color; }
+void main() {
+    cutHoles();
+    result = color;
+}

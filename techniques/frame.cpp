@@ -147,6 +147,10 @@ void Frame::count(std::string_view id, double built, double of, std::string_view
     known->of += of;
 }
 
+void Frame::note(std::string label, std::string text, const vec3& colorLinear) {
+    result_.notes.push_back({std::move(label), std::move(text), colorLinear});
+}
+
 Frame::Result Frame::takeResult() {
     result_.passMs = timer_.take();
     return std::move(result_);

@@ -34,6 +34,12 @@ struct Counter {
     std::string unit;
 };
 
+/// Something the technique found in the scene, in words: "floor", "(0, 1, 0)·P + 0 = 0".
+struct Note {
+    std::string label, text;
+    vec3 colorLinear; ///< that it has in the stages
+};
+
 /// What the session asks of one frame.
 struct FrameRequest {
     std::vector<StageKey> stages{};      ///< to be published
@@ -90,8 +96,12 @@ public:
     /// "Built 3 of 12": how much of the scene the technique had to handle. Counts of one id add up.
     void count(std::string_view id, double built, double of = 0, std::string_view unit = "");
 
+    /// Something to be listed beside the settings: what the technique found, a line each.
+    void note(std::string label, std::string text, const vec3& colorLinear);
+
     struct Result {
         std::vector<Stage> stages;
+        std::vector<Note> notes;
         std::vector<Counter> counters;
         std::vector<StageKey> passes; ///< in the order they ran
         std::vector<gl::PassTimer::Result> passMs;

@@ -142,7 +142,7 @@ public:
     /// the scene does, a little beyond its bounds. GL thread not needed; prepare() has converged for this snapshot.
     virtual std::vector<SceneShape> shapes(const scene::Snapshot&, const View&, int /*light*/) { return {}; }
     /// What `inspect` says about a mesh for this technique; empty when there is nothing to say.
-    virtual std::string remark(const scene::MeshReport&) const { return {}; }
+    virtual std::string remark(const scene::MeshReport&, const scene::Mesh&) const { return {}; }
 };
 
 /// What is known about a technique without making one, and without a GL context.

@@ -31,7 +31,7 @@ CaptureStats::CaptureStats(const scene::Scene& scene, const CaptureOptions& opti
       size_(options.size) {
     std::string techniques, settings;
     for (const session::Slot& slot : slots) {
-        SlotStats stats{std::string(slot.info->id), params::toJson(slot.params), {}, {}};
+        SlotStats stats{std::string(slot.info->id), params::toJson(slot.params), {}, {}, {}};
         // As --set takes them: of several slots, each with its number.
         const std::string prefix = slots.size() > 1 ? std::to_string(slots_.size() + 1) + ":" : "";
         for (const params::Param& param : slot.params)
@@ -59,6 +59,7 @@ void CaptureStats::add(std::size_t slot, const session::RenderedFrame& rendered)
     stats.times.addFrame(rendered.frameMs, rendered.prepareMs);
     stats.times.addPasses(rendered.result.passMs);
     stats.counters = rendered.result.counters;
+    stats.notes = rendered.result.notes;
 }
 
 std::string CaptureStats::json() const {
@@ -76,6 +77,9 @@ std::string CaptureStats::json() const {
         entry["frames"] = slot.times.frames();
         entry["ms"] = timesJson(slot.times);
         entry["counters"] = countersJson(slot.counters);
+        entry["found"] = nlohmann::ordered_json::array();
+        for (const Note& note : slot.notes)
+            entry["found"].push_back({{"what", note.label}, {"is", note.text}});
         root["results"].push_back(std::move(entry));
     }
     // A file's name may hold bytes that are no UTF-8; JSON may not.

@@ -37,6 +37,7 @@ private:
         nlohmann::ordered_json parameters;
         measure::FrameTimes times;
         std::vector<Counter> counters; ///< of the last frame
+        std::vector<Note> notes;       ///< of the last frame
     };
     std::string scene_, renderer_, version_, backend_;
     ivec2 size_;

@@ -30,6 +30,7 @@ Scale scaleOf(double metres) {
 InspectedMesh inspectMesh(const std::string& name, const std::shared_ptr<const scene::Mesh>& mesh) {
     InspectedMesh inspected;
     inspected.name = name;
+    inspected.mesh = mesh;
     inspected.report = scene::reportMesh(*mesh, scene::buildTopology(*mesh));
     inspected.outward = mesh->outward;
     scene::Object unmoved;
@@ -77,7 +78,7 @@ std::vector<Remark> remarksOn(const std::vector<InspectedMesh>& meshes) {
         const auto technique = registered.info->make();
         std::unordered_map<std::string, std::size_t> known;
         for (std::size_t i = 0; i < meshes.size(); ++i) {
-            const std::string sentence = technique->remark(meshes[i].report);
+            const std::string sentence = technique->remark(meshes[i].report, *meshes[i].mesh);
             if (sentence.empty()) continue;
             const auto [entry, isNew] = known.try_emplace(sentence, remarks.size());
             if (isNew) remarks.push_back({std::string(registered.info->id), sentence, {}});

@@ -18,6 +18,7 @@ constexpr double kTinyMetres = 1e-3, kHugeMetres = 1e4; ///< largest extent
 struct InspectedMesh {
     std::string name;                 ///< the file's, or of the first object that shows it
     std::vector<std::string> objects; ///< those that show it, by name
+    std::shared_ptr<const scene::Mesh> mesh;
     scene::MeshReport report;
     bool outward = false;          ///< as scene/outward_parts.h has it
     dvec3 sizeMetres{0.0};         ///< extent along x, y and z, as the file has it

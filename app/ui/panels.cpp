@@ -205,6 +205,22 @@ void timesPart(const Desk& desk) {
     ImGui::EndTable();
 }
 
+/// What the technique found in the scene, with the colours that its stages give it.
+void foundPart(const Desk& desk) {
+    const session::RenderedFrame& frame = desk.bench.pane(desk.bench.document().active).rendered();
+    if (frame.result.notes.empty() || !ImGui::CollapsingHeader("Found in the scene")) return;
+    for (const Note& note : frame.result.notes) {
+        const float side = ImGui::GetTextLineHeight();
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + side, at.y + side}, shownColor(note.colorLinear));
+        ImGui::Dummy({side, side});
+        ImGui::SameLine();
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextUnformatted((note.label + ": " + note.text).c_str());
+        ImGui::PopTextWrapPos();
+    }
+}
+
 } // namespace
 
 float topBarHeight(const Desk& desk, const Theme& theme, float width) {
@@ -263,6 +279,7 @@ void sidePanel(Desk& desk, const session::LiveErrors& errors, const Area& area, 
         historyPlot(desk, errors, theme);
     }
     if (ImGui::CollapsingHeader("Time", ImGuiTreeNodeFlags_DefaultOpen)) timesPart(desk);
+    foundPart(desk);
     if (ImGui::CollapsingHeader("Animation")) animationPart(desk, theme);
     ImGui::Separator();
     ImGui::BeginDisabled(!desk.bench.history().canUndo());

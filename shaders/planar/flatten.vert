@@ -2,15 +2,27 @@
 // A caster's vertex where its shadow falls on a plane (techniques/planar/projection.h). The position stays homogeneous: at
 // the light's height its weight is 0, a point at infinity, and nobody divides by it.
 #include "attributes.glsl"
-uniform mat4 clipFromMeshFlattened; // clip space from mesh space, by way of the plane
+#include "texcoord.glsl"
+uniform mat4 clipFromMeshFlattened; // clip space from mesh (or caster) space, by way of the plane
 uniform vec4 weightRow;             // times the vertex: the weight of its shadow, 0 at the light's height
 uniform vec4 heightRow;             // times the vertex: its height above the plane
 uniform float sheet;                // -1 turns all signs over: the same points, of which the other half can be seen
 out float gl_ClipDistance[2];
+#ifdef DIVIDE
+uniform mat4 viewFromMeshFlattened;
+uniform mat4 clipFromView;
+#endif
 
 void main() {
     vec4 homogeneousMesh = vec4(positionMesh, 1.0);
+#ifdef DIVIDE
+    // As on paper: the place itself, in metres, and a weight of 1. Between two vertices only the place is interpolated.
+    vec4 flattenedView = viewFromMeshFlattened * homogeneousMesh;
+    gl_Position = clipFromView * vec4(flattenedView.xyz / flattenedView.w, 1.0);
+#else
     gl_Position = sheet * (clipFromMeshFlattened * homogeneousMesh);
+#endif
+    passTexcoord();
     gl_ClipDistance[0] = dot(weightRow, homogeneousMesh);
     gl_ClipDistance[1] = dot(heightRow, homogeneousMesh);
 }

@@ -19,8 +19,20 @@ constexpr double kCoplanar = 1.0 / (1 << 21);
 // Shading normals within one degree of the plane's: files write them with four decimals, a tenth of that.
 const double kFlatCosine = std::cos(0.0175);
 
-// A face reaches over at least this share of the mesh's diagonal: a side of a plinth does, a facet of a ball does not.
-constexpr double kSmallestShare = 1.0 / 8.0;
+// A face that reaches over this share of the mesh's diagonal is one, however it is bounded: a side of a plinth does, a facet
+// of a ball does not.
+constexpr double kLargeShare = 1.0 / 8.0;
+
+// A smaller one must have sharp edges (a step of a stair, a window sill), and is not looked at when it is less than this: a
+// hundredth of the mesh is some ten pixels of a mesh that fills the picture.
+constexpr double kTinyShare = 1.0 / 100.0;
+
+// Two faces that meet at less than 30 degrees approximate a curve: a column of twelve sides, any finer one, and the facets
+// of a ball or a teapot. Chamfers have 45.
+const double kGentleCosine = std::cos(30.0 * M_PI / 180.0);
+
+// Of a small face's outline, by length, this much may bend gently: one short side of a long sill.
+constexpr double kGentleShare = 0.1;
 
 struct Triangle {
     dvec3 a, b, c, normal; ///< mesh space; the normal is unit
@@ -72,30 +84,40 @@ public:
         diagonal_ = glm::length(upper - lower);
     }
 
-    std::vector<FlatFace> find() {
+    FlatFaces find() {
+        FlatFaces found;
         std::vector<std::pair<double, std::uint32_t>> seeds; // largest first: their planes are the most certain
         for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
             const Triangle triangle = triangleOf(mesh_, t);
-            if (triangle.area <= 0 || !isShadedFlat(mesh_, t, triangle.normal)) continue;
+            found.area += triangle.area;
+            if (triangle.area <= 0) continue;
+            if (!isShadedFlat(mesh_, t, triangle.normal)) {
+                found.smoothArea += triangle.area;
+                continue;
+            }
             free_[t] = 1;
             seeds.emplace_back(-triangle.area, t);
         }
-        if (seeds.empty()) return {};
+        if (seeds.empty()) return found;
         std::ranges::sort(seeds);
         connect();
-        std::vector<std::pair<std::uint32_t, FlatFace>> found;
+        std::vector<std::pair<std::uint32_t, FlatFace>> faces;
         for (const auto& [area, seed] : seeds) {
             if (!free_[seed]) continue;
             const std::vector<std::uint32_t> members = spread(seed);
             FlatFace face = faceOf(seed, members);
-            if (glm::length(face.frameMesh[2] - face.frameMesh[0]) >= kSmallestShare * diagonal_)
-                found.emplace_back(members.front(), std::move(face));
+            const double size = glm::length(face.frameMesh[2] - face.frameMesh[0]) / diagonal_;
+            if (size < kTinyShare)
+                found.tinyArea += areaOf(members);
+            else if (size < kLargeShare && gentleShare(members) > kGentleShare)
+                found.facetArea += areaOf(members);
+            else
+                faces.emplace_back(members.front(), std::move(face));
         }
-        std::ranges::sort(found, {}, [](const auto& entry) { return entry.first; });
-        std::vector<FlatFace> faces;
-        for (auto& [first, face] : found)
-            faces.push_back(std::move(face));
-        return faces;
+        std::ranges::sort(faces, {}, [](const auto& entry) { return entry.first; });
+        for (auto& [first, face] : faces)
+            found.faces.push_back(std::move(face));
+        return found;
     }
 
 private:
@@ -131,6 +153,37 @@ private:
                 }
         std::ranges::sort(members);
         return members;
+    }
+
+    [[nodiscard]] double areaOf(const std::vector<std::uint32_t>& members) const {
+        double area = 0;
+        for (const std::uint32_t t : members)
+            area += triangleOf(mesh_, t).area;
+        return area;
+    }
+
+    /// Of the outline, by length: beyond it the surface goes on at a small angle. The edges of an open mesh are sharp.
+    [[nodiscard]] double gentleShare(const std::vector<std::uint32_t>& members) const {
+        double gentle = 0, all = 0;
+        for (const std::uint32_t t : members) {
+            const dvec3 normal = triangleOf(mesh_, t).normal;
+            for (const std::uint32_t e : edgesOf_[t]) {
+                const scene::Edge& edge = topology_.edges[e];
+                bool inside = false, bendsGently = false;
+                for (std::uint32_t u = 0; u < edge.useCount; ++u) {
+                    const std::uint32_t other = topology_.uses[edge.firstUse + u].triangle;
+                    if (other == t) continue;
+                    inside = inside || std::ranges::binary_search(members, other);
+                    bendsGently = bendsGently || glm::dot(normal, triangleOf(mesh_, other).normal) > kGentleCosine;
+                }
+                if (inside) continue;
+                const double length =
+                    glm::length(dvec3(mesh_.positionsMesh[edge.a]) - dvec3(mesh_.positionsMesh[edge.b]));
+                all += length;
+                gentle += bendsGently ? length : 0;
+            }
+        }
+        return all > 0 ? gentle / all : 0;
     }
 
     [[nodiscard]] FlatFace faceOf(std::uint32_t seed, const std::vector<std::uint32_t>& members) const {
@@ -180,6 +233,6 @@ bool contains(const std::vector<TriangleRun>& runs, std::uint32_t triangle) {
         runs, [&](const TriangleRun& run) { return triangle >= run.first && triangle - run.first < run.count; });
 }
 
-std::vector<FlatFace> flatFaces(const scene::Mesh& mesh) { return Finder(mesh).find(); }
+FlatFaces flatFaces(const scene::Mesh& mesh) { return Finder(mesh).find(); }
 
 } // namespace shadowlab::planar

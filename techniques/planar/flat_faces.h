@@ -2,7 +2,7 @@
 //
 // A face is a set of triangles that hang together by edges and lie in one plane: the two of a quad, the two of a side of
 // a box, the many of a tiled floor. It must be meant to be flat (its shading normals are those of the plane), and no mere
-// facet of something curved.
+// facet of something curved: large as the mesh goes, or bounded by sharp edges.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -32,7 +32,16 @@ struct FlatFace {
     std::array<dvec3, 4> frameMesh{}; ///< corners, in order, of a rectangle in the plane that holds the face
 };
 
-/// All flat faces, in the order of their first triangles. O(n log n) in the triangles that are shaded flat.
-std::vector<FlatFace> flatFaces(const scene::Mesh& mesh);
+/// All that a mesh has, and what became of the rest of its area.
+struct FlatFaces {
+    std::vector<FlatFace> faces; ///< in the order of their first triangles
+    double area = 0;             ///< of the whole mesh, in units of mesh space; the rest are parts of it
+    double smoothArea = 0;       ///< shading normals are not those of the triangles
+    double facetArea = 0;        ///< small, and its outline bends gently: a facet of something curved
+    double tinyArea = 0;         ///< too small to be looked at
+};
+
+/// O(n log n) in the triangles that are shaded flat.
+FlatFaces flatFaces(const scene::Mesh& mesh);
 
 } // namespace shadowlab::planar

@@ -23,12 +23,12 @@ dvec4 planeOf(const FlatFace& face, const dmat4& spaceFromMesh) {
     return {normal, -glm::dot(normal, transformPoint(spaceFromMesh, face.pointMesh))};
 }
 
-std::optional<Projection> projectOnto(const dvec4& planeView, const dvec4& lightView) {
+std::optional<Projection> projectOnto(const dvec4& planeView, const dvec4& lightView, bool grazing) {
     Projection projection;
     projection.lightView = lightView;
     projection.lightHeight = glm::dot(planeView, lightView);
     const double reach = glm::length(dvec3(lightView)) + std::abs(planeView.w * lightView.w);
-    if (std::abs(projection.lightHeight) <= kGrazing * reach) return std::nullopt;
+    if (std::abs(projection.lightHeight) <= (grazing ? 0.0 : kGrazing * reach)) return std::nullopt;
     const double side = projection.lightHeight > 0 ? 1 : -1;
     projection.planeView = side * planeView;
     projection.lightHeight *= side;

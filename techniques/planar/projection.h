@@ -36,8 +36,8 @@ struct Projection {
 /// (N, D) of a flat face in a space that is reached from mesh space by a matrix.
 dvec4 planeOf(const FlatFace& face, const dmat4& spaceFromMesh);
 
-/// Nothing where the light lies in the plane: it does not shine on it.
-std::optional<Projection> projectOnto(const dvec4& planeView, const dvec4& lightView);
+/// Nothing where the light lies in the plane: it does not shine on it. `grazing`: unless it lies there exactly.
+std::optional<Projection> projectOnto(const dvec4& planeView, const dvec4& lightView, bool grazing = false);
 
 /// Below this height what is there belongs to the plane itself: its own triangles, and what lies on it. In metres: what the
 /// face is uneven by, and the rounding of heights.

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
+
+#include "techniques/foundation/scene/holes.h"
 
 namespace shadowlab::planar {
 
@@ -21,17 +24,49 @@ std::vector<dvec4> cut(const std::vector<dvec4>& polygonClip, const dvec4& borde
     return inside;
 }
 
-/// The share of the picture that a polygon covers.
-double pictureArea(std::vector<dvec4> polygonClip) {
+/// What of a polygon lies in the picture, in normalised device coordinates.
+std::vector<dvec2> inPicture(std::vector<dvec4> polygonClip) {
     for (const dvec4& border :
          {dvec4(0, 0, 1, 1), dvec4(1, 0, 0, 1), dvec4(-1, 0, 0, 1), dvec4(0, 1, 0, 1), dvec4(0, -1, 0, 1)})
         polygonClip = cut(polygonClip, border);
+    std::vector<dvec2> polygon;
+    for (const dvec4& corner : polygonClip)
+        polygon.push_back(dvec2(corner) / corner.w);
+    return polygon;
+}
+
+/// The share of the picture that a polygon in it covers.
+double areaOf(const std::vector<dvec2>& polygon) {
     double twice = 0;
-    for (std::size_t i = 0; i < polygonClip.size(); ++i) {
-        const dvec4 &here = polygonClip[i], &next = polygonClip[(i + 1) % polygonClip.size()];
-        twice += (here.x * next.y - here.y * next.x) / (here.w * next.w);
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const dvec2 &here = polygon[i], &next = polygon[(i + 1) % polygon.size()];
+        twice += here.x * next.y - here.y * next.x;
     }
     return std::abs(twice) / 8; // half of it; and the picture measures 2 x 2
+}
+
+scene::PicturePart partAround(const std::vector<dvec2>& polygon) {
+    scene::PicturePart part{dvec2(1.0), dvec2(-1.0)};
+    for (const dvec2& corner : polygon) {
+        part.lower = glm::min(part.lower, corner);
+        part.upper = glm::max(part.upper, corner);
+    }
+    return part;
+}
+
+/// Does the eye see the inner side of a face of something closed? Then its front hides that side.
+bool isBackOfClosed(const scene::Scene& scene, std::size_t object, const scene::Bounds& bounds,
+                    const gl::EyeMatrices& eye, const dvec4& planeView) {
+    return planeView.w <= 0 && scene.objects[object].mesh->outward && !scene::hasHoles(scene, scene.objects[object]) &&
+           scene::isBeyondNearPlane(bounds, eye.clipFromView * eye.viewFromWorld);
+}
+
+/// Does the centre of any light shine on the side of the plane that the eye sees?
+bool isLit(const scene::Scene& scene, const gl::EyeMatrices& eye, const dvec4& planeView) {
+    return std::ranges::any_of(scene.lights, [&](const scene::Light& light) {
+        const auto projection = projectOnto(planeView, eye.viewFromWorld * scene::homogeneousPositionWorld(light));
+        return projection && projection->planeView.w > 0;
+    });
 }
 
 } // namespace
@@ -40,7 +75,7 @@ bool Receivers::findNext(const scene::Snapshot& snapshot) {
     if (listedGeometry_ == snapshot->revisions.geometry) return true;
     for (const scene::Object& object : snapshot->objects) {
         if (!object.receivesShadow || meshes_.contains(object.mesh.get())) continue;
-        meshes_[object.mesh.get()] = {object.mesh, flatFaces(*object.mesh)};
+        meshes_[object.mesh.get()] = {object.mesh, flatFaces(*object.mesh).faces};
         return false;
     }
     // All meshes are known; those of no object any more are forgotten.
@@ -57,37 +92,47 @@ bool Receivers::findNext(const scene::Snapshot& snapshot) {
     return true;
 }
 
-std::vector<ChosenReceiver> Receivers::choose(const scene::Scene& scene, const gl::EyeMatrices& eye, int limit) const {
-    std::vector<ChosenReceiver> chosen;
+std::vector<ChosenReceiver> Receivers::choose(const scene::Scene& scene, const gl::EyeMatrices& eye,
+                                              std::span<const scene::Bounds> bounds, int limit) const {
+    std::vector<ChosenReceiver> inView;
     for (const Receiver& receiver : all_) {
-        const scene::Object& object = scene.objects[receiver.object];
-        ChosenReceiver one{receiver, 0, 0, 0, eye.viewFromWorld * scene::worldFromMesh(object), dvec4(0.0), 0, {}};
+        const dmat4 worldFromMesh = scene::worldFromMesh(scene.objects[receiver.object]);
+        const dmat4 viewFromMesh = eye.viewFromWorld * worldFromMesh;
+        ChosenReceiver one;
+        one.receiver = receiver;
         std::vector<dvec4> frameClip;
         for (std::size_t i = 0; i < 4; ++i) {
-            one.frameView[i] = transformPoint(one.viewFromMesh, receiver.face->frameMesh[i]);
+            one.frameWorld[i] = transformPoint(worldFromMesh, receiver.face->frameMesh[i]);
+            one.frameView[i] = transformPoint(viewFromMesh, receiver.face->frameMesh[i]);
             frameClip.push_back(eye.clipFromView * dvec4(one.frameView[i], 1.0));
         }
-        one.pictureArea = pictureArea(std::move(frameClip));
+        const std::vector<dvec2> polygon = inPicture(std::move(frameClip));
+        one.pictureArea = areaOf(polygon);
         if (one.pictureArea <= 0) continue;
-        one.planeView = planeOf(*receiver.face, one.viewFromMesh);
-        one.unevenness = receiver.face->unevenness * glm::length(dvec3(one.planeView * one.viewFromMesh));
-        chosen.push_back(one);
+        one.part = partAround(polygon);
+        one.planeView = planeOf(*receiver.face, viewFromMesh);
+        if (isBackOfClosed(scene, receiver.object, bounds[receiver.object], eye, one.planeView)) continue;
+        one.unevenness = receiver.face->unevenness * glm::length(dvec3(one.planeView * viewFromMesh));
+        one.lit = isLit(scene, eye, one.planeView);
+        inView.push_back(one);
     }
-    // Tags count down in the order of drawing; who is chosen depends on the area alone.
-    const auto larger = [](const ChosenReceiver& a, const ChosenReceiver& b) { return a.pictureArea > b.pictureArea; };
-    std::vector<std::size_t> order(chosen.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        order[i] = i;
-    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return larger(chosen[a], chosen[b]); });
+    const auto before = [&](std::size_t a, std::size_t b) {
+        if (inView[a].lit != inView[b].lit) return inView[a].lit;
+        return inView[a].pictureArea > inView[b].pictureArea;
+    };
+    std::vector<std::size_t> order(inView.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, before);
     order.resize(std::min(order.size(), static_cast<std::size_t>(limit)));
+    // Tags count down in the order of drawing, which is that of the scene.
     std::vector<std::size_t> drawn = order;
     std::ranges::sort(drawn);
     for (std::size_t i = 0; i < drawn.size(); ++i)
-        chosen[drawn[i]].tag = static_cast<int>(drawn.size() - i);
-    std::vector<ChosenReceiver> result;
+        inView[drawn[i]].tag = static_cast<int>(drawn.size() - i);
+    std::vector<ChosenReceiver> chosen;
     for (const std::size_t i : order)
-        result.push_back(chosen[i]);
-    return result;
+        chosen.push_back(inView[i]);
+    return chosen;
 }
 
 } // namespace shadowlab::planar

@@ -3,8 +3,10 @@
 #pragma once
 #include <map>
 #include <memory>
+#include <span>
 
 #include "techniques/foundation/gl/surfaces.h"
+#include "techniques/foundation/scene/picture_part.h"
 #include "techniques/planar/projection.h"
 
 namespace shadowlab::planar {
@@ -18,17 +20,15 @@ struct Receiver {
 /// A receiver in a picture.
 struct ChosenReceiver {
     Receiver receiver;
-    int tag = 0;            ///< its stencil value; of two the one drawn first has the larger
-    double pictureArea = 0; ///< of the rectangle around it, as a share of the picture: at most 1
-    int pixels = 0;         ///< that show it, once it has been drawn
-    dmat4 viewFromMesh{1.0};
-    dvec4 planeView{0.0};  ///< (N, D)
-    double unevenness = 0; ///< of the face, in metres
-    std::array<dvec3, 4> frameView{};
+    int tag = 0;             ///< its stencil value; of two the one drawn first has the larger
+    double pictureArea = 0;  ///< of the rectangle around it, as a share of the picture: at most 1
+    scene::PicturePart part; ///< that holds the rectangle
+    bool lit = false;        ///< the centre of a light shines on the side that the eye sees
+    bool hidden = false;     ///< no pixel shows it, as it was found to be when it was drawn
+    dvec4 planeView{0.0};    ///< (N, D)
+    double unevenness = 0;   ///< of the face, in metres
+    std::array<dvec3, 4> frameWorld{}, frameView{};
 };
-
-/// Six bits of the stencil; two are for other things (technique.cpp).
-constexpr int kMostReceivers = 63;
 
 /// All receivers, found again when the geometry changes.
 class Receivers {
@@ -37,9 +37,10 @@ public:
     bool findNext(const scene::Snapshot& snapshot);
     [[nodiscard]] const std::vector<Receiver>& all() const { return all_; }
 
-    /// Those in view, hidden or not, largest in the picture first, and no more than `limit` of them.
+    /// Those in view, hidden by others or not, and no more than `limit` of them: first those on which a light shines, as the eye sees
+    /// them, and of these the largest in the picture. `bounds` are the scene's objectBounds.
     [[nodiscard]] std::vector<ChosenReceiver> choose(const scene::Scene& scene, const gl::EyeMatrices& eye,
-                                                     int limit) const;
+                                                     std::span<const scene::Bounds> bounds, int limit) const;
 
 private:
     struct Found {

@@ -27,7 +27,7 @@ void addFace(const ChosenReceiver& one, const scene::Scene& scene, SceneShape& o
 /// Rays from the light over the four highest corners of each caster's box, where they end within the frame of the face: two
 /// points each, in world space.
 std::vector<dvec3> raysOnto(const ChosenReceiver& one, const Projection& projection, const std::vector<Caster>& casters,
-                            const std::vector<scene::Bounds>& bounds, const gl::EyeMatrices& eye) {
+                            const gl::EyeMatrices& eye) {
     const dmat4 worldFromView = glm::inverse(eye.viewFromWorld);
     const dvec3 across = one.frameView[1] - one.frameView[0], along = one.frameView[3] - one.frameView[0];
     std::vector<dvec3> rays;
@@ -35,7 +35,7 @@ std::vector<dvec3> raysOnto(const ChosenReceiver& one, const Projection& project
         if (caster.object == one.receiver.object) continue;
         std::array<dvec4, 8> corners;
         for (int i = 0; i < 8; ++i)
-            corners[static_cast<std::size_t>(i)] = eye.viewFromWorld * dvec4(bounds[caster.object].corner(i), 1.0);
+            corners[static_cast<std::size_t>(i)] = eye.viewFromWorld * dvec4(caster.boundsWorld.corner(i), 1.0);
         const auto height = [&](const dvec4& corner) { return glm::dot(projection.planeView, corner); };
         std::ranges::sort(corners, std::ranges::greater{}, height);
         // What lies on the plane has no ray to be seen: a millionth of the frame is rounding.
@@ -59,7 +59,8 @@ std::vector<dvec3> raysOnto(const ChosenReceiver& one, const Projection& project
 
 std::vector<SceneShape> Planar::shapes(const scene::Snapshot& snapshot, const View& view, int light) {
     const gl::EyeMatrices eye = gl::eyeMatrices(view.camera, view.size);
-    const std::vector<ChosenReceiver> chosen = receivers_.choose(*snapshot, eye, params_.receivers);
+    const std::vector<ChosenReceiver> chosen =
+        receivers_.choose(*snapshot, eye, scene::objectBounds(*snapshot), params_.receivers);
     SceneShape outline{"receiver plane", look::kBoundaryEdge, SceneShape::Kind::lines, {}};
     SceneShape area{"receiver plane", look::kBoundaryEdge, SceneShape::Kind::faces, {}};
     for (const ChosenReceiver& one : chosen)
@@ -69,12 +70,11 @@ std::vector<SceneShape> Planar::shapes(const scene::Snapshot& snapshot, const Vi
 
     // Rays onto one plane only, or nothing could be told apart: the one that the eye sees lit and most rays end on.
     const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->lights[static_cast<std::size_t>(light)]);
-    const std::vector<scene::Bounds> bounds = scene::objectBounds(*snapshot);
     SceneShape rays{"ray from the light to the plane", look::kSilhouette, SceneShape::Kind::lines, {}};
     for (const ChosenReceiver& one : chosen) {
         const auto projection = projectOnto(one.planeView, eye.viewFromWorld * lightWorld);
         if (!projection || projection->planeView.w <= 0) continue;
-        std::vector<dvec3> onto = raysOnto(one, *projection, casters_.of(light), bounds, eye);
+        std::vector<dvec3> onto = raysOnto(one, *projection, casters_.all(), eye);
         if (onto.size() > rays.pointsWorld.size()) rays.pointsWorld = std::move(onto);
     }
     shapes.push_back(std::move(rays));

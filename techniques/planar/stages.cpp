@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/look.h"
 #include "techniques/planar/technique.h"
 
@@ -61,7 +62,32 @@ std::string equation(const dvec4& plane) {
            (plane.w <= -0.0005 ? "- " : "+ ") + shortNumber(plane.w) + " = 0";
 }
 
-void Planar::publishVisibility(Frame& frame, int light) const {
+/// Does anybody look at the plane's numbers where no shadow can fall?
+bool Planar::showsTags(const Frame& frame) const {
+    bool shows = frame.wants("stencil-tags") || frame.wants("receiver-planes");
+    for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
+        for (const char* stage : {"visibility", "shadow-marks", "points-in-shadow", "flattened"})
+            shows = shows || frame.wants(stage, light);
+    return shows;
+}
+
+/// How much was left out.
+void Planar::countLists(Frame& frame) const {
+    const auto seen = std::ranges::count(chosen_, false, &ChosenReceiver::hidden);
+    frame.count("receivers", static_cast<double>(seen), static_cast<double>(receivers_.all().size()), "planes");
+    for (const std::vector<LitPlane>& planes : lit_)
+        for (const LitPlane& plane : planes)
+            frame.count("flattened", plane.casters, static_cast<double>(casters_.all().size()), "casters");
+    for (const ChosenReceiver& one : chosen_) {
+        if (one.hidden) continue;
+        const scene::Object& object = frame.scene().objects[one.receiver.object];
+        frame.note(object.name, equation(planeOf(*one.receiver.face, scene::worldFromMesh(object))), colorOf(one));
+    }
+}
+
+void Planar::publishVisibility(Frame& frame, int light) {
+    const bool sampled = isSampled(frame.scene().lights[static_cast<std::size_t>(light)]);
+    const gl::Program& program = sampled ? visibilityCounted_ : visibility_;
     frame.drawStage("visibility", light, GL_RG32F, [&] {
         // Every surface first, as if in shadow; then those without a mark.
         glDepthFunc(GL_EQUAL);
@@ -71,7 +97,11 @@ void Planar::publishVisibility(Frame& frame, int light) const {
         gl::drawSurfaces(visibility_, frame.scene(), frame.buffers(), frame.eye());
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         gl::setVisibilityState();
-        drawUnmarked(frame, visibility_, light);
+        drawLit(frame, program, light);
+        clearBits(kLitBit);
+        if (params_.once) return;
+        glColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_FALSE);
+        darken(frame, light);
     });
 }
 
@@ -108,13 +138,15 @@ vec3 Planar::colorOf(const ChosenReceiver& receiver) const {
 std::vector<KeyEntry> Planar::keyOf(const std::function<std::string(const ChosenReceiver&)>& named) const {
     constexpr std::size_t kMostNamed = 6; // a legend that leaves room for the picture
     std::vector<KeyEntry> key;
+    std::size_t others = 0;
     for (const ChosenReceiver& one : chosen_) { // largest first
-        if (key.size() == kMostNamed) {
-            key.push_back({look::kNoSurface, "and " + std::to_string(chosen_.size() - kMostNamed) + " smaller ones"});
-            break;
-        }
-        key.push_back({colorOf(one), named(one)});
+        if (one.hidden) continue;
+        if (key.size() < kMostNamed)
+            key.push_back({colorOf(one), named(one)});
+        else
+            ++others;
     }
+    if (others > 0) key.push_back({look::kNoSurface, "and " + std::to_string(others) + " more"});
     return key;
 }
 
@@ -166,6 +198,28 @@ void Planar::publishMarks(Frame& frame, int light) const {
                   });
 }
 
+void Planar::publishPoints(Frame& frame, int light) const {
+    const std::vector<StencilPixel> stencil = readStencil(frame);
+    const auto counted = counted_.find(light);
+    std::vector<vec4> counts;
+    if (counted != counted_.end()) counts = gl::readTexels(counted->second.counts);
+    const ivec2 size = frame.target().size();
+    std::vector<vec2> texels(stencil.size());
+    for (std::size_t i = 0; i < stencil.size(); ++i) {
+        const auto value = static_cast<unsigned>(stencil[i].value);
+        if (!stencil[i].surface || (value & kTagBits) == 0) continue;
+        // Texels come from the upper left, stencils from the lower left.
+        const std::size_t x = i % static_cast<std::size_t>(size.x), y = i / static_cast<std::size_t>(size.x);
+        const std::size_t fromAbove = (static_cast<std::size_t>(size.y) - 1 - y) * static_cast<std::size_t>(size.x) + x;
+        texels[i] = vec2(counts.empty() ? float((value & kMarkBit) != 0) : counts[fromAbove].r, 1);
+    }
+    gl::Texture2D texture(GL_RG32F, size, "points-in-shadow");
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RG, GL_FLOAT, texels.data());
+    const double most = counts.empty() ? 1.0 : static_cast<double>(counted->second.drawn);
+    frame.publish("points-in-shadow", light, std::move(texture),
+                  {.minimum = 0, .maximum = most, .unit = "points", .key = {}});
+}
+
 int Planar::mostMarkedTag(const Frame& frame) {
     std::array<int, kTagBits + 1> marked{};
     for (const StencilPixel& pixel : readStencil(frame))
@@ -174,12 +228,15 @@ int Planar::mostMarkedTag(const Frame& frame) {
     return static_cast<int>(std::ranges::max_element(marked) - marked.begin());
 }
 
-void Planar::publishFlattened(Frame& frame, int light, int tag) const {
+void Planar::publishFlattened(Frame& frame, int light, int tag) {
     constexpr float kAlpha = 0.45f; // the layers of a closed caster, front and back, stay distinguishable
     constexpr float kNearer = 16;   // steps of depth: the plane itself does not hide them, what stands before it does
     const vec3 between = look::kOccluded, beyond = look::kMultipleEdge, behind = look::kAwayFromLight;
-    const std::vector<PlaneOfLight> planes = planesOf(frame, light, false);
-    const auto shown = std::ranges::find(planes, tag, [](const PlaneOfLight& plane) { return plane.receiver->tag; });
+    PlanarParams all = params_;
+    all.clip = all.cull = false;
+    const dvec4 lightWorld = scene::homogeneousPositionWorld(frame.scene().lights[static_cast<std::size_t>(light)]);
+    const std::vector<LitPlane> planes = litPlanes(chosen_, casters_.all(), frame.eye(), lightWorld, all, false);
+    const auto shown = std::ranges::find(planes, tag, [](const LitPlane& plane) { return plane.receiver->tag; });
     const auto draw = [&] {
         if (shown == planes.end()) return; // no plane is lit, or nothing falls on one
         glDepthFunc(GL_LEQUAL);
@@ -188,10 +245,9 @@ void Planar::publishFlattened(Frame& frame, int light, int tag) const {
         glPolygonOffset(0, -kNearer);
         glEnable(GL_BLEND);
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-        paintFlattened_.use();
         const auto paint = [&](const vec3& color, Part part) {
-            paintFlattened_.set("color", unexposed(frame, color, kAlpha));
-            drawFlattened(frame, paintFlattened_, *shown, part);
+            setColor(paintFlattened_, *shown, unexposed(frame, color, kAlpha));
+            drawFlattened(frame, paintFlattened_, *shown, part, kNoLight);
         };
         paint(behind, Part::behindPlane);
         paint(beyond, Part::beyondLight);

@@ -2,72 +2,90 @@
 //
 // Blinn, "Me and My (Fake) Shadow", 1988. What makes it exact on planes: casters are clipped where they pass the light or
 // the plane, and the flattened faces are drawn without depth, only where the stencil says that this very plane is seen. So
-// nothing spills over the plane's edge, nothing fights for depth, and overlapping casters darken once.
-// Simplified: a light with an area is its centre; curved surfaces receive nothing.
+// nothing spills over the plane's edge, nothing fights for depth, and overlapping casters darken once. A light with an area
+// casts one such shadow from each of many of its points, and they are counted (Heckbert and Herf, "Simulating Soft Shadows with
+// Graphics Hardware", CMU-CS-97-104, 1997).
+// Simplified: curved surfaces receive nothing.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <set>
+
 #include "techniques/frame.h"
-#include "techniques/planar/casters.h"
-#include "techniques/planar/projection.h"
-#include "techniques/planar/receivers.h"
+#include "techniques/planar/flattening.h"
 
 namespace shadowlab::planar {
-
-struct PlanarParams {
-    int receivers = kMostReceivers;
-    bool clip = true;
-    bool stencil = true;
-    double offset = 4;
-    bool cull = true;
-};
-
-/// A caster on its way to one plane.
-struct FlattenedCaster {
-    const Caster* caster = nullptr;
-    dmat4 viewFromMesh{1.0};
-    double contact = 0; ///< metres; see contactHeight
-};
-
-/// One plane that one light shines on, and what is flattened onto it.
-struct PlaneOfLight {
-    const ChosenReceiver* receiver = nullptr;
-    Projection projection;
-    std::vector<FlattenedCaster> casters;
-};
 
 // The stencil's eight bits: the plane's number, "lit already" (two surfaces at one depth must not both add their light),
 // and the shadow mark.
 constexpr unsigned kTagBits = 0x3f, kLitBit = 0x40, kMarkBit = 0x80;
 static_assert(kMostReceivers == static_cast<int>(kTagBits));
 
+/// What the eye sees: while nothing of it changes, it is known which planes are hidden.
+struct ViewKey {
+    std::uint64_t geometry = 0, transforms = 0, materials = 0; ///< revisions; no scene has these
+    scene::Camera camera;
+    ivec2 size{0}, corner{0}, regionSize{0};
+    friend bool operator==(const ViewKey&, const ViewKey&) = default;
+};
+
+/// What lists and counts depend on besides.
+struct PictureKey {
+    ViewKey view;
+    std::uint64_t lights = 0;
+    PlanarParams params;
+    friend bool operator==(const PictureKey&, const PictureKey&) = default;
+};
+
 class Planar final : public Technique {
 public:
-    params::ParamList params() override;
+    params::ParamList params() override { return describe(params_); }
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override;
     Progress render(Frame& frame) override;
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::vector<SceneShape> shapes(const scene::Snapshot& snapshot, const View& view, int light) override;
-    std::string remark(const scene::MeshReport& report) const override;
+    std::string remark(const scene::MeshReport& report, const scene::Mesh& mesh) const override;
 
 private:
     /// Which part of the casters is drawn, by where it is; `wherever`: all of it, clipped by nothing. Beyond the light
     /// points have a negative weight: the card shows them only with all signs turned over.
     enum class Part { between, beyondLight, behindPlane, wherever, whereverTurnedOver };
 
-    [[nodiscard]] std::vector<PlaneOfLight> planesOf(const Frame& frame, int light, bool cull) const;
-    void tagReceivers(const Frame& frame);
+    /// Of one light with an area: how many of its points do not see a pixel.
+    struct CountedPoints {
+        PictureKey key;
+        std::vector<dvec3> pointsWorld; ///< in the order they are drawn
+        std::size_t drawn = 0;
+        gl::Texture2D counts;
+    };
+
+    [[nodiscard]] bool isSampled(const scene::Light& light) const;
+    void chooseFor(const Frame& frame);
+    void countLists(Frame& frame) const;
+    [[nodiscard]] bool showsTags(const Frame& frame) const;
+
+    // drawing.cpp
+    void tagReceivers(const Frame& frame, bool everywhere);
     static void drawReceiver(const Frame& frame, const gl::Program& program, const ChosenReceiver& one);
-    void markShadows(const Frame& frame, const std::vector<PlaneOfLight>& planes) const;
-    void drawFlattened(const Frame& frame, const gl::Program& program, const PlaneOfLight& plane, Part part) const;
-    void drawUnmarked(const Frame& frame, const gl::Program& program, int light) const;
+    void markShadows(const Frame& frame, const std::vector<LitPlane>& planes, int light);
+    void drawFlattened(const Frame& frame, const gl::Program& program, const LitPlane& plane, Part part, int light);
+    void setPlaneState(const LitPlane& plane) const;
+    static void setColor(const gl::Program& program, const LitPlane& plane, const vec4& color);
+    static void clearBits(unsigned bits);
+    void drawLit(const Frame& frame, const gl::Program& program, int light) const;
+    void darken(const Frame& frame, int light);
+
+    // counted_points.cpp
+    bool countPoints(const Frame& frame, int light);
+    void countOnePoint(const Frame& frame, const dvec3& pointWorld, const gl::Framebuffer& counting);
 
     // stages.cpp
-    void publishVisibility(Frame& frame, int light) const;
+    void publishVisibility(Frame& frame, int light);
     void publishPlanes(Frame& frame) const;
     void publishTags(Frame& frame) const;
     void publishMarks(Frame& frame, int light) const;
+    void publishPoints(Frame& frame, int light) const;
     [[nodiscard]] static int mostMarkedTag(const Frame& frame);
-    void publishFlattened(Frame& frame, int light, int tag) const;
+    void publishFlattened(Frame& frame, int light, int tag);
     [[nodiscard]] std::vector<KeyEntry> keyOf(const std::function<std::string(const ChosenReceiver&)>& named) const;
     [[nodiscard]] vec3 colorOf(const ChosenReceiver& receiver) const;
     void countServed(Frame& frame) const;
@@ -75,14 +93,30 @@ private:
     PlanarParams params_;
     Receivers receivers_;
     Casters casters_;
-    std::vector<ChosenReceiver> chosen_; ///< for the frame that is being drawn
+    CasterBuffers buffers_;
+    PictureKey key_;                                           ///< of what follows
+    std::vector<ChosenReceiver> chosen_;                       ///< lit ones first, then by their size in the picture
+    std::vector<std::vector<LitPlane>> lit_;                   ///< per light: by its centre
+    std::vector<scene::PicturePart> shadowedParts_;            ///< per chosen receiver: where shadows can fall on it
+    std::map<int, CountedPoints> counted_;                     ///< of lights that are sampled
+    ViewKey hiddenIn_;                                         ///< the view that hidden_ is of
+    std::set<std::pair<std::size_t, const FlatFace*>> hidden_; ///< object and face of those that no pixel shows
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program shade_{"surface.vert", "shade_light.frag"};
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
+    gl::Program shadeCounted_{
+        "surface.vert", "shade_light.frag", {}, {{"shadow_visibility.glsl", "planar/counted_points.glsl"}}};
+    gl::Program visibilityCounted_{"surface.vert",
+                                   "shade_light.frag",
+                                   {"VISIBILITY_ONLY"},
+                                   {{"shadow_visibility.glsl", "planar/counted_points.glsl"}}};
     gl::Program tag_{"position.vert", "nothing.frag"};
-    gl::Program flatten_{"planar/flatten.vert", "nothing.frag"};
     gl::Program paintPlane_{"position.vert", "constant.frag"};
+    gl::Program flatten_{"planar/flatten.vert", "nothing.frag"};
+    gl::Program flattenDivided_{"planar/flatten.vert", "nothing.frag", {"DIVIDE"}};
     gl::Program paintFlattened_{"planar/flatten.vert", "constant.frag"};
+    gl::Program paintDivided_{"planar/flatten.vert", "constant.frag", {"DIVIDE"}};
+    gl::Program addPoint_{"fullscreen.vert", "constant.frag"};
 };
 
 /// "(0, 1, 0)·P - 0.45 = 0"

@@ -115,7 +115,7 @@ public:
     std::vector<SceneShape> shapes(const scene::Snapshot&, const View& view, int light) override {
         return rayShapes(tracer_, view, light);
     }
-    std::string remark(const scene::MeshReport& report) const override {
+    std::string remark(const scene::MeshReport& report, const scene::Mesh&) const override {
         return std::string("any triangles will do, closed or not, in any winding: rays meet them from both sides") +
                (report.hasHoles ? ", and pass through the holes that an alpha map cuts" : "");
     }

@@ -164,7 +164,7 @@ std::vector<SceneShape> ShadowMap::shapes(const scene::Snapshot& snapshot, const
         fit(*snapshot, view, asked(*snapshot, light), receiversInView(*snapshot, view), FitRequest::Cover::needed));
 }
 
-std::string ShadowMap::remark(const scene::MeshReport& report) const {
+std::string ShadowMap::remark(const scene::MeshReport& report, const scene::Mesh&) const {
     return std::string("any mesh that can be drawn can be mapped") +
            (report.hasHoles ? ", and so can the holes that an alpha map cuts" : "");
 }

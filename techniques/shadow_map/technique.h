@@ -58,7 +58,7 @@ public:
     Progress render(Frame& frame) override;
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::vector<SceneShape> shapes(const scene::Snapshot& snapshot, const View& view, int light) override;
-    std::string remark(const scene::MeshReport& report) const override;
+    std::string remark(const scene::MeshReport& report, const scene::Mesh& mesh) const override;
 
 private:
     /// One choice on each axis: a file of GLSL for each, put together once.

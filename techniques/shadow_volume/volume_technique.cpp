@@ -274,7 +274,7 @@ Probe VolumeTechnique::probe(const scene::Snapshot& snapshot, const View& view, 
     return probe;
 }
 
-std::string VolumeTechnique::remark(const scene::MeshReport& report) const {
+std::string VolumeTechnique::remark(const scene::MeshReport& report, const scene::Mesh&) const {
     // A volume is bounded by edges of the mesh, and the border of a hole is none.
     const std::string holes = report.hasHoles ? "; holes cut by its alpha map are cast as solid" : "";
     if (report.isClosed()) return "closed: every silhouette edge separates two faces" + holes;

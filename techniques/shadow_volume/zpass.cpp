@@ -78,8 +78,8 @@ Way ZPass::wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterV
     return unsure ? Way::fail : Way::pass;
 }
 
-std::string ZPass::remark(const scene::MeshReport& report) const {
-    return VolumeTechnique::remark(report) +
+std::string ZPass::remark(const scene::MeshReport& report, const scene::Mesh& mesh) const {
+    return VolumeTechnique::remark(report, mesh) +
            "; wrong from an eye in its shadow, or so near that the near plane cuts it" +
            (report.hasHoles ? ", and for what is seen through a hole" : "");
 }

@@ -20,7 +20,7 @@ public:
     ZPass();
     params::ParamList params() override;
     Progress render(Frame& frame) override;
-    std::string remark(const scene::MeshReport& report) const override;
+    std::string remark(const scene::MeshReport& report, const scene::Mesh& mesh) const override;
 
 private:
     [[nodiscard]] Way wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster,

@@ -191,9 +191,9 @@ TEST_F(InspectTest, WhoHonoursHolesAndWhoDoesNot) {
         for (const Json& mesh : json["meshes"])
             perforated += mesh["holes"] == true && mesh["name"] == name;
         EXPECT_EQ(perforated, 1) << file;
-        for (const char* technique : {"shadow-map", "ray-traced"})
+        for (const char* technique : {"planar", "shadow-map", "ray-traced"})
             EXPECT_TRUE(honours(remark(json, technique, name))) << file << ", " << technique;
-        for (const char* technique : {"planar", "shadow-volume-zpass", "shadow-volume-zfail", "shadow-volume"})
+        for (const char* technique : {"shadow-volume-zpass", "shadow-volume-zfail", "shadow-volume"})
             EXPECT_TRUE(castsAsSolid(remark(json, technique, name))) << file << ", " << technique;
     }
     const Json json = inspected("lattice");
@@ -212,7 +212,7 @@ TEST_F(InspectTest, TheTableOfAMesh) {
                              "\nTo see these edges: shadowlab capture sheet.obj --stage mesh-edges -o edges.png\n"})
         EXPECT_NE(result.out.find(part), std::string::npos) << part << "\n" << result.out;
     for (const RegisteredTechnique& technique : registeredTechniques()) {
-        const bool says = !technique.info->make()->remark({}).empty();
+        const bool says = !technique.info->make()->remark({}, {}).empty();
         EXPECT_EQ(result.out.find("\n" + std::string(technique.info->id) + " ") != std::string::npos, says);
     }
 }

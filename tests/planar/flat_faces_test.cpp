@@ -17,14 +17,14 @@ double outlineLength(const FlatFace& face) {
 }
 
 TEST(FlatFaces, AQuadIsOneAndABoxHasSix) {
-    const std::vector<FlatFace> quad = flatFaces(scene::makeQuad({4, 2}));
+    const std::vector<FlatFace> quad = flatFaces(scene::makeQuad({4, 2})).faces;
     ASSERT_EQ(quad.size(), 1u);
     EXPECT_EQ(quad[0].outlineMesh.size(), 4u) << "the diagonal does not bound it";
     EXPECT_DOUBLE_EQ(outlineLength(quad[0]), 12);
     EXPECT_EQ(quad[0].normalMesh, dvec3(0, 1, 0));
     EXPECT_NEAR(glm::length(quad[0].frameMesh[2] - quad[0].frameMesh[0]), std::sqrt(20.0), 1e-12);
 
-    const std::vector<FlatFace> box = flatFaces(scene::makeBox({1, 2, 3}));
+    const std::vector<FlatFace> box = flatFaces(scene::makeBox({1, 2, 3})).faces;
     ASSERT_EQ(box.size(), 6u);
     for (const FlatFace& face : box) {
         EXPECT_EQ(face.outlineMesh.size(), 4u);
@@ -34,8 +34,8 @@ TEST(FlatFaces, AQuadIsOneAndABoxHasSix) {
 }
 
 TEST(FlatFaces, WhatIsCurvedHasNone) {
-    EXPECT_TRUE(flatFaces(scene::makeSphere(1, 8)).empty()) << "shaded smooth, so it is meant to be round";
-    EXPECT_TRUE(flatFaces(scene::makeTorus(1, 0.3, {32, 16})).empty());
+    EXPECT_TRUE(flatFaces(scene::makeSphere(1, 8)).faces.empty()) << "shaded smooth, so it is meant to be round";
+    EXPECT_TRUE(flatFaces(scene::makeTorus(1, 0.3, {32, 16})).faces.empty());
 }
 
 // Two triangles of one edge that bend by a little less, and a little more, than floats can tell.
@@ -43,8 +43,8 @@ TEST(FlatFaces, ABendSeparates) {
     const auto bent = [](double by) {
         return testing::triangleSoup({{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {1, 0, 0}, {1, by, -1}, {0, 0, -1}});
     };
-    EXPECT_EQ(flatFaces(bent(1e-8)).size(), 1u);
-    EXPECT_EQ(flatFaces(bent(1e-5)).size(), 2u);
+    EXPECT_EQ(flatFaces(bent(1e-8)).faces.size(), 1u);
+    EXPECT_EQ(flatFaces(bent(1e-5)).faces.size(), 2u);
 }
 
 // The matrix of the lecture's figure, by hand: light at height 4, a point at height 1.

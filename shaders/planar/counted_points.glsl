@@ -1,0 +1,7 @@
+// The share of the light that a pixel sees: of so many points of it, those whose shadows do not fall there.
+uniform sampler2D shadowsOfPoints; // how many do
+uniform float lightPoints;
+
+float shadowVisibility() {
+    return 1.0 - texelFetch(shadowsOfPoints, ivec2(gl_FragCoord.xy), 0).r / lightPoints;
+}

@@ -1,0 +1,93 @@
+// A light with an area: the shadows of many of its points, counted. The share of them that falls on a pixel is the share of the
+// light that it does not see, and as many points as levels of grey make a soft shadow.
+//
+// Heckbert and Herf add up pictures; added up here are shadows alone, one more in each pixel that a point does not see, in
+// floats, which count to 16 million without rounding. So nothing is shaded more than once.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <chrono>
+#include <numeric>
+
+#include "techniques/foundation/gl/baseline.h"
+#include "techniques/planar/technique.h"
+
+namespace shadowlab::planar {
+
+namespace {
+
+/// The points in an order in which the first few already lie all over the light: multiples of the golden section jump about as
+/// evenly as can be (Weyl 1916). Whoever cannot wait for all of them sees a fair picture.
+std::vector<dvec3> scattered(const std::vector<dvec3>& points) {
+    constexpr double kGolden = 0.6180339887498949;
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [](std::size_t i) { return glm::fract(static_cast<double>(i) * kGolden); });
+    std::vector<dvec3> result(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+        result[i] = points[order[i]];
+    return result;
+}
+
+} // namespace
+
+bool Planar::isSampled(const scene::Light& light) const {
+    return params_.lightPoints.count > 1 && scene::hasArea(light) && params_.once;
+}
+
+/// True when all points have been drawn.
+bool Planar::countPoints(const Frame& frame, int light) {
+    CountedPoints& counted = counted_[light];
+    if (counted.key != key_) {
+        const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
+        counted.key = key_;
+        counted.pointsWorld = scattered(scene::pointsOfLight(source, light, params_.lightPoints));
+        counted.drawn = 0;
+        counted.counts = gl::Texture2D(GL_R32F, frame.target().size(), "shadows of points of the light");
+    }
+    const gl::Framebuffer counting(&counted.counts, &frame.target().depthStencil, "shadows of points of the light");
+    counting.bind();
+    if (counted.drawn == 0) {
+        glDisable(GL_SCISSOR_TEST);
+        glClearColor(0, 0, 0, 0);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    // Whoever draws against a deadline gets a few points at a time, and looks at the clock when they are there: GL itself is in no
+    // hurry.
+    constexpr std::size_t kAtATime = 4;
+    while (counted.drawn < counted.pointsWorld.size()) {
+        countOnePoint(frame, counted.pointsWorld[counted.drawn++], counting);
+        if (frame.deadline() == Deadline::max() || counted.drawn % kAtATime != 0) continue;
+        glFinish();
+        if (std::chrono::steady_clock::now() >= frame.deadline()) break;
+    }
+    return counted.drawn == counted.pointsWorld.size();
+}
+
+void Planar::countOnePoint(const Frame& frame, const dvec3& pointWorld, const gl::Framebuffer& counting) {
+    const std::vector<LitPlane> planes =
+        litPlanes(chosen_, casters_.all(), frame.eye(), dvec4(pointWorld, 1.0), params_, true);
+    if (planes.empty()) return;
+    gl::setBaselineState();
+    counting.bind();
+    frame.scissorTo(std::nullopt);
+    markShadows(frame, planes, kNoLight);
+
+    // One more in each marked pixel, and the marks are gone.
+    scene::PicturePart part = planes.front().part;
+    for (const LitPlane& plane : planes)
+        part = around(part, plane.part);
+    gl::setBaselineState();
+    frame.scissorTo(part);
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_STENCIL_TEST);
+    glStencilMask(kMarkBit);
+    glStencilFunc(GL_EQUAL, static_cast<GLint>(kMarkBit), kMarkBit);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    addPoint_.use();
+    addPoint_.set("color", vec4(1, 0, 0, 0));
+    gl::drawFullscreenTriangle();
+}
+
+} // namespace shadowlab::planar

@@ -1,0 +1,190 @@
+// The passes of planar shadows, one function each.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "techniques/planar/technique.h"
+
+namespace shadowlab::planar {
+
+namespace {
+
+void drawRuns(const gl::MeshBuffers& mesh, const std::vector<TriangleRun>& runs) {
+    for (const TriangleRun& run : runs)
+        mesh.draw(run.first, run.count);
+}
+
+} // namespace
+
+void Planar::tagReceivers(const Frame& frame, bool everywhere) {
+    // Which planes others hide is known only when they are drawn: to wait for that costs about as much as flattening everything
+    // onto some more planes, and is done only where it is not known yet.
+    constexpr std::ptrdiff_t kFew = 4;
+    const auto mayBeShadowed = [](const scene::PicturePart& part) {
+        return part.lower.x < part.upper.x && part.lower.y < part.upper.y;
+    };
+    const bool finding = params_.cull && hiddenIn_ != key_.view &&
+                         (everywhere || std::ranges::count_if(shadowedParts_, mayBeShadowed) > kFew);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    glEnable(GL_STENCIL_TEST);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    tag_.use();
+    std::vector<gl::QueryHandle> queries;
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+        // Where no shadow can fall no number is asked for.
+        if (everywhere || finding)
+            frame.scissorTo(std::nullopt);
+        else if (mayBeShadowed(shadowedParts_[i]) && !chosen_[i].hidden)
+            frame.scissorTo(shadowedParts_[i]);
+        else
+            continue;
+        // Of two planes at one depth the one drawn first is the visible one, and its number is the larger.
+        glStencilFunc(GL_GREATER, chosen_[i].tag, kTagBits);
+        if (finding) {
+            queries.push_back(gl::QueryHandle::create());
+            glBeginQuery(GL_SAMPLES_PASSED, queries.back().id());
+        }
+        drawReceiver(frame, tag_, chosen_[i]);
+        if (finding) glEndQuery(GL_SAMPLES_PASSED);
+    }
+    if (!finding) return;
+    hiddenIn_ = key_.view;
+    hidden_.clear();
+    for (std::size_t i = 0; i < chosen_.size(); ++i) {
+        GLuint pixels = 0;
+        glGetQueryObjectuiv(queries[i].id(), GL_QUERY_RESULT, &pixels);
+        chosen_[i].hidden = pixels == 0;
+        if (chosen_[i].hidden) hidden_.emplace(chosen_[i].receiver.object, chosen_[i].receiver.face);
+    }
+}
+
+void Planar::drawReceiver(const Frame& frame, const gl::Program& program, const ChosenReceiver& one) {
+    program.set("clipFromMesh", mat4(frame.eye().clipFromMesh(frame.scene().objects[one.receiver.object])));
+    drawRuns(frame.buffers().mesh(one.receiver.object), one.receiver.face->runs);
+}
+
+void Planar::setPlaneState(const LitPlane& plane) const {
+    const GLint tagAndMark = static_cast<GLint>(kMarkBit) + plane.receiver->tag;
+    glDepthMask(GL_FALSE);
+    glEnable(GL_STENCIL_TEST);
+    glStencilMask(kMarkBit);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    glStencilFunc(params_.stencil ? GL_EQUAL : GL_ALWAYS, tagAndMark, kTagBits);
+    if (params_.stencil) {
+        glDisable(GL_DEPTH_TEST); // the shadow lies in the plane: any comparison would be of rounding
+    } else {
+        glDepthFunc(GL_LEQUAL);
+        glEnable(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(0, static_cast<float>(-params_.offset));
+    }
+}
+
+void Planar::markShadows(const Frame& frame, const std::vector<LitPlane>& planes, int light) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (const LitPlane& plane : planes) {
+        if (plane.receiver->hidden && params_.stencil) continue;
+        setPlaneState(plane);
+        if (plane.turnedAway) {
+            tag_.use();
+            drawReceiver(frame, tag_, *plane.receiver);
+            continue;
+        }
+        const gl::Program& flatten = params_.divide ? flattenDivided_ : flatten_;
+        drawFlattened(frame, flatten, plane, params_.clip ? Part::between : Part::wherever, light);
+        if (!params_.clip && !params_.divide) drawFlattened(frame, flatten, plane, Part::whereverTurnedOver, light);
+    }
+}
+
+void Planar::drawFlattened(const Frame& frame, const gl::Program& program, const LitPlane& plane, Part part,
+                           int light) {
+    const Projection& projection = plane.projection;
+    const bool clipped = part != Part::wherever && part != Part::whereverTurnedOver;
+    glEnable(GL_CLIP_DISTANCE0);
+    glEnable(GL_CLIP_DISTANCE1);
+    // What is to be clipped by nothing gets a distance of 1 everywhere: Mesa also clips where that is not enabled.
+    const dvec4 always(0, 0, 0, 1);
+    // The weight is negative beyond the light. With all signs turned over the same homogeneous points have a positive one.
+    const bool beyond = part == Part::beyondLight || part == Part::whereverTurnedOver;
+    const auto setProjection = [&](const gl::Program& used, const dmat4& worldFromCaster) {
+        const dmat4 viewFromCaster = frame.eye().viewFromWorld * worldFromCaster;
+        const dmat4 flattenedFromCaster = projection.flattenedFromView * viewFromCaster;
+        dvec4 weightRow = projection.weightRow(viewFromCaster), heightRow = projection.heightRow(viewFromCaster);
+        if (part == Part::beyondLight) weightRow = -weightRow;
+        if (part == Part::behindPlane) heightRow = -heightRow;
+        heightRow.w -= plane.contact;
+        used.use();
+        used.set("sheet", beyond ? -1.0f : 1.0f);
+        used.set("clipFromMeshFlattened", mat4(frame.eye().clipFromView * flattenedFromCaster));
+        used.set("viewFromMeshFlattened", mat4(flattenedFromCaster));
+        used.set("clipFromView", mat4(frame.eye().clipFromView));
+        used.set("weightRow", vec4(clipped ? weightRow : always));
+        used.set("heightRow", vec4(clipped ? heightRow : always));
+    };
+    if (!casters_.all().empty()) setProjection(program, casters_.worldFromCaster());
+    if (!plane.frontsSuffice.empty()) {
+        // Counter-clockwise seen from the light is counter-clockwise seen by the eye, on the same side of the plane.
+        glEnable(GL_CULL_FACE);
+        buffers_.draw(casters_, light, plane.frontsSuffice);
+        glDisable(GL_CULL_FACE);
+    }
+    if (!plane.bothSides.empty()) buffers_.draw(casters_, light, plane.bothSides);
+    for (const std::size_t i : plane.cutOuts) {
+        const Caster& caster = casters_.all()[i];
+        const scene::Mesh& mesh = *frame.scene().objects[caster.object].mesh;
+        for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
+            const gl::Texture2D* mask = frame.buffers().mask(caster.object, p);
+            setProjection(mask ? program.cutting() : program, caster.worldFromCaster);
+            if (mask) {
+                mask->bind(gl::kAlphaMaskUnit);
+                program.cutting().set("alphaMask", gl::kAlphaMaskUnit);
+            }
+            frame.buffers().mesh(caster.object).draw(mesh.parts[p].firstTriangle, mesh.parts[p].triangleCount);
+        }
+    }
+}
+
+void Planar::setColor(const gl::Program& program, const LitPlane& plane, const vec4& color) {
+    program.use();
+    program.set("color", color);
+    if (plane.cutOuts.empty()) return;
+    program.cutting().use();
+    program.cutting().set("color", color);
+}
+
+void Planar::clearBits(unsigned bits) {
+    glStencilMask(bits);
+    glClear(GL_STENCIL_BUFFER_BIT);
+    glStencilMask(~0u);
+}
+
+void Planar::drawLit(const Frame& frame, const gl::Program& program, int light) const {
+    glStencilMask(kLitBit);
+    glStencilFunc(GL_EQUAL, 0, params_.once ? kLitBit | kMarkBit : kLitBit);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
+    program.use();
+    if (const auto counted = counted_.find(light); counted != counted_.end()) {
+        counted->second.counts.bind(gl::kFirstFreeUnit);
+        program.set("shadowsOfPoints", gl::kFirstFreeUnit);
+        program.set("lightPoints", static_cast<float>(counted->second.drawn));
+    }
+    gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+    gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());
+}
+
+void Planar::darken(const Frame& frame, int light) {
+    constexpr float kHalf = 0.5f; // what each face leaves of the light
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    for (const LitPlane& plane : lit_[static_cast<std::size_t>(light)]) {
+        if (plane.receiver->hidden && params_.stencil) continue;
+        setPlaneState(plane);
+        glStencilMask(0);
+        const gl::Program& paint = params_.divide ? paintDivided_ : paintFlattened_;
+        setColor(paint, plane, vec4(0, 0, 0, kHalf));
+        drawFlattened(frame, paint, plane, params_.clip ? Part::between : Part::wherever, light);
+        if (!params_.clip && !params_.divide) drawFlattened(frame, paint, plane, Part::whereverTurnedOver, light);
+    }
+}
+
+} // namespace shadowlab::planar

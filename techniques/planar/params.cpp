@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/planar/params.h"
+
+namespace shadowlab::planar {
+
+params::ParamList describe(PlanarParams& p) {
+    using params::onlyIf;
+    const auto areMany = [&p] { return p.lightPoints.count > 1; };
+    return {
+        params::integer("receivers", p.receivers, 0, kMostReceivers, "planes",
+                        "At most so many planes receive shadows: the largest in the picture."),
+        params::integer(
+            "light-samples", p.lightPoints.count, 1, 1024, "points",
+            "Of a light with an area: the shadows from so many points of it are drawn, and counted where they "
+            "overlap; 1: the hard shadow from its centre."),
+        onlyIf(areMany,
+               params::choice("light-points", p.lightPoints.spread, {"jittered", "random"},
+                              "Where they are: one by chance in each of as many equal parts; random: anywhere, "
+                              "which takes far more of them (teaching).")),
+        onlyIf(areMany, params::integer("light-seed", p.lightPoints.seed, 0, 1000000, "",
+                                        "Another number, another choice by chance.")),
+        params::boolean("clip", p.clip,
+                        "Flatten only what lies between light and plane; false: anti-shadows of what lies beyond the "
+                        "light or behind the plane (teaching)."),
+        params::boolean("divide", p.divide,
+                        "Divide a flattened vertex by its weight before it is drawn, as on paper: what reaches up to "
+                        "the light's height has a vertex at infinity, and is lost or torn (teaching)."),
+        params::boolean("stencil", p.stencil,
+                        "Draw on the plane's own pixels, without depth; false: over everything that is not nearer, "
+                        "spilling past the plane's edge (teaching)."),
+        onlyIf([&p] { return !p.stencil; },
+               params::real("offset", p.offset, 0, 1000000, "steps of depth",
+                            "Without stencil: how much nearer to the eye flattened faces are drawn; 0: they fight "
+                            "with the plane for depth (teaching).")),
+        params::boolean(
+            "once", p.once,
+            "A point under several faces is in shadow once; false: each face that falls on it halves what is "
+            "there, the ambient light as well (teaching)."),
+        params::boolean(
+            "cull", p.cull,
+            "Leave out casters whose shadow cannot reach a plane, or lies out of view, faces that others hide from "
+            "the light, and pixels that no shadow can reach; the picture is the same."),
+    };
+}
+
+} // namespace shadowlab::planar

@@ -1,0 +1,30 @@
+// The knobs of planar shadows: what receives, how a light with an area is sampled, and each safeguard, to be left out.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/foundation/params/param.h"
+#include "techniques/foundation/scene/light_points.h"
+
+namespace shadowlab::planar {
+
+/// Six bits of the stencil; two are for other things (technique.h).
+constexpr int kMostReceivers = 63;
+
+struct PlanarParams {
+    int receivers = kMostReceivers;
+    scene::LightPointParams lightPoints;
+    bool clip = true;
+    bool divide = false;
+    bool stencil = true;
+    double offset = 4;
+    bool once = true;
+    bool cull = true;
+    friend bool operator==(const PlanarParams&, const PlanarParams&) = default;
+
+    /// Faces that are drawn as lectures and papers first have it: they may fall outside their plane's pixels.
+    [[nodiscard]] bool mayBeAnywhere() const { return !clip || !stencil || divide; }
+};
+
+/// The descriptions refer to the fields of `params`.
+params::ParamList describe(PlanarParams& params);
+
+} // namespace shadowlab::planar

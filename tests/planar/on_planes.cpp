@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "tests/planar/on_planes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "techniques/foundation/gl/id_buffer.h"
+#include "techniques/foundation/scene/depth_fit.h"
+#include "techniques/planar/params.h"
+#include "techniques/planar/receivers.h"
+#include "tests/support/scenes.h"
+#include "tests/support/truth_comparison.h"
+
+namespace shadowlab::testing {
+
+namespace {
+
+constexpr ivec2 kSize = kPlanarSize;
+
+/// The truth at the sixteen directions on four circles within the tie radius.
+bool isTie(const trace::ExactVisibility& judge, const scene::Camera& camera, dvec2 centre, int light,
+           trace::Visibility truth) {
+    for (int ring = 1; ring <= 4; ++ring)
+        for (int i = 0; i < 16; ++i) {
+            const double angle = 2 * M_PI * i / 16, radius = kTiePx * ring / 4;
+            const dvec2 there = centre + radius * dvec2(std::cos(angle), std::sin(angle));
+            if (judge.at(camera, there, kSize, light) != truth) return true;
+        }
+    return false;
+}
+
+/// Which triangle the rasteriser shows, found when first asked for: only wrong pixels are.
+class RasterisedTriangles {
+public:
+    explicit RasterisedTriangles(scene::Snapshot snapshot) : snapshot_(std::move(snapshot)) {}
+    /// Another one than the eye ray met. At the border of a hole or where two surfaces pass through each other neither is
+    /// wrong.
+    bool differs(int x, int y, const trace::EyeHit& hit) {
+        if (ids_.empty()) {
+            View view;
+            view.camera = snapshot_->camera;
+            view.size = kSize;
+            ids_ = session::Session(snapshot_).rasterise(view).primitives;
+        }
+        std::uint32_t index = hit.triangle;
+        for (std::uint32_t object = 0; object < hit.object; ++object)
+            index += static_cast<std::uint32_t>(snapshot_->objects[object].mesh->triangles.size());
+        const std::uint32_t drawn = ids_[static_cast<std::size_t>(y * kSize.x + x)];
+        return drawn != gl::IdBuffer::kNone && drawn != index;
+    }
+
+private:
+    scene::Snapshot snapshot_;
+    std::vector<std::uint32_t> ids_;
+};
+
+} // namespace
+
+OnPlanes& OnPlanes::operator+=(const OnPlanes& o) {
+    lit += o.lit, shadowed += o.shadowed, falseLit += o.falseLit, falseShadow += o.falseShadow, ties += o.ties;
+    elsewhere += o.elsewhere, elsewhereShadowed += o.elsewhereShadowed;
+    return *this;
+}
+
+std::ostream& operator<<(std::ostream& stream, const OnPlanes& c) {
+    return stream << c.lit << " lit, " << c.shadowed << " shadowed, " << c.falseLit << " false lit, " << c.falseShadow
+                  << " false shadow, " << c.ties << " ties, " << c.elsewhere << " elsewhere, " << c.elsewhereShadowed
+                  << " of them dark" << c.firstWrong;
+}
+
+OnPlanes onPlanes(const scene::Scene& scene, const std::vector<std::string>& settings, int light,
+                  const scene::Scene* judged) {
+    const scene::Snapshot snapshot = testing::snapshot(scene);
+    const session::VisibilityImage image = testing::renderVisibility(snapshot, "planar", settings, kSize, light);
+    planar::Receivers receivers;
+    while (!receivers.findNext(snapshot)) {
+    }
+    const double aspect = static_cast<double>(kSize.x) / kSize.y;
+    const scene::Camera camera = scene::withTightNear(scene.camera, scene, scene::objectBounds(scene), aspect);
+    const auto chosen =
+        receivers.choose(scene, gl::eyeMatrices(camera, kSize), scene::objectBounds(scene), planar::kMostReceivers);
+    const trace::ExactVisibility judge(judged ? testing::snapshot(*judged) : snapshot);
+    RasterisedTriangles seen(snapshot);
+    OnPlanes result;
+    for (int y = 0; y < kSize.y; ++y)
+        for (int x = 0; x < kSize.x; ++x) {
+            const dvec2 centre(x + 0.5, y + 0.5);
+            const auto hit = judge.eyeHit(scene.camera, centre, kSize);
+            if (!hit) continue;
+            const bool onPlane = std::ranges::any_of(chosen, [&](const planar::ChosenReceiver& one) {
+                return one.receiver.object == hit->object && planar::contains(one.receiver.face->runs, hit->triangle);
+            });
+            const trace::Visibility truth = judge.visibility(*hit, scene.camera, light);
+            const bool lit = image.grey(x, y) > 127;
+            if (!onPlane) {
+                ++result.elsewhere;
+                const bool gateOpen = truth == trace::Visibility::lit || truth == trace::Visibility::shadowed;
+                if (gateOpen && !lit && !isTie(judge, scene.camera, centre, light, truth) && !seen.differs(x, y, *hit))
+                    ++result.elsewhereShadowed;
+                continue;
+            }
+            result.lit += truth == trace::Visibility::lit;
+            result.shadowed += truth == trace::Visibility::shadowed;
+            if (lit == (truth == trace::Visibility::lit)) continue;
+            if (isTie(judge, scene.camera, centre, light, truth) || seen.differs(x, y, *hit))
+                ++result.ties;
+            else {
+                ++(lit ? result.falseLit : result.falseShadow);
+                if (result.firstWrong.empty())
+                    result.firstWrong = "; wrong at " + std::to_string(x) + ", " + std::to_string(y) + " on " +
+                                        scene.objects[hit->object].name;
+            }
+        }
+    return result;
+}
+
+void expectExactOnPlanes(const scene::Scene& scene, int least, int light) {
+    const OnPlanes sum = onPlanes(scene, {}, light);
+    EXPECT_GE(sum.lit, least) << sum;
+    EXPECT_GE(sum.shadowed, least) << sum;
+    EXPECT_EQ(sum.wrong(), 0) << sum;
+    EXPECT_EQ(sum.elsewhereShadowed, 0) << sum;
+}
+
+} // namespace shadowlab::testing
