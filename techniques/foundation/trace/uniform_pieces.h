@@ -1,0 +1,53 @@
+// Cuts a convex polygon along the parts of lines that matter, until no such part lies within a piece.
+//
+// A tree of cuts, as in Fuchs, Kedem and Naylor, "On Visible Surface Generation by A Priori Tree Structures", SIGGRAPH 1980,
+// in the plane. While many parts lie in one piece it is halved first: else a round outline of many short parts would be
+// peeled off one by one, and all of them asked about each.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "techniques/foundation/math/types.h"
+
+namespace shadowlab::trace {
+
+/// Linear functions x * place.x + y * place.y + z: the part of the line where the first is zero and none of the others is
+/// negative.
+struct Contour {
+    dvec3 line{0.0}, from{0.0, 0.0, 1.0}, to{0.0, 0.0, 1.0};
+};
+
+class UniformPieces {
+public:
+    using Visit = std::function<void(std::span<const dvec2>)>;
+    /// Calls visit(piece) for convex pieces that make up the outline; all are counter-clockwise, as it must be. A piece as thin
+    /// as rounding may be left out.
+    void cut(std::span<const dvec2> outline, std::span<const Contour> contours, const Visit& visit);
+
+private:
+    struct Range {
+        std::size_t first, count;
+    };
+    void settle(Range piece, Range within, int halvings);
+    [[nodiscard]] bool crosses(const Contour& contour, Range piece) const;
+    Range keptSide(Range piece, const dvec3& line, double sign);
+    Range stillWithin(Range piece, Range among, std::size_t except);
+
+    std::span<const Contour> contours_;
+    const Visit* visit_ = nullptr;
+    std::vector<dvec2> corners_;        ///< of the pieces that wait, a stack
+    std::vector<std::uint32_t> chosen_; ///< numbers of contours that lie within them, likewise
+};
+
+/// Twice the area is the sum of these; positive for a counter-clockwise polygon.
+double areaOf(std::span<const dvec2> polygon);
+
+/// The place in which the polygon would balance.
+dvec2 centroidOf(std::span<const dvec2> polygon);
+
+/// The part of a convex polygon where the function is not negative.
+std::vector<dvec2> keptPart(std::span<const dvec2> polygon, const dvec3& function);
+
+} // namespace shadowlab::trace
