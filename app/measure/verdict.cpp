@@ -55,7 +55,7 @@ Judgement judge(const Truth& truth, std::span<const std::uint8_t> greyAlpha, con
             counts.lit += expected == Visibility::lit;
             counts.shadowed += expected == Visibility::shadowed;
             counts.turnedAway += expected == Visibility::turnedAway;
-            const double error = grey / 255.0 - (expected == Visibility::lit ? 1.0 : 0.0);
+            const double error = grey / 255.0 - truth.share(i);
             squares += error * error;
         }
     const int judged = counts.lit + counts.shadowed + counts.turnedAway;
