@@ -136,6 +136,9 @@ public:
     virtual Progress prepare(const scene::Snapshot&, Deadline) { return {}; }
     /// Draws into frame.target(), pass by pass. GL thread, baseline state set, prepare() has converged.
     virtual Progress render(Frame& frame) = 0;
+    /// With its settings, does it find out how much of a light's area a point sees, by samples of it or in another way? It is
+    /// then judged by that share, else by whether the light's centre is seen. For lights without an area: never.
+    [[nodiscard]] virtual bool samplesArea(const scene::Scene&, int /*light*/) const { return false; }
     /// What there is to say about one pixel for one light.
     virtual Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light);
     /// What there is of the technique in the scene for one light, seen from outside. What has no end in truth ends where

@@ -75,7 +75,7 @@ Panel derivedPanel(Session& session, Slot& slot, const RenderedFrame& rendered, 
         return shadowOutlinePanel(
             encoder.encode(slot.target.color, session.snapshot()->exposure), session.outline(request.view, light),
             session.snapshot()->lights[static_cast<std::size_t>(light)].name, request.view.region);
-    const measure::Truth& truth = session.truth(request.view, light);
+    const measure::Truth& truth = session.truth(request.view, session.truthFor(slot, light));
     if (request.stage.id == "truth") return truthPanel(truth, request.view.region);
     image::Image picture = encoder.encode(slot.target.color, session.snapshot()->exposure);
     const VisibilityImage visibility = readVisibility(findStage(rendered, {"visibility", light}));

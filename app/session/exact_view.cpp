@@ -16,14 +16,16 @@ double tieRadiusPx() {
 } // namespace
 
 const measure::Truth& ExactView::truth(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers,
-                                       const View& view, int light) {
+                                       const View& view, const LightTruth& light) {
     const Key key{snapshot, view.camera, view.size, light};
-    if (!(madeFor_ == key)) {
+    Made& made = made_[light.of == measure::TruthOf::area ? 1 : 0];
+    if (!(made.key == key)) {
         tracer_.advance(snapshot, Deadline::max());
-        truth_ = measure::exactTruth(tracer_, view.camera, view.size, light, rasterise(snapshot, buffers, view));
-        madeFor_ = key;
+        made.truth = measure::exactTruth(tracer_, view.camera, view.size, light.light,
+                                         rasterise(snapshot, buffers, view), {}, light.of);
+        made.key = key;
     }
-    return truth_;
+    return made.truth;
 }
 
 measure::Rasterised ExactView::rasterise(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers,
@@ -35,10 +37,10 @@ measure::Rasterised ExactView::rasterise(const scene::Snapshot& snapshot, const 
     return {tieRadiusPx(), ids_.read()};
 }
 
-std::vector<std::uint8_t> ExactView::tiesAmong(const scene::Snapshot& snapshot, const View& view, int light,
-                                               const std::vector<ivec2>& pixels) {
+std::vector<std::uint8_t> ExactView::tiesAmong(const scene::Snapshot& snapshot, const View& view,
+                                               const LightTruth& light, const std::vector<ivec2>& pixels) {
     tracer_.advance(snapshot, Deadline::max());
-    return measure::tiesAmong(tracer_, view.camera, view.size, light, tieRadiusPx(), pixels);
+    return measure::tiesAmong(tracer_, view.camera, view.size, light.light, tieRadiusPx(), pixels, light.of);
 }
 
 const std::vector<measure::OutlineSegment>& ExactView::outline(const scene::Snapshot& snapshot, const View& view,
@@ -52,9 +54,9 @@ const std::vector<measure::OutlineSegment>& ExactView::outline(const scene::Snap
     return outline_;
 }
 
-measure::Truth ExactView::truthAtCentres(const scene::Snapshot& snapshot, const View& view, int light) {
+measure::Truth ExactView::truthAtCentres(const scene::Snapshot& snapshot, const View& view, const LightTruth& light) {
     tracer_.advance(snapshot, Deadline::max());
-    return measure::truthAtCentres(tracer_, view.camera, view.size, light);
+    return measure::truthAtCentres(tracer_, view.camera, view.size, light.light, {}, light.of);
 }
 
 } // namespace shadowlab::session

@@ -1,6 +1,7 @@
 // The truth of what a view shows: made when it is first asked for, kept as long as nothing changes.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <optional>
 
 #include "app/measure/outline.h"
@@ -10,20 +11,29 @@
 
 namespace shadowlab::session {
 
+/// Which light, and what of it.
+struct LightTruth {
+    LightTruth(int light, measure::TruthOf of = measure::TruthOf::centre) : light(light), of(of) {}
+    int light;
+    measure::TruthOf of;
+    friend bool operator==(const LightTruth&, const LightTruth&) = default;
+};
+
 class ExactView {
 public:
     /// Makes ready to send rays. False when the time came before it was done: call again to go on.
     bool prepare(const scene::Snapshot& snapshot, Deadline deadline) { return tracer_.advance(snapshot, deadline); }
     /// Share of it that is done, 0..1.
     [[nodiscard]] double prepared() const { return tracer_.done(); }
-    /// For each pixel of the whole view: the visibility of the light by definition, and the ties. Needs a current GL
+    /// For each pixel of the whole view: the visibility of the light by definition, and the ties. Valid until the next call
+    /// about the same thing, the centre or the area. Needs a current GL
     /// context, for the picture of triangle numbers that is drawn with the techniques' own draw calls.
     const measure::Truth& truth(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers, const View& view,
-                                int light);
+                                const LightTruth& light);
     /// Without ties, which are by far the most of the work.
-    measure::Truth truthAtCentres(const scene::Snapshot& snapshot, const View& view, int light);
+    measure::Truth truthAtCentres(const scene::Snapshot& snapshot, const View& view, const LightTruth& light);
     /// Which of a few pixels are ties, as far as rays tell.
-    std::vector<std::uint8_t> tiesAmong(const scene::Snapshot& snapshot, const View& view, int light,
+    std::vector<std::uint8_t> tiesAmong(const scene::Snapshot& snapshot, const View& view, const LightTruth& light,
                                         const std::vector<ivec2>& pixels);
     /// Where the light's shadows end in the whole view. Valid until the next call.
     const std::vector<measure::OutlineSegment>& outline(const scene::Snapshot& snapshot, const View& view, int light);
@@ -35,14 +45,18 @@ private:
         scene::Snapshot snapshot;
         scene::Camera camera;
         ivec2 size{0};
-        int light = kNoLight;
+        LightTruth light = kNoLight;
         friend bool operator==(const Key&, const Key&) = default;
     };
 
     trace::SceneTracer tracer_;
     gl::IdBuffer ids_;
-    Key madeFor_;
-    measure::Truth truth_;
+    /// The last truth about the light's centre, and about its area.
+    struct Made {
+        Key key;
+        measure::Truth truth;
+    };
+    std::array<Made, 2> made_;
     Key outlinedFor_;
     std::vector<measure::OutlineSegment> outline_;
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 #include "app/measure/flip.h"
 #include "app/measure/image_metrics.h"
@@ -56,16 +57,17 @@ void Measurement::addFrame(const Moment& moment) {
     View view;
     view.camera = moment.camera;
     view.size = size_;
-    if (first) session_.truthAtCentres(view, light_); // builds the tree
-    const Clock::time_point asked = Clock::now();
-    const Truth truth = first ? session_.truth(view, light_) : session_.truthAtCentres(view, light_);
-    if (first) truthMs_ = elapsedMs(asked);
-    const double boundaryLength = lengthPx(trueBoundary(truth));
+    if (first) session_.prepareTruth(Deadline::max()); // builds the tree
+    std::map<TruthOf, Judged> truths;                  // those that somebody is judged by
     std::optional<Shown> reference;
     if (first) reference = referencePicture(view);
 
     for (Entry& measured : entries_) {
         Slot& slot = *measured.slot;
+        const LightTruth asked = session_.truthFor(slot, light_);
+        measured.result.truth = asked.of;
+        if (!truths.contains(asked.of)) truths.emplace(asked.of, truthOf(view, asked, first));
+        const Judged& judged = truths.at(asked.of);
         if (first) measured.result.firstPrepareMs = session_.render(slot, view).prepareMs;
 
         if (before_) {
@@ -89,32 +91,41 @@ void Measurement::addFrame(const Moment& moment) {
         const RenderedFrame rendered = session_.render(slot, view, request);
         measured.result.times.addPasses(rendered.result.passMs);
         const VisibilityImage visibility = readVisibility(findStage(rendered, {"visibility", light_}));
-        measured.flips.addFrame(litOutsideTies(visibility, truth, view), litMask(truth), boundaryLength);
-        if (first) judgeFirst(measured, rendered, visibility, truth, *reference);
+        measured.flips.addFrame(litOutsideTies(visibility, judged.truth, asked, view), litMask(judged.truth),
+                                lengthPx(judged.boundary));
+        if (first) judgeFirst(measured, rendered, visibility, judged, *reference);
     }
     before_ = moment;
+}
+
+Measurement::Judged Measurement::truthOf(const View& view, const LightTruth& light, bool first) {
+    const Clock::time_point start = Clock::now();
+    Truth truth = first ? session_.truth(view, light) : session_.truthAtCentres(view, light);
+    if (first) truthMs_ += elapsedMs(start);
+    std::vector<BoundaryEdge> boundary = trueBoundary(truth);
+    return {std::move(truth), std::move(boundary)};
 }
 
 /// The technique's lit pixels, ties as the truth has them: what no rasteriser promises is no flicker. Only pixels that
 /// differ have to be asked whether they are ties.
 std::vector<std::uint8_t> Measurement::litOutsideTies(const VisibilityImage& visibility, const Truth& truth,
-                                                      const View& view) {
+                                                      const LightTruth& light, const View& view) {
     std::vector<std::uint8_t> lit = litMask(visibility);
     const std::vector<std::uint8_t> exact = litMask(truth);
     std::vector<ivec2> differing;
     for (int y = 0; y < size_.y; ++y)
         for (int x = 0; x < size_.x; ++x)
             if (lit[truth.index(x, y)] != exact[truth.index(x, y)]) differing.emplace_back(x, y);
-    const std::vector<std::uint8_t> ties = session_.tiesAmong(view, light_, differing);
+    const std::vector<std::uint8_t> ties = session_.tiesAmong(view, light, differing);
     for (std::size_t i = 0; i < differing.size(); ++i)
         if (ties[i]) lit[truth.index(differing[i].x, differing[i].y)] ^= 1;
     return lit;
 }
 
 void Measurement::judgeFirst(Entry& measured, const RenderedFrame& rendered, const VisibilityImage& visibility,
-                             const Truth& truth, const Shown& reference) {
+                             const Judged& judged, const Shown& reference) {
     TechniqueErrors& result = measured.result;
-    const std::vector<BoundaryEdge> boundary = trueBoundary(truth);
+    const auto& [truth, boundary] = judged;
     const SlotErrors errors = judgeSlot(truth, boundary, visibility.greyAlpha);
     result.counts = errors.judgement.counts;
     result.edgeErrorPx = errors.edgeErrorPx;

@@ -30,6 +30,7 @@ struct PictureErrors {
 /// What is known of one technique, for one light.
 struct TechniqueErrors {
     std::string technique;
+    measure::TruthOf truth = measure::TruthOf::centre; ///< what it was judged by
     measure::Counts counts;
     double served = 1; ///< share of the pixels with a surface that the technique can serve at all
     int coreErrors = 0;
@@ -53,10 +54,16 @@ public:
     void addFrame(const Moment& moment);
 
     [[nodiscard]] std::vector<TechniqueErrors> results() const;
-    /// What the first frame's truth took, ties included; without the tree, which is kept from frame to frame.
+    /// What the first frame's truth took, ties included; without the tree, which is kept from frame to frame. Where some
+    /// techniques are judged by the light's centre and others by its area, of both together.
     [[nodiscard]] double truthMs() const { return truthMs_; }
 
 private:
+    /// The truth of one frame, and its boundary.
+    struct Judged {
+        measure::Truth truth;
+        std::vector<measure::BoundaryEdge> boundary;
+    };
     struct Entry {
         Slot* slot;
         TechniqueErrors result;
@@ -67,10 +74,11 @@ private:
         std::vector<float> linear;
         image::Image encoded;
     };
+    Judged truthOf(const View& view, const LightTruth& light, bool first);
     std::vector<std::uint8_t> litOutsideTies(const VisibilityImage& visibility, const measure::Truth& truth,
-                                             const View& view);
+                                             const LightTruth& light, const View& view);
     void judgeFirst(Entry& measured, const RenderedFrame& rendered, const VisibilityImage& visibility,
-                    const measure::Truth& truth, const Shown& reference);
+                    const Judged& judged, const Shown& reference);
     Shown shown(const Slot& slot) const;
     Shown referencePicture(const View& view);
 

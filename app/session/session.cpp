@@ -54,9 +54,14 @@ RenderedFrame Session::render(Slot& slot, const View& view, const FrameRequest& 
     return rendered;
 }
 
-const measure::Truth& Session::truth(const View& view, int light) {
+const measure::Truth& Session::truth(const View& view, const LightTruth& light) {
     buffers_.update(snapshot_);
     return exact_.truth(snapshot_, buffers_, view, light);
+}
+
+LightTruth Session::truthFor(const Slot& slot, int light) const {
+    const bool area = slot.technique->samplesArea(*snapshot_, light);
+    return {light, area ? measure::TruthOf::area : measure::TruthOf::centre};
 }
 
 measure::Rasterised Session::rasterise(const View& view) {

@@ -51,15 +51,20 @@ public:
     /// Makes ready for the truth, and all else that rays are sent for; without it they do that themselves. Returns the share
     /// that is done when the time has come, 1: all.
     double prepareTruth(Deadline deadline) { return exact_.prepare(snapshot_, deadline) ? 1 : exact_.prepared(); }
-    /// The truth of what the view shows of one light, with its ties. Valid until the next call.
-    const measure::Truth& truth(const View& view, int light);
+    /// The truth of what the view shows of one light, with its ties. Valid until the next call about the same
+    /// thing, the light's centre or its area.
+    const measure::Truth& truth(const View& view, const LightTruth& light);
     /// The same without ties, for what follows a sequence.
-    measure::Truth truthAtCentres(const View& view, int light) { return exact_.truthAtCentres(snapshot_, view, light); }
+    measure::Truth truthAtCentres(const View& view, const LightTruth& light) {
+        return exact_.truthAtCentres(snapshot_, view, light);
+    }
+    /// What a slot is judged by, with its settings.
+    [[nodiscard]] LightTruth truthFor(const Slot& slot, int light) const;
     /// Where the light's shadows end. Valid until the next call.
     const std::vector<measure::OutlineSegment>& outline(const View& view, int light) {
         return exact_.outline(snapshot_, view, light);
     }
-    std::vector<std::uint8_t> tiesAmong(const View& view, int light, const std::vector<ivec2>& pixels) {
+    std::vector<std::uint8_t> tiesAmong(const View& view, const LightTruth& light, const std::vector<ivec2>& pixels) {
         return exact_.tiesAmong(snapshot_, view, light, pixels);
     }
     /// For a truth that is found elsewhere: see BackgroundJudge.

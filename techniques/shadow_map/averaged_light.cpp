@@ -12,6 +12,14 @@ bool ShadowMap::averagesOver(const scene::Light& light) const {
     return params_.lightPoints.count > 1 && scene::hasArea(light) && !params_.exact && !params_.aliasFree;
 }
 
+bool ShadowMap::samplesArea(const scene::Scene& scene, int light) const {
+    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+    // exact and alias-free know the light's centre alone, whatever the filter.
+    const bool isFiltered = !params_.exact && !params_.aliasFree;
+    const bool hasPenumbra = isFiltered && params_.filter.kind == FilterParams::Kind::pcss && scene::hasArea(source);
+    return hasPenumbra || averagesOver(source);
+}
+
 DrawnMap ShadowMap::drawAnew(const Frame& frame, const AskedLight& asked, const LightMaps& maps, OwnMap& own) {
     if (maps.layers() == 0) return {.maps = maps, .asked = asked};
     const GLenum format = params_.glDepthFormat();

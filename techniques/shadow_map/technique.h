@@ -56,6 +56,7 @@ public:
     params::ParamList params() override { return describe(params_); }
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override;
     Progress render(Frame& frame) override;
+    [[nodiscard]] bool samplesArea(const scene::Scene& scene, int light) const override;
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::vector<SceneShape> shapes(const scene::Snapshot& snapshot, const View& view, int light) override;
     std::string remark(const scene::MeshReport& report, const scene::Mesh& mesh) const override;
