@@ -183,7 +183,6 @@ private:
             throw Error(ExitStatus::usage, "--layout: diff is about one light and scene '" + base_->name +
                                                "' has none; choose another layout or scene");
         const int light = std::max(defaultLight_, 0);
-        const measure::Truth& truth = session_->truth(view, light);
         std::array<measure::Judgement, 2> judgements;
         for (std::size_t i = 0; i < slots_.size(); ++i) {
             FrameRequest request;
@@ -191,13 +190,14 @@ private:
             request.stages = {session::parseStage("visibility", *slots_[i].info, *base_, light).key};
             const session::RenderedFrame rendered = session_->render(slots_[i], view, request);
             stats_->add(i, rendered);
-            judgements[i] = measure::judge(
-                truth, session::readVisibility(session::findStage(rendered, request.stages[0])).greyAlpha);
+            judgements[i] =
+                measure::judge(session_->truth(view, session_->truthFor(slots_[i], light)),
+                               session::readVisibility(session::findStage(rendered, request.stages[0])).greyAlpha);
         }
         const std::array<std::string, 2> titles = {std::string(slots_[0].info->title),
                                                    std::string(slots_[1].info->title)};
         session::Panel panel = session::differencePanel(encoder_->encode(slots_[0].target.color, base_->exposure),
-                                                        truth, {&judgements[0], &judgements[1]}, titles);
+                                                        {&judgements[0], &judgements[1]}, titles);
         if (options_.labels) panel.title = titles[0] + " against " + titles[1];
         return panel;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/measure_report.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -19,11 +20,15 @@ using Result = session::TechniqueErrors;
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
 
+/// What a technique is judged by.
+const char* nameOf(measure::TruthOf truth) { return truth == measure::TruthOf::area ? "area" : "centre"; }
+
 Json resultJson(const Measured& measured, const Result& result) {
     const measure::Counts& counts = result.counts;
     Json entry;
     entry["technique"] = result.technique;
     entry["light"] = measured.light;
+    entry["truth"] = nameOf(result.truth);
     entry["pixels"] = counts.pixels;
     entry["lit"] = counts.lit;
     entry["shadowed"] = counts.shadowed;
@@ -62,12 +67,31 @@ std::string fixed(const std::optional<double>& value, int decimals) { return val
 
 std::string percent(int part, int whole) { return whole > 0 ? fixed(100.0 * part / whole, 2) + " %" : "-"; }
 
+/// What the truth says: of the light's centre, of its area, or of both where techniques are judged by different ones.
+Rows truthRows(const Measured& measured) {
+    Rows rows{{"truth"}, {"lit"}, {"in shadow"}, {"turned away"}, {"ties"}, {"with a surface"}, {"made in ms"}};
+    rows.back().push_back(fixed(measured.truthMs, 1));
+    for (const measure::TruthOf truth : {measure::TruthOf::centre, measure::TruthOf::area}) {
+        const auto found = std::ranges::find(measured.results, truth, &Result::truth);
+        if (found == measured.results.end()) continue;
+        const measure::Counts& counts = found->counts;
+        rows[0].insert(rows[0].end(), {std::string(nameOf(truth)) + ", pixels", "share"});
+        const std::array parts = {counts.lit, counts.shadowed, counts.turnedAway, counts.ties};
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            rows[i + 1].insert(rows[i + 1].end(), {std::to_string(parts[i]), percent(parts[i], counts.pixels)});
+        rows[5].insert(rows[5].end(), {std::to_string(counts.pixels), ""});
+    }
+    for (std::vector<std::string>& row : rows)
+        row.emplace_back(); // numbers stand right, but for the last column
+    return rows;
+}
+
 Rows errorRows(const Measured& measured) {
-    Rows rows{{"errors", "false lit", "false shadow", "core", "edge error px", "boundary px mean", "p95", "max", "RMSE",
-               "served", measured.frames > 1 ? "excess flips" : ""}};
+    Rows rows{{"errors", "truth", "false lit", "false shadow", "core", "edge error px", "boundary px mean", "p95",
+               "max", "RMSE", "served", measured.frames > 1 ? "excess flips" : ""}};
     for (const Result& result : measured.results) {
         const auto& boundary = result.boundaryPx;
-        rows.push_back({result.technique, std::to_string(result.counts.falseLit),
+        rows.push_back({result.technique, nameOf(result.truth), std::to_string(result.counts.falseLit),
                         std::to_string(result.counts.falseShadow), std::to_string(result.coreErrors),
                         fixed(result.edgeErrorPx, 4), boundary ? fixed(boundary->mean, 3) : "-",
                         boundary ? fixed(boundary->p95, 2) : "-", boundary ? fixed(boundary->max, 2) : "-",
@@ -129,17 +153,10 @@ std::string measureJson(const Measured& measured) {
 }
 
 std::string measureTable(const Measured& measured) {
-    const measure::Counts& truth = measured.results.front().counts;
     std::string text = measured.scene + ", light '" + measured.light + "', " + std::to_string(measured.size.x) + "x" +
                        std::to_string(measured.size.y) + ", " + std::to_string(measured.frames) +
                        (measured.frames == 1 ? " frame" : " frames") + ", " + measured.renderer + "\n\n";
-    text += aligned({{"truth", "pixels", "share", ""},
-                     {"lit", std::to_string(truth.lit), percent(truth.lit, truth.pixels), ""},
-                     {"in shadow", std::to_string(truth.shadowed), percent(truth.shadowed, truth.pixels), ""},
-                     {"turned away", std::to_string(truth.turnedAway), percent(truth.turnedAway, truth.pixels), ""},
-                     {"ties", std::to_string(truth.ties), percent(truth.ties, truth.pixels), ""},
-                     {"with a surface", std::to_string(truth.pixels), "", ""},
-                     {"made in ms", fixed(measured.truthMs, 1), "", ""}});
+    text += aligned(truthRows(measured));
     for (const Rows& rows : {errorRows(measured), pictureRows(measured), timeRows(measured), counterRows(measured)})
         text += "\n" + aligned(rows);
     return text;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/background_judge.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <functional>
 #include <stdexcept>
@@ -13,7 +15,7 @@ namespace shadowlab::session {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using measure::Truth;
+using measure::Truth, measure::TruthOf;
 
 // While a tree is built, this often somebody asks whether it is still wanted.
 constexpr std::chrono::milliseconds kSlice{4};
@@ -27,26 +29,37 @@ class Judge {
 public:
     using Publish = std::function<void(JudgeAnswer)>;
 
-    /// Publishes one answer, or two: for an exact task the reduced one comes first. Throws trace::Stopped.
+    /// Publishes one answer or more: for an exact task the reduced one comes first, and what is known of some slots before what
+    /// takes longer. Throws trace::Stopped.
     void answer(const JudgeTask& task, const std::stop_token& stop, const Publish& publish) {
         const Clock::time_point start = Clock::now();
-        const auto publishAll = [&] {
+        const auto publishKnown = [&] {
             JudgeAnswer answer = judgeSlots(task, stop);
             answer.ms = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
             publish(std::move(answer));
         };
         const Key key{task.snapshot, task.view.camera, task.view.size, task.light};
-        const bool known = truth_ && madeFor_ == key;
-        if (!known) {
-            while (!tracer_.advance(task.snapshot, Clock::now() + kSlice))
-                throwIfStopped(stop);
-            keep(measure::truthAtCentres(tracer_, key.camera, key.size, key.light, stop), key, false);
+        for (Known& known : known_)
+            if (known.truth && known.madeFor != key) known = {};
+        while (!tracer_.advance(task.snapshot, Clock::now() + kSlice))
+            throwIfStopped(stop);
+        const bool area = isAsked(task, TruthOf::area), centre = isAsked(task, TruthOf::centre) || !area;
+        if (centre) {
+            Known& known = knownOf(TruthOf::centre);
+            const bool isNew = !known.truth;
+            if (isNew) keep(known, reducedTruth(key, TruthOf::centre, stop), key, false);
+            if (task.exact && !known.exact) {
+                if (isNew) publishKnown();
+                keep(known, exactTruth(key, TruthOf::centre, task, stop), key, true);
+            }
         }
-        if (task.exact && !exact_) {
-            if (!known) publishAll();
-            keep(measure::exactTruth(tracer_, key.camera, key.size, key.light, task.rasterised, stop), key, true);
+        if (area) {
+            Known& known = knownOf(TruthOf::area);
+            if (centre && (!known.truth || (task.exact && !known.exact))) publishKnown();
+            if (task.exact && !known.exact) keep(known, exactTruth(key, TruthOf::area, task, stop), key, true);
+            if (!known.truth) keep(known, reducedTruth(key, TruthOf::area, stop), key, false);
         }
-        publishAll();
+        publishKnown();
     }
 
 private:
@@ -57,44 +70,73 @@ private:
         int light = kNoLight;
         friend bool operator==(const Key&, const Key&) = default;
     };
+    /// One truth, and what follows from it.
+    struct Known {
+        std::shared_ptr<const Truth> truth; ///< none: it is not known
+        std::vector<measure::BoundaryEdge> boundary;
+        std::optional<measure::Grid<float>> distancePx; ///< to it, if anybody asked
+        Key madeFor;
+        bool exact = false;
+    };
 
-    void keep(Truth truth, const Key& key, bool exact) {
-        truth_ = std::make_shared<const Truth>(std::move(truth));
-        boundary_ = measure::trueBoundary(*truth_);
-        distancePx_.reset();
-        madeFor_ = key;
-        exact_ = exact;
+    static bool isAsked(const JudgeTask& task, TruthOf of) {
+        return std::ranges::any_of(task.slots, [of](const SlotTask& slot) { return slot.truth == of; });
+    }
+    Known& knownOf(TruthOf of) { return known_[of == TruthOf::area ? 1 : 0]; }
+
+    Truth reducedTruth(const Key& key, TruthOf of, const std::stop_token& stop) const {
+        return measure::truthAtCentres(tracer_, key.camera, key.size, key.light, stop, of);
+    }
+    Truth exactTruth(const Key& key, TruthOf of, const JudgeTask& task, const std::stop_token& stop) const {
+        return measure::exactTruth(tracer_, key.camera, key.size, key.light, task.rasterised, stop, of);
+    }
+
+    static void keep(Known& known, Truth truth, const Key& key, bool exact) {
+        known.truth = std::make_shared<const Truth>(std::move(truth));
+        known.boundary = measure::trueBoundary(*known.truth);
+        known.distancePx.reset();
+        known.madeFor = key;
+        known.exact = exact;
     }
 
     JudgeAnswer judgeSlots(const JudgeTask& task, const std::stop_token& stop) {
         JudgeAnswer answer;
-        answer.exact = exact_;
-        answer.truth = truth_;
-        if (task.wantsTruthPanel) answer.truthPanel = truthPanel(*truth_, {});
+        answer.exact = true;
+        std::array<std::shared_ptr<const Panel>, 2> panels;
+        for (std::size_t i = 0; i < known_.size(); ++i)
+            if (known_[i].truth && task.wantsTruthPanel)
+                panels[i] = std::make_shared<const Panel>(truthPanel(*known_[i].truth, {}));
+        const bool area = !known_[0].truth || (!isAsked(task, TruthOf::centre) && isAsked(task, TruthOf::area));
+        answer.truth = known_[area ? 1 : 0].truth;
+        answer.truthPanel = panels[area ? 1 : 0];
+        if (task.slots.empty()) answer.exact = known_[0].exact;
         for (const SlotTask& slot : task.slots) {
             throwIfStopped(stop);
             answer.slots.emplace_back();
-            if (slot.visibility.greyAlpha.empty()) continue;
+            Known& known = knownOf(slot.truth);
+            answer.exact = answer.exact && known.exact;
+            if (slot.visibility.greyAlpha.empty() || !known.truth) continue;
             auto [judgement, edgeErrorPx] =
-                measure::judgeSlot(*truth_, boundary_, slot.visibility.greyAlpha, slot.region);
+                measure::judgeSlot(*known.truth, known.boundary, slot.visibility.greyAlpha, slot.region);
             SlotAnswer& judged = answer.slots.back().emplace();
+            judged.truth = known.truth;
+            judged.truthPanel = panels[slot.truth == TruthOf::area ? 1 : 0];
+            judged.exact = known.exact;
             judged.judgement = std::move(judgement);
             judged.edgeErrorPx = edgeErrorPx;
-            if (slot.wantsCore && task.exact && exact_) {
-                if (!distancePx_) distancePx_ = measure::distanceToBoundary(boundary_, truth_->size, stop);
-                judged.coreErrors = measure::coreErrors(*truth_, judged.judgement, *distancePx_, slot.texelPx);
+            if (slot.wantsCore && task.exact && known.exact) {
+                if (!known.distancePx)
+                    known.distancePx = measure::distanceToBoundary(known.boundary, known.truth->size, stop);
+                judged.coreErrors =
+                    measure::coreErrors(*known.truth, judged.judgement, *known.distancePx, slot.texelPx);
             }
-            if (slot.wantsOverlay) judged.overlay = errorOverlay(*truth_, judged.judgement, slot.region);
+            if (slot.wantsOverlay) judged.overlay = errorOverlay(*known.truth, judged.judgement, slot.region);
         }
         return answer;
     }
 
     trace::SceneTracer tracer_;
-    std::shared_ptr<const Truth> truth_;
-    std::vector<measure::BoundaryEdge> boundary_;    ///< of truth_
-    std::optional<measure::Grid<float>> distancePx_; ///< to it, if anybody asked
-    Key madeFor_;
-    bool exact_ = false;
+    std::array<Known, 2> known_; ///< about the light's centre, and about its area
 };
 
 /// A fault of whoever submits would otherwise be one of memory, on another thread.

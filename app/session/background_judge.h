@@ -27,10 +27,11 @@ namespace shadowlab::session {
 
 /// What there is to judge in one slot. Without an image (a technique that publishes no visibility) nothing is.
 struct SlotTask {
-    VisibilityImage visibility;                    ///< of the region's pixels: readVisibility(stage, region)
-    Region region;                                 ///< of the view; empty: all of it
-    bool wantsOverlay = false;                     ///< draw the errors, to be laid over the slot's picture
-    bool wantsCore = false;                        ///< count core errors; exact tasks only
+    VisibilityImage visibility;                        ///< of the region's pixels: readVisibility(stage, region)
+    Region region;                                     ///< of the view; empty: all of it
+    measure::TruthOf truth = measure::TruthOf::centre; ///< what the technique is judged by: Session::truthFor()
+    bool wantsOverlay = false;                         ///< draw the errors, to be laid over the slot's picture
+    bool wantsCore = false;                            ///< count core errors; exact tasks only
     std::optional<measure::Grid<float>> texelPx{}; ///< for them: readTexelSizes(); none: the technique has no texels
 };
 
@@ -46,6 +47,9 @@ struct JudgeTask {
 };
 
 struct SlotAnswer {
+    std::shared_ptr<const measure::Truth> truth; ///< that it was held against
+    std::shared_ptr<const Panel> truthPanel;     ///< of it, where asked for
+    bool exact = false;                          ///< its ties are known
     measure::Judgement judgement;
     std::optional<double> edgeErrorPx; ///< none: no shadow ends in the region
     std::optional<int> coreErrors;     ///< none: not asked for, or not exact
@@ -54,10 +58,11 @@ struct SlotAnswer {
 
 struct JudgeAnswer {
     std::uint64_t number = 0; ///< of the task
-    bool exact = false;       ///< ties are known; also of a reduced task whose exact truth was still at hand
+    bool exact = false;       ///< all ties are known; also of a reduced task whose exact truth was still at hand
+    /// About the light's centre; about its area, where no slot is judged by the centre.
     std::shared_ptr<const measure::Truth> truth;
-    std::optional<Panel> truthPanel;
-    std::vector<std::optional<SlotAnswer>> slots; ///< none: there was nothing to judge
+    std::shared_ptr<const Panel> truthPanel;
+    std::vector<std::optional<SlotAnswer>> slots; ///< none: there was nothing to judge, or its truth comes later
     double ms = 0;                                ///< from the task's beginning to its answer
 };
 

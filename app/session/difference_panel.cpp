@@ -22,8 +22,7 @@ bool isWrong(Verdict verdict) {
 
 } // namespace
 
-Panel differencePanel(image::Image ground, const measure::Truth& truth,
-                      const std::array<const measure::Judgement*, 2>& judgements,
+Panel differencePanel(image::Image ground, const std::array<const measure::Judgement*, 2>& judgements,
                       const std::array<std::string, 2>& titles) {
     // Warm: lit where it should be dark. Cold: dark where it should be lit. Light: the first. Deep: the second.
     struct Meaning {
@@ -36,9 +35,10 @@ Panel differencePanel(image::Image ground, const measure::Truth& truth,
                                         {look::kFalseLitSecond, titles[1] + ": false lit"},
                                         {look::kFalseShadowSecond, titles[1] + ": false shadow"},
                                         {look::kStray, "both wrong"}}};
-    for (int y = 0; y < truth.size.y; ++y)
-        for (int x = 0; x < truth.size.x; ++x) {
-            const std::size_t i = truth.index(x, y);
+    for (int y = 0; y < ground.height; ++y)
+        for (int x = 0; x < ground.width; ++x) {
+            const std::size_t i =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(ground.width) + static_cast<std::size_t>(x);
             const std::array<Verdict, 2> verdicts = {judgements[0]->verdicts[i], judgements[1]->verdicts[i]};
             const bool first = isWrong(verdicts[0]), second = isWrong(verdicts[1]);
             if (!first && !second) {

@@ -9,9 +9,9 @@
 namespace shadowlab::session {
 
 /// `ground` is the picture of either; its colours are taken away. On it every pixel that the first or the second technique
-/// gets wrong, in a colour for each, and those that both get wrong; ties are nobody's. No GL.
-Panel differencePanel(image::Image ground, const measure::Truth& truth,
-                      const std::array<const measure::Judgement*, 2>& judgements,
+/// gets wrong, in a colour for each, and those that both get wrong; ties are nobody's. Each has
+/// been judged by the truth that it answers to, all over the picture. No GL.
+Panel differencePanel(image::Image ground, const std::array<const measure::Judgement*, 2>& judgements,
                       const std::array<std::string, 2>& titles);
 
 } // namespace shadowlab::session

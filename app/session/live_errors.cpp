@@ -41,17 +41,35 @@ bool LiveErrors::ask(Workbench& bench, ivec2 areaSize, double seconds) {
     if (rests && requests != exactFor_) {
         for (std::size_t i = 0; i < placed.size(); ++i)
             if (canBeJudged(requests[i])) wanted_.push_back(placed[i].pane);
-    } else if (!rests && !judge_.busy() && seconds - lastSubmit_ >= kBetweenTasks && !placed.empty()) {
+    } else if (!rests) {
+        forgetAreas(bench, placed);
+    }
+    if (!rests && !judge_.busy() && seconds - lastSubmit_ >= kBetweenTasks && !placed.empty()) {
+        const auto isQuick = [&](const PlacedPane& pane) {
+            return bench.pane(pane.pane).judgedBy() == measure::TruthOf::centre;
+        };
         if (bench.document().layout == Layout::diff) {
-            for (const PlacedPane& pane : placed)
-                wanted_.push_back(pane.pane);
+            if (std::ranges::all_of(placed, isQuick))
+                for (const PlacedPane& pane : placed)
+                    wanted_.push_back(pane.pane);
         } else {
             turn_ = (turn_ + 1) % placed.size();
-            if (canBeJudged(requests[turn_])) wanted_.push_back(placed[turn_].pane);
+            if (canBeJudged(requests[turn_]) && isQuick(placed[turn_])) wanted_.push_back(placed[turn_].pane);
         }
     }
     bench.wantVisibility(wanted_);
     return !wanted_.empty();
+}
+
+/// The truth about an area takes seconds. So while things move nothing is said of who is judged by it: what was true of another
+/// picture might be wrong of this one.
+void LiveErrors::forgetAreas(const Workbench& bench, const std::vector<PlacedPane>& placed) {
+    for (const PlacedPane& pane : placed) {
+        if (bench.pane(pane.pane).judgedBy() != measure::TruthOf::area) continue;
+        errors_.erase(pane.pane);
+        pictures_.erase(pane.pane);
+        if (bench.document().layout == Layout::diff) difference_.reset();
+    }
 }
 
 bool LiveErrors::update(Workbench& bench, ivec2 areaSize, double seconds) {
@@ -101,6 +119,7 @@ void LiveErrors::submit(Workbench& bench, const std::vector<PlacedPane>& placed,
         const std::string& stage = request.state.stage;
         SlotTask slot;
         slot.region = request.view.region;
+        slot.truth = pane.judgedBy();
         slot.visibility = readVisibility(*answers, slot.region);
         slot.wantsOverlay = stage.starts_with("error");
         task.wantsTruthPanel = task.wantsTruthPanel || stage.starts_with("truth");
@@ -115,6 +134,7 @@ void LiveErrors::submit(Workbench& bench, const std::vector<PlacedPane>& placed,
         submitted.requests.push_back(request);
     }
     if (task.slots.empty()) return;
+    forgetAreas(bench, placed);
     task.exact = exact;
     if (exact) {
         bench.session().setScene(task.snapshot);
@@ -133,7 +153,7 @@ void LiveErrors::take(const Workbench& bench, const JudgeAnswer& answer, double 
         const int pane = submitted.panes[i];
         if (!answer.slots[i]) continue;
         const SlotAnswer& slot = *answer.slots[i];
-        errors_[pane] = {slot.judgement.counts, slot.edgeErrorPx, slot.coreErrors, answer.exact, submitted.requests[i]};
+        errors_[pane] = {slot.judgement.counts, slot.edgeErrorPx, slot.coreErrors, slot.exact, submitted.requests[i]};
         showPicture(bench, answer, submitted, i);
     }
     for (int pane = 0; pane < kPanes; ++pane) {
@@ -149,9 +169,8 @@ void LiveErrors::take(const Workbench& bench, const JudgeAnswer& answer, double 
         const auto title = [&](std::size_t i) {
             return std::string(findTechnique(submitted.requests[i].state.technique).title);
         };
-        const Panel panel =
-            differencePanel(*submitted.pictures[0], *answer.truth,
-                            {&answer.slots[0]->judgement, &answer.slots[1]->judgement}, {title(0), title(1)});
+        const Panel panel = differencePanel(
+            *submitted.pictures[0], {&answer.slots[0]->judgement, &answer.slots[1]->judgement}, {title(0), title(1)});
         difference_ = JudgedPicture{{}, textureOf(panel.picture), {{}, panel.kind, panel.display, ""}, answer.exact};
     }
     done_ = answer.exact;
@@ -169,23 +188,24 @@ void LiveErrors::showPicture(const Workbench&, const JudgeAnswer& answer, Submit
         pictures_.erase(pane);
         return;
     }
+    const SlotAnswer& judged = *answer.slots[slot];
+    const bool last = answer.exact; // else the same ground is needed once more
     JudgedPicture& shown = pictures_[pane];
     const auto ground = submitted.grounds.find(pane);
     const auto keep = [&](const Panel& panel, bool overGround) {
         shown.verdicts = textureOf(panel.picture);
         if (overGround && ground != submitted.grounds.end()) {
-            // The exact answer follows on the same ground.
-            shown.ground = answer.exact ? std::move(ground->second) : PictureEncoder::copyOf(ground->second);
+            shown.ground = last ? std::move(ground->second) : PictureEncoder::copyOf(ground->second);
         } else {
             shown.ground = {};
         }
         shown.legend = {{}, panel.kind, panel.display, ""};
-        shown.exact = answer.exact;
+        shown.exact = judged.exact;
     };
-    if (stage.starts_with("error") && answer.slots[slot]->overlay) keep(*answer.slots[slot]->overlay, true);
-    if (stage.starts_with("truth") && answer.truthPanel) keep(*answer.truthPanel, false);
+    if (stage.starts_with("error") && judged.overlay) keep(*judged.overlay, true);
+    if (stage.starts_with("truth") && judged.truthPanel) keep(*judged.truthPanel, false);
     if (stage.starts_with("scanline") && ground != submitted.grounds.end()) {
-        const Scanline scanline{*answer.truth, answer.slots[slot]->judgement, submitted.answers[pane],
+        const Scanline scanline{*judged.truth, judged.judgement, submitted.answers[pane],
                                 request.snapshot->lights[static_cast<std::size_t>(request.light)].name,
                                 std::string(findTechnique(request.state.technique).title)};
         keep(scanlinePanel(PictureEncoder::read(ground->second), scanline, {}, request.view.region, &font_), false);

@@ -2,7 +2,8 @@
 // the background, and what it says is made ready to be seen.
 //
 // While something moves, one pane after the other is judged, every second or so and without ties: each time the pane is
-// drawn with its answers as well, which costs a little. When all is at rest, every pane is judged exactly, once.
+// drawn with its answers as well, which costs a little. When all is at rest, every pane is judged exactly, once. Techniques
+// that are judged by a light's area, which takes seconds, are judged at rest only, after all others.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -66,6 +67,7 @@ private:
         std::map<int, VisibilityImage> answers;              ///< of those that show `scanline`
         std::array<std::optional<image::Image>, 2> pictures; ///< of `diff`: only the first is the ground
     };
+    void forgetAreas(const Workbench& bench, const std::vector<PlacedPane>& placed);
     void submit(Workbench& bench, const std::vector<PlacedPane>& placed, const std::vector<int>& panes, bool exact);
     void take(const Workbench& bench, const JudgeAnswer& answer, double seconds);
     void showPicture(const Workbench& bench, const JudgeAnswer& answer, Submitted& submitted, std::size_t slot);

@@ -60,6 +60,15 @@ Slot& Pane::slotFor(const PaneState& state) {
     return slot;
 }
 
+measure::TruthOf Pane::judgedBy() const {
+    const auto found = slots_.find(drawnFor_.state.technique);
+    const int light = drawnFor_.light;
+    const bool known = found != slots_.end() && drawnFor_.snapshot && light >= 0 &&
+                       light < static_cast<int>(drawnFor_.snapshot->lights.size());
+    const bool area = known && found->second.technique->samplesArea(*drawnFor_.snapshot, light);
+    return area ? measure::TruthOf::area : measure::TruthOf::centre;
+}
+
 bool isJudged(std::string_view stage) {
     const std::string_view id = stage.substr(0, stage.find('@'));
     return id == "truth" || id == "error" || id == "scanline";

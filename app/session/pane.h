@@ -63,6 +63,9 @@ public:
     /// The technique's answers for that light, if the picture was drawn with them.
     [[nodiscard]] const Stage* visibility(int light) const;
 
+    /// What the technique of the picture is judged by, with its settings, for the light of the request.
+    [[nodiscard]] measure::TruthOf judgedBy() const;
+
     /// The slot of that state, made or found, its parameters set. Throws Error (usage) for a value that is out of range.
     Slot& slotFor(const PaneState& state);
 

@@ -63,11 +63,15 @@ void drawCurves(image::Image& picture, const Plot& plot, const Scanline& scanlin
     int before = -1;
     for (int x = plot.window.left; x < plot.window.right; ++x) {
         const std::size_t i = truth.index(x, row);
-        if (truth.visibility[i] == Visibility::lit) fillRect(picture, x, plot.top, 1, plot.height, encoded(kTruthArea));
+        const int share = plot.rowOf(truth.share(i)), bottom = plot.top + plot.height;
+        const bool seen = truth.share(i) > 0;
+        if (seen) fillRect(picture, x, share, 1, bottom - share, encoded(kTruthArea));
         const Verdict verdict = scanline.judgement.verdicts[i];
         if (isWrong(verdict))
             fillRect(picture, x, plot.top, 1, plot.height,
                      encoded(verdict == Verdict::falseLit ? look::kFalseLit : look::kFalseShadow));
+        // Of a share between none and all, its top stays to be seen.
+        if (seen && share > plot.top) fillRect(picture, x, share, 1, plot.line, encoded(kTruthArea));
         if (verdict == Verdict::tie) fillRect(picture, x, plot.top, 1, plot.height, encoded(look::kTieOnPicture));
         if (scanline.visibility.alpha(x, row) != 255) {
             before = -1;

@@ -58,8 +58,9 @@ Panel emptyPanel(ivec2 size) { return {image::Image(size.x, size.y), "", StageKi
 } // namespace
 
 Panel truthPanel(const measure::Truth& truth, const Region& region) {
-    std::array<Meaning, 5> meanings = {{{look::kLit, "lit"},
-                                        {look::kShadowed, "in shadow"},
+    const bool area = !truth.shares.empty();
+    std::array<Meaning, 5> meanings = {{{look::kLit, area ? "more than half of the light is seen" : "lit"},
+                                        {look::kShadowed, area ? "half of it, or less" : "in shadow"},
                                         {look::kTurnedAway, "turned away from the light"},
                                         {look::kTie, "tie"},
                                         {look::kNoSurface, nullptr}}};
@@ -73,10 +74,12 @@ Panel truthPanel(const measure::Truth& truth, const Region& region) {
                                     : seen == Visibility::turnedAway               ? 2
                                                                                    : 4];
         ++meaning.pixels;
+        const bool shared = area && !truth.ties[i] && (seen == Visibility::lit || seen == Visibility::shadowed);
+        const vec3 color = shared ? glm::mix(look::kShadowed, look::kLit, truth.shares[i]) : meaning.colorLinear;
         // Where one object ends and another begins, a darker line: else lit things would merge with a lit ground.
         const bool rim = (x + 1 < truth.size.x && truth.objects[truth.index(x + 1, y)] != truth.objects[i]) ||
                          (y + 1 < truth.size.y && truth.objects[truth.index(x, y + 1)] != truth.objects[i]);
-        panel.picture.set(x, y, encoded(meaning.colorLinear * (rim ? kRim : 1.0f)));
+        panel.picture.set(x, y, encoded(color * (rim ? kRim : 1.0f)));
     });
     panel.display.key = keyOf(meanings);
     return panel;

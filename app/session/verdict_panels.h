@@ -9,7 +9,8 @@
 
 namespace shadowlab::session {
 
-/// Lit, in shadow, turned away, tie: a colour for each, and how many pixels have it.
+/// Lit, in shadow, turned away, tie: a colour for each, and how many pixels have it. Of a truth about an area, between lit and in
+/// shadow: mixed, as much of each as is seen.
 Panel truthPanel(const measure::Truth& truth, const Region& region);
 
 /// What is wrong, in colours, and nothing where the technique is right: to be laid over a picture.
