@@ -37,10 +37,10 @@ TEST_F(MeasureTest, JsonHasEveryKey) {
     EXPECT_FALSE(json.at("renderer").get<std::string>().empty());
     ASSERT_GE(json.at("results").size(), 4u);
     for (const Json& result : json.at("results")) {
-        for (const char* key :
-             {"technique", "light",          "pixels",     "lit",         "shadowed",   "turnedAway", "ties", "served",
-              "falseLit",  "falseShadow",    "coreErrors", "edgeErrorPx", "boundaryPx", "rmse",       "psnr", "ssim",
-              "flip",      "excessFlipRate", "converged",  "ms",          "counters"})
+        for (const char* key : {"technique",      "light",      "truth",  "pixels",   "lit",         "shadowed",
+                                "turnedAway",     "ties",       "served", "falseLit", "falseShadow", "coreErrors",
+                                "edgeErrorPx",    "boundaryPx", "rmse",   "psnr",     "ssim",        "flip",
+                                "excessFlipRate", "converged",  "ms",     "counters"})
             EXPECT_TRUE(result.contains(key)) << key;
         EXPECT_EQ(result.at("light"), "key");
         const auto number = [&](const char* key) { return result.at(key).get<int>(); };
@@ -96,6 +96,24 @@ TEST_F(MeasureTest, LightIsChosenByName) {
     const Json key = measured({"-t", "unshadowed"}), sun = measured({"-t", "unshadowed", "--light", "sun"});
     EXPECT_EQ(sun.at("results").at(0).at("light"), "sun");
     EXPECT_NE(key.at("results").at(0).at("shadowed"), sun.at("results").at(0).at("shadowed"));
+}
+
+TEST_F(MeasureTest, SaysWhichTruthWasUsed) {
+    const std::string lights =
+        R"("lights": [{"name": "panel", "type": "rect", "position": [1, 4, 1], "edgeU": [1, 0, 0], "edgeV": [0, 0, 1]}])";
+    folder.write("panel.json", sceneText(kCamera, lights, kBoxOnFloor));
+    const std::vector<std::string> arguments{"measure", "panel.json",
+                                             "--size",  "160x120",
+                                             "-t",      "shadow-map,unshadowed",
+                                             "--set",   "shadow-map.light-samples=4"};
+    std::vector<std::string> withJson = arguments;
+    withJson.emplace_back("--json");
+    const Json results = Json::parse(succeed(withJson).out).at("results");
+    EXPECT_EQ(results.at(0).at("truth"), "area");
+    EXPECT_EQ(results.at(1).at("truth"), "centre");
+    const std::string table = succeed(arguments).out;
+    for (const char* word : {"centre, pixels", "area, pixels"})
+        EXPECT_NE(table.find(word), std::string::npos) << word << "\n" << table;
 }
 
 TEST_F(MeasureTest, SequencesHaveFlips) {

@@ -6,6 +6,7 @@
 #include "app/session/scanline_plot.h"
 #include "app/session/settings.h"
 #include "techniques/foundation/look.h"
+#include "tests/support/area_lights.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 
@@ -98,6 +99,28 @@ TEST_F(DerivedStagesTest, TruthPaintsWhatIsLit) {
     EXPECT_LT(rims, lit / 20);
     EXPECT_GT(count(truth.picture, encoded(look::kShadowed)), 500);
     EXPECT_GT(count(truth.picture, encoded(look::kTurnedAway)), 200);
+}
+
+// The stage follows the technique: with many points of a panel, half-shadows between lit and in shadow.
+TEST_F(DerivedStagesTest, TruthOfAnAreaHasPenumbras) {
+    scene::Scene scene = testing::simpleScene();
+    scene.lights = {testing::rectLight({2, 4, 2.5}, {1, 0, -1}, {-0.5, -1.2, -0.5})};
+    session->setScene(testing::snapshot(std::move(scene)));
+    const auto between = [&] {
+        const image::Image picture = panel("truth").picture;
+        const int known = count(picture, encoded(look::kLit)) + count(picture, encoded(look::kShadowed)) +
+                          count(picture, encoded(look::kTurnedAway)) + count(picture, encoded(look::kNoSurface)) +
+                          count(picture, encoded(look::kTie));
+        return picture.width * picture.height - known; // and darker rims
+    };
+    const int sharp = between();
+    applySettings(slots, {"shadow-map.light-samples=4"});
+    EXPECT_GT(between(), sharp + 1000);
+    EXPECT_NE(panel("truth").display.key[0].label.find("more than half"), std::string::npos);
+    int shares = 0;
+    for (const float share : session->truth(view, session->truthFor(slots[0], 0)).shares)
+        shares += share > 0 && share < 1;
+    EXPECT_GT(shares, 1000);
 }
 
 TEST_F(DerivedStagesTest, OnlyTheRegionIsCounted) {

@@ -8,6 +8,7 @@
 #include "app/session/settings.h"
 #include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/scene/shapes.h"
+#include "tests/support/area_lights.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/scenes.h"
@@ -59,7 +60,8 @@ protected:
 class Painted final : public Technique {
 public:
     using Change = std::function<float(const Truth&, ivec2 pixel)>; ///< the visibility to paint there
-    explicit Painted(Change change) : change_(std::move(change)) {}
+    explicit Painted(Change change, measure::TruthOf of) : change_(std::move(change)), of_(of) {}
+    [[nodiscard]] bool samplesArea(const scene::Scene&, int) const override { return of_ == measure::TruthOf::area; }
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
         tracer_.advance(snapshot, deadline);
         return {};
@@ -69,7 +71,7 @@ public:
         frame.pass(kPass, [&] { glClear(GL_COLOR_BUFFER_BIT); });
         if (!frame.wants("visibility", 0)) return {};
         const ivec2 size = frame.view().size;
-        const Truth truth = measure::truthAtCentres(tracer_, frame.view().camera, size, 0);
+        const Truth truth = measure::truthAtCentres(tracer_, frame.view().camera, size, 0, {}, of_);
         std::vector<vec2> texels(truth.visibility.size());
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x) {
@@ -83,18 +85,19 @@ public:
         frame.publish("visibility", 0, std::move(texture));
         return {};
     }
-    static Slot slot(Change change) {
+    static Slot slot(Change change, measure::TruthOf of) {
         static const TechniqueInfo info = [] {
             TechniqueInfo info;
             info.id = "painted";
             info.stages = {{"visibility", "As the test says", StageKind::visibility, true}};
             return info;
         }();
-        return {&info, std::make_unique<Painted>(std::move(change)), {}, {}};
+        return {&info, std::make_unique<Painted>(std::move(change), of), {}, {}};
     }
 
 private:
     Change change_;
+    measure::TruthOf of_;
     trace::SceneTracer tracer_;
 };
 
@@ -102,9 +105,10 @@ float exactly(const Truth& truth, ivec2 pixel) {
     return truth.visibility[truth.index(pixel.x, pixel.y)] == Visibility::lit ? 1.0f : 0.0f;
 }
 
-Result measurePainted(const scene::Snapshot& snapshot, const Painted::Change& change, const Motion& motion = {}) {
+Result measurePainted(const scene::Snapshot& snapshot, const Painted::Change& change, const Motion& motion = {},
+                      measure::TruthOf of = measure::TruthOf::centre) {
     std::vector<Slot> slots;
-    slots.push_back(Painted::slot(change));
+    slots.push_back(Painted::slot(change, of));
     Session session(snapshot);
     Measurement measurement(session, slots, 0, kSize);
     for (int frame = 0; frame < motion.frames; ++frame)
@@ -120,6 +124,43 @@ TEST_F(MeasurementTest, PaintedTruthHasNoError) {
     EXPECT_EQ(result.counts.rmse, 0);
     EXPECT_EQ(*result.edgeErrorPx, 0);
     EXPECT_EQ(result.boundaryPx->max, 0);
+}
+
+/// The simple scene under one panel.
+scene::Scene panelScene() {
+    scene::Scene scene = testing::simpleScene();
+    scene.lights = {testing::rectLight({2, 4, 2.5}, {1, 0, -1}, {-0.5, -1.2, -0.5})};
+    return scene;
+}
+
+TEST_F(MeasurementTest, PaintedSharesHaveNoErrorAndDoNotFlicker) {
+    const Result result = measurePainted(
+        testing::snapshot(panelScene()),
+        [](const Truth& truth, ivec2 p) { return static_cast<float>(truth.share(truth.index(p.x, p.y))); },
+        {3, 2.0, {}, {}}, measure::TruthOf::area);
+    expectSound(result);
+    EXPECT_EQ(result.truth, measure::TruthOf::area);
+    // A byte is cut at 127.5 / 255, the truth at one half: nothing lies between but what is rounded.
+    EXPECT_EQ(result.counts.wrong(), 0);
+    EXPECT_GT(result.counts.rmse, 0);
+    EXPECT_LT(result.counts.rmse, 0.5 / 255);
+    EXPECT_EQ(result.boundaryPx->max, 0);
+    EXPECT_EQ(*result.excessFlipRate, 0);
+}
+
+TEST_F(MeasurementTest, EachTechniqueIsHeldAgainstTheTruthItAnswersTo) {
+    const scene::Snapshot snapshot = testing::snapshot(panelScene());
+    std::vector<Slot> few = slots({"shadow-volume-zfail", "shadow-map", "shadow-map"},
+                                  {"2:shadow-map.light-samples=4", "3:shadow-map.light-samples=64"});
+    const std::vector<Result> results = measure(snapshot, std::move(few));
+    EXPECT_EQ(results[0].truth, measure::TruthOf::centre);
+    EXPECT_EQ(results[1].truth, measure::TruthOf::area);
+    EXPECT_EQ(results[0].counts.wrong(), 0);
+    EXPECT_EQ(results[0].counts.rmse, 0) << "a sharp shadow is right for a point";
+    EXPECT_GT(results[1].counts.rmse, 2 * results[2].counts.rmse);
+    EXPECT_LT(results[2].counts.rmse, 0.02);
+    EXPECT_EQ(results[1].counts.lit, results[2].counts.lit);
+    EXPECT_NE(results[0].counts.lit, results[2].counts.lit);
 }
 
 TEST_F(MeasurementTest, CountsExactlyThePixelsThatWereTurnedOver) {

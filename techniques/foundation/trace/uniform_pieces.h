@@ -41,7 +41,7 @@ private:
     std::vector<std::uint32_t> chosen_; ///< numbers of contours that lie within them, likewise
 };
 
-/// Twice the area is the sum of these; positive for a counter-clockwise polygon.
+/// Positive for a counter-clockwise polygon.
 double areaOf(std::span<const dvec2> polygon);
 
 /// The place in which the polygon would balance.
