@@ -5,7 +5,7 @@ filter_table.py PROGRAM [TABLE.md [CHART.svg]]
 
 Cost: what a frame takes longer than without shadows, the light moving, so that maps are new in each frame; the filters of one
 scene and resolution are measured in one run. Error: root mean square of the visibility against the exact answer for the
-light's centre. One is better than another if it is neither slower nor more wrong, on the mean over all scenes; those that
+light's centre; for pcss, where the light has an area, for that. One is better than another if it is neither slower nor more wrong, on the mean over all scenes; those that
 none is better than are the Pareto set.
 """
 # SPDX-License-Identifier: MIT
