@@ -76,7 +76,8 @@ TEST_F(ScreenTest, EveryLayoutAndPartDrawsSomethingElseAndNothingFails) {
         expectNew("layout");
     }
     lab.desk.shown.strip = false;
-    for (const char* stage : {"error", "truth", "scanline", "shadow-outline", "outside", "mesh-edges", "visibility", "pass:light"}) {
+    for (const char* stage :
+         {"error", "truth", "scanline", "shadow-outline", "outside", "mesh-edges", "visibility", "pass:light"}) {
         chooseStage(lab.desk, stage);
         expectNew(stage);
     }
@@ -139,7 +140,8 @@ TEST_F(ScreenTest, AWrongSettingLeavesTheLastPictureAndSaysWhy) {
     const GLuint picture = lab.desk.bench.pane(0).picture().texture.id();
     lab.desk.bench.change("", [](session::Document& d) { d.panes[0].settings["shadow-map"]["resolution"] = "7"; });
     lab.screen.frame(0.03);
-    EXPECT_NE(lab.desk.bench.pane(0).failure().find("64..32768"), std::string::npos) << lab.desk.bench.pane(0).failure();
+    EXPECT_NE(lab.desk.bench.pane(0).failure().find("64..32768"), std::string::npos)
+        << lab.desk.bench.pane(0).failure();
     EXPECT_EQ(lab.desk.bench.pane(0).picture().texture.id(), picture);
     lab.desk.bench.undo();
     settle(lab.screen);
@@ -160,6 +162,27 @@ TEST_F(ScreenTest, LiveErrorsAreThoseOfTheTechniques) {
     EXPECT_LE(zfail->counts.wrong(), 1) << "and depth fail holds, but for a crack";
     EXPECT_GT(zfail->counts.lit, 5000);
     EXPECT_GT(zfail->counts.shadowed, 5000);
+}
+
+// One lamp, a sharp map beside many points of it: each is judged by what it answers to.
+TEST_F(ScreenTest, LiveErrorsOfAnAreaComeAtRest) {
+    Lab lab(scene("cornell-room"), {640, 400});
+    lab.desk.bench.change("", [](session::Document& d) {
+        for (session::PaneState& pane : d.panes)
+            pane.technique = "shadow-map";
+        d.panes[1].settings["shadow-map"]["light-samples"] = "64";
+        d.panes[1].stage = "error";
+        d.layout = session::Layout::side;
+    });
+    settle(lab.screen);
+    const auto rmse = [&](int pane) {
+        const session::PaneErrors* const known = lab.screen.errors().errors(pane);
+        return known && known->exact ? known->counts.rmse : 1.0;
+    };
+    EXPECT_LT(rmse(0), 0.03) << "a sharp border is right for a point";
+    EXPECT_LT(rmse(1), 0.03) << "and a penumbra for its area";
+    EXPECT_TRUE(lab.screen.errors().picture(1));
+    EXPECT_NE(lab.screen.errors().errors(0)->counts.lit, lab.screen.errors().errors(1)->counts.lit);
 }
 
 } // namespace

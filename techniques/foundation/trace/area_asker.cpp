@@ -80,8 +80,7 @@ void AreaVisibility::Asker::findEdges(const CentredBox& box, const std::vector<s
             if (!certain || turn != 0) edgeNumbers_.push_back(number);
         }
     std::ranges::sort(edgeNumbers_);
-    const auto rest = std::ranges::unique(edgeNumbers_);
-    edgeNumbers_.erase(rest.begin(), rest.end());
+    edgeNumbers_.erase(std::unique(edgeNumbers_.begin(), edgeNumbers_.end()), edgeNumbers_.end());
 }
 
 AreaShare AreaVisibility::Asker::ask(const SurfacePoint& point, double move) {
