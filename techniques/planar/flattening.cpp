@@ -60,7 +60,7 @@ void addCasters(LitPlane& plane, const std::vector<Caster>& casters, const gl::E
         ++plane.casters;
         if (caster.hasHoles)
             plane.cutOuts.push_back(i);
-        else if (cull && caster.outward && !isWithin(lightWorld, caster))
+        else if (cull && params.once && caster.outward && !isWithin(lightWorld, caster))
             plane.frontsSuffice.add(caster);
         else
             plane.bothSides.add(caster);

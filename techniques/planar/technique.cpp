@@ -26,7 +26,12 @@ const PassInfo kPasses[] = {
      "between light and plane casts; a mark set twice is still one mark.",
      "colour and depth writes off, depth test off, clip distances at the light's height and at the plane, "
      "stencil EQUAL the plane's number, REPLACE, write mask 0x80",
-     true, "shadow-marks"},
+     true, "shadow-marks",
+     "for each receiver plane (N, D)\n"
+     "  for each vertex P of a caster\n"
+     "    P' = (N·P_L + D) P - (N·P + D) P_L\n"
+     "    w' = (N·P_L + D) - (N·P + D)\n"
+     "  draw its triangles where w' > 0 and N·P + D > 0"},
     {"count-points", "The same for many points of the light; count their shadows in every pixel",
      "A light with an area is many points of light. The share of them whose shadows fall on a pixel is the share of "
      "the "

@@ -43,6 +43,9 @@ public:
     Progress render(Frame& frame) override;
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::vector<SceneShape> shapes(const scene::Snapshot& snapshot, const View& view, int light) override;
+    bool samplesArea(const scene::Scene& scene, int light) const override {
+        return isSampled(scene.lights[static_cast<std::size_t>(light)]);
+    }
     std::string remark(const scene::MeshReport& report, const scene::Mesh& mesh) const override;
 
 private:
