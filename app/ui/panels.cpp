@@ -198,7 +198,9 @@ void timesPart(const Desk& desk) {
     for (const gl::PassTimer::Result& pass : frame.result.passMs)
         time("  " + pass.name, pass.elapsedMs);
     for (const Counter& counter : frame.result.counters)
-        if (counter.of > 0)
+        if (counter.of >= 1e4) // pixels: no room for both numbers, and nobody reads them
+            row(counter.id, "%.1f %% of %s", 100 * counter.built / counter.of, counter.unit.c_str());
+        else if (counter.of > 0)
             row(counter.id, "%.0f of %.0f %s", counter.built, counter.of, counter.unit.c_str());
         else
             row(counter.id, "%.0f %s", counter.built, counter.unit.c_str());
@@ -208,7 +210,7 @@ void timesPart(const Desk& desk) {
 /// What the technique found in the scene, with the colours that its stages give it.
 void foundPart(const Desk& desk) {
     const session::RenderedFrame& frame = desk.bench.pane(desk.bench.document().active).rendered();
-    if (frame.result.notes.empty() || !ImGui::CollapsingHeader("Found in the scene")) return;
+    if (frame.result.notes.empty() || !ImGui::CollapsingHeader("Found in the scene", ImGuiTreeNodeFlags_DefaultOpen)) return;
     for (const Note& note : frame.result.notes) {
         const float side = ImGui::GetTextLineHeight();
         const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -111,11 +111,16 @@ void Planar::countServed(Frame& frame) const {
     for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
         wanted = wanted || frame.wants("visibility", light);
     if (!wanted) return;
+    const std::vector<StencilPixel> stencil = readStencil(frame);
+    const Region region = drawnRegion(frame.view());
+    const int width = frame.view().size.x, bottom = frame.view().size.y - region.corner.y - region.size.y;
     double served = 0, surface = 0;
-    for (const StencilPixel& pixel : readStencil(frame)) {
-        surface += pixel.surface;
-        served += pixel.surface && pixel.value != 0;
-    }
+    for (int y = bottom; y < bottom + region.size.y; ++y)
+        for (int x = region.corner.x; x < region.corner.x + region.size.x; ++x) {
+            const StencilPixel& pixel = stencil[static_cast<std::size_t>(y * width + x)];
+            surface += pixel.surface;
+            served += pixel.surface && pixel.value != 0;
+        }
     frame.count("served", served, surface, "pixels");
 }
 
