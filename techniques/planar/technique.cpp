@@ -142,7 +142,7 @@ void Planar::chooseFor(const Frame& frame) {
     const Region& region = frame.view().region;
     const scene::Revisions& now = scene.revisions;
     const ViewKey view{now.geometry,      now.transforms, now.materials, frame.camera(),
-                       frame.view().size, region.corner,  region.size};
+                       frame.view().size, region.corner,  region.size,   gl::shaderReloads()};
     PictureKey key{view, now.lights, params_};
     if (key == key_) return;
     key_ = std::move(key);

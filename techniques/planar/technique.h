@@ -20,11 +20,12 @@ namespace shadowlab::planar {
 constexpr unsigned kTagBits = 0x3f, kLitBit = 0x40, kMarkBit = 0x80;
 static_assert(kMostReceivers == static_cast<int>(kTagBits));
 
-/// What the eye sees: while nothing of it changes, it is known which planes are hidden.
+/// What the eye sees, and by what shaders: while nothing of it changes, it is known which planes are hidden.
 struct ViewKey {
     std::uint64_t geometry = 0, transforms = 0, materials = 0; ///< revisions; no scene has these
     scene::Camera camera;
     ivec2 size{0}, corner{0}, regionSize{0};
+    int shaderReloads = 0;
     friend bool operator==(const ViewKey&, const ViewKey&) = default;
 };
 
