@@ -206,6 +206,18 @@ TEST_F(CaptureTest, Stats) {
     EXPECT_EQ(stats["results"][0]["technique"], "shadow-map");
 }
 
+TEST_F(CaptureTest, StatsSayWhatWasFound) {
+    succeed({"capture", "box.json", "-o", "x.png", "--size", "64x48", "-t", "planar", "--stats", "s.json"});
+    const nlohmann::json found = nlohmann::json::parse(content("s.json"))["results"][0]["found"];
+    ASSERT_GE(found.size(), 3u) << "the floor and two or three sides of the box";
+    EXPECT_TRUE(std::ranges::any_of(found, [](const nlohmann::json& one) {
+        return one["is"] == "(0, 1, 0)·P + 0 = 0";
+    })) << found;
+    EXPECT_TRUE(
+        std::ranges::any_of(found, [](const nlohmann::json& one) { return one["is"] == "(0, 1, 0)·P - 1 = 0"; }))
+        << "the lid; " << found;
+}
+
 TEST_F(CaptureTest, StatsAndPicturesToStandardOutput) {
     const ProgramResult stats =
         succeed({"capture", "box.json", "-o", "/dev/null", "--size", "8x8", "--stats", "/dev/stdout"});

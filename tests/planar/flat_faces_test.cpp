@@ -47,6 +47,57 @@ TEST(FlatFaces, ABendSeparates) {
     EXPECT_EQ(flatFaces(bent(1e-5)).faces.size(), 2u);
 }
 
+/// A prism of so many sides around y, two metres high and `radius` thick, shaded flat, with its lids.
+scene::Mesh prism(int sides, double radius) {
+    std::vector<dvec3> corners;
+    const auto at = [&](int i, double y) {
+        const double angle = 2 * M_PI * i / sides;
+        return dvec3(radius * std::cos(angle), y, radius * std::sin(angle));
+    };
+    for (int i = 0; i < sides; ++i) {
+        const dvec3 a = at(i, 0), b = at(i + 1, 0), c = at(i + 1, 2), d = at(i, 2);
+        corners.insert(corners.end(), {a, c, b, a, d, c, dvec3(0, 2, 0), c, d, dvec3(0, 0, 0), a, b});
+    }
+    return testing::triangleSoup(corners);
+}
+
+// Sides that meet at 90 and 45 degrees are faces, at 15 they are a column's. The lids are faces of all.
+TEST(FlatFaces, FacetsOfSomethingRoundAreNone) {
+    EXPECT_EQ(flatFaces(prism(4, 0.05)).faces.size(), 6u);
+    EXPECT_EQ(flatFaces(prism(8, 0.05)).faces.size(), 10u);
+    const FlatFaces column = flatFaces(prism(24, 0.05));
+    // As long as the mesh is, a side is large: what counts as a facet is small.
+    EXPECT_EQ(column.faces.size(), 26u);
+    const FlatFaces coin = flatFaces(prism(96, 4));
+    EXPECT_EQ(coin.faces.size(), 98u) << "two metres high: a side is an eighth of ten";
+    const FlatFaces flat = flatFaces(prism(96, 40));
+    EXPECT_EQ(flat.faces.size(), 2u);
+    EXPECT_NEAR(flat.facetArea, 96 * 2 * 2 * 40 * std::sin(M_PI / 96), 1e-3);
+    EXPECT_NEAR(flat.area - flat.facetArea, 96 * 40 * 40 * std::sin(2 * M_PI / 96), 1e-2);
+}
+
+// A stair of twenty steps, each a twentieth of it: small, but with edges all around.
+TEST(FlatFaces, TheStepsOfAStairAreFaces) {
+    std::vector<dvec3> corners;
+    for (int i = 0; i < 20; ++i) {
+        const dvec3 a(0, i, -i), b(1, i, -i), up(0, 1, 0), in(0, 0, -1);
+        corners.insert(corners.end(), {a, b, b + up, a, b + up, a + up}); // riser
+        const dvec3 c = a + up, d = b + up;
+        corners.insert(corners.end(), {c, d, d + in, c, d + in, c + in}); // tread
+    }
+    const FlatFaces stair = flatFaces(testing::triangleSoup(corners));
+    EXPECT_EQ(stair.faces.size(), 40u);
+    EXPECT_EQ(stair.facetArea + stair.smoothArea + stair.tinyArea, 0);
+    EXPECT_NEAR(stair.area, 40, 1e-9);
+}
+
+TEST(FlatFaces, WhatIsCurvedIsCounted) {
+    const FlatFaces ball = flatFaces(scene::makeSphere(1, 64));
+    EXPECT_TRUE(ball.faces.empty());
+    EXPECT_EQ(ball.smoothArea, ball.area);
+    EXPECT_NEAR(ball.area, 4 * M_PI, 0.05);
+}
+
 // The matrix of the lecture's figure, by hand: light at height 4, a point at height 1.
 TEST(Projection, TheShadowLiesOnTheLineAndInThePlane) {
     const auto projection = projectOnto({0, 1, 0, 0}, {0, 4, 0, 1});
