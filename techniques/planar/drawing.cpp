@@ -64,7 +64,8 @@ void Planar::drawReceiver(const Frame& frame, const gl::Program& program, const 
     drawRuns(frame.buffers().mesh(one.receiver.object), one.receiver.face->runs);
 }
 
-void Planar::setPlaneState(const LitPlane& plane) const {
+void Planar::setPlaneState(const Frame& frame, const LitPlane& plane) const {
+    frame.scissorTo(plane.part); // elsewhere another plane may have its number
     const GLint tagAndMark = static_cast<GLint>(kMarkBit) + plane.receiver->tag;
     glDepthMask(GL_FALSE);
     glEnable(GL_STENCIL_TEST);
@@ -84,7 +85,7 @@ void Planar::markShadows(const Frame& frame, const std::vector<LitPlane>& planes
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     for (const LitPlane& plane : planes) {
         if (plane.receiver->hidden && params_.stencil) continue;
-        setPlaneState(plane);
+        setPlaneState(frame, plane);
         if (plane.turnedAway) {
             tag_.use();
             drawReceiver(frame, tag_, *plane.receiver);
@@ -178,7 +179,7 @@ void Planar::darken(const Frame& frame, int light) {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     for (const LitPlane& plane : lit_[static_cast<std::size_t>(light)]) {
         if (plane.receiver->hidden && params_.stencil) continue;
-        setPlaneState(plane);
+        setPlaneState(frame, plane);
         glStencilMask(0);
         const gl::Program& paint = params_.divide ? paintDivided_ : paintFlattened_;
         setColor(paint, plane, vec4(0, 0, 0, kHalf));

@@ -7,8 +7,10 @@ params::ParamList describe(PlanarParams& p) {
     using params::onlyIf;
     const auto areMany = [&p] { return p.lightPoints.count > 1; };
     return {
-        params::integer("receivers", p.receivers, 0, kMostReceivers, "planes",
-                        "At most so many planes receive shadows: the largest in the picture."),
+        params::integer(
+            "receivers", p.receivers, 0, kMostReceivers, "planes",
+            "At most so many planes receive shadows: the largest in the picture. Fewer where more than 63 lie "
+            "one over the other."),
         params::integer(
             "light-samples", p.lightPoints.count, 1, 1024, "points",
             "Of a light with an area: the shadows from so many points of it are drawn, and counted where they "

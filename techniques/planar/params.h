@@ -6,11 +6,14 @@
 
 namespace shadowlab::planar {
 
-/// Six bits of the stencil; two are for other things (technique.h).
-constexpr int kMostReceivers = 63;
+/// Stencil numbers of planes: six bits; two are for other things (technique.h).
+constexpr int kNumbers = 63;
+
+/// More planes than a teacher would want to draw everything onto.
+constexpr int kMostReceivers = 1024;
 
 struct PlanarParams {
-    int receivers = kMostReceivers;
+    int receivers = 256;
     scene::LightPointParams lightPoints;
     bool clip = true;
     bool divide = false;

@@ -13,8 +13,8 @@ Probe Planar::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pix
     const auto hit = exact.eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
     if (!hit) return probe;
     const gl::EyeMatrices eye = gl::eyeMatrices(view.camera, view.size);
-    for (const ChosenReceiver& one :
-         receivers_.choose(*snapshot, eye, scene::objectBounds(*snapshot), params_.receivers)) {
+    for (const ChosenReceiver& one : receivers_.choose(*snapshot, eye, scene::objectBounds(*snapshot),
+                                                       params_.receivers, apartInPicture(view.size))) {
         if (one.receiver.object != hit->object || !contains(one.receiver.face->runs, hit->triangle)) continue;
         const dmat4 worldFromMesh = scene::worldFromMesh(snapshot->objects[hit->object]);
         probe.facts.push_back({"receiver plane", equation(planeOf(*one.receiver.face, worldFromMesh)), ""});

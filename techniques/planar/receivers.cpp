@@ -7,6 +7,7 @@
 #include <set>
 
 #include "techniques/foundation/scene/holes.h"
+#include "techniques/planar/params.h"
 
 namespace shadowlab::planar {
 
@@ -69,6 +70,25 @@ bool isLit(const scene::Scene& scene, const gl::EyeMatrices& eye, const dvec4& p
     });
 }
 
+/// Gives tags to some of the planes: counting down in the order of drawing, which is that of the scene, and from the top again
+/// where a plane is apart from all before. False when that takes more tags than there are.
+bool numbered(std::vector<ChosenReceiver>& planes, std::vector<std::size_t> drawn, const dvec2& apart) {
+    std::ranges::sort(drawn);
+    const auto mayOverlap = [&](const scene::PicturePart& a, const scene::PicturePart& b) {
+        return glm::all(glm::lessThanEqual(a.lower, b.upper + apart)) &&
+               glm::all(glm::lessThanEqual(b.lower, a.upper + apart));
+    };
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        ChosenReceiver& plane = planes[drawn[i]];
+        plane.tag = kNumbers;
+        for (std::size_t before = 0; before < i; ++before)
+            if (mayOverlap(planes[drawn[before]].part, plane.part))
+                plane.tag = std::min(plane.tag, planes[drawn[before]].tag - 1);
+        if (plane.tag < 1) return false;
+    }
+    return true;
+}
+
 } // namespace
 
 bool Receivers::findNext(const scene::Snapshot& snapshot) {
@@ -93,7 +113,8 @@ bool Receivers::findNext(const scene::Snapshot& snapshot) {
 }
 
 std::vector<ChosenReceiver> Receivers::choose(const scene::Scene& scene, const gl::EyeMatrices& eye,
-                                              std::span<const scene::Bounds> bounds, int limit) const {
+                                              std::span<const scene::Bounds> bounds, int limit,
+                                              const dvec2& apart) const {
     std::vector<ChosenReceiver> inView;
     for (const Receiver& receiver : all_) {
         const dmat4 worldFromMesh = scene::worldFromMesh(scene.objects[receiver.object]);
@@ -124,11 +145,9 @@ std::vector<ChosenReceiver> Receivers::choose(const scene::Scene& scene, const g
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, before);
     order.resize(std::min(order.size(), static_cast<std::size_t>(limit)));
-    // Tags count down in the order of drawing, which is that of the scene.
-    std::vector<std::size_t> drawn = order;
-    std::ranges::sort(drawn);
-    for (std::size_t i = 0; i < drawn.size(); ++i)
-        inView[drawn[i]].tag = static_cast<int>(drawn.size() - i);
+    // Too many one over the other: the smallest have to go.
+    while (!numbered(inView, order, apart))
+        order.resize(order.size() - std::max<std::size_t>(1, order.size() / 8));
     std::vector<ChosenReceiver> chosen;
     for (const std::size_t i : order)
         chosen.push_back(inView[i]);

@@ -20,7 +20,7 @@ struct Receiver {
 /// A receiver in a picture.
 struct ChosenReceiver {
     Receiver receiver;
-    int tag = 0;             ///< its stencil value; of two the one drawn first has the larger
+    int tag = 0; ///< its stencil value; of two that may overlap in the picture the one drawn first has the larger
     double pictureArea = 0;  ///< of the rectangle around it, as a share of the picture: at most 1
     scene::PicturePart part; ///< that holds the rectangle
     bool lit = false;        ///< the centre of a light shines on the side that the eye sees
@@ -30,6 +30,9 @@ struct ChosenReceiver {
     std::array<dvec3, 4> frameWorld{}, frameView{};
 };
 
+/// Eight pixels: parts of a picture are drawn with one pixel more on each side, and rounded besides.
+inline dvec2 apartInPicture(ivec2 size) { return 16.0 / dvec2(size); }
+
 /// All receivers, found again when the geometry changes.
 class Receivers {
 public:
@@ -38,9 +41,12 @@ public:
     [[nodiscard]] const std::vector<Receiver>& all() const { return all_; }
 
     /// Those in view, hidden by others or not, and no more than `limit` of them: first those on which a light shines, as the eye sees
-    /// them, and of these the largest in the picture. `bounds` are the scene's objectBounds.
+    /// them, and of these the largest in the picture; and no more than there are tags for. `bounds` are the scene's
+    /// objectBounds. Two planes have the same tag only where they are more than `apart` from each other, in normalised device
+    /// coordinates: nobody who draws within their parts of the picture mistakes one for the other.
     [[nodiscard]] std::vector<ChosenReceiver> choose(const scene::Scene& scene, const gl::EyeMatrices& eye,
-                                                     std::span<const scene::Bounds> bounds, int limit) const;
+                                                     std::span<const scene::Bounds> bounds, int limit,
+                                                     const dvec2& apart) const;
 
 private:
     struct Found {

@@ -60,7 +60,7 @@ std::vector<dvec3> raysOnto(const ChosenReceiver& one, const Projection& project
 std::vector<SceneShape> Planar::shapes(const scene::Snapshot& snapshot, const View& view, int light) {
     const gl::EyeMatrices eye = gl::eyeMatrices(view.camera, view.size);
     const std::vector<ChosenReceiver> chosen =
-        receivers_.choose(*snapshot, eye, scene::objectBounds(*snapshot), params_.receivers);
+        receivers_.choose(*snapshot, eye, scene::objectBounds(*snapshot), params_.receivers, apartInPicture(view.size));
     SceneShape outline{"receiver plane", look::kBoundaryEdge, SceneShape::Kind::lines, {}};
     SceneShape area{"receiver plane", look::kBoundaryEdge, SceneShape::Kind::faces, {}};
     for (const ChosenReceiver& one : chosen)

@@ -140,14 +140,15 @@ vec3 Planar::colorOf(const ChosenReceiver& receiver) const {
     return round == 0 ? color : round == 1 ? glm::mix(color, vec3(1.0f), 0.5f) : 0.4f * color;
 }
 
-std::vector<KeyEntry> Planar::keyOf(const std::function<std::string(const ChosenReceiver&)>& named) const {
+std::vector<KeyEntry> Planar::keyOf(const std::function<std::string(const ChosenReceiver&)>& named,
+                                    const std::function<vec3(const ChosenReceiver&)>& colored) const {
     constexpr std::size_t kMostNamed = 6; // a legend that leaves room for the picture
     std::vector<KeyEntry> key;
     std::size_t others = 0;
     for (const ChosenReceiver& one : chosen_) { // largest first
         if (one.hidden) continue;
         if (key.size() < kMostNamed)
-            key.push_back({colorOf(one), named(one)});
+            key.push_back({colored(one), named(one)});
         else
             ++others;
     }
@@ -175,18 +176,19 @@ void Planar::publishPlanes(Frame& frame) const {
                                  drawReceiver(frame, paintPlane_, one);
                              }
                          },
-                         {.unit = "", .key = keyOf(named)});
+                         {.unit = "", .key = keyOf(named, [&](const ChosenReceiver& one) { return colorOf(one); })});
 }
 
 void Planar::publishTags(Frame& frame) const {
     std::array<vec3, kTagBits + 1> colors{};
     colors.fill(look::kNotAsked);
-    for (const ChosenReceiver& one : chosen_)
-        colors[static_cast<std::size_t>(one.tag)] = colorOf(one);
+    for (auto one = chosen_.rbegin(); one != chosen_.rend(); ++one) // of planes that share a number the largest wins
+        colors[static_cast<std::size_t>(one->tag)] = colorOf(*one);
+    const auto colored = [&](const ChosenReceiver& one) { return colors[static_cast<std::size_t>(one.tag)]; };
     const auto named = [&](const ChosenReceiver& one) {
         return std::to_string(one.tag) + ": " + frame.scene().objects[one.receiver.object].name;
     };
-    std::vector<KeyEntry> key = keyOf(named);
+    std::vector<KeyEntry> key = keyOf(named, colored);
     key.push_back({look::kNotAsked, "0: no plane"});
     publishColors(frame, "stencil-tags", kNoLight, std::move(key),
                   [&](int value) { return colors[static_cast<std::size_t>(value)]; });

@@ -146,7 +146,8 @@ void Planar::chooseFor(const Frame& frame) {
     PictureKey key{view, now.lights, params_};
     if (key == key_) return;
     key_ = std::move(key);
-    chosen_ = receivers_.choose(scene, frame.eye(), frame.buffers().bounds(), params_.receivers);
+    chosen_ =
+        receivers_.choose(scene, frame.eye(), frame.buffers().bounds(), params_.receivers, apartInPicture(view.size));
     if (params_.cull && hiddenIn_ == view)
         for (ChosenReceiver& one : chosen_)
             one.hidden = hidden_.contains({one.receiver.object, one.receiver.face});

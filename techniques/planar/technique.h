@@ -18,7 +18,7 @@ namespace shadowlab::planar {
 // The stencil's eight bits: the plane's number, "lit already" (two surfaces at one depth must not both add their light),
 // and the shadow mark.
 constexpr unsigned kTagBits = 0x3f, kLitBit = 0x40, kMarkBit = 0x80;
-static_assert(kMostReceivers == static_cast<int>(kTagBits));
+static_assert(kNumbers == static_cast<int>(kTagBits));
 
 /// What the eye sees, and by what shaders: while nothing of it changes, it is known which planes are hidden.
 struct ViewKey {
@@ -72,7 +72,7 @@ private:
     static void drawReceiver(const Frame& frame, const gl::Program& program, const ChosenReceiver& one);
     void markShadows(const Frame& frame, const std::vector<LitPlane>& planes, int light);
     void drawFlattened(const Frame& frame, const gl::Program& program, const LitPlane& plane, Part part, int light);
-    void setPlaneState(const LitPlane& plane) const;
+    void setPlaneState(const Frame& frame, const LitPlane& plane) const;
     static void setColor(const gl::Program& program, const LitPlane& plane, const vec4& color);
     static void clearBits(unsigned bits);
     void drawLit(const Frame& frame, const gl::Program& program, int light) const;
@@ -90,7 +90,8 @@ private:
     void publishPoints(Frame& frame, int light) const;
     [[nodiscard]] static int mostMarkedTag(const Frame& frame);
     void publishFlattened(Frame& frame, int light, int tag);
-    [[nodiscard]] std::vector<KeyEntry> keyOf(const std::function<std::string(const ChosenReceiver&)>& named) const;
+    [[nodiscard]] std::vector<KeyEntry> keyOf(const std::function<std::string(const ChosenReceiver&)>& named,
+                                              const std::function<vec3(const ChosenReceiver&)>& colored) const;
     [[nodiscard]] vec3 colorOf(const ChosenReceiver& receiver) const;
     void countServed(Frame& frame) const;
 

@@ -79,8 +79,8 @@ OnPlanes onPlanes(const scene::Scene& scene, const std::vector<std::string>& set
     }
     const double aspect = static_cast<double>(kSize.x) / kSize.y;
     const scene::Camera camera = scene::withTightNear(scene.camera, scene, scene::objectBounds(scene), aspect);
-    const auto chosen =
-        receivers.choose(scene, gl::eyeMatrices(camera, kSize), scene::objectBounds(scene), planar::kMostReceivers);
+    const auto chosen = receivers.choose(scene, gl::eyeMatrices(camera, kSize), scene::objectBounds(scene),
+                                         planar::PlanarParams().receivers, planar::apartInPicture(kSize));
     const trace::ExactVisibility judge(judged ? testing::snapshot(*judged) : snapshot);
     RasterisedTriangles seen(snapshot);
     OnPlanes result;

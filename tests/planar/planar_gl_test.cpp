@@ -123,6 +123,19 @@ TEST_F(PlanarTest, TheLimitKeepsTheLargestPlanes) {
     EXPECT_LT(onPlanes(scene, {"receivers=1"}).falseLit, 200) << "the floor is the largest, and has most of the shadow";
 }
 
+// More planes than there are numbers: those apart in the picture share one.
+TEST_F(PlanarTest, MoreThanSixtyThreePlanes) {
+    scene::Scene scene = testing::floorScene();
+    for (int i = 0; i < 80; ++i)
+        addBox(scene, {0.25, 0.3, 0.25}, {-3.2 + 0.7 * (i % 10), 0.15, -4.5 + 0.9 * (i / 10)});
+    addBox(scene, {7, 0.05, 0.1}, {0, 0.8, -1}); // a beam that shadows many of them
+    addBox(scene, {0.1, 0.05, 7}, {0.5, 1, -1});
+    scene.camera.positionWorld = {0, 6, 6};
+    scene.lights.push_back(testing::pointLight({2, 5, 3}));
+    expectExactOnPlanes(scene, 1500);
+    EXPECT_GT(onPlanes(scene, {"receivers=63"}).falseLit, 50) << "the beams' shadows on the other boxes";
+}
+
 /// Twelve boxes around, before and behind one another: many planes, of which most are hidden.
 scene::Scene manyPlanes() {
     scene::Scene scene = testing::floorScene();
