@@ -12,9 +12,12 @@ namespace shadowlab::testing {
 /// Counts of pixels.
 struct OnPlanes {
     int lit = 0, shadowed = 0, falseLit = 0, falseShadow = 0, ties = 0;
+    int contacts =
+        0; ///< would be false, but within the tie radius another surface touches or crosses the one that is seen
     int elsewhere = 0;         ///< on surfaces that receive nothing
     int elsewhereShadowed = 0; ///< those of them that face the light and were drawn dark all the same
     std::string firstWrong;    ///< a pixel, for whoever wants to look at it
+    [[nodiscard]] int compared() const { return lit + shadowed; }
     [[nodiscard]] int wrong() const { return falseLit + falseShadow; }
     OnPlanes& operator+=(const OnPlanes& other);
 };
