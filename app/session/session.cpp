@@ -86,7 +86,8 @@ void requirePassRan(const RenderedFrame& rendered, const StageKey& pass, const T
     if (std::ranges::find(rendered.result.passes, pass) != rendered.result.passes.end()) return;
     std::string ran;
     for (const StageKey& key : rendered.result.passes)
-        if (ran.find(key.id) == std::string::npos) ran += (ran.empty() ? "" : ", ") + key.id;
+        if ((", " + ran + ",").find(", " + key.id + ",") == std::string::npos)
+            ran += (ran.empty() ? "" : ", ") + key.id;
     throw Error(ExitStatus::usage, "pass '" + pass.id + "' of '" + std::string(info.id) +
                                        "' does not run with these settings; passes that run: " + ran);
 }

@@ -2,7 +2,6 @@
 #include "techniques/planar/caster_buffers.h"
 
 #include "techniques/foundation/gl/scene_buffers.h"
-#include "techniques/technique.h"
 
 namespace shadowlab::planar {
 
@@ -31,7 +30,6 @@ void DrawList::add(const Caster& caster) {
 void CasterBuffers::update(const Casters& casters) {
     if (listRevision_ == casters.listRevision()) return;
     listRevision_ = casters.listRevision();
-    perLight_.clear();
     vertexArray_ = gl::VertexArrayHandle::create();
     glBindVertexArray(vertexArray_.id());
     positions_ = gl::uploadBuffer(GL_ARRAY_BUFFER, casters.positionsCaster());
@@ -41,22 +39,8 @@ void CasterBuffers::update(const Casters& casters) {
     glBindVertexArray(0);
 }
 
-GLuint CasterBuffers::indicesFor(const Casters& casters, int light) {
-    if (light == kNoLight || casters.edgeOn(light).empty()) return indices_.id();
-    OfLight& own = perLight_[light];
-    if (own.edgeOn != casters.edgeOn(light)) {
-        std::vector<uvec3> triangles = casters.triangles();
-        for (const std::uint32_t t : casters.edgeOn(light))
-            triangles[t] = uvec3(triangles[t].x); // a point: nothing is drawn, and all others keep their places
-        own.edgeOn = casters.edgeOn(light);
-        own.indices = gl::uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles);
-    }
-    return own.indices.id();
-}
-
-void CasterBuffers::draw(const Casters& casters, int light, const DrawList& list) {
+void CasterBuffers::draw(const DrawList& list) const {
     glBindVertexArray(vertexArray_.id());
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indicesFor(casters, light));
     glMultiDrawElements(GL_TRIANGLES, list.counts.data(), GL_UNSIGNED_INT, list.offsets.data(),
                         static_cast<GLsizei>(list.counts.size()));
     glBindVertexArray(0);

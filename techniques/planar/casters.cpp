@@ -2,6 +2,7 @@
 #include "techniques/planar/casters.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/facing.h"
@@ -18,72 +19,112 @@ bool isWithin(const dvec4& lightWorld, const Caster& caster) {
            glm::all(glm::lessThanEqual(dvec3(lightWorld), upper + margin));
 }
 
-bool Casters::buildNext(const scene::Snapshot& snapshot) {
-    const scene::Revisions& now = snapshot->revisions;
-    const bool same = made_.geometry == now.geometry && made_.transforms == now.transforms;
-    if (!same || made_.materials != now.materials) list(*snapshot);
-    if (!same || made_.materials != now.materials || made_.lights != now.lights) edgeOn_.clear();
-    made_ = now;
-    if (edgeOn_.size() == snapshot->lights.size()) return true;
-
-    const scene::Light& light = snapshot->lights[edgeOn_.size()];
-    std::vector<std::uint32_t> edgeOn;
-    for (const Caster& caster : casters_) {
-        if (caster.hasHoles || !isWithin(scene::homogeneousPositionWorld(light), caster)) continue;
-        const std::vector<std::int8_t> facing = scene::facingSigns(snapshot->objects[caster.object], light);
-        for (std::uint32_t t = 0; t < facing.size(); ++t)
-            if (facing[t] == 0) edgeOn.push_back(caster.firstTriangle + t);
+std::vector<NearTriangle> trianglesNear(const dvec4& lightWorld, const Caster& caster, const scene::Object& object) {
+    // What the graphics card computes with floats is off by no more than this share of the largest distance.
+    constexpr double kFloats = 1.0 / (1 << 20);
+    // Nearer than this the light lies in the triangle, and on no side: contact, as for rays (docs/conventions.md).
+    constexpr double kContact = 1e-10;
+    const dvec3 lightMesh =
+        glm::inverse(dmat3(caster.worldFromMesh)) * (dvec3(lightWorld) - dvec3(caster.worldFromMesh[3]));
+    const double reach = glm::length(caster.farthestMesh) + glm::length(lightMesh);
+    std::vector<NearTriangle> found;
+    const scene::Mesh& mesh = *object.mesh;
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        const uvec3& corners = mesh.triangles[t];
+        const dvec3 a(mesh.positionsMesh[corners.x]), b(mesh.positionsMesh[corners.y]),
+            c(mesh.positionsMesh[corners.z]);
+        const dvec3 cross = glm::cross(b - a, c - a);
+        const double size = glm::length(cross);
+        if (size <= 0) continue;
+        const dvec3 normal = cross / size;
+        const double height = glm::dot(normal, lightMesh - a);
+        if (std::abs(height) > kFloats * reach) continue;
+        NearTriangle near{t, false, dvec4(0.0)};
+        const std::int8_t side = scene::facingSign(a, b, c, dvec4(lightMesh, 1.0));
+        if (side != 0 && std::abs(height) > kContact * reach) {
+            const auto inside = [&](const dvec3& from, const dvec3& to) {
+                return glm::dot(glm::cross(to - from, lightMesh - from), normal) >= 0;
+            };
+            near.holdsLight = inside(a, b) && inside(b, c) && inside(c, a);
+            const dvec3 normalWorld = static_cast<double>(side) * transformNormal(caster.worldFromMesh, normal);
+            near.planeWorld = dvec4(normalWorld, -glm::dot(normalWorld, transformPoint(caster.worldFromMesh, a)));
+        }
+        found.push_back(near);
     }
-    edgeOn_.push_back(std::move(edgeOn));
-    return edgeOn_.size() == snapshot->lights.size();
+    return found;
 }
 
-const std::vector<std::uint32_t>& Casters::edgeOn(int light) const { return edgeOn_[static_cast<std::size_t>(light)]; }
-
-void Casters::list(const scene::Scene& scene) {
+void Casters::update(const scene::Snapshot& snapshot) {
+    const scene::Revisions& now = snapshot->revisions;
+    if (made_.geometry == now.geometry && made_.transforms == now.transforms && made_.materials == now.materials)
+        return;
+    made_ = now;
+    listRevision_ = scene::newRevision();
     casters_.clear();
     positionsCaster_.clear();
     triangles_.clear();
-    listRevision_ = scene::newRevision();
-    scene::Bounds all;
-    for (const std::size_t o : scene::allCasters(scene)) {
-        const scene::Object& object = scene.objects[o];
+    farthestInList_ = dvec3(0.0);
+    for (const std::size_t o : scene::allCasters(*snapshot)) {
+        const scene::Object& object = snapshot->objects[o];
         Caster caster;
         caster.object = o;
-        caster.hasHoles = scene::hasHoles(scene, object);
+        caster.hasHoles = scene::hasHoles(*snapshot, object);
+        caster.mirrored = scene::isMirrored(object);
+        caster.worldFromMesh = scene::worldFromMesh(object);
         caster.outward = object.mesh->outward && !caster.hasHoles;
         caster.boundsWorld = scene::boundsWorld(object);
-        all.include(caster.boundsWorld);
         casters_.push_back(caster);
     }
     std::ranges::stable_partition(casters_, [](const Caster& caster) { return caster.outward; });
-    worldFromCaster_ = dmat4(1.0);
-    if (!all.isEmpty()) worldFromCaster_[3] = dvec4(0.5 * (all.lowerWorld + all.upperWorld), 1.0);
+    chooseList();
     for (Caster& caster : casters_)
-        add(scene.objects[caster.object], caster);
+        add(snapshot->objects[caster.object], caster);
+}
+
+/// What is far from the middle is left out, until everything in the list is near it, measured by the size of a usual caster.
+void Casters::chooseList() {
+    std::vector<double> sizes;
+    for (Caster& caster : casters_) {
+        caster.inList = !caster.hasHoles && !caster.boundsWorld.isEmpty();
+        if (caster.inList) sizes.push_back(glm::length(caster.boundsWorld.upperWorld - caster.boundsWorld.lowerWorld));
+    }
+    if (sizes.empty()) return;
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>((sizes.size() - 1) / 2);
+    std::ranges::nth_element(sizes, middle);
+    for (;;) {
+        scene::Bounds all;
+        for (const Caster& caster : casters_)
+            if (caster.inList) all.include(caster.boundsWorld);
+        if (all.isEmpty()) return;
+        const dvec3 originWorld = 0.5 * (all.lowerWorld + all.upperWorld);
+        worldFromCaster_ = dmat4(1.0);
+        worldFromCaster_[3] = dvec4(originWorld, 1.0);
+        const double reach = 0.5 * glm::length(all.upperWorld - all.lowerWorld);
+        if (reach <= kFarthestInSizes * *middle) return;
+        for (Caster& caster : casters_) {
+            const dvec3 farthest = glm::max(glm::abs(caster.boundsWorld.lowerWorld - originWorld),
+                                            glm::abs(caster.boundsWorld.upperWorld - originWorld));
+            if (glm::length(farthest) > 0.5 * reach) caster.inList = false;
+        }
+    }
 }
 
 void Casters::add(const scene::Object& object, Caster& caster) {
     const scene::Mesh& mesh = *object.mesh;
-    const dmat4 worldFromMesh = scene::worldFromMesh(object);
+    for (const vec3& position : mesh.positionsMesh)
+        caster.farthestMesh = glm::max(caster.farthestMesh, dvec3(glm::abs(position)));
+    if (!caster.inList) return;
     caster.triangleCount = static_cast<std::uint32_t>(mesh.triangles.size());
-    if (caster.hasHoles) {
-        caster.worldFromCaster = worldFromMesh;
-        for (const vec3& position : mesh.positionsMesh)
-            caster.farthest = glm::max(caster.farthest, dvec3(glm::abs(position)));
-        return;
-    }
-    caster.worldFromCaster = worldFromCaster_;
     caster.firstTriangle = static_cast<std::uint32_t>(triangles_.size());
     const auto firstVertex = static_cast<std::uint32_t>(positionsCaster_.size());
     for (const vec3& position : mesh.positionsMesh) {
-        const dvec3 positionCaster = transformPoint(worldFromMesh, dvec3(position)) - dvec3(worldFromCaster_[3]);
-        caster.farthest = glm::max(caster.farthest, glm::abs(positionCaster));
+        const dvec3 positionCaster = transformPoint(caster.worldFromMesh, dvec3(position)) - dvec3(worldFromCaster_[3]);
+        caster.farthestCaster = glm::max(caster.farthestCaster, glm::abs(positionCaster));
         positionsCaster_.emplace_back(positionCaster);
     }
-    const bool mirrored = scene::isMirrored(object);
+    farthestInList_ = glm::max(farthestInList_, caster.farthestCaster);
     for (const uvec3& t : mesh.triangles)
-        triangles_.push_back(firstVertex + (mirrored ? uvec3(t.x, t.z, t.y) : t));
+        triangles_.push_back(firstVertex + (caster.mirrored ? uvec3(t.x, t.z, t.y) : t));
 }
 
 } // namespace shadowlab::planar

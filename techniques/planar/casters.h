@@ -1,21 +1,27 @@
-// What is flattened: the triangles of all casting objects in one list, so that one call draws the shadows of all of them.
+// What is flattened: the triangles of most casting objects in one list, so that one call draws the shadows of all of them.
 //
-// Positions are in caster space: world axes, the origin in the middle of the casters. So they are as exact as floats can
-// have them, wherever the scene lies. Objects with holes are not in the list: they are drawn one by one, with their masks.
+// Positions in the list are in caster space: world axes, the origin in the middle of its casters. So they are nearly as exact
+// as in mesh space, wherever the scene lies. Not in the list, and drawn one by one, are objects with holes (each has its mask),
+// and what is so large or so far away that the others would suffer from it: a sky, a mountain on the horizon.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>
 
 #include "techniques/foundation/scene/scene.h"
+#include "techniques/planar/flat_faces.h"
 
 namespace shadowlab::planar {
 
+// A caster may be so many times its own size away from the middle of the list: then its vertices are rounded to a 65,000th of
+// its size, a hundredth of a pixel where it fills a picture.
+constexpr double kFarthestInSizes = 256;
+
 struct Caster {
     std::size_t object = 0;
-    std::uint32_t firstTriangle = 0, triangleCount = 0; ///< in the list; with holes: of the object's own mesh
-    bool hasHoles = false;
-    dmat4 worldFromCaster{1.0}; ///< with holes: world space from mesh space
-    dvec3 farthest{0.0};        ///< largest absolute coordinates in caster space, per axis; with holes: in mesh space
+    bool inList = false, hasHoles = false, mirrored = false;
+    std::uint32_t firstTriangle = 0, triangleCount = 0; ///< in the list
+    dmat4 worldFromMesh{1.0};
+    dvec3 farthestCaster{0.0}, farthestMesh{0.0}; ///< largest absolute coordinates in either space, per axis
     /// Behind each of its back faces there is a front face (scene/outward_parts.h), as seen from any point out of its box.
     bool outward = false;
     scene::Bounds boundsWorld;
@@ -24,36 +30,46 @@ struct Caster {
 /// Is the light, homogeneous, in the caster's box, or so near that rounding may have put it out?
 bool isWithin(const dvec4& lightWorld, const Caster& caster);
 
-/// Made anew when geometry, places, holes or (for the triangles left out) lights change. Outward casters come first.
+/// A triangle whose plane passes through a light, or by it so closely that floats cannot tell. Flattened it is a line, or nothing
+/// but rounding; so it is not flattened.
+struct NearTriangle {
+    std::uint32_t triangle = 0;
+    /// The light lies on it, but for a hair on one side: then everything behind the plane is in its shadow, and this is the
+    /// plane in world space, positive where the light is. Else it shadows nothing that could be seen.
+    bool holdsLight = false;
+    dvec4 planeWorld{0.0};
+};
+
+/// Those of one caster, in ascending order.
+std::vector<NearTriangle> trianglesNear(const dvec4& lightWorld, const Caster& caster, const scene::Object& object);
+
+/// Made anew when geometry, places or holes change. Outward casters come first.
 class Casters {
 public:
-    /// Handles one more light; true when all are done.
-    bool buildNext(const scene::Snapshot& snapshot);
+    void update(const scene::Snapshot& snapshot);
 
     [[nodiscard]] const std::vector<Caster>& all() const { return casters_; }
-    /// Of those without holes.
     [[nodiscard]] const dmat4& worldFromCaster() const { return worldFromCaster_; }
+    /// Largest absolute coordinates of the list, per axis.
+    [[nodiscard]] const dvec3& farthestInList() const { return farthestInList_; }
     [[nodiscard]] const std::vector<vec3>& positionsCaster() const { return positionsCaster_; }
     /// Counter-clockwise from outside, also where the object is mirrored.
     [[nodiscard]] const std::vector<uvec3>& triangles() const { return triangles_; }
-    /// The triangles whose plane holds the light's centre, of casters in whose box it is. They block nothing; flattened each is
-    /// a line, but where a corner is the light itself, rounding would make a face of it.
-    [[nodiscard]] const std::vector<std::uint32_t>& edgeOn(int light) const;
 
     /// Changes whenever the list of triangles does.
     [[nodiscard]] std::uint64_t listRevision() const { return listRevision_; }
 
 private:
-    void list(const scene::Scene& scene);
+    void chooseList();
     void add(const scene::Object& object, Caster& caster);
 
     scene::Revisions made_{0, 0, 0, 0}; ///< for these; no scene has them
     std::uint64_t listRevision_ = 0;
     std::vector<Caster> casters_;
     dmat4 worldFromCaster_{1.0};
+    dvec3 farthestInList_{0.0};
     std::vector<vec3> positionsCaster_;
     std::vector<uvec3> triangles_;
-    std::vector<std::vector<std::uint32_t>> edgeOn_; ///< per light
 };
 
 } // namespace shadowlab::planar

@@ -63,14 +63,14 @@ bool Planar::countPoints(const Frame& frame, int light) {
     return counted.drawn == counted.pointsWorld.size();
 }
 
-void Planar::countOnePoint(const Frame& frame, const dvec3& pointWorld, const gl::Framebuffer& counting) {
+void Planar::countOnePoint(const Frame& frame, const dvec3& pointWorld, const gl::Framebuffer& counting) const {
     const std::vector<LitPlane> planes =
-        litPlanes(chosen_, casters_.all(), frame.eye(), dvec4(pointWorld, 1.0), params_, true);
+        litPlanes(frame.scene(), chosen_, casters_, frame.eye(), dvec4(pointWorld, 1.0), params_, true);
     if (planes.empty()) return;
     gl::setBaselineState();
     counting.bind();
     frame.scissorTo(std::nullopt);
-    markShadows(frame, planes, kNoLight);
+    markShadows(frame, planes);
 
     // One more in each marked pixel, and the marks are gone.
     scene::PicturePart part = planes.front().part;

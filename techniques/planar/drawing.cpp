@@ -13,49 +13,52 @@ void drawRuns(const gl::MeshBuffers& mesh, const std::vector<TriangleRun>& runs)
         mesh.draw(run.first, run.count);
 }
 
+bool isSomewhere(const scene::PicturePart& part) { return part.lower.x < part.upper.x && part.lower.y < part.upper.y; }
+
 } // namespace
 
-void Planar::tagReceivers(const Frame& frame, bool everywhere) {
-    // Which planes others hide is known only when they are drawn: to wait for that costs about as much as flattening everything
-    // onto some more planes, and is done only where it is not known yet.
+/// Draws all planes in view, and asks of each whether any pixel shows it: once for a view.
+void Planar::findHidden(const Frame& frame) {
+    if (hiddenIn_ == key_.view) return;
+    // To wait for the answers costs about as much as flattening everything onto some more planes.
     constexpr std::ptrdiff_t kFew = 4;
-    const auto mayBeShadowed = [](const scene::PicturePart& part) {
-        return part.lower.x < part.upper.x && part.lower.y < part.upper.y;
-    };
-    const bool finding = params_.cull && hiddenIn_ != key_.view &&
-                         (everywhere || std::ranges::count_if(shadowedParts_, mayBeShadowed) > kFew);
+    const auto mayBeShadowed = std::ranges::count_if(shadowedParts_, isSomewhere);
+    if (!leftOut_ && !(params_.cull && (showsTags(frame) || mayBeShadowed > kFew))) return;
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_EQUAL);
+    tag_.use();
+    std::vector<gl::QueryHandle> queries;
+    for (const ChosenReceiver& one : inView_) {
+        queries.push_back(gl::QueryHandle::create());
+        glBeginQuery(GL_SAMPLES_PASSED, queries.back().id());
+        drawReceiver(frame, tag_, one);
+        glEndQuery(GL_SAMPLES_PASSED);
+    }
+    hiddenIn_ = key_.view;
+    hidden_.clear();
+    for (std::size_t i = 0; i < inView_.size(); ++i) {
+        GLuint pixels = 0;
+        glGetQueryObjectuiv(queries[i].id(), GL_QUERY_RESULT, &pixels);
+        if (pixels == 0) hidden_.emplace(inView_[i].receiver.object, inView_[i].receiver.face);
+    }
+    listFor(frame);
+}
+
+void Planar::tagReceivers(const Frame& frame, bool everywhere) const {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthMask(GL_FALSE);
     glDepthFunc(GL_EQUAL);
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     tag_.use();
-    std::vector<gl::QueryHandle> queries;
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
         // Where no shadow can fall no number is asked for.
-        if (everywhere || finding)
-            frame.scissorTo(std::nullopt);
-        else if (mayBeShadowed(shadowedParts_[i]) && !chosen_[i].hidden)
-            frame.scissorTo(shadowedParts_[i]);
-        else
-            continue;
+        if (!everywhere && !isSomewhere(shadowedParts_[i])) continue;
+        frame.scissorTo(everywhere ? scene::PicturePart{} : shadowedParts_[i]);
         // Of two planes at one depth the one drawn first is the visible one, and its number is the larger.
         glStencilFunc(GL_GREATER, chosen_[i].tag, kTagBits);
-        if (finding) {
-            queries.push_back(gl::QueryHandle::create());
-            glBeginQuery(GL_SAMPLES_PASSED, queries.back().id());
-        }
         drawReceiver(frame, tag_, chosen_[i]);
-        if (finding) glEndQuery(GL_SAMPLES_PASSED);
-    }
-    if (!finding) return;
-    hiddenIn_ = key_.view;
-    hidden_.clear();
-    for (std::size_t i = 0; i < chosen_.size(); ++i) {
-        GLuint pixels = 0;
-        glGetQueryObjectuiv(queries[i].id(), GL_QUERY_RESULT, &pixels);
-        chosen_[i].hidden = pixels == 0;
-        if (chosen_[i].hidden) hidden_.emplace(chosen_[i].receiver.object, chosen_[i].receiver.face);
     }
 }
 
@@ -81,10 +84,9 @@ void Planar::setPlaneState(const Frame& frame, const LitPlane& plane) const {
     }
 }
 
-void Planar::markShadows(const Frame& frame, const std::vector<LitPlane>& planes, int light) {
+void Planar::markShadows(const Frame& frame, const std::vector<LitPlane>& planes) const {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     for (const LitPlane& plane : planes) {
-        if (plane.receiver->hidden && params_.stencil) continue;
         setPlaneState(frame, plane);
         if (plane.turnedAway) {
             tag_.use();
@@ -92,28 +94,40 @@ void Planar::markShadows(const Frame& frame, const std::vector<LitPlane>& planes
             continue;
         }
         const gl::Program& flatten = params_.divide ? flattenDivided_ : flatten_;
-        drawFlattened(frame, flatten, plane, params_.clip ? Part::between : Part::wherever, light);
-        if (!params_.clip && !params_.divide) drawFlattened(frame, flatten, plane, Part::whereverTurnedOver, light);
+        drawFlattened(frame, flatten, plane, params_.clip ? Part::between : Part::wherever);
+        if (!params_.clip && !params_.divide) drawFlattened(frame, flatten, plane, Part::whereverTurnedOver);
+        hideBehind(frame, plane);
     }
 }
 
-void Planar::drawFlattened(const Frame& frame, const gl::Program& program, const LitPlane& plane, Part part,
-                           int light) {
-    const Projection& projection = plane.projection;
-    const bool clipped = part != Part::wherever && part != Part::whereverTurnedOver;
+void Planar::hideBehind(const Frame& frame, const LitPlane& plane) const {
+    if (plane.hiddenBehind.empty()) return;
+    glEnable(GL_CLIP_DISTANCE0);
+    behind_.use();
+    const dmat4 worldFromMesh = scene::worldFromMesh(frame.scene().objects[plane.receiver->receiver.object]);
+    for (const dvec4& planeWorld : plane.hiddenBehind) {
+        behind_.set("behindRow", vec4(-planeWorld * worldFromMesh));
+        drawReceiver(frame, behind_, *plane.receiver);
+    }
+    glDisable(GL_CLIP_DISTANCE0);
+}
+
+void Planar::drawFlattened(const Frame& frame, const gl::Program& program, const LitPlane& plane, Part part) const {
     glEnable(GL_CLIP_DISTANCE0);
     glEnable(GL_CLIP_DISTANCE1);
-    // What is to be clipped by nothing gets a distance of 1 everywhere: Mesa also clips where that is not enabled.
-    const dvec4 always(0, 0, 0, 1);
+    const bool clipped = part != Part::wherever && part != Part::whereverTurnedOver;
     // The weight is negative beyond the light. With all signs turned over the same homogeneous points have a positive one.
     const bool beyond = part == Part::beyondLight || part == Part::whereverTurnedOver;
-    const auto setProjection = [&](const gl::Program& used, const dmat4& worldFromCaster) {
+    const auto setProjection = [&](const gl::Program& used, const dmat4& worldFromCaster, double contact) {
         const dmat4 viewFromCaster = frame.eye().viewFromWorld * worldFromCaster;
-        const dmat4 flattenedFromCaster = projection.flattenedFromView * viewFromCaster;
-        dvec4 weightRow = projection.weightRow(viewFromCaster), heightRow = projection.heightRow(viewFromCaster);
+        const dmat4 flattenedFromCaster = plane.projection.flattenedFromView * viewFromCaster;
+        dvec4 weightRow = plane.projection.weightRow(viewFromCaster),
+              heightRow = plane.projection.heightRow(viewFromCaster);
         if (part == Part::beyondLight) weightRow = -weightRow;
         if (part == Part::behindPlane) heightRow = -heightRow;
-        heightRow.w -= plane.contact;
+        heightRow.w -= contact;
+        // What is to be clipped by nothing gets a distance of 1 everywhere: Mesa also clips where that is not enabled.
+        const dvec4 always(0, 0, 0, 1);
         used.use();
         used.set("sheet", beyond ? -1.0f : 1.0f);
         used.set("clipFromMeshFlattened", mat4(frame.eye().clipFromView * flattenedFromCaster));
@@ -122,33 +136,56 @@ void Planar::drawFlattened(const Frame& frame, const gl::Program& program, const
         used.set("weightRow", vec4(clipped ? weightRow : always));
         used.set("heightRow", vec4(clipped ? heightRow : always));
     };
-    if (!casters_.all().empty()) setProjection(program, casters_.worldFromCaster());
+    if (!plane.frontsSuffice.empty() || !plane.bothSides.empty())
+        setProjection(program, casters_.worldFromCaster(), plane.contact);
     if (!plane.frontsSuffice.empty()) {
         // Counter-clockwise seen from the light is counter-clockwise seen by the eye, on the same side of the plane.
         glEnable(GL_CULL_FACE);
-        buffers_.draw(casters_, light, plane.frontsSuffice);
+        buffers_.draw(plane.frontsSuffice);
         glDisable(GL_CULL_FACE);
     }
-    if (!plane.bothSides.empty()) buffers_.draw(casters_, light, plane.bothSides);
-    for (const std::size_t i : plane.cutOuts) {
-        const Caster& caster = casters_.all()[i];
-        const scene::Mesh& mesh = *frame.scene().objects[caster.object].mesh;
-        for (std::size_t p = 0; p < mesh.parts.size(); ++p) {
-            const gl::Texture2D* mask = frame.buffers().mask(caster.object, p);
-            setProjection(mask ? program.cutting() : program, caster.worldFromCaster);
-            if (mask) {
-                mask->bind(gl::kAlphaMaskUnit);
-                program.cutting().set("alphaMask", gl::kAlphaMaskUnit);
-            }
-            frame.buffers().mesh(caster.object).draw(mesh.parts[p].firstTriangle, mesh.parts[p].triangleCount);
+    if (!plane.bothSides.empty()) buffers_.draw(plane.bothSides);
+    for (const SingleCaster& single : plane.singles) {
+        const Caster& caster = casters_.all()[single.caster];
+        if (caster.hasHoles) setProjection(program.cutting(), caster.worldFromMesh, single.contact);
+        setProjection(program, caster.worldFromMesh, single.contact);
+        drawSingle(frame, program, single);
+    }
+    glDisable(GL_CLIP_DISTANCE0);
+    glDisable(GL_CLIP_DISTANCE1);
+}
+
+/// With the projection set, also for the variant that cuts holes.
+void Planar::drawSingle(const Frame& frame, const gl::Program& program, const SingleCaster& single) const {
+    const Caster& caster = casters_.all()[single.caster];
+    if (single.frontsSuffice) {
+        glEnable(GL_CULL_FACE);
+        glCullFace(caster.mirrored ? GL_FRONT : GL_BACK);
+    }
+    const std::vector<scene::MeshPart>& parts = frame.scene().objects[caster.object].mesh->parts;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        const gl::Texture2D* mask = frame.buffers().mask(caster.object, p);
+        const gl::Program& used = mask ? program.cutting() : program;
+        used.use();
+        if (mask) {
+            mask->bind(gl::kAlphaMaskUnit);
+            used.set("alphaMask", gl::kAlphaMaskUnit);
+        }
+        const std::uint32_t partEnd = parts[p].firstTriangle + parts[p].triangleCount;
+        for (const TriangleRun& run : single.runs) {
+            const std::uint32_t first = std::max(run.first, parts[p].firstTriangle);
+            const std::uint32_t end = std::min(run.first + run.count, partEnd);
+            if (first < end) frame.buffers().mesh(caster.object).draw(first, end - first);
         }
     }
+    glCullFace(GL_BACK);
+    glDisable(GL_CULL_FACE);
 }
 
 void Planar::setColor(const gl::Program& program, const LitPlane& plane, const vec4& color) {
     program.use();
     program.set("color", color);
-    if (plane.cutOuts.empty()) return;
+    if (plane.singles.empty()) return; // only of these may one have holes
     program.cutting().use();
     program.cutting().set("color", color);
 }
@@ -173,18 +210,17 @@ void Planar::drawLit(const Frame& frame, const gl::Program& program, int light) 
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());
 }
 
-void Planar::darken(const Frame& frame, int light) {
+void Planar::darken(const Frame& frame, int light) const {
     constexpr float kHalf = 0.5f; // what each face leaves of the light
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     for (const LitPlane& plane : lit_[static_cast<std::size_t>(light)]) {
-        if (plane.receiver->hidden && params_.stencil) continue;
         setPlaneState(frame, plane);
         glStencilMask(0);
         const gl::Program& paint = params_.divide ? paintDivided_ : paintFlattened_;
         setColor(paint, plane, vec4(0, 0, 0, kHalf));
-        drawFlattened(frame, paint, plane, params_.clip ? Part::between : Part::wherever, light);
-        if (!params_.clip && !params_.divide) drawFlattened(frame, paint, plane, Part::whereverTurnedOver, light);
+        drawFlattened(frame, paint, plane, params_.clip ? Part::between : Part::wherever);
+        if (!params_.clip && !params_.divide) drawFlattened(frame, paint, plane, Part::whereverTurnedOver);
     }
 }
 

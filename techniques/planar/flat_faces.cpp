@@ -23,9 +23,9 @@ const double kFlatCosine = std::cos(0.0175);
 // of a ball does not.
 constexpr double kLargeShare = 1.0 / 8.0;
 
-// A smaller one must have sharp edges (a step of a stair, a window sill), and is not looked at when it is less than this: a
-// hundredth of the mesh is some ten pixels of a mesh that fills the picture.
-constexpr double kTinyShare = 1.0 / 100.0;
+// A smaller one must have sharp edges (a step of a stair, a window sill). Of those no more than so many, the largest: a tree's
+// leaves need not all receive.
+constexpr std::size_t kMostFaces = 2048;
 
 // Two faces that meet at less than 30 degrees approximate a curve: a column of twelve sides, any finer one, and the facets
 // of a ball or a teapot. Chamfers have 45.
@@ -107,8 +107,8 @@ public:
             const std::vector<std::uint32_t> members = spread(seed);
             FlatFace face = faceOf(seed, members);
             const double size = glm::length(face.frameMesh[2] - face.frameMesh[0]) / diagonal_;
-            if (size < kTinyShare)
-                found.tinyArea += areaOf(members);
+            if (faces.size() == kMostFaces)
+                found.leftOverArea += areaOf(members);
             else if (size < kLargeShare && gentleShare(members) > kGentleShare)
                 found.facetArea += areaOf(members);
             else

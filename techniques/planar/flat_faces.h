@@ -38,7 +38,7 @@ struct FlatFaces {
     double area = 0;             ///< of the whole mesh, in units of mesh space; the rest are parts of it
     double smoothArea = 0;       ///< shading normals are not those of the triangles
     double facetArea = 0;        ///< small, and its outline bends gently: a facet of something curved
-    double tinyArea = 0;         ///< too small to be looked at
+    double leftOverArea = 0;     ///< of faces beyond the 2048 largest
 };
 
 /// O(n log n) in the triangles that are shaded flat.

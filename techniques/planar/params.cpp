@@ -11,10 +11,11 @@ params::ParamList describe(PlanarParams& p) {
             "receivers", p.receivers, 0, kMostReceivers, "planes",
             "At most so many planes receive shadows: the largest in the picture. Fewer where more than 63 lie "
             "one over the other."),
-        params::integer(
-            "light-samples", p.lightPoints.count, 1, 1024, "points",
-            "Of a light with an area: the shadows from so many points of it are drawn, and counted where they "
-            "overlap; 1: the hard shadow from its centre."),
+        onlyIf([&p] { return p.once; },
+               params::integer(
+                   "light-samples", p.lightPoints.count, 1, 1024, "points",
+                   "Of a light with an area: the shadows from so many points of it are drawn, and counted where they "
+                   "overlap; 1: the hard shadow from its centre. Only with once.")),
         onlyIf(areMany,
                params::choice("light-points", p.lightPoints.spread, {"jittered", "random"},
                               "Where they are: one by chance in each of as many equal parts; random: anywhere, "

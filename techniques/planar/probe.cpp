@@ -13,8 +13,9 @@ Probe Planar::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pix
     const auto hit = exact.eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
     if (!hit) return probe;
     const gl::EyeMatrices eye = gl::eyeMatrices(view.camera, view.size);
-    for (const ChosenReceiver& one : receivers_.choose(*snapshot, eye, scene::objectBounds(*snapshot),
-                                                       params_.receivers, apartInPicture(view.size))) {
+    const Choice choice = choose(receivers_.inView(*snapshot, eye, scene::objectBounds(*snapshot)), params_.receivers,
+                                 apartInPicture(view.size));
+    for (const ChosenReceiver& one : choice.receivers) {
         if (one.receiver.object != hit->object || !contains(one.receiver.face->runs, hit->triangle)) continue;
         const dmat4 worldFromMesh = scene::worldFromMesh(snapshot->objects[hit->object]);
         probe.facts.push_back({"receiver plane", equation(planeOf(*one.receiver.face, worldFromMesh)), ""});
@@ -39,7 +40,7 @@ std::string percent(double share) {
 std::string Planar::remark(const scene::MeshReport& report, const scene::Mesh& mesh) const {
     const std::string holes = report.hasHoles ? "; casts the holes that an alpha map cuts as holes" : "";
     const FlatFaces found = flatFaces(mesh);
-    const double rest = found.smoothArea + found.facetArea + found.tinyArea;
+    const double rest = found.smoothArea + found.facetArea + found.leftOverArea;
     if (rest <= 0 || found.area <= 0)
         return "receives shadows on all of it: " + std::to_string(found.faces.size()) +
                (found.faces.size() == 1 ? " flat face" : " flat faces") + holes;
@@ -49,7 +50,7 @@ std::string Planar::remark(const scene::MeshReport& report, const scene::Mesh& m
     };
     add(found.smoothArea, "is shaded as curved");
     add(found.facetArea, "are facets that meet at less than 30 degrees");
-    add(found.tinyArea, "are faces of less than a hundredth of its size");
+    add(found.leftOverArea, "are faces beyond the 2048 largest");
     if (found.faces.empty())
         return "casts, but receives no shadows, not even its own, for there is no plane: " + why + holes;
     return "receives shadows on " + std::to_string(found.faces.size()) +

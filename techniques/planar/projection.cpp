@@ -8,9 +8,9 @@ namespace shadowlab::planar {
 
 namespace {
 
-// Below this share of the light's distance its height is rounding, as seen by the floats of the graphics card. Such light
-// grazes the plane at a fifth of a second of arc.
-constexpr double kGrazing = 1.0 / (1 << 20);
+// Below this share of the light's distance from the far end of the plane it has no height: it grazes the plane at a three
+// hundredth of a second of arc, and gives it a hundred millionth of its light.
+constexpr double kGrazing = 1.0 / (1 << 26);
 
 } // namespace
 
@@ -23,12 +23,19 @@ dvec4 planeOf(const FlatFace& face, const dmat4& spaceFromMesh) {
     return {normal, -glm::dot(normal, transformPoint(spaceFromMesh, face.pointMesh))};
 }
 
-std::optional<Projection> projectOnto(const dvec4& planeView, const dvec4& lightView, bool grazing) {
+double reachOf(const dvec4& lightView, const std::array<dvec3, 4>& frameView) {
+    if (lightView.w <= 0) return 1;
+    double reach = 0;
+    for (const dvec3& corner : frameView)
+        reach = std::max(reach, glm::length(dvec3(lightView) - corner));
+    return reach;
+}
+
+std::optional<Projection> projectOnto(const dvec4& planeView, const dvec4& lightView, double reach) {
     Projection projection;
     projection.lightView = lightView;
     projection.lightHeight = glm::dot(planeView, lightView);
-    const double reach = glm::length(dvec3(lightView)) + std::abs(planeView.w * lightView.w);
-    if (std::abs(projection.lightHeight) <= (grazing ? 0.0 : kGrazing * reach)) return std::nullopt;
+    if (std::abs(projection.lightHeight) <= kGrazing * reach) return std::nullopt;
     const double side = projection.lightHeight > 0 ? 1 : -1;
     projection.planeView = side * planeView;
     projection.lightHeight *= side;

@@ -36,8 +36,11 @@ struct Projection {
 /// (N, D) of a flat face in a space that is reached from mesh space by a matrix.
 dvec4 planeOf(const FlatFace& face, const dmat4& spaceFromMesh);
 
-/// Nothing where the light lies in the plane: it does not shine on it. `grazing`: unless it lies there exactly.
-std::optional<Projection> projectOnto(const dvec4& planeView, const dvec4& lightView, bool grazing = false);
+/// The distance of a light from the farthest corner of a frame; of a direction, whose height is that of a unit vector, 1.
+double reachOf(const dvec4& lightView, const std::array<dvec3, 4>& frameView);
+
+/// Nothing where the light lies in the plane, or so near to it for its reach that it only grazes it: it does not shine on it.
+std::optional<Projection> projectOnto(const dvec4& planeView, const dvec4& lightView, double reach = 0);
 
 /// Below this height what is there belongs to the plane itself: its own triangles, and what lies on it. In metres: what the
 /// face is uneven by, and the rounding of heights.

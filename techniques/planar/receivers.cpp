@@ -63,9 +63,10 @@ bool isBackOfClosed(const scene::Scene& scene, std::size_t object, const scene::
 }
 
 /// Does the centre of any light shine on the side of the plane that the eye sees?
-bool isLit(const scene::Scene& scene, const gl::EyeMatrices& eye, const dvec4& planeView) {
+bool isLit(const scene::Scene& scene, const gl::EyeMatrices& eye, const ChosenReceiver& one) {
     return std::ranges::any_of(scene.lights, [&](const scene::Light& light) {
-        const auto projection = projectOnto(planeView, eye.viewFromWorld * scene::homogeneousPositionWorld(light));
+        const dvec4 lightView = eye.viewFromWorld * scene::homogeneousPositionWorld(light);
+        const auto projection = projectOnto(one.planeView, lightView, reachOf(lightView, one.frameView));
         return projection && projection->planeView.w > 0;
     });
 }
@@ -93,7 +94,12 @@ bool numbered(std::vector<ChosenReceiver>& planes, std::vector<std::size_t> draw
 
 bool Receivers::findNext(const scene::Snapshot& snapshot) {
     if (listedGeometry_ == snapshot->revisions.geometry) return true;
-    for (const scene::Object& object : snapshot->objects) {
+    if (findingGeometry_ != snapshot->revisions.geometry) {
+        findingGeometry_ = snapshot->revisions.geometry;
+        next_ = 0;
+    }
+    for (; next_ < snapshot->objects.size(); ++next_) {
+        const scene::Object& object = snapshot->objects[next_];
         if (!object.receivesShadow || meshes_.contains(object.mesh.get())) continue;
         meshes_[object.mesh.get()] = {object.mesh, flatFaces(*object.mesh).faces};
         return false;
@@ -103,18 +109,34 @@ bool Receivers::findNext(const scene::Snapshot& snapshot) {
     for (const scene::Object& object : snapshot->objects)
         present.insert(object.mesh.get());
     std::erase_if(meshes_, [&](const auto& known) { return !present.contains(known.first); });
-    all_.clear();
-    for (std::size_t o = 0; o < snapshot->objects.size(); ++o)
-        if (snapshot->objects[o].receivesShadow)
-            for (const FlatFace& face : meshes_.at(snapshot->objects[o].mesh.get()).faces)
-                all_.push_back({o, &face});
+    list(*snapshot);
     listedGeometry_ = snapshot->revisions.geometry;
     return true;
 }
 
-std::vector<ChosenReceiver> Receivers::choose(const scene::Scene& scene, const gl::EyeMatrices& eye,
-                                              std::span<const scene::Bounds> bounds, int limit,
-                                              const dvec2& apart) const {
+void Receivers::list(const scene::Scene& scene) {
+    all_.clear();
+    std::vector<double> areas; // of the rectangles around them, in square metres
+    for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+        if (!scene.objects[o].receivesShadow) continue;
+        const dmat4 worldFromMesh = scene::worldFromMesh(scene.objects[o]);
+        for (const FlatFace& face : meshes_.at(scene.objects[o].mesh.get()).faces) {
+            std::array<dvec3, 3> corners;
+            for (std::size_t i = 0; i < 3; ++i)
+                corners[i] = transformPoint(worldFromMesh, face.frameMesh[i]);
+            areas.push_back(glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0])));
+            all_.push_back({o, &face, 0});
+        }
+    }
+    std::vector<std::size_t> order(all_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::ranges::greater{}, [&](std::size_t i) { return areas[i]; });
+    for (std::size_t rank = 0; rank < order.size(); ++rank)
+        all_[order[rank]].rank = rank;
+}
+
+std::vector<ChosenReceiver> Receivers::inView(const scene::Scene& scene, const gl::EyeMatrices& eye,
+                                              std::span<const scene::Bounds> bounds) const {
     std::vector<ChosenReceiver> inView;
     for (const Receiver& receiver : all_) {
         const dmat4 worldFromMesh = scene::worldFromMesh(scene.objects[receiver.object]);
@@ -134,24 +156,30 @@ std::vector<ChosenReceiver> Receivers::choose(const scene::Scene& scene, const g
         one.planeView = planeOf(*receiver.face, viewFromMesh);
         if (isBackOfClosed(scene, receiver.object, bounds[receiver.object], eye, one.planeView)) continue;
         one.unevenness = receiver.face->unevenness * glm::length(dvec3(one.planeView * viewFromMesh));
-        one.lit = isLit(scene, eye, one.planeView);
+        one.lit = isLit(scene, eye, one);
         inView.push_back(one);
     }
-    const auto before = [&](std::size_t a, std::size_t b) {
-        if (inView[a].lit != inView[b].lit) return inView[a].lit;
-        return inView[a].pictureArea > inView[b].pictureArea;
-    };
-    std::vector<std::size_t> order(inView.size());
+    return inView;
+}
+
+Choice choose(const std::vector<ChosenReceiver>& inView, int limit, const dvec2& apart, const HiddenFaces& hidden) {
+    std::vector<ChosenReceiver> seen;
+    for (const ChosenReceiver& one : inView)
+        if (!hidden.contains({one.receiver.object, one.receiver.face})) seen.push_back(one);
+    std::vector<std::size_t> order(seen.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, before);
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+        if (seen[a].lit != seen[b].lit) return seen[a].lit;
+        return seen[a].pictureArea > seen[b].pictureArea;
+    });
     order.resize(std::min(order.size(), static_cast<std::size_t>(limit)));
     // Too many one over the other: the smallest have to go.
-    while (!numbered(inView, order, apart))
+    while (!numbered(seen, order, apart))
         order.resize(order.size() - std::max<std::size_t>(1, order.size() / 8));
-    std::vector<ChosenReceiver> chosen;
+    Choice choice{{}, order.size() < seen.size()};
     for (const std::size_t i : order)
-        chosen.push_back(inView[i]);
-    return chosen;
+        choice.receivers.push_back(seen[i]);
+    return choice;
 }
 
 } // namespace shadowlab::planar

@@ -59,8 +59,9 @@ std::vector<dvec3> raysOnto(const ChosenReceiver& one, const Projection& project
 
 std::vector<SceneShape> Planar::shapes(const scene::Snapshot& snapshot, const View& view, int light) {
     const gl::EyeMatrices eye = gl::eyeMatrices(view.camera, view.size);
-    const std::vector<ChosenReceiver> chosen =
-        receivers_.choose(*snapshot, eye, scene::objectBounds(*snapshot), params_.receivers, apartInPicture(view.size));
+    const std::vector<ChosenReceiver> chosen = choose(receivers_.inView(*snapshot, eye, scene::objectBounds(*snapshot)),
+                                                      params_.receivers, apartInPicture(view.size))
+                                                   .receivers;
     SceneShape outline{"receiver plane", look::kBoundaryEdge, SceneShape::Kind::lines, {}};
     SceneShape area{"receiver plane", look::kBoundaryEdge, SceneShape::Kind::faces, {}};
     for (const ChosenReceiver& one : chosen)
@@ -72,7 +73,8 @@ std::vector<SceneShape> Planar::shapes(const scene::Snapshot& snapshot, const Vi
     const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->lights[static_cast<std::size_t>(light)]);
     SceneShape rays{"ray from the light to the plane", look::kSilhouette, SceneShape::Kind::lines, {}};
     for (const ChosenReceiver& one : chosen) {
-        const auto projection = projectOnto(one.planeView, eye.viewFromWorld * lightWorld);
+        const auto projection = projectOnto(one.planeView, eye.viewFromWorld * lightWorld,
+                                            reachOf(eye.viewFromWorld * lightWorld, one.frameView));
         if (!projection || projection->planeView.w <= 0) continue;
         std::vector<dvec3> onto = raysOnto(one, *projection, casters_.all(), eye);
         if (onto.size() > rays.pointsWorld.size()) rays.pointsWorld = std::move(onto);

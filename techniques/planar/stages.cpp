@@ -46,20 +46,25 @@ void publishColors(Frame& frame, std::string_view stage, int light, std::vector<
     frame.publish(stage, light, std::move(texture), {.unit = "", .key = std::move(key)});
 }
 
-/// "0.45", without a sign; no more digits than a reader needs.
-std::string shortNumber(double value) {
+/// "0.45", without a sign; no more digits than a reader needs: three decimals of a direction, five digits of a distance.
+std::string shortNumber(double value, const char* format) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", std::round(std::abs(value) * 1000) / 1000);
+    std::snprintf(text.data(), text.size(), format, std::abs(value));
     return text.data();
 }
 
-std::string signedNumber(double value) { return (value <= -0.0005 ? "-" : "") + shortNumber(value); }
+std::string component(double value) {
+    const double rounded = std::round(value * 1000) / 1000;
+    return (rounded < 0 ? "-" : "") + shortNumber(rounded, "%.3g");
+}
 
 } // namespace
 
 std::string equation(const dvec4& plane) {
-    return "(" + signedNumber(plane.x) + ", " + signedNumber(plane.y) + ", " + signedNumber(plane.z) + ")·P " +
-           (plane.w <= -0.0005 ? "- " : "+ ") + shortNumber(plane.w) + " = 0";
+    constexpr double kNothing = 1e-12; // metres: rounding
+    const double distance = std::abs(plane.w) < kNothing ? 0 : plane.w;
+    return "(" + component(plane.x) + ", " + component(plane.y) + ", " + component(plane.z) + ")·P " +
+           (distance < 0 ? "- " : "+ ") + shortNumber(distance, "%.5g") + " = 0";
 }
 
 /// Does anybody look at the plane's numbers where no shadow can fall?
@@ -73,19 +78,18 @@ bool Planar::showsTags(const Frame& frame) const {
 
 /// How much was left out.
 void Planar::countLists(Frame& frame) const {
-    const auto seen = std::ranges::count(chosen_, false, &ChosenReceiver::hidden);
-    frame.count("receivers", static_cast<double>(seen), static_cast<double>(receivers_.all().size()), "planes");
+    frame.count("receivers", static_cast<double>(chosen_.size()), static_cast<double>(receivers_.all().size()),
+                "planes");
     for (const std::vector<LitPlane>& planes : lit_)
         for (const LitPlane& plane : planes)
             frame.count("flattened", plane.casters, static_cast<double>(casters_.all().size()), "casters");
     for (const ChosenReceiver& one : chosen_) {
-        if (one.hidden) continue;
         const scene::Object& object = frame.scene().objects[one.receiver.object];
         frame.note(object.name, equation(planeOf(*one.receiver.face, scene::worldFromMesh(object))), colorOf(one));
     }
 }
 
-void Planar::publishVisibility(Frame& frame, int light) {
+void Planar::publishVisibility(Frame& frame, int light) const {
     const bool sampled = isSampled(frame.scene().lights[static_cast<std::size_t>(light)]);
     const gl::Program& program = sampled ? visibilityCounted_ : visibility_;
     frame.drawStage("visibility", light, GL_RG32F, [&] {
@@ -124,19 +128,17 @@ void Planar::countServed(Frame& frame) const {
     frame.count("served", served, surface, "pixels");
 }
 
-// The same plane keeps its colour wherever the camera goes: Okabe and Ito's colours, then lighter, then darker ones.
-vec3 Planar::colorOf(const ChosenReceiver& receiver) const {
+// The same plane keeps its colour wherever the camera goes, and the largest have the clearest: Okabe and Ito's colours, then
+// lighter, then darker ones.
+vec3 Planar::colorOf(const ChosenReceiver& receiver) {
     static const std::array<vec3, 7> colors = {
         look::linearFromSrgb8(0x56, 0xB4, 0xE9), look::linearFromSrgb8(0xE6, 0x9F, 0x00),
         look::linearFromSrgb8(0x00, 0x9E, 0x73), look::linearFromSrgb8(0xF0, 0xE4, 0x42),
         look::linearFromSrgb8(0xCC, 0x79, 0xA7), look::linearFromSrgb8(0x00, 0x72, 0xB2),
         look::linearFromSrgb8(0xD5, 0x5E, 0x00)};
-    std::size_t index = 0;
-    while (receivers_.all()[index].object != receiver.receiver.object ||
-           receivers_.all()[index].face != receiver.receiver.face)
-        ++index;
-    const vec3 color = colors[index % colors.size()];
-    const std::size_t round = index / colors.size() % 3;
+    const std::size_t rank = receiver.receiver.rank;
+    const vec3 color = colors[rank % colors.size()];
+    const std::size_t round = rank / colors.size() % 3;
     return round == 0 ? color : round == 1 ? glm::mix(color, vec3(1.0f), 0.5f) : 0.4f * color;
 }
 
@@ -146,7 +148,6 @@ std::vector<KeyEntry> Planar::keyOf(const std::function<std::string(const Chosen
     std::vector<KeyEntry> key;
     std::size_t others = 0;
     for (const ChosenReceiver& one : chosen_) { // largest first
-        if (one.hidden) continue;
         if (key.size() < kMostNamed)
             key.push_back({colored(one), named(one)});
         else
@@ -235,14 +236,15 @@ int Planar::mostMarkedTag(const Frame& frame) {
     return static_cast<int>(std::ranges::max_element(marked) - marked.begin());
 }
 
-void Planar::publishFlattened(Frame& frame, int light, int tag) {
+void Planar::publishFlattened(Frame& frame, int light, int tag) const {
     constexpr float kAlpha = 0.45f; // the layers of a closed caster, front and back, stay distinguishable
     constexpr float kNearer = 16;   // steps of depth: the plane itself does not hide them, what stands before it does
     const vec3 between = look::kOccluded, beyond = look::kMultipleEdge, behind = look::kAwayFromLight;
     PlanarParams all = params_;
     all.clip = all.cull = false;
     const dvec4 lightWorld = scene::homogeneousPositionWorld(frame.scene().lights[static_cast<std::size_t>(light)]);
-    const std::vector<LitPlane> planes = litPlanes(chosen_, casters_.all(), frame.eye(), lightWorld, all, false);
+    const std::vector<LitPlane> planes =
+        litPlanes(frame.scene(), chosen_, casters_, frame.eye(), lightWorld, all, false);
     const auto shown = std::ranges::find(planes, tag, [](const LitPlane& plane) { return plane.receiver->tag; });
     const auto draw = [&] {
         if (shown == planes.end()) return; // no plane is lit, or nothing falls on one
@@ -254,7 +256,7 @@ void Planar::publishFlattened(Frame& frame, int light, int tag) {
         glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
         const auto paint = [&](const vec3& color, Part part) {
             setColor(paintFlattened_, *shown, unexposed(frame, color, kAlpha));
-            drawFlattened(frame, paintFlattened_, *shown, part, kNoLight);
+            drawFlattened(frame, paintFlattened_, *shown, part);
         };
         paint(behind, Part::behindPlane);
         paint(beyond, Part::beyondLight);

@@ -68,8 +68,7 @@ const StageInfo kStages[] = {
 Progress Planar::prepare(const scene::Snapshot& snapshot, Deadline deadline) {
     while (!receivers_.findNext(snapshot))
         if (std::chrono::steady_clock::now() >= deadline) return {0.3, false};
-    while (!casters_.buildNext(snapshot))
-        if (std::chrono::steady_clock::now() >= deadline) return {0.7, false};
+    casters_.update(snapshot);
     return {};
 }
 
@@ -82,7 +81,10 @@ Progress Planar::render(Frame& frame) {
     frame.pass(passInfo(kPasses, "lights-off"),
                [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
     if (frame.wants("lights-off")) frame.publishTarget("lights-off");
-    frame.pass(passInfo(kPasses, "tag-receivers"), [&] { tagReceivers(frame, showsTags(frame) || !params_.cull); });
+    frame.pass(passInfo(kPasses, "tag-receivers"), [&] {
+        findHidden(frame);
+        tagReceivers(frame, showsTags(frame) || !params_.cull);
+    });
     if (frame.wants("stencil-tags")) publishTags(frame);
     countLists(frame);
     countServed(frame);
@@ -102,7 +104,7 @@ Progress Planar::render(Frame& frame) {
             light);
         if (!sampled || looksAtMarks)
             frame.pass(
-                passInfo(kPasses, "shadows"), [&] { markShadows(frame, lit_[static_cast<std::size_t>(light)], light); },
+                passInfo(kPasses, "shadows"), [&] { markShadows(frame, lit_[static_cast<std::size_t>(light)]); },
                 light);
         if (frame.wants("shadow-marks", light)) publishMarks(frame, light);
         if (frame.wants("flattened", light)) mostShadowed[light] = mostMarkedTag(frame);
@@ -146,17 +148,24 @@ void Planar::chooseFor(const Frame& frame) {
     PictureKey key{view, now.lights, params_};
     if (key == key_) return;
     key_ = std::move(key);
-    chosen_ =
-        receivers_.choose(scene, frame.eye(), frame.buffers().bounds(), params_.receivers, apartInPicture(view.size));
-    if (params_.cull && hiddenIn_ == view)
-        for (ChosenReceiver& one : chosen_)
-            one.hidden = hidden_.contains({one.receiver.object, one.receiver.face});
+    inView_ = receivers_.inView(scene, frame.eye(), frame.buffers().bounds());
+    std::erase_if(counted_, [&](const auto& kept) { return kept.first >= static_cast<int>(scene.lights.size()); });
+    listFor(frame);
+}
+
+/// From what is in view.
+void Planar::listFor(const Frame& frame) {
+    const scene::Scene& scene = frame.scene();
+    Choice choice = choose(inView_, params_.receivers, apartInPicture(frame.view().size),
+                           hiddenIn_ == key_.view ? hidden_ : HiddenFaces{});
+    chosen_ = std::move(choice.receivers);
+    leftOut_ = choice.leftOut;
     lit_.clear();
     constexpr scene::PicturePart kNowhere{dvec2(1.0), dvec2(-1.0)};
     shadowedParts_.assign(chosen_.size(), kNowhere);
     for (const scene::Light& light : scene.lights) {
         lit_.push_back(
-            litPlanes(chosen_, casters_.all(), frame.eye(), scene::homogeneousPositionWorld(light), params_, false));
+            litPlanes(scene, chosen_, casters_, frame.eye(), scene::homogeneousPositionWorld(light), params_, false));
         for (const LitPlane& plane : lit_.back()) {
             scene::PicturePart& part = shadowedParts_[static_cast<std::size_t>(plane.receiver - chosen_.data())];
             part = around(part, plane.part);

@@ -8,8 +8,6 @@
 // Simplified: curved surfaces receive nothing.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <set>
-
 #include "techniques/frame.h"
 #include "techniques/planar/flattening.h"
 
@@ -64,48 +62,53 @@ private:
 
     [[nodiscard]] bool isSampled(const scene::Light& light) const;
     void chooseFor(const Frame& frame);
+    void listFor(const Frame& frame);
     void countLists(Frame& frame) const;
     [[nodiscard]] bool showsTags(const Frame& frame) const;
 
     // drawing.cpp
-    void tagReceivers(const Frame& frame, bool everywhere);
+    void findHidden(const Frame& frame);
+    void tagReceivers(const Frame& frame, bool everywhere) const;
     static void drawReceiver(const Frame& frame, const gl::Program& program, const ChosenReceiver& one);
-    void markShadows(const Frame& frame, const std::vector<LitPlane>& planes, int light);
-    void drawFlattened(const Frame& frame, const gl::Program& program, const LitPlane& plane, Part part, int light);
+    void markShadows(const Frame& frame, const std::vector<LitPlane>& planes) const;
+    void drawFlattened(const Frame& frame, const gl::Program& program, const LitPlane& plane, Part part) const;
+    void drawSingle(const Frame& frame, const gl::Program& program, const SingleCaster& single) const;
+    void hideBehind(const Frame& frame, const LitPlane& plane) const;
     void setPlaneState(const Frame& frame, const LitPlane& plane) const;
     static void setColor(const gl::Program& program, const LitPlane& plane, const vec4& color);
     static void clearBits(unsigned bits);
     void drawLit(const Frame& frame, const gl::Program& program, int light) const;
-    void darken(const Frame& frame, int light);
+    void darken(const Frame& frame, int light) const;
 
     // counted_points.cpp
     bool countPoints(const Frame& frame, int light);
-    void countOnePoint(const Frame& frame, const dvec3& pointWorld, const gl::Framebuffer& counting);
+    void countOnePoint(const Frame& frame, const dvec3& pointWorld, const gl::Framebuffer& counting) const;
 
     // stages.cpp
-    void publishVisibility(Frame& frame, int light);
+    void publishVisibility(Frame& frame, int light) const;
     void publishPlanes(Frame& frame) const;
     void publishTags(Frame& frame) const;
     void publishMarks(Frame& frame, int light) const;
     void publishPoints(Frame& frame, int light) const;
     [[nodiscard]] static int mostMarkedTag(const Frame& frame);
-    void publishFlattened(Frame& frame, int light, int tag);
+    void publishFlattened(Frame& frame, int light, int tag) const;
     [[nodiscard]] std::vector<KeyEntry> keyOf(const std::function<std::string(const ChosenReceiver&)>& named,
                                               const std::function<vec3(const ChosenReceiver&)>& colored) const;
-    [[nodiscard]] vec3 colorOf(const ChosenReceiver& receiver) const;
+    [[nodiscard]] static vec3 colorOf(const ChosenReceiver& receiver);
     void countServed(Frame& frame) const;
 
     PlanarParams params_;
     Receivers receivers_;
     Casters casters_;
     CasterBuffers buffers_;
-    PictureKey key_;                                           ///< of what follows
-    std::vector<ChosenReceiver> chosen_;                       ///< lit ones first, then by their size in the picture
-    std::vector<std::vector<LitPlane>> lit_;                   ///< per light: by its centre
-    std::vector<scene::PicturePart> shadowedParts_;            ///< per chosen receiver: where shadows can fall on it
-    std::map<int, CountedPoints> counted_;                     ///< of lights that are sampled
-    ViewKey hiddenIn_;                                         ///< the view that hidden_ is of
-    std::set<std::pair<std::size_t, const FlatFace*>> hidden_; ///< object and face of those that no pixel shows
+    PictureKey key_;                                ///< of what follows
+    std::vector<ChosenReceiver> inView_, chosen_;   ///< all; lit ones first, then by their size in the picture
+    bool leftOut_ = false;                          ///< there were more to choose from
+    std::vector<std::vector<LitPlane>> lit_;        ///< per light: by its centre
+    std::vector<scene::PicturePart> shadowedParts_; ///< per chosen receiver: where shadows can fall on it
+    std::map<int, CountedPoints> counted_;          ///< of lights that are sampled
+    ViewKey hiddenIn_;                              ///< the view that hidden_ is of
+    HiddenFaces hidden_;                            ///< of all in view, those that no pixel shows
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program shade_{"surface.vert", "shade_light.frag"};
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
@@ -121,6 +124,7 @@ private:
     gl::Program flattenDivided_{"planar/flatten.vert", "nothing.frag", {"DIVIDE"}};
     gl::Program paintFlattened_{"planar/flatten.vert", "constant.frag"};
     gl::Program paintDivided_{"planar/flatten.vert", "constant.frag", {"DIVIDE"}};
+    gl::Program behind_{"planar/behind.vert", "nothing.frag"};
     gl::Program addPoint_{"fullscreen.vert", "constant.frag"};
 };
 

@@ -87,8 +87,15 @@ TEST(FlatFaces, TheStepsOfAStairAreFaces) {
     }
     const FlatFaces stair = flatFaces(testing::triangleSoup(corners));
     EXPECT_EQ(stair.faces.size(), 40u);
-    EXPECT_EQ(stair.facetArea + stair.smoothArea + stair.tinyArea, 0);
+    EXPECT_EQ(stair.facetArea + stair.smoothArea + stair.leftOverArea, 0);
     EXPECT_NEAR(stair.area, 40, 1e-9);
+}
+
+// Whatever the size of its mesh: a card of 5 cm in a house of a kilometre.
+TEST(FlatFaces, ASmallThingOfALargeMeshIsOne) {
+    const FlatFaces house = flatFaces(
+        testing::triangleSoup({{0, 0, 0}, {1000, 0, 0}, {0, 0, -1000}, {3, 1, -3}, {3.05, 1, -3}, {3, 1, -3.05}}));
+    EXPECT_EQ(house.faces.size(), 2u);
 }
 
 TEST(FlatFaces, WhatIsCurvedIsCounted) {

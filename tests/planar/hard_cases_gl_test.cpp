@@ -101,6 +101,19 @@ TEST_F(PlanarHardTest, AVertexAlmostAtTheHeightOfTheLight) {
     EXPECT_GT(onPlanes(scene, {"divide=true"}).wrong(), 100);
 }
 
+// A ceiling with the light on it, but for a hair on one side: floats cannot tell on which. Below it all is lit, above it none.
+TEST_F(PlanarHardTest, TheLightAlmostInACaster) {
+    for (const double height : {2 - 1e-7, 2.0, 2 + 1e-7}) {
+        scene::Scene scene = floorUnder({0.3, height, 0.2});
+        testing::addObject(scene, scene::makeQuad({3, 3}), testing::translation({0, 2, 0}));
+        addBox(scene, {0.6, 0.6, 0.6}, {0, 0.3, 0});
+        scene.camera.positionWorld = {0, 1.9, 5};
+        const OnPlanes sum = onPlanes(scene);
+        EXPECT_GT(height > 2 ? sum.shadowed : sum.lit, 10000) << height << ": " << sum;
+        EXPECT_EQ(sum.wrong(), 0) << height << ": " << sum;
+    }
+}
+
 /// All of a scene turned about an axis that is that of nothing in it.
 scene::Scene turned(scene::Scene scene) {
     const dvec3 axis = glm::normalize(dvec3(1, 2, 3));

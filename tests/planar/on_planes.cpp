@@ -8,7 +8,6 @@
 
 #include "techniques/foundation/gl/id_buffer.h"
 #include "techniques/foundation/scene/depth_fit.h"
-#include "techniques/planar/params.h"
 #include "techniques/planar/receivers.h"
 #include "tests/support/scenes.h"
 #include "tests/support/truth_comparison.h"
@@ -96,8 +95,7 @@ OnPlanes onPlanes(const scene::Scene& scene, const std::vector<std::string>& set
     }
     const double aspect = static_cast<double>(kSize.x) / kSize.y;
     const scene::Camera camera = scene::withTightNear(scene.camera, scene, scene::objectBounds(scene), aspect);
-    const auto chosen = receivers.choose(scene, gl::eyeMatrices(camera, kSize), scene::objectBounds(scene),
-                                         planar::PlanarParams().receivers, planar::apartInPicture(kSize));
+    const auto planes = receivers.inView(scene, gl::eyeMatrices(camera, kSize), scene::objectBounds(scene));
     const trace::ExactVisibility judge(judged ? testing::snapshot(*judged) : snapshot);
     RasterisedTriangles seen(snapshot);
     OnPlanes result;
@@ -106,7 +104,7 @@ OnPlanes onPlanes(const scene::Scene& scene, const std::vector<std::string>& set
             const dvec2 centre(x + 0.5, y + 0.5);
             const auto hit = judge.eyeHit(scene.camera, centre, kSize);
             if (!hit) continue;
-            const bool onPlane = std::ranges::any_of(chosen, [&](const planar::ChosenReceiver& one) {
+            const bool onPlane = std::ranges::any_of(planes, [&](const planar::ChosenReceiver& one) {
                 return one.receiver.object == hit->object && planar::contains(one.receiver.face->runs, hit->triangle);
             });
             const trace::Visibility truth = judge.visibility(*hit, scene.camera, light);

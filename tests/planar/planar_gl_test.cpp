@@ -202,9 +202,44 @@ TEST_F(PlanarTest, NothingThatIsLeftOutIsMissed) {
     addBox(scene, {1, 1, 1}, {0, 6, 0});    // above one light
     addBox(scene, {1, 1, 1}, {0, -3, 0});   // under the floor
     addBox(scene, {1, 1, 1}, {40, 0.5, 0}); // its shadow is out of view
+    scene.lights.push_back(scene.lights[0]);
+    scene.lights.back().name = "panel";
+    scene.lights.back().type = scene::LightType::rect;
+    scene.lights.back().edgeVWorld = {0, 0, 1};
     testing::TechniqueSlot slot("planar", testing::snapshot(scene));
     constexpr ivec2 kSize{320, 240};
-    EXPECT_EQ(slot.radiance({"cull=true"}, kSize), slot.radiance({"cull=false"}, kSize));
+    for (const char* setting :
+         {"clip=true", "clip=false", "stencil=false", "divide=true", "once=false", "receivers=3", "light-samples=8"})
+        EXPECT_EQ(slot.radiance({setting, "cull=true"}, kSize), slot.radiance({setting, "cull=false"}, kSize))
+            << setting;
+}
+
+// Far and large things beside small ones: none may spoil the others' precision.
+TEST_F(PlanarTest, AMountainOnTheHorizonAndASkyAroundAll) {
+    scene::Scene scene = testing::simpleScene();
+    addBox(scene, {20000, 10000, 20000}, {80000, 0, -80000});
+    testing::addObject(scene, scene::makeSphere(1e6, 32));
+    expectExactOnPlanes(scene);
+    scene.objects[0] = scene.objects.back(); // and with all the others small and far from the middle
+    scene.objects.pop_back();
+    testing::addObject(scene, scene::makeQuad({40000, 40000}));
+    expectExactOnPlanes(testing::moved(scene, dvec3(0)));
+}
+
+// The largest planes in view are behind a wall: the small ones before it must not go without for want of numbers.
+TEST_F(PlanarTest, HiddenPlanesTakeNoNumbersFromOthers) {
+    scene::Scene scene = testing::floorScene();
+    const dmat4 upright(dvec4(1, 0, 0, 0), dvec4(0, 0, 1, 0), dvec4(0, -1, 0, 0), dvec4(0, 2, -2, 1)); // faces +z
+    testing::addObject(scene, scene::makeQuad({10, 4}), upright);
+    for (int i = 0; i < 70; ++i) {
+        dmat4 behind = upright;
+        behind[3].z = -2.05 - 0.02 * i;
+        testing::addObject(scene, scene::makeQuad({8, 3}), behind);
+    }
+    addBox(scene, {0.6, 0.5, 0.6}, {0, 0.25, 0});
+    addBox(scene, {0.8, 0.1, 0.8}, {0.2, 1, 0.2}); // shadows the other's lid
+    scene.lights.push_back(testing::pointLight({1, 5, 3}));
+    expectExactOnPlanes(scene, 100);
 }
 
 } // namespace

@@ -142,6 +142,40 @@ TEST_F(SoftPlanarTest, PointsBehindThePlaneAreNotSeen) {
     EXPECT_GT(compared, 500);
 }
 
+// A window: the light lies in a wall, which then blocks none of it, wherever the wall stands and however it is turned. In the
+// floats of the graphics card the wall flattened is nothing but rounding.
+TEST_F(SoftPlanarTest, AWallDoesNotBlockTheLightInIt) {
+    constexpr ivec2 kSize{160, 120};
+    for (const double turn : {0.0, 0.6}) {
+        scene::Scene scene = testing::floorScene();
+        const dvec3 along(std::cos(turn), 0, std::sin(turn)), out(-std::sin(turn), 0, std::cos(turn));
+        const dmat4 upright(dvec4(along, 0), dvec4(out, 0), dvec4(0, -1, 0, 0), dvec4(-3.0 * out + dvec3(0, 2, 0), 1));
+        testing::addObject(scene, scene::makeQuad({6, 4}), upright);
+        testing::addObject(scene, scene::makeBox({0.7, 1, 0.7}), testing::translation({0, 0.5, 0}));
+        scene::Light window;
+        window.type = scene::LightType::rect;
+        window.positionWorld = -3.0 * out + dvec3(0, 1.7, 0);
+        window.edgeUWorld = along;
+        window.edgeVWorld = {0, 1, 0};
+        scene.lights = {window};
+        testing::TechniqueSlot slot("planar", testing::snapshot(scene));
+        const testing::LightShares with = slot.shares(settings(64, "jittered", 1), kSize);
+        scene.objects[1].castsShadow = false;
+        slot.setScene(testing::snapshot(scene));
+        const testing::LightShares without = slot.shares(settings(64, "jittered", 1), kSize);
+        int compared = 0, partly = 0, differing = 0;
+        for (std::size_t i = 0; i < with.values.size(); ++i) {
+            if (with.values[i] == testing::kNoShare) continue;
+            ++compared;
+            partly += with.values[i] > 0 && with.values[i] < 1;
+            differing += with.values[i] != without.values[i];
+        }
+        EXPECT_GT(compared, 10000);
+        EXPECT_GT(partly, 300);
+        EXPECT_EQ(differing, 0) << "turned by " << turn;
+    }
+}
+
 class Progressive {
 public:
     explicit Progressive(const scene::Scene& scene) : session_(testing::snapshot(scene)) {
