@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/measure/truth.h"
 #include "techniques/foundation/gl/id_buffer.h"
 #include "techniques/foundation/scene/depth_fit.h"
 #include "techniques/planar/receivers.h"
@@ -18,11 +19,19 @@ namespace {
 
 constexpr ivec2 kSize = kPlanarSize;
 
+/// docs/conventions.md: two steps of the rasteriser's grid, of which one renderer has 256 to a pixel, the other 16.
+double tieRadiusPx() {
+    GLint bits = 0;
+    glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
+    return measure::tieRadius(bits);
+}
+
 /// Is there such a point in sixteen directions on four circles within the tie radius?
 bool isAnyNear(dvec2 centre, const auto& condition) {
+    const double tiePx = tieRadiusPx();
     for (int ring = 1; ring <= 4; ++ring)
         for (int i = 0; i < 16; ++i) {
-            const double angle = 2 * M_PI * i / 16, radius = kTiePx * ring / 4;
+            const double angle = 2 * M_PI * i / 16, radius = tiePx * ring / 4;
             if (condition(centre + radius * dvec2(std::cos(angle), std::sin(angle)))) return true;
         }
     return false;
