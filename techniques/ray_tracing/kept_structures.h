@@ -16,6 +16,13 @@ public:
     Progress prepare(std::shared_ptr<const trace::TracedGeometry> geometry, trace::Structure structure,
                      Deadline deadline);
 
+    /// Was this last prepared, and is it finished?
+    [[nodiscard]] bool isReady(const std::shared_ptr<const trace::TracedGeometry>& geometry,
+                               trace::Structure structure) const {
+        return geometry == geometry_ && structure == chosen_ && built_[static_cast<std::size_t>(chosen_)] &&
+               engine().done() == 1.0;
+    }
+
     /// The structure last prepared: the tree where the program was built without the one that was asked for.
     [[nodiscard]] const trace::Engine& engine() const { return *built_[static_cast<std::size_t>(chosen_)]; }
     [[nodiscard]] trace::Structure chosen() const { return chosen_; }

@@ -230,8 +230,19 @@ Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     const trace::SurfacePoint point = tracer.eyePoint(rays, dvec2(pixel) + 0.5);
     if (!point) return probe;
     const std::string object = tracer.objectOf(point).name;
+    // What is there already is used; the command line has nothing yet.
+    KeptStructures own;
+    const bool isThere = structures_.isReady(tracer.geometry(), structureParams_.structure);
+    if (!isThere) own.prepare(tracer.geometry(), structureParams_.structure, Deadline::max());
+    const trace::Engine& engine = (isThere ? structures_ : own).engine();
+    const trace::RayTests tests = tracer.testsOf(engine, rays, dvec2(pixel) + 0.5);
     probe.tree.push_back(
         {-1, "eye ray", {{"hits", object, ""}, {"after", std::to_string(tracer.distance(rays, point)), "m"}}});
+    if (engine.counts())
+        probe.tree[0].facts.insert(probe.tree[0].facts.end(),
+                                   {{"all rays try", std::to_string(tests.volumes), "volumes"},
+                                    {"and", std::to_string(tests.triangles), "triangles"},
+                                    {"looking into", std::to_string(tests.steps), "nodes, objects or cells"}});
     for (int l = 0; l < static_cast<int>(snapshot->lights.size()); ++l) {
         const std::string label = "shadow ray to " + snapshot->lights[static_cast<std::size_t>(l)].name;
         std::string answer = "arrives";

@@ -180,6 +180,23 @@ TEST_F(RayStructuresTest, StageCountsWhatRaysTry) {
     EXPECT_LT(sums["grid"], sums["sphere-tree"] / 3);
 }
 
+TEST(ProbeOfStructuresTest, SaysWhatRaysTry) {
+    const auto snapshot = testing::snapshot(testing::simpleScene());
+    session::Slot slot = session::Session::makeSlot("ray-traced");
+    std::map<std::string, long> tried;
+    for (const char* structure : {"none", "object-boxes", "bvh", "grid"}) {
+        choose(slot, structure);
+        const Probe probe = slot.technique->probe(snapshot, viewOf(*snapshot, {64, 48}), {32, 30}, 0);
+        ASSERT_FALSE(probe.tree.empty());
+        ASSERT_EQ(probe.tree[0].facts.size(), 5u);
+        tried[structure] = std::stol(probe.tree[0].facts[2].value) + std::stol(probe.tree[0].facts[3].value);
+    }
+    EXPECT_GT(tried["none"], 3000);
+    EXPECT_GT(tried["bvh"], 0);
+    EXPECT_LT(tried["bvh"], tried["none"] / 10);
+    EXPECT_LT(tried["grid"], tried["none"] / 10);
+}
+
 TEST_F(RayStructuresTest, StageShowsTheStructure) {
     const ivec2 size(320, 240);
     session::Session session(testing::snapshot(testing::simpleScene()));

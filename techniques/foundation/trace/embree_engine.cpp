@@ -5,6 +5,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <atomic>
 #include <stdexcept>
 
 namespace shadowlab::trace {
@@ -52,6 +53,7 @@ public:
         : triangles_(triangles), exact_(exact), device_(rtcNewDevice(nullptr), rtcReleaseDevice),
           scene_(nullptr, rtcReleaseScene) {
         if (!device_) throw std::runtime_error("Embree makes no device");
+        rtcSetDeviceMemoryMonitorFunction(device_.get(), countBytes, &bytes_);
     }
 
     bool advance(Deadline) override {
@@ -94,8 +96,15 @@ public:
         return any(ray, mayHit);
     }
     [[nodiscard]] bool counts() const override { return false; }
+    [[nodiscard]] std::size_t bytes() const override { return static_cast<std::size_t>(bytes_.load()); }
 
 private:
+    /// Embree says so whenever it takes memory, or gives some back; from any thread.
+    static bool countBytes(void* sum, ssize_t bytes, bool) {
+        *static_cast<std::atomic<std::int64_t>*>(sum) += bytes;
+        return true;
+    }
+
     /// The same hit in double; at the edge of the triangle there may be none, then it stays as it is.
     [[nodiscard]] RayHit inDouble(const Ray& ray, const RayHit& hit) const {
         const ShearedRay sheared(ray);
@@ -123,6 +132,7 @@ private:
 
     std::span<const Triangle> triangles_;
     bool exact_;
+    std::atomic<std::int64_t> bytes_ = 0; ///< of the device: its own copy of the triangles, too
     std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device_;
     std::unique_ptr<RTCSceneTy, decltype(&rtcReleaseScene)> scene_;
 };
