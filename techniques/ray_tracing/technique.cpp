@@ -7,6 +7,7 @@
 // Left out on purpose: soft shadows (a light is a point).
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <iterator>
 
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/id_buffer.h"
@@ -14,6 +15,9 @@
 #include "techniques/frame.h"
 #include "techniques/ray_tracing/picture.h"
 #include "techniques/ray_tracing/ray_shapes.h"
+#include "techniques/ray_tracing/structure_params.h"
+#include "techniques/ray_tracing/structure_shapes.h"
+#include "techniques/ray_tracing/structure_stages.h"
 #include "techniques/ray_tracing/upload.h"
 
 namespace shadowlab::ray_tracing {
@@ -43,6 +47,8 @@ const StageInfo kStages[] = {
     {"lights-off", "Scene with lights off", StageKind::radiance, false},
     {"shadow-rays", "What came of the shadow rays", StageKind::swatches, true},
     {"visibility", "Visibility of the light", StageKind::visibility, true},
+    kTestsStage,
+    kStructureStage,
 };
 
 constexpr trace::Visibility kLit = trace::Visibility::lit;
@@ -55,7 +61,7 @@ struct RayTracedParams {
 class RayTraced final : public Technique {
 public:
     params::ParamList params() override {
-        return {
+        params::ParamList list = {
             params::boolean("exclude-source", params_.excludeSource,
                             "A shadow ray leaves out the triangle it starts on; false: it starts from a point rounded "
                             "to float, and meets that triangle every now and then (teaching)."),
@@ -65,10 +71,16 @@ public:
                 "only where the ray does not hit that triangle. At ties (docs/conventions.md) the two may "
                 "differ."),
         };
+        std::ranges::move(describe(structureParams_), std::back_inserter(list));
+        return list;
     }
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
-        if (tracer_.advance(snapshot, deadline)) return {};
-        return {tracer_.done(), false};
+        tracer_.askInstead(nullptr);
+        if (!tracer_.advance(snapshot, deadline)) return {tracer_.done(), false};
+        const Progress progress = structures_.prepare(tracer_.geometry(), structureParams_.structure, deadline);
+        if (progress.converged && structures_.chosen() != trace::Structure::bvh)
+            tracer_.askInstead(&structures_.engine());
+        return progress;
     }
 
     Progress render(Frame& frame) override {
@@ -108,12 +120,20 @@ public:
                 },
                 light);
         }
+        if (frame.wants(kTestsStage.id)) publishTests(frame, tracer_, structures_);
+        if (frame.wants(kStructureStage.id)) publishStructure(frame, tracer_, structures_, picture_);
         return {};
     }
 
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::vector<SceneShape> shapes(const scene::Snapshot&, const View& view, int light) override {
-        return rayShapes(tracer_, view, light);
+        std::vector<SceneShape> shapes = rayShapes(tracer_, view, light);
+        // Of the tree, which is there even if nobody looks at it, the rays alone are shown.
+        if (structures_.chosen() != trace::Structure::bvh)
+            std::ranges::move(
+                structureShapes(structures_.engine(), structures_.chosen(), tracer_.world().originWorld, std::nullopt),
+                std::back_inserter(shapes));
+        return shapes;
     }
     std::string remark(const scene::MeshReport& report, const scene::Mesh&) const override {
         return std::string("any triangles will do, closed or not, in any winding: rays meet them from both sides") +
@@ -194,6 +214,8 @@ private:
     }
 
     RayTracedParams params_;
+    StructureParams structureParams_;
+    KeptStructures structures_;
     trace::SceneTracer tracer_;
     Picture picture_;
     gl::IdBuffer idBuffer_;
@@ -208,8 +230,19 @@ Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     const trace::SurfacePoint point = tracer.eyePoint(rays, dvec2(pixel) + 0.5);
     if (!point) return probe;
     const std::string object = tracer.objectOf(point).name;
+    // What is there already is used; the command line has nothing yet.
+    KeptStructures own;
+    const bool isThere = structures_.isReady(tracer.geometry(), structureParams_.structure);
+    if (!isThere) own.prepare(tracer.geometry(), structureParams_.structure, Deadline::max());
+    const trace::Engine& engine = (isThere ? structures_ : own).engine();
+    const trace::RayTests tests = tracer.testsOf(engine, rays, dvec2(pixel) + 0.5);
     probe.tree.push_back(
         {-1, "eye ray", {{"hits", object, ""}, {"after", std::to_string(tracer.distance(rays, point)), "m"}}});
+    if (engine.counts())
+        probe.tree[0].facts.insert(probe.tree[0].facts.end(),
+                                   {{"all rays try", std::to_string(tests.volumes), "volumes"},
+                                    {"and", std::to_string(tests.triangles), "triangles"},
+                                    {"looking into", std::to_string(tests.steps), "nodes, objects or cells"}});
     for (int l = 0; l < static_cast<int>(snapshot->lights.size()); ++l) {
         const std::string label = "shadow ray to " + snapshot->lights[static_cast<std::size_t>(l)].name;
         std::string answer = "arrives";

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "techniques/foundation/trace/ray_box.h"
+#include "techniques/foundation/trace/ray_tests.h"
 #include "techniques/foundation/trace/triangle_filter.h"
 
 namespace shadowlab::trace {
@@ -52,14 +53,16 @@ struct Bvh {
 
     /// The nearest hit; of equally near ones that of the lowest primitive, so that no answer depends on how the tree
     /// was built. `accept(primitive)`: may this one be hit? `inHole(primitive, weights of the corners)`: does the ray go
-    /// on, although it hits the triangle?
-    template <typename Accept, typename InHole = NoHoles>
-    [[nodiscard]] RayHit closest(const Ray& ray, const Accept& accept, const InHole& inHole = {}) const;
+    /// on, although it hits the triangle? `count` is told what is tried (ray_tests.h).
+    template <typename Accept, typename InHole = NoHoles, typename Count = CountNothing>
+    [[nodiscard]] RayHit closest(const Ray& ray, const Accept& accept, const InHole& inHole = {},
+                                 Count count = {}) const;
     [[nodiscard]] RayHit closest(const Ray& ray) const;
 
     /// Some hit before ray.farthest, or kNoPrimitive: stops at the first it finds.
-    template <typename Accept, typename InHole = NoHoles>
-    [[nodiscard]] std::uint32_t any(const Ray& ray, const Accept& accept, const InHole& inHole = {}) const;
+    template <typename Accept, typename InHole = NoHoles, typename Count = CountNothing>
+    [[nodiscard]] std::uint32_t any(const Ray& ray, const Accept& accept, const InHole& inHole = {},
+                                    Count count = {}) const;
 };
 
 } // namespace shadowlab::trace

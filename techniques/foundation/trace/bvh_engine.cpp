@@ -1,4 +1,8 @@
+// Our own tree (bvh.h) as one structure among others.
 // SPDX-License-Identifier: MIT
+#include <limits>
+#include <optional>
+
 #include "techniques/foundation/trace/bvh_build.h"
 #include "techniques/foundation/trace/bvh_traverse.h"
 #include "techniques/foundation/trace/engine.h"
@@ -9,21 +13,94 @@ namespace {
 
 class BvhEngine final : public Engine {
 public:
-    explicit BvhEngine(std::vector<Triangle> triangles) : bvh_(buildBvh(std::move(triangles))) {}
-    [[nodiscard]] RayHit closest(const Ray& ray) const override { return bvh_.closest(ray); }
-    [[nodiscard]] bool blocked(const Ray& ray, std::uint32_t except,
-                               std::span<const std::uint8_t> mayBlock) const override {
-        return bvh_.any(ray, [&](std::uint32_t p) { return p != except && mayBlock[p]; }) != kNoPrimitive;
+    explicit BvhEngine(const Bvh& bvh) : bvh_(&bvh) {}
+    explicit BvhEngine(const EngineInput& input)
+        : builder_(std::in_place, std::vector<Triangle>(input.triangles.begin(), input.triangles.end())) {}
+
+    bool advance(Deadline deadline) override {
+        if (!builder_) return true;
+        if (!builder_->advance(deadline)) return false;
+        own_ = builder_->take();
+        builder_.reset();
+        return true;
+    }
+    [[nodiscard]] double done() const override { return builder_ ? builder_->done() : 1.0; }
+
+    [[nodiscard]] RayHit closest(const Ray& ray, const MayHit& mayHit) const override {
+        return bvh_->closest(ray, mayHit, HoleOf{mayHit});
+    }
+    [[nodiscard]] RayHit closest(const Ray& ray, const MayHit& mayHit, RayTests& tests) const override {
+        return bvh_->closest(ray, mayHit, HoleOf{mayHit}, CountTests{tests});
+    }
+    [[nodiscard]] std::uint32_t any(const Ray& ray, const MayHit& mayHit) const override {
+        return bvh_->any(ray, mayHit, HoleOf{mayHit});
+    }
+    [[nodiscard]] std::uint32_t any(const Ray& ray, const MayHit& mayHit, RayTests& tests) const override {
+        return bvh_->any(ray, mayHit, HoleOf{mayHit}, CountTests{tests});
     }
 
+    [[nodiscard]] std::size_t bytes() const override {
+        return bvh_->nodes.size() * sizeof(BvhNode) + bvh_->leaves.size() * sizeof(FourTriangles);
+    }
+    [[nodiscard]] std::vector<StructurePart> parts(std::size_t most) const override;
+
 private:
-    Bvh bvh_;
+    struct HoleOf {
+        const MayHit& mayHit;
+        bool operator()(std::uint32_t primitive, const dvec3& barycentric) const {
+            return mayHit.inHole(primitive, barycentric);
+        }
+    };
+    Bvh own_;
+    const Bvh* bvh_ = &own_;
+    std::optional<BvhBuilder> builder_;
 };
+
+/// The boxes of the children, level by level; the box of the root is that of its children.
+std::vector<StructurePart> BvhEngine::parts(std::size_t most) const {
+    std::vector<StructurePart> parts;
+    std::vector<std::uint32_t> level;
+    if (!bvh_->nodes.empty()) level.push_back(0);
+    for (int depth = 0; !level.empty(); ++depth) {
+        std::vector<std::uint32_t> below;
+        std::vector<StructurePart> boxes;
+        for (const std::uint32_t index : level) {
+            const BvhNode& node = bvh_->nodes[index];
+            for (std::size_t i = 0; i < 4; ++i) {
+                StructurePart box{.level = depth};
+                for (int axis = 0; axis < 3; ++axis) {
+                    box.lowerCentred[axis] = node.boxes.planes[axis][0][i];
+                    box.upperCentred[axis] = node.boxes.planes[axis][1][i];
+                }
+                if (box.lowerCentred.x > box.upperCentred.x) continue; // no child
+                boxes.push_back(box);
+                if (!node.children[i].isLeaf()) below.push_back(node.children[i].index());
+            }
+        }
+        if (boxes.size() > most) break;
+        parts.insert(parts.end(), boxes.begin(), boxes.end());
+        level = std::move(below);
+    }
+    return parts;
+}
 
 } // namespace
 
-std::unique_ptr<Engine> makeBvhEngine(std::vector<Triangle> triangles) {
-    return std::make_unique<BvhEngine>(std::move(triangles));
+std::unique_ptr<Engine> makeBvhEngine(const Bvh& bvh) { return std::make_unique<BvhEngine>(bvh); }
+std::unique_ptr<Engine> makeBvhEngine(const EngineInput& input) { return std::make_unique<BvhEngine>(input); }
+
+std::unique_ptr<Engine> makeEngine(Structure structure, const EngineInput& input) {
+    switch (structure) {
+    case Structure::none: return makeUnstructured(input);
+    case Structure::objectSpheres: return makeObjectSpheres(input);
+    case Structure::objectBoxes: return makeObjectBoxes(input);
+    case Structure::groups: return makeGroups(input);
+    case Structure::sphereTree: return makeSphereTree(input);
+    case Structure::bvh: return makeBvhEngine(input);
+    case Structure::grid: return makeGrid(input);
+    case Structure::embree: return makeEmbreeEngine(input.triangles, true);
+    }
+    return nullptr;
 }
 
 } // namespace shadowlab::trace

@@ -22,8 +22,8 @@ inline float reachInFloat(double reach) { return roundedUp(reach * (1 + 1e-6)); 
 
 } // namespace detail
 
-template <typename Accept, typename InHole>
-RayHit Bvh::closest(const Ray& ray, const Accept& accept, const InHole& inHole) const {
+template <typename Accept, typename InHole, typename Count>
+RayHit Bvh::closest(const Ray& ray, const Accept& accept, const InHole& inHole, Count count) const {
     RayHit best;
     if (nodes.empty() || !isUsable(ray)) return best;
     const ShearedRay sheared(ray);
@@ -38,8 +38,10 @@ RayHit Bvh::closest(const Ray& ray, const Accept& accept, const InHole& inHole) 
     while (size > 0) {
         const detail::StackEntry entry = stack[--size];
         if (entry.enter > farthestBox) continue; // something nearer was found in the meantime
+        count.step();
         if (entry.child.isLeaf()) {
             const FourTriangles& four = leaves[entry.child.index()];
+            count.triangles(four.count);
             for (int left = filter.candidates(four); left != 0; left &= left - 1) {
                 const std::uint32_t primitive = four.primitives[std::countr_zero(static_cast<unsigned>(left))];
                 const auto hit = intersect(sheared, triangles[primitive], farthest);
@@ -53,6 +55,7 @@ RayHit Bvh::closest(const Ray& ray, const Accept& accept, const InHole& inHole) 
             continue;
         }
         const BvhNode& node = nodes[entry.child.index()];
+        count.volumes(4);
         Float4 enter4{};
         int touched = slabs.touched(node.boxes, farthestBox, enter4);
         alignas(16) float enter[4];
@@ -75,8 +78,8 @@ inline RayHit Bvh::closest(const Ray& ray) const {
     return closest(ray, [](std::uint32_t) { return true; });
 }
 
-template <typename Accept, typename InHole>
-std::uint32_t Bvh::any(const Ray& ray, const Accept& accept, const InHole& inHole) const {
+template <typename Accept, typename InHole, typename Count>
+std::uint32_t Bvh::any(const Ray& ray, const Accept& accept, const InHole& inHole, Count count) const {
     if (nodes.empty() || !isUsable(ray)) return kNoPrimitive;
     const ShearedRay sheared(ray);
     const SlabRay slabs(ray, sheared);
@@ -88,8 +91,10 @@ std::uint32_t Bvh::any(const Ray& ray, const Accept& accept, const InHole& inHol
     stack[size++] = BvhChild::node(0);
     while (size > 0) {
         const BvhChild child = stack[--size];
+        count.step();
         if (child.isLeaf()) {
             const FourTriangles& four = leaves[child.index()];
+            count.triangles(four.count);
             for (int left = filter.candidates(four); left != 0; left &= left - 1) {
                 const std::uint32_t primitive = four.primitives[std::countr_zero(static_cast<unsigned>(left))];
                 if (!accept(primitive)) continue;
@@ -99,6 +104,7 @@ std::uint32_t Bvh::any(const Ray& ray, const Accept& accept, const InHole& inHol
             continue;
         }
         const BvhNode& node = nodes[child.index()];
+        count.volumes(4);
         Float4 enter{};
         for (int touched = slabs.touched(node.boxes, farthestBox, enter); touched != 0; touched &= touched - 1)
             stack[size++] = node.children[static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(touched)))];

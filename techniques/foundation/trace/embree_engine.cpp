@@ -5,23 +5,33 @@
 
 #include <embree3/rtcore.h>
 
+#include <atomic>
 #include <stdexcept>
 
 namespace shadowlab::trace {
 
 namespace {
 
-/// What a shadow ray may be blocked by, handed through Embree to the filter below.
-struct ShadowQuery : RTCIntersectContext {
-    std::uint32_t except;
-    std::span<const std::uint8_t> mayBlock;
+/// What a ray may hit, handed through Embree to the filter below.
+struct FilteredQuery : RTCIntersectContext {
+    const MayHit* mayHit;
 };
 
 /// Takes back a hit that does not count: the ray goes on.
 void forgive(const RTCFilterFunctionNArguments* arguments) {
-    const auto& query = *static_cast<const ShadowQuery*>(arguments->context);
+    const MayHit& mayHit = *static_cast<const FilteredQuery*>(arguments->context)->mayHit;
     const std::uint32_t primitive = RTCHitN_primID(arguments->hit, arguments->N, 0);
-    if (primitive == query.except || !query.mayBlock[primitive]) arguments->valid[0] = 0;
+    const double u = RTCHitN_u(arguments->hit, arguments->N, 0), v = RTCHitN_v(arguments->hit, arguments->N, 0);
+    if (!mayHit(primitive) || mayHit.inHole(primitive, {1 - u - v, u, v})) arguments->valid[0] = 0;
+}
+
+FilteredQuery queryOf(const MayHit& mayHit) {
+    FilteredQuery query{};
+    rtcInitIntersectContext(&query);
+    query.mayHit = &mayHit;
+    const bool any = mayHit.except == kNoPrimitive && mayHit.flags == nullptr && mayHit.holes == nullptr;
+    if (!any) query.filter = forgive;
+    return query;
 }
 
 template <typename EmbreeRay>
@@ -39,43 +49,70 @@ void fill(EmbreeRay& to, const Ray& ray) {
 
 class EmbreeEngine final : public Engine {
 public:
-    explicit EmbreeEngine(const std::vector<Triangle>& triangles)
-        : device_(rtcNewDevice(nullptr), rtcReleaseDevice), scene_(nullptr, rtcReleaseScene) {
+    EmbreeEngine(std::span<const Triangle> triangles, bool exact)
+        : triangles_(triangles), exact_(exact), device_(rtcNewDevice(nullptr), rtcReleaseDevice),
+          scene_(nullptr, rtcReleaseScene) {
         if (!device_) throw std::runtime_error("Embree makes no device");
-        scene_.reset(rtcNewScene(device_.get()));
-        rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST); // its watertight mode
-        if (!triangles.empty()) attach(triangles);
-        rtcCommitScene(scene_.get());
+        rtcSetDeviceMemoryMonitorFunction(device_.get(), countBytes, &bytes_);
     }
 
-    [[nodiscard]] RayHit closest(const Ray& ray) const override {
+    bool advance(Deadline) override {
+        if (scene_) return true;
+        scene_.reset(rtcNewScene(device_.get()));
+        // Its watertight mode; and filters that come with a ray, and cost nothing where there are none.
+        rtcSetSceneFlags(scene_.get(),
+                         static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+        if (!triangles_.empty()) attach(triangles_);
+        rtcCommitScene(scene_.get());
+        return true;
+    }
+
+    [[nodiscard]] RayHit closest(const Ray& ray, const MayHit& mayHit) const override {
         if (!isUsable(ray)) return {};
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
+        FilteredQuery context = queryOf(mayHit);
         RTCRayHit query{};
         fill(query.ray, ray);
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         rtcIntersect1(scene_.get(), &context, &query);
         if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
         const double u = query.hit.u, v = query.hit.v;
-        return {query.ray.tfar, query.hit.primID, {1 - u - v, u, v}};
+        const RayHit hit{query.ray.tfar, query.hit.primID, {1 - u - v, u, v}};
+        return exact_ ? inDouble(ray, hit) : hit;
     }
 
-    [[nodiscard]] bool blocked(const Ray& ray, std::uint32_t except,
-                               std::span<const std::uint8_t> mayBlock) const override {
-        if (!isUsable(ray)) return false;
-        ShadowQuery context{};
-        rtcInitIntersectContext(&context);
-        context.except = except;
-        context.mayBlock = mayBlock;
+    [[nodiscard]] std::uint32_t any(const Ray& ray, const MayHit& mayHit) const override {
+        if (!isUsable(ray)) return kNoPrimitive;
+        FilteredQuery context = queryOf(mayHit);
         RTCRay query{};
         fill(query, ray);
         rtcOccluded1(scene_.get(), &context, &query);
-        return query.tfar < 0; // how Embree says so
+        return query.tfar < 0 ? 0 : kNoPrimitive; // how Embree says that there is one; not which
     }
 
+    [[nodiscard]] RayHit closest(const Ray& ray, const MayHit& mayHit, RayTests&) const override {
+        return closest(ray, mayHit);
+    }
+    [[nodiscard]] std::uint32_t any(const Ray& ray, const MayHit& mayHit, RayTests&) const override {
+        return any(ray, mayHit);
+    }
+    [[nodiscard]] bool counts() const override { return false; }
+    [[nodiscard]] std::size_t bytes() const override { return static_cast<std::size_t>(bytes_.load()); }
+
 private:
-    void attach(const std::vector<Triangle>& triangles) {
+    /// Embree says so whenever it takes memory, or gives some back; from any thread.
+    static bool countBytes(void* sum, ssize_t bytes, bool) {
+        *static_cast<std::atomic<std::int64_t>*>(sum) += bytes;
+        return true;
+    }
+
+    /// The same hit in double; at the edge of the triangle there may be none, then it stays as it is.
+    [[nodiscard]] RayHit inDouble(const Ray& ray, const RayHit& hit) const {
+        const ShearedRay sheared(ray);
+        const auto found = intersect(sheared, triangles_[hit.primitive], sheared.farthest);
+        return found ? RayHit{found->reach / sheared.reachPerT, hit.primitive, found->barycentric} : hit;
+    }
+
+    void attach(std::span<const Triangle> triangles) {
         RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
         auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
             geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * triangles.size()));
@@ -88,20 +125,22 @@ private:
                     *positions++ = static_cast<float>((*corner)[axis]);
                 *corners++ = vertex++;
             }
-        rtcSetGeometryOccludedFilterFunction(geometry, forgive);
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene_.get(), geometry);
         rtcReleaseGeometry(geometry);
     }
 
+    std::span<const Triangle> triangles_;
+    bool exact_;
+    std::atomic<std::int64_t> bytes_ = 0; ///< of the device: its own copy of the triangles, too
     std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)> device_;
     std::unique_ptr<RTCSceneTy, decltype(&rtcReleaseScene)> scene_;
 };
 
 } // namespace
 
-std::unique_ptr<Engine> makeEmbreeEngine(const std::vector<Triangle>& triangles) {
-    return std::make_unique<EmbreeEngine>(triangles);
+std::unique_ptr<Engine> makeEmbreeEngine(std::span<const Triangle> triangles, bool exact) {
+    return std::make_unique<EmbreeEngine>(triangles, exact);
 }
 
 } // namespace shadowlab::trace
@@ -109,7 +148,7 @@ std::unique_ptr<Engine> makeEmbreeEngine(const std::vector<Triangle>& triangles)
 #else
 
 namespace shadowlab::trace {
-std::unique_ptr<Engine> makeEmbreeEngine(const std::vector<Triangle>&) { return nullptr; }
+std::unique_ptr<Engine> makeEmbreeEngine(std::span<const Triangle>, bool) { return nullptr; }
 } // namespace shadowlab::trace
 
 #endif

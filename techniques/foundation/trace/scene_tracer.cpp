@@ -61,9 +61,27 @@ void SceneTracer::lookAtLights() {
     }
 }
 
+RayHit SceneTracer::closest(const Ray& ray, const MayHit& mayHit) const {
+    if (engine_) return engine_->closest(ray, mayHit);
+    return bvh().closest(ray, mayHit, [&](std::uint32_t p, const dvec3& at) { return mayHit.inHole(p, at); });
+}
+
+std::uint32_t SceneTracer::any(const Ray& ray, const MayHit& mayHit) const {
+    if (engine_) return engine_->any(ray, mayHit);
+    return bvh().any(ray, mayHit, [&](std::uint32_t p, const dvec3& at) { return mayHit.inHole(p, at); });
+}
+
+RayTests SceneTracer::testsOf(const Engine& engine, const EyeRays& rays, dvec2 pixel) const {
+    RayTests tests;
+    const SurfacePoint point = surfacePoint(rays, engine.closest(rays.through(pixel), {.holes = &holes_}, tests));
+    for (int light = 0; point && light < static_cast<int>(lights_.size()); ++light)
+        if (facesLight(point, light) && objectOf(point).receivesShadow)
+            (void)engine.any(shadowRay(point, light, ShadowStart::exact), mayBlock(light, point.primitive), tests);
+    return tests;
+}
+
 SurfacePoint SceneTracer::eyePoint(const EyeRays& rays, dvec2 pixel) const {
-    return surfacePoint(rays, bvh().closest(
-                                  rays.through(pixel), [](std::uint32_t) { return true; }, holes_));
+    return surfacePoint(rays, closest(rays.through(pixel), {.holes = &holes_}));
 }
 
 SurfacePoint SceneTracer::surfacePoint(const EyeRays& rays, const RayHit& hit) const {
@@ -104,11 +122,8 @@ Ray SceneTracer::shadowRay(const SurfacePoint& point, int light, ShadowStart sta
 }
 
 std::uint32_t SceneTracer::blocker(const SurfacePoint& point, int light, ShadowStart start) const {
-    const std::vector<std::uint8_t>& blocks = lights_[static_cast<std::size_t>(light)].blocks;
     const std::uint32_t itself = start == ShadowStart::naive ? kNoPrimitive : point.primitive;
-    return bvh().any(
-        shadowRay(point, light, start),
-        [&](std::uint32_t primitive) { return primitive != itself && blocks[primitive]; }, holesForLight_);
+    return any(shadowRay(point, light, start), mayBlock(light, itself));
 }
 
 bool SceneTracer::isBlockedBy(std::uint32_t primitive, const SurfacePoint& point, int light) const {
@@ -121,11 +136,8 @@ bool SceneTracer::isBlockedBy(std::uint32_t primitive, const SurfacePoint& point
 }
 
 std::optional<dvec3> SceneTracer::blockedAtWorld(const SurfacePoint& point, int light) const {
-    const std::vector<std::uint8_t>& blocks = lights_[static_cast<std::size_t>(light)].blocks;
     const Ray ray = shadowRay(point, light, ShadowStart::exact);
-    const RayHit hit = bvh().closest(
-        ray, [&](std::uint32_t primitive) { return primitive != point.primitive && blocks[primitive]; },
-        holesForLight_);
+    const RayHit hit = closest(ray, mayBlock(light, point.primitive));
     if (!hit) return std::nullopt;
     return world().originWorld + (ray.originCentred + hit.t * ray.directionCentred);
 }

@@ -12,6 +12,7 @@
 #include <span>
 
 #include "techniques/foundation/trace/bvh_build.h"
+#include "techniques/foundation/trace/engine.h"
 #include "techniques/foundation/trace/exact_visibility.h"
 #include "techniques/foundation/trace/eye_rays.h"
 #include "techniques/foundation/trace/holes.h"
@@ -52,8 +53,13 @@ public:
     /// whose shadows know nothing of holes.
     void castWhole() { castsWhole_ = true; }
 
+    /// From here on rays are asked of another structure over the same triangles, each alone; nullptr: of the tracer's own tree
+    /// again. The answers are the same. The engine must be built, for geometry(), and outlive its use.
+    void askInstead(const Engine* engine) { engine_ = engine; }
+
     // From here on: after advance() has returned true.
     [[nodiscard]] const scene::Scene& scene() const { return *snapshot_; }
+    [[nodiscard]] const std::shared_ptr<const TracedGeometry>& geometry() const { return geometry_; }
     [[nodiscard]] const Bvh& bvh() const { return geometry_->bvh; }
     [[nodiscard]] const WorldTriangles& world() const { return geometry_->world; }
     /// No coordinate of a triangle is larger, in centred space.
@@ -100,6 +106,9 @@ public:
     [[nodiscard]] Visibility visibility(const SurfacePoint& point, int light,
                                         ShadowStart start = ShadowStart::exact) const;
 
+    /// What a structure tries for the eye ray through that point of the picture, and for all shadow rays from where it ends.
+    [[nodiscard]] RayTests testsOf(const Engine& engine, const EyeRays& rays, dvec2 pixel) const;
+
     // The same answers for neighbouring pixels at a time, which is quicker.
 
     /// Where the eye rays end that go through one point of each pixel of a block: `within` counts from the pixel's upper
@@ -123,6 +132,12 @@ private:
     enum Gate : std::uint8_t { facesFront = 1, facesBack = 2, receives = 4 };
 
     void lookAtLights();
+    [[nodiscard]] RayHit closest(const Ray& ray, const MayHit& mayHit) const;
+    [[nodiscard]] std::uint32_t any(const Ray& ray, const MayHit& mayHit) const;
+    /// Without that triangle, what may stand in the light's way.
+    [[nodiscard]] MayHit mayBlock(int light, std::uint32_t except) const {
+        return {except, blockers(light).data(), &holesForLight_};
+    }
     [[nodiscard]] SurfacePoint surfacePoint(const EyeRays& rays, const RayHit& hit) const;
     [[nodiscard]] Ray shadowRay(const SurfacePoint& point, int light, ShadowStart start) const;
     void eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, dvec2 within, const std::uint32_t* expected,
@@ -139,6 +154,7 @@ private:
     std::shared_ptr<TracedGeometry> unfinished_;     ///< while building
     std::optional<BvhBuilder> builder_;
     const BlockKernels* kernels_ = &bestBlockKernels();
+    const Engine* engine_ = nullptr;      ///< none: the tree of geometry_
     struct LightView {                    ///< per light, of each triangle
         std::vector<std::uint8_t> gates;  ///< see Gate
         std::vector<std::uint8_t> blocks; ///< can it stand in the way?

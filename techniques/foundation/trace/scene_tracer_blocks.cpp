@@ -120,6 +120,10 @@ void SceneTracer::eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, d
         left &= ~land(known);
         if (!left) return;
     }
+    if (engine_) {
+        forEachBit(left, alone);
+        return;
+    }
 
     block.asked = left;
     // The value at the near plane, which is one depth along the camera's axis; a bit more than float's rounding.
@@ -179,7 +183,10 @@ void SceneTracer::shadowBlock(std::span<const SurfacePoint> points, int light, s
         answers[i] = faces ? Visibility::lit : Visibility::turnedAway;
         if (faces && (gates & receives)) wanted |= bit(i);
     }
-    if (wanted) traceShadowRays(points, wanted, light, answers);
+    if (engine_)
+        forEachBit(wanted, [&](std::size_t i) { answers[i] = visibility(points[i], light); });
+    else if (wanted)
+        traceShadowRays(points, wanted, light, answers);
 }
 
 void SceneTracer::traceShadowRays(std::span<const SurfacePoint> points, std::uint64_t wanted, int light,

@@ -15,6 +15,10 @@ protected:
     void SetUp() override {
         if (!makeEmbreeEngine({})) GTEST_SKIP() << "built without Embree";
     }
+    static std::unique_ptr<Engine> built(std::unique_ptr<Engine> engine) {
+        engine->advance(Engine::Deadline::max());
+        return engine;
+    }
 };
 
 /// Within a few float roundings of an edge, or of edge-on: either answer is right. `slack` is a share of the triangle.
@@ -36,8 +40,10 @@ TEST_F(EngineTest, AgreeOutsideTies) {
     const std::pair<const char*, Triangles> meshes[] = {
         {"soup", soup(2000, 1, 0.3, 7)}, {"sphere", sphere(4)}, {"torus", torus(1, 0.4, 60, 30)}, {"fans", fans(8)}};
     for (const auto& [name, triangles] : meshes) {
-        const auto ours = makeBvhEngine(triangles), embree = makeEmbreeEngine(triangles);
-        const std::vector<std::uint8_t> all(triangles.size(), 1);
+        const auto ours = built(makeBvhEngine(EngineInput{triangles, {}})), embree = built(makeEmbreeEngine(triangles));
+        const auto isBlocked = [](const Engine& engine, const Ray& ray, std::uint32_t except) {
+            return engine.any(ray, {.except = except}) != kNoPrimitive;
+        };
         Random random(9);
         const int rays = 50'000 * longRun(20);
         int hits = 0, ties = 0, differences = 0, blocked = 0;
@@ -58,14 +64,14 @@ TEST_F(EngineTest, AgreeOutsideTies) {
             if (!a || !b || !same || atEdge(a, 1e-3) || atSlant(a, triangles, ray)) continue;
             // From the hit back to the origin, without the triangle itself: nothing, since it was the nearest.
             Ray back{ray.originCentred + a.t * ray.directionCentred, -ray.directionCentred, 1e-5, 0.999 * a.t};
-            const bool ourAnswer = ours->blocked(back, a.primitive, all);
-            const bool theirs = embree->blocked(back, a.primitive, all);
+            const bool ourAnswer = isBlocked(*ours, back, a.primitive);
+            const bool theirs = isBlocked(*embree, back, a.primitive);
             differences += ourAnswer != theirs;
             // Onward: behind it there may be more.
             const Ray onward{back.originCentred, ray.directionCentred, 1e-5, 10};
-            const bool more = ours->blocked(onward, a.primitive, all);
+            const bool more = isBlocked(*ours, onward, a.primitive);
             blocked += more;
-            if (more != embree->blocked(onward, a.primitive, all)) {
+            if (more != isBlocked(*embree, onward, a.primitive)) {
                 Ray next = onward;
                 const RayHit ourNext = ours->closest(next), theirNext = embree->closest(next);
                 const bool tieNext = atEdge(ourNext, 1e-3) || atEdge(theirNext, 1e-3) ||
@@ -86,13 +92,16 @@ TEST_F(EngineTest, AgreeOutsideTies) {
 TEST_F(EngineTest, WhatMayNotBlockDoesNot) {
     const Triangles two = {{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}, {{-1, -1, 1}, {1, -1, 1}, {0, 1, 1}}};
     const Ray ray{{0, 0, -1}, {0, 0, 1}, 0, 10};
-    for (const auto& engine : {makeBvhEngine(two), makeEmbreeEngine(two)}) {
+    for (const auto& engine : {built(makeBvhEngine(EngineInput{two, {}})), built(makeEmbreeEngine(two)),
+                               built(makeEmbreeEngine(two, true))}) {
         const std::vector<std::uint8_t> both{1, 1}, first{1, 0}, none{0, 0};
-        EXPECT_TRUE(engine->blocked(ray, kNoPrimitive, both));
-        EXPECT_TRUE(engine->blocked(ray, 0, both));
-        EXPECT_FALSE(engine->blocked(ray, 0, first));
-        EXPECT_FALSE(engine->blocked(ray, kNoPrimitive, none));
+        EXPECT_NE(engine->any(ray, {.except = kNoPrimitive, .flags = both.data()}), kNoPrimitive);
+        EXPECT_NE(engine->any(ray, {.except = 0, .flags = both.data()}), kNoPrimitive);
+        EXPECT_EQ(engine->any(ray, {.except = 0, .flags = first.data()}), kNoPrimitive);
+        EXPECT_EQ(engine->any(ray, {.except = kNoPrimitive, .flags = none.data()}), kNoPrimitive);
         EXPECT_EQ(engine->closest(ray).primitive, 0u);
+        EXPECT_EQ(engine->closest(ray, {.except = 0}).primitive, 1u);
+        EXPECT_FALSE(engine->closest(ray, {.except = 0, .flags = first.data()}));
         EXPECT_FALSE(engine->closest(Ray{{0, 0, std::nan("")}, {0, 0, 1}}));
     }
 }
