@@ -34,6 +34,8 @@ MATERIALS = {
     "stem": ((0.24, 0.30, 0.13), (0, 0, 0), 32),
     "leaf": ((0.20, 0.34, 0.13), (0.03, 0.03, 0.03), 40),
     "lattice": ((0.42, 0.27, 0.15), (0, 0, 0), 32),
+    "ebony": ((0.10, 0.095, 0.09), (0, 0, 0), 32),
+    "maple": ((0.66, 0.60, 0.50), (0, 0, 0), 32),
 }
 
 
@@ -512,6 +514,20 @@ def screen():
     write_model("screen", "A screen, 1.9 m high: a lattice cut out of one sheet by an image", parts + [("lattice", sheet)])
 
 
+def chessboard():
+    """A chessboard, 1.2 m wide, its top at y = 0: a dark slab, and every second square a light tile laid into it, which stands
+    out by half a millimetre, so that no two faces lie in one plane."""
+    side, squares, rise, border = 0.14, 8, 0.0005, 0.04
+    half = side * squares / 2
+    parts = [("ebony", box((-half - border, -0.03, -half - border), (half + border, -rise, half + border)))]
+    for row in range(squares):
+        for column in range(squares):
+            if (row + column) % 2 == 0:
+                x, z = column * side - half, row * side - half
+                parts.append(("maple", box((x, -0.01, z), (x + side, 0, z + side))))
+    write_model("chessboard", "A chessboard, 1.2 m wide, its top at y = 0", parts)
+
+
 if __name__ == "__main__":
-    for model in (torus_knot, column, entablature, table, vase, pawn, candle, flame, plant, screen):
+    for model in (torus_knot, column, entablature, table, vase, pawn, candle, flame, plant, screen, chessboard):
         model()
