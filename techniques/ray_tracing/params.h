@@ -9,9 +9,9 @@ namespace shadowlab::ray_tracing {
 struct RayTracedParams {
     bool excludeSource = true;
     enum class Receivers { traced, idBuffer } receivers = Receivers::traced;
-    // A ray through a glass ball with a ball of water in it, seen in a mirror, meets 5 surfaces until it is out again. One
-    // more reflection on the way makes 6. On the built-in scene no deeper tree is told from it by eye (docs/ray-traced.md).
-    int depth = 6;
+    // The cut-off ends most branches sooner, so a deep tree costs little. On the built-in scene 10 levels differ from 16 by
+    // at most 6/255, and by more than 1/255 in one pixel of ten thousand; 6 levels differ visibly at the rim of the bubble.
+    int depth = 10;
     // Half of the smallest step between two 8-bit greys: what adds less to a pixel is not seen.
     double cutoff = 0.002;
     Fresnel fresnel = Fresnel::exact;
