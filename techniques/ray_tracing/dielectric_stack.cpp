@@ -1,52 +1,51 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/ray_tracing/dielectric_stack.h"
 
-#include <algorithm>
-
 namespace shadowlab::ray_tracing {
 
 namespace {
 
 constexpr double kEmptySpace = 1.0; // index of refraction of vacuum, and of air to three digits
 
-bool isSame(const Medium& a, const Medium& b) { return a.solid == b.solid; }
-
 } // namespace
 
-std::vector<Medium>::const_iterator DielectricStack::top() const {
-    auto best = inside_.end();
-    for (auto medium = inside_.begin(); medium != inside_.end(); ++medium)
-        if (best == inside_.end() || medium->priority >= best->priority) best = medium;
+DielectricStack::Place DielectricStack::last(const Medium& medium) const {
+    Place found = inside_.end();
+    for (Place place = inside_.begin(); place != inside_.end(); ++place)
+        if (place->solid == medium.solid) found = place;
+    return found;
+}
+
+DielectricStack::Place DielectricStack::top(Place leftOut) const {
+    Place best = inside_.end();
+    for (Place place = inside_.begin(); place != inside_.end(); ++place)
+        if (place != leftOut && (best == inside_.end() || place->priority >= best->priority)) best = place;
     return best;
 }
 
-double DielectricStack::ior() const { return inside_.empty() ? kEmptySpace : top()->ior; }
-
-bool DielectricStack::holds(const Medium& medium) const {
-    return std::ranges::any_of(inside_, [&](const Medium& other) { return isSame(other, medium); });
+double DielectricStack::ior() const {
+    const Place place = top(inside_.end());
+    return place == inside_.end() ? kEmptySpace : place->ior;
 }
 
+bool DielectricStack::holds(const Medium& medium) const { return last(medium) != inside_.end(); }
+
 Crossing DielectricStack::crossing(const Medium& medium, bool entering) const {
-    // A surface is left as it would be entered: with the medium at hand, though nobody has seen the ray go in.
-    DielectricStack before = *this, after = *this;
-    if (entering)
-        after.cross(medium, true);
-    else if (holds(medium))
-        after.cross(medium, false);
-    else
-        before.cross(medium, true);
-    const DielectricStack& within = entering ? after : before;
-    return {before.ior(), after.ior(), isSame(*within.top(), medium)};
+    // What is there without that solid; and does it win where it is? One that is not in the list is the last to be entered.
+    const Place held = entering ? inside_.end() : last(medium);
+    const Place other = top(held);
+    const double otherIor = other == inside_.end() ? kEmptySpace : other->ior;
+    const bool wins = other == inside_.end() || medium.priority > other->priority ||
+                      (medium.priority == other->priority && other < held);
+    if (!wins) return {otherIor, otherIor, false};
+    return entering ? Crossing{otherIor, medium.ior, true} : Crossing{medium.ior, otherIor, true};
 }
 
 void DielectricStack::cross(const Medium& medium, bool entering) {
-    if (entering) {
+    if (entering)
         inside_.push_back(medium);
-        return;
-    }
-    const auto last =
-        std::find_if(inside_.rbegin(), inside_.rend(), [&](const Medium& other) { return isSame(other, medium); });
-    if (last != inside_.rend()) inside_.erase(std::next(last).base());
+    else if (const Place held = last(medium); held != inside_.end())
+        inside_.erase(held);
 }
 
 } // namespace shadowlab::ray_tracing

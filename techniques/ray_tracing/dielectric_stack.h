@@ -38,8 +38,10 @@ public:
     void cross(const Medium& medium, bool entering);
 
 private:
-    [[nodiscard]] std::vector<Medium>::const_iterator top() const;
-    std::vector<Medium> inside_; ///< in the order they were entered
+    using Place = std::vector<Medium>::const_iterator;
+    [[nodiscard]] Place last(const Medium& medium) const; ///< where that solid was entered last; end: nowhere
+    [[nodiscard]] Place top(Place leftOut) const;         ///< what is really there, but for one
+    std::vector<Medium> inside_;                          ///< in the order they were entered
 };
 
 } // namespace shadowlab::ray_tracing

@@ -62,8 +62,10 @@ class RayTraced final : public Technique {
 public:
     params::ParamList params() override { return describe(params_); }
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
-        if (tracer_.advance(snapshot, deadline)) return {};
-        return {tracer_.done(), false};
+        if (!tracer_.advance(snapshot, deadline)) return {tracer_.done(), false};
+        if (snapshot != surfacesOf_) surfaces_.emplace(tracer_);
+        surfacesOf_ = snapshot;
+        return {};
     }
 
     Progress render(Frame& frame) override {
@@ -86,7 +88,7 @@ public:
         countRays(frame);
         if (frame.wants("primary-hits")) publishDistances(frame);
 
-        const Surfaces surfaces(tracer_);
+        const Surfaces& surfaces = *surfaces_;
         frame.pass(passInfo(kPasses, "lights-off"), [&] {
             picture_.shadeLightsOff(surfaces);
             show(frame);
@@ -224,6 +226,8 @@ private:
 
     RayTracedParams params_;
     trace::SceneTracer tracer_;
+    scene::Snapshot surfacesOf_;
+    std::optional<Surfaces> surfaces_; ///< of that scene
     Picture picture_;
     gl::IdBuffer idBuffer_;
 };
