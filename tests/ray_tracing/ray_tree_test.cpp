@@ -252,6 +252,32 @@ TEST(RayTree, OfFacesInOnePlaneTheFirstIsSeenDirectlyAndInAMirror) {
     }
 }
 
+// Coarse things with smooth normals: near their rims these point far away from the triangles.
+TEST(RayTree, RaysStayOnTheirSideOfTheTriangle) {
+    scene::Scene scene = emptyScene();
+    const std::uint32_t glass = addMaterial(scene, 0.04, 0.96);
+    addObject(scene, scene::makeSphere(1, 8), glass, translation({-1.2, 1, 0}));
+    addObject(scene, scene::makeTorus(0.8, 0.4, {8, 6}), glass, translation({1, 1, 0}));
+    const TracedScene traced(scene);
+    int splits = 0, bentByTheTriangle = 0;
+    forRays(traced, {.depth = 4, .cutoff = 1e-3}, [&](const RayTree& tree) {
+        for (const TreeNode& node : tree.nodes()) {
+            if (node.end != RayEnd::splits) continue;
+            ++splits;
+            const dvec3 flatWorld = traced.surfaces().geometricNormalWorld(node.point);
+            if (node.reflection >= 0) {
+                EXPECT_GT(glm::dot(node.reflectedWorld, flatWorld), 0);
+                bentByTheTriangle += glm::dot(reflected(node.u, node.normalWorld), flatWorld) <= 0;
+            }
+            if (node.refractedWorld != dvec3(0)) {
+                EXPECT_LT(glm::dot(node.refractedWorld, flatWorld), 0);
+            }
+        }
+    });
+    EXPECT_GT(splits, 1000);
+    EXPECT_GT(bentByTheTriangle, 10) << "the case never came up";
+}
+
 TEST(RayTree, ItsVectorsAreThoseOfTheLecture) {
     scene::Scene scene = emptyScene();
     addObject(scene, scene::makeBox({8, 2, 8}), addMaterial(scene, 0.04, 0.96), translation({0, -1, 0}));
