@@ -65,7 +65,8 @@ std::vector<Probe::Fact> factsOf(const TreeNode& node, const Surfaces& surfaces)
     if (node.end == RayEnd::splits) {
         if (node.reflectedWorld != dvec3(0)) fact("R", text(node.reflectedWorld));
         if (node.refractedWorld != dvec3(0)) fact("T", text(node.refractedWorld));
-        fact("index of refraction", std::to_string(node.iorHere) + " to " + std::to_string(node.iorBeyond));
+        if (surfaces.materialOf(node.point).transparency > 0)
+            fact("index of refraction", std::to_string(node.iorHere) + " to " + std::to_string(node.iorBeyond));
         fact("weight of I_R", std::to_string(node.weights.reflected));
         fact("weight of I_T", std::to_string(node.weights.transmitted));
         fact("I_R", text(node.reflectedIntensity));
