@@ -9,8 +9,9 @@ namespace shadowlab::ray_tracing {
 struct RayTracedParams {
     bool excludeSource = true;
     enum class Receivers { traced, idBuffer } receivers = Receivers::traced;
-    // The cut-off ends most branches sooner, so a deep tree costs little. On the built-in scene 10 levels differ from 16 by
-    // at most 6/255, and by more than 1/255 in one pixel of ten thousand; 6 levels differ visibly at the rim of the bubble.
+    // The cut-off ends most branches sooner, so a deep tree costs little. In the picture of the built-in scene (640 x 360) 10
+    // levels differ from 16 without cut-off by more than 1/255 in one pixel of ten thousand, and there by at most 9/255; 6
+    // levels in one of four hundred, visibly at the rim of the bubble.
     int depth = 10;
     // Half of the smallest step between two 8-bit greys: what adds less to a pixel is not seen.
     double cutoff = 0.002;
