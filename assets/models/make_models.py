@@ -34,6 +34,8 @@ MATERIALS = {
     "stem": ((0.24, 0.30, 0.13), (0, 0, 0), 32),
     "leaf": ((0.20, 0.34, 0.13), (0.03, 0.03, 0.03), 40),
     "lattice": ((0.42, 0.27, 0.15), (0, 0, 0), 32),
+    "ebony": ((0.10, 0.095, 0.09), (0, 0, 0), 32),
+    "maple": ((0.66, 0.60, 0.50), (0, 0, 0), 32),
 }
 
 
@@ -213,15 +215,17 @@ def number(x, digits):
 
 
 def write_model(name, description, parts, crease_degrees=40.0):
-    """`parts`: (material, shell) each, a shell being (points, faces) or (points, faces, texture coordinates of the points).
+    """`parts`: (material, shell) each, a shell being (points, faces) or (points, faces, texture coordinates of the points), and
+    a material one name or a list of them, one for each face.
     Positions get 5 decimals (10 micrometres), normals 4."""
     lines = [f"# {description}", "# Written by make_models.py", f"mtllib {name}.mtl"]
     normal_index = {}
     first, first_texcoord, count = 1, 1, 0
-    current = None
+    current, used = None, []
     for material, shell in parts:
-        (check_sheet if material in OPEN else check_closed)(name, shell)
         points, faces, *texcoords = shell
+        materials = material if isinstance(material, list) else [material] * len(faces)
+        (check_sheet if materials[0] in OPEN else check_closed)(name, shell)
         lines += ["v " + " ".join(number(x, 5) for x in point) for point in points]
         for uv in texcoords[0] if texcoords else []:
             lines.append("vt " + " ".join(number(x, 4) for x in uv))
@@ -234,10 +238,11 @@ def write_model(name, description, parts, crease_degrees=40.0):
                     normal_index[text] = len(normal_index) + 1
                     lines.append(text)
                 corners[-1].append(normal_index[text])
-        if material != current:
-            lines.append(f"usemtl {material}")
-            current = material
-        for face, normals in zip(faces, corners):
+        used += dict.fromkeys(materials)
+        for material, face, normals in sorted(zip(materials, faces, corners), key=lambda one: materials.index(one[0])):
+            if material != current:
+                lines.append(f"usemtl {material}")
+                current = material
             image = [f"{v + first_texcoord}" if texcoords else "" for v in face]
             lines.append("f " + " ".join(f"{v + first}/{t}/{n}" for v, t, n in zip(face, image, normals)))
             count += len(face) - 2
@@ -246,7 +251,7 @@ def write_model(name, description, parts, crease_degrees=40.0):
     (FOLDER / f"{name}.obj").write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
 
     lines = ["# Written by make_models.py"]
-    for material in dict.fromkeys(material for material, _ in parts):
+    for material in dict.fromkeys(used):
         diffuse, specular, shininess, emission = (*MATERIALS[material], (0, 0, 0))[:4]
         lines += [f"newmtl {material}", "Kd " + " ".join(number(x, 4) for x in diffuse)]
         lines += ["Ks " + " ".join(number(x, 4) for x in specular), f"Ns {shininess}"]
@@ -512,6 +517,32 @@ def screen():
     write_model("screen", "A screen, 1.9 m high: a lattice cut out of one sheet by an image", parts + [("lattice", sheet)])
 
 
+def chessboard():
+    """A chessboard, 1.2 m wide and 30 mm thick, its top at y = 0: one shell, light and dark squares in one plane."""
+    side, squares, border, thickness = 0.14, 8, 0.04, 0.03
+    half = side * squares / 2
+    lines = [-half - border] + [side * i - half for i in range(squares + 1)] + [half + border]
+    n = len(lines)
+    points = [(x, y, z) for y in (0, -thickness) for z in lines for x in lines]
+
+    def at(layer, row, column):
+        return layer * n * n + row * n + column
+
+    faces, materials = [], []
+    for row in range(n - 1):
+        for column in range(n - 1):
+            corners = [(row, column), (row + 1, column), (row + 1, column + 1), (row, column + 1)]
+            faces += [[at(0, *corner) for corner in corners], [at(1, *corner) for corner in reversed(corners)]]
+            on_board = 0 < row < n - 2 and 0 < column < n - 2
+            materials += ["maple" if on_board and (row + column) % 2 == 0 else "ebony", "ebony"]
+    rim = [(0, i) for i in range(n - 1)] + [(i, n - 1) for i in range(n - 1)]
+    rim += [(n - 1, n - 1 - i) for i in range(n - 1)] + [(n - 1 - i, 0) for i in range(n - 1)]
+    for here, there in zip(rim, rim[1:] + rim[:1]):
+        faces.append([at(0, *here), at(0, *there), at(1, *there), at(1, *here)])
+        materials.append("ebony")
+    write_model("chessboard", "A chessboard, 1.2 m wide, its top at y = 0", [(materials, (points, faces))])
+
+
 if __name__ == "__main__":
-    for model in (torus_knot, column, entablature, table, vase, pawn, candle, flame, plant, screen):
+    for model in (torus_knot, column, entablature, table, vase, pawn, candle, flame, plant, screen, chessboard):
         model()

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
-#include "techniques/foundation/scene/shading.h"
 #include "techniques/foundation/trace/parallel.h"
 
 namespace shadowlab::ray_tracing {
@@ -33,30 +33,6 @@ void forEachPixel(ivec2 size, const Work& work) {
             for (std::size_t x = 0; x < width; ++x)
                 work(y * width + x, (height - 1 - y) * width + x);
     });
-}
-
-uvec3 cornersOf(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
-    const trace::WorldTriangles& world = tracer.world();
-    return tracer.objectOf(point)
-        .mesh->triangles[point.primitive - world.firstOfObject[world.objects[point.primitive]]];
-}
-
-const scene::Material& materialOf(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
-    const scene::Object& object = tracer.objectOf(point);
-    const std::uint32_t triangle =
-        point.primitive - tracer.world().firstOfObject[tracer.world().objects[point.primitive]];
-    const auto& parts = object.mesh->parts; // in order, covering all triangles
-    const auto after =
-        std::ranges::upper_bound(parts, triangle, {}, [](const scene::MeshPart& part) { return part.firstTriangle; });
-    return tracer.scene().materials[object.partMaterials[static_cast<std::size_t>(after - parts.begin() - 1)]];
-}
-
-/// A rect light's surface is dark on its back.
-bool emitsHere(const trace::SceneTracer& tracer, const trace::SurfacePoint& point) {
-    const int light = tracer.objectOf(point).emitterOfLight;
-    const bool rect =
-        light >= 0 && tracer.scene().lights[static_cast<std::size_t>(light)].type == scene::LightType::rect;
-    return !rect || point.eyeOnFront;
 }
 
 } // namespace
@@ -112,42 +88,67 @@ void Picture::trace(const trace::SceneTracer& tracer, const scene::Camera& camer
     });
 }
 
-void Picture::shadeLightsOff(const trace::SceneTracer& tracer) {
-    const scene::Scene& scene = tracer.scene();
+void Picture::shadeLightsOff(const Surfaces& surfaces) {
     radiance_.resize(points_.size());
-    normalWorldFromMesh_.clear();
-    for (const scene::Object& object : scene.objects)
-        normalWorldFromMesh_.push_back(glm::transpose(glm::inverse(dmat3(object.worldFromObject))));
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
-        radiance_[fromBelow] = scene.background;
-        if (!points_[i]) return;
-        const trace::SurfacePoint point = points_[i].surfacePoint();
-        const scene::Material& material = materialOf(tracer, point);
-        radiance_[fromBelow] = scene.ambient * material.diffuse;
-        if (emitsHere(tracer, point)) radiance_[fromBelow] += material.emission;
+        radiance_[fromBelow] = points_[i] ? surfaces.lightsOff(points_[i].surfacePoint()) : surfaces.scene().background;
     });
 }
 
-void Picture::shadeLight(const trace::SceneTracer& tracer, int light) {
-    const scene::Light& source = tracer.scene().lights[static_cast<std::size_t>(light)];
+void Picture::shadeLight(const Surfaces& surfaces, int light) {
     const Grid<trace::Visibility>& visibility = visibility_[static_cast<std::size_t>(light)];
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
         if (visibility[i] != trace::Visibility::lit) return;
         const trace::SurfacePoint point = points_[i].surfacePoint();
-        const dvec3 positionWorld = tracer.positionWorld(point);
-        const dvec3 toEyeWorld = glm::normalize(eyeWorld_ - positionWorld);
-        // The shading normal: interpolated between the corners, turned to the viewer's side.
-        const std::vector<vec3>& normalsMesh = tracer.objectOf(point).mesh->normalsMesh;
-        const uvec3 corners = cornersOf(tracer, point);
-        const dvec3 weights = point.barycentric();
-        const dvec3 normalMesh = weights.x * dvec3(normalsMesh[corners.x]) + weights.y * dvec3(normalsMesh[corners.y]) +
-                                 weights.z * dvec3(normalsMesh[corners.z]);
-        dvec3 normalWorld = glm::normalize(normalWorldFromMesh_[tracer.world().objects[point.primitive]] * normalMesh);
-        if (glm::dot(normalWorld, toEyeWorld) < 0) normalWorld = -normalWorld;
-        radiance_[fromBelow] += vec3(scene::irradiance(source, positionWorld, normalWorld) *
-                                     scene::reflectance(materialOf(tracer, point), normalWorld,
-                                                        scene::towardLightWorld(source, positionWorld), toEyeWorld));
+        const dvec3 positionWorld = surfaces.tracer().positionWorld(point);
+        radiance_[fromBelow] +=
+            vec3(surfaces.lit(point, light, positionWorld, glm::normalize(eyeWorld_ - positionWorld)));
     });
+}
+
+void Picture::clearTrees() {
+    reflected_.clear();
+    transmitted_.clear();
+    levels_.clear();
+    trees_ = secondaryRays_ = 0;
+}
+
+void Picture::traceTrees(const Surfaces& surfaces, const scene::Camera& camera, const TreeSettings& settings) {
+    reflected_.assign(points_.size(), vec3(0.0f));
+    transmitted_.assign(points_.size(), vec3(0.0f));
+    levels_.assign(points_.size(), 0);
+    const trace::SceneTracer& tracer = surfaces.tracer();
+    const trace::EyeRays rays = tracer.eyeRays(camera, size_);
+    const DielectricStack aroundEye = surfaces.mediaAround(rays.eyeCentred());
+    std::atomic<std::size_t> trees = 0, secondaryRays = 0;
+    forEachBlock(size_, [&](ivec2 corner, ivec2 blockSize) {
+        RayTree tree; // its memory serves the whole block
+        for (int y = corner.y; y < corner.y + blockSize.y; ++y)
+            for (int x = corner.x; x < corner.x + blockSize.x; ++x) {
+                const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
+                const auto width = static_cast<std::size_t>(size_.x), height = static_cast<std::size_t>(size_.y);
+                const std::size_t i = row * width + column;
+                if (!points_[i]) continue;
+                levels_[i] = 1;
+                if (!settings.attenuates() && !surfaces.splits(points_[i].surfacePoint())) continue;
+                // The point again, in double: the kept one is too coarse for rays to start from.
+                const dvec2 pixel(x + 0.5, y + 0.5);
+                const trace::SurfacePoint first = tracer.eyePoint(rays, pixel);
+                if (!first) continue;
+                tree.trace(surfaces, settings, rays.eyeCentred(), glm::normalize(rays.through(pixel).directionCentred),
+                           first, aroundEye);
+                const std::size_t fromBelow = (height - 1 - row) * width + column;
+                radiance_[fromBelow] = vec3(tree.root().intensity);
+                reflected_[fromBelow] = vec3(tree.addedByReflection());
+                transmitted_[fromBelow] = vec3(tree.addedByRefraction());
+                levels_[i] = static_cast<std::uint8_t>(tree.levels());
+                ++trees;
+                secondaryRays +=
+                    static_cast<std::size_t>(std::ranges::count_if(tree.nodes(), &TreeNode::isFollowed)) - 1;
+            }
+    });
+    trees_ = trees;
+    secondaryRays_ = secondaryRays;
 }
 
 } // namespace shadowlab::ray_tracing

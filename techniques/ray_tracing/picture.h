@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "techniques/foundation/trace/scene_tracer.h"
+#include "techniques/ray_tracing/ray_tree.h"
 
 namespace shadowlab::ray_tracing {
 
@@ -39,9 +40,15 @@ public:
                const TraceSettings& settings);
 
     /// Fills the radiance with what is seen with all lights off.
-    void shadeLightsOff(const trace::SceneTracer& tracer);
+    void shadeLightsOff(const Surfaces& surfaces);
     /// Adds a light where its rays have arrived.
-    void shadeLight(const trace::SceneTracer& tracer, int light);
+    void shadeLight(const Surfaces& surfaces, int light);
+
+    /// Traces the trees of all pixels whose eye ray splits, or is attenuated on its way, and puts what comes of them into
+    /// the radiance. All other pixels stay as they are.
+    void traceTrees(const Surfaces& surfaces, const scene::Camera& camera, const TreeSettings& settings);
+    /// No trees: forgets what traceTrees() found in an earlier picture.
+    void clearTrees();
 
     [[nodiscard]] ivec2 size() const { return size_; }
     [[nodiscard]] const Grid<KeptPoint>& points() const { return points_; }
@@ -50,6 +57,16 @@ public:
     }
     /// Row 0 is at the bottom, as GL wants it.
     [[nodiscard]] const Grid<vec3>& radianceFromBelow() const { return radiance_; }
+    /// What trees have added by the reflection, and by the refraction at the root; row 0 is at the bottom. Empty: nothing.
+    [[nodiscard]] const Grid<vec3>& reflectedFromBelow() const { return reflected_; }
+    [[nodiscard]] const Grid<vec3>& transmittedFromBelow() const { return transmitted_; }
+    /// Of the tree of each pixel; of a ray that does not split 1, of one that meets nothing 0.
+    [[nodiscard]] int levels(std::size_t pixel) const {
+        return levels_.empty() ? (points_[pixel] ? 1 : 0) : levels_[pixel];
+    }
+    /// Rays below eye rays.
+    [[nodiscard]] std::size_t secondaryRays() const { return secondaryRays_; }
+    [[nodiscard]] std::size_t trees() const { return trees_; }
 
 private:
     ivec2 size_{0};
@@ -57,7 +74,9 @@ private:
     Grid<KeptPoint> points_;
     std::vector<Grid<trace::Visibility>> visibility_; ///< per light
     Grid<vec3> radiance_;
-    std::vector<dmat3> normalWorldFromMesh_; ///< per object
+    Grid<vec3> reflected_, transmitted_;
+    Grid<std::uint8_t> levels_;
+    std::size_t trees_ = 0, secondaryRays_ = 0;
 };
 
 } // namespace shadowlab::ray_tracing

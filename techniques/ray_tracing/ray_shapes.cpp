@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/ray_tracing/ray_shapes.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "techniques/foundation/look.h"
+#include "techniques/ray_tracing/ray_ends.h"
 
 namespace shadowlab::ray_tracing {
 
@@ -16,21 +13,6 @@ constexpr int kColumns = 6, kRows = 4;
 
 // Points of a cell that are looked at, on a side: small shadows lie between the middles of the cells.
 constexpr int kTries = 8;
-
-// Toward the sun: a little beyond where the ray leaves the scene.
-constexpr double kBeyond = 1.05;
-
-/// Where a ray that starts within the scene's box and goes on for ever is no longer drawn.
-dvec3 endBeyond(const scene::Bounds& bounds, const dvec3& fromWorld, const dvec3& directionWorld) {
-    double leave = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis)
-        if (directionWorld[axis] != 0) {
-            const double side = directionWorld[axis] > 0 ? bounds.upperWorld[axis] : bounds.lowerWorld[axis];
-            leave = std::min(leave, std::max(0.0, (side - fromWorld[axis]) / directionWorld[axis]));
-        }
-    const double size = glm::length(bounds.upperWorld - bounds.lowerWorld);
-    return fromWorld + std::min(kBeyond * leave + 0.02 * size, size) * directionWorld;
-}
 
 /// Where the rays of one pixel go.
 struct RayPath {
@@ -72,9 +54,7 @@ std::vector<SceneShape> rayShapes(const trace::SceneTracer& tracer, const View& 
     SceneShape arriving{"shadow rays that arrive: lit", look::kEqualDepth, lines, {}};
     SceneShape blocked{"shadow rays up to what blocks them: in shadow", look::kOccluded, lines, {}};
     const scene::Light& source = tracer.scene().lights[static_cast<std::size_t>(light)];
-    scene::Bounds bounds;
-    for (const scene::Bounds& box : scene::objectBounds(tracer.scene()))
-        bounds.include(box);
+    const scene::Bounds bounds = boundsOf(tracer.scene());
 
     const trace::EyeRays rays = tracer.eyeRays(view.camera, view.size);
     const dvec2 cell = dvec2(view.size) / dvec2(kColumns, kRows);

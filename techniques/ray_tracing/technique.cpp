@@ -2,9 +2,10 @@
 //
 // Appel, "Some Techniques for Shading Machine Renderings of Solids", 1968, sent the first rays from a point on paper
 // through the holes of a plotter; Whitted, "An Improved Illumination Model for Shaded Display", 1980, made a recursion
-// of it. Here the recursion ends at once: no mirrors, no glass. What is asked is the definition of a shadow itself, "is
-// anything between this point and the light?", so nothing is approximated: no map with texels, no count in a stencil.
-// Left out on purpose: soft shadows (a light is a point).
+// of it, by way of mirrors and glass. What is asked of shadow rays is the definition of a shadow itself, "is anything between
+// this point and the light?", so nothing is approximated: no map with texels, no count in a stencil. Pixels that show
+// neither mirror nor glass are done with that; from the others a tree of rays is followed (ray_tree.h).
+// Left out on purpose: soft shadows (a light is a point), and light that mirrors and glass throw on other things.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <iterator>
@@ -13,7 +14,9 @@
 #include "techniques/foundation/gl/id_buffer.h"
 #include "techniques/foundation/look.h"
 #include "techniques/frame.h"
+#include "techniques/ray_tracing/params.h"
 #include "techniques/ray_tracing/picture.h"
+#include "techniques/ray_tracing/probe_tree.h"
 #include "techniques/ray_tracing/ray_shapes.h"
 #include "techniques/ray_tracing/structure_params.h"
 #include "techniques/ray_tracing/structure_shapes.h"
@@ -40,6 +43,11 @@ const PassInfo kPasses[] = {
     {"light", "Add the light where its ray has arrived",
      "The same shading as in every other technique; only the question who is in shadow is answered in another way.",
      "none: the processor shades; the picture is uploaded", true},
+    {"trees", "Follow the rays that mirrors and glass send on, and add what they bring",
+     "At every surface a ray splits into a reflection and a refraction ray; their intensities are added up from the "
+     "ends of "
+     "the tree to its root. Pixels that show neither mirror nor glass stay as they are.",
+     "none: the processor traces and shades; the picture is uploaded", false, "tree-depth"},
 };
 
 const StageInfo kStages[] = {
@@ -49,34 +57,25 @@ const StageInfo kStages[] = {
     {"visibility", "Visibility of the light", StageKind::visibility, true},
     kTestsStage,
     kStructureStage,
+    {"reflected", "What the reflection ray of each pixel adds", StageKind::radiance, false},
+    {"transmitted", "What the refraction ray of each pixel adds", StageKind::radiance, false},
+    {"tree-depth", "Levels of rays in the tree of each pixel", StageKind::scalar, false},
 };
 
 constexpr trace::Visibility kLit = trace::Visibility::lit;
 
-struct RayTracedParams {
-    bool excludeSource = true;
-    enum class Receivers { traced, idBuffer } receivers = Receivers::traced;
-};
-
 class RayTraced final : public Technique {
 public:
     params::ParamList params() override {
-        params::ParamList list = {
-            params::boolean("exclude-source", params_.excludeSource,
-                            "A shadow ray leaves out the triangle it starts on; false: it starts from a point rounded "
-                            "to float, and meets that triangle every now and then (teaching)."),
-            params::choice(
-                "receivers", params_.receivers, {"traced", "id-buffer"},
-                "How the triangle of a pixel is found: by its eye ray; or drawn by the rasteriser, and traced "
-                "only where the ray does not hit that triangle. At ties (docs/conventions.md) the two may "
-                "differ."),
-        };
+        params::ParamList list = describe(params_);
         std::ranges::move(describe(structureParams_), std::back_inserter(list));
         return list;
     }
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
         tracer_.askInstead(nullptr);
         if (!tracer_.advance(snapshot, deadline)) return {tracer_.done(), false};
+        if (snapshot != surfacesOf_) surfaces_.emplace(tracer_);
+        surfacesOf_ = snapshot;
         const Progress progress = structures_.prepare(tracer_.geometry(), structureParams_.structure, deadline);
         if (progress.converged && structures_.chosen() != trace::Structure::bvh)
             tracer_.askInstead(&structures_.engine());
@@ -89,7 +88,7 @@ public:
         frame.target().framebuffer.bind();
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
         TraceSettings settings;
-        settings.start = params_.excludeSource ? trace::ShadowStart::exact : trace::ShadowStart::naive;
+        settings.start = params_.start();
         std::vector<std::uint32_t> receivers;
         if (params_.receivers == RayTracedParams::Receivers::idBuffer) {
             frame.pass(passInfo(kPasses, "id-buffer"), [&] {
@@ -103,8 +102,9 @@ public:
         countRays(frame);
         if (frame.wants("primary-hits")) publishDistances(frame);
 
+        const Surfaces& surfaces = *surfaces_;
         frame.pass(passInfo(kPasses, "lights-off"), [&] {
-            picture_.shadeLightsOff(tracer_);
+            picture_.shadeLightsOff(surfaces);
             show(frame);
         });
         if (frame.wants("lights-off")) frame.publishTarget("lights-off");
@@ -115,11 +115,24 @@ public:
             frame.pass(
                 passInfo(kPasses, "light"),
                 [&] {
-                    picture_.shadeLight(tracer_, light);
+                    picture_.shadeLight(surfaces, light);
                     show(frame);
                 },
                 light);
         }
+        picture_.clearTrees();
+        const TreeSettings tree = params_.tree();
+        if ((tree.depth > 0 && surfaces.anySplits()) || tree.attenuates())
+            frame.pass(passInfo(kPasses, "trees"), [&] {
+                picture_.traceTrees(surfaces, frame.view().camera, tree);
+                show(frame);
+            });
+        frame.count("trees", static_cast<double>(picture_.trees()), static_cast<double>(picture_.points().size()),
+                    "pixels");
+        frame.count("secondary-rays", static_cast<double>(picture_.secondaryRays()));
+        if (frame.wants("reflected")) publishAdded(frame, "reflected", picture_.reflectedFromBelow());
+        if (frame.wants("transmitted")) publishAdded(frame, "transmitted", picture_.transmittedFromBelow());
+        if (frame.wants("tree-depth")) publishLevels(frame);
         if (frame.wants(kTestsStage.id)) publishTests(frame, tracer_, structures_);
         if (frame.wants(kStructureStage.id)) publishStructure(frame, tracer_, structures_, picture_);
         return {};
@@ -213,48 +226,61 @@ private:
         frame.publish("visibility", light, std::move(texture));
     }
 
+    void publishAdded(Frame& frame, std::string_view stage, const Grid<vec3>& addedFromBelow) const {
+        gl::Texture2D texture(GL_RGBA16F, picture_.size(), stage);
+        const Grid<vec3> nothing(addedFromBelow.empty() ? picture_.points().size() : 0, vec3(0.0f));
+        uploadFromBelow(texture, addedFromBelow.empty() ? nothing : addedFromBelow, picture_.size());
+        frame.publish(stage, kNoLight, std::move(texture));
+    }
+
+    void publishLevels(Frame& frame) const {
+        Grid<vec2> levels(picture_.points().size());
+        int most = 2; // a scale needs two ends
+        for (std::size_t i = 0; i < levels.size(); ++i) {
+            levels[i] = vec2(static_cast<float>(picture_.levels(i)), picture_.points()[i] ? 1.0f : 0.0f);
+            most = std::max(most, picture_.levels(i));
+        }
+        gl::Texture2D texture(GL_RG32F, picture_.size(), "tree-depth");
+        upload(texture, levels, picture_.size(), [](vec2 texel) { return texel; });
+        frame.publish("tree-depth", kNoLight, std::move(texture),
+                      {.minimum = 1, .maximum = static_cast<double>(most), .unit = "levels of rays", .key = {}});
+    }
+
     RayTracedParams params_;
     StructureParams structureParams_;
     KeptStructures structures_;
     trace::SceneTracer tracer_;
+    scene::Snapshot surfacesOf_;
+    std::optional<Surfaces> surfaces_; ///< of that scene
     Picture picture_;
     gl::IdBuffer idBuffer_;
 };
 
-/// The rays of one pixel, as a tree: the eye ray, and below it a shadow ray for every light.
+/// The rays of one pixel, as a tree: the eye ray, what it splits into, and at every surface a shadow ray for every light.
 Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
     Probe probe = Technique::probe(snapshot, view, pixel, light);
     trace::SceneTracer tracer;
     tracer.advance(snapshot, Deadline::max());
+    const Surfaces surfaces(tracer);
     const trace::EyeRays rays = tracer.eyeRays(view.camera, view.size);
-    const trace::SurfacePoint point = tracer.eyePoint(rays, dvec2(pixel) + 0.5);
+    const dvec2 centre = dvec2(pixel) + 0.5;
+    const trace::SurfacePoint point = tracer.eyePoint(rays, centre);
     if (!point) return probe;
-    const std::string object = tracer.objectOf(point).name;
     // What is there already is used; the command line has nothing yet.
     KeptStructures own;
     const bool isThere = structures_.isReady(tracer.geometry(), structureParams_.structure);
     if (!isThere) own.prepare(tracer.geometry(), structureParams_.structure, Deadline::max());
     const trace::Engine& engine = (isThere ? structures_ : own).engine();
-    const trace::RayTests tests = tracer.testsOf(engine, rays, dvec2(pixel) + 0.5);
-    probe.tree.push_back(
-        {-1, "eye ray", {{"hits", object, ""}, {"after", std::to_string(tracer.distance(rays, point)), "m"}}});
+    const trace::RayTests tests = tracer.testsOf(engine, rays, centre);
     if (engine.counts())
-        probe.tree[0].facts.insert(probe.tree[0].facts.end(),
-                                   {{"all rays try", std::to_string(tests.volumes), "volumes"},
-                                    {"and", std::to_string(tests.triangles), "triangles"},
-                                    {"looking into", std::to_string(tests.steps), "nodes, objects or cells"}});
-    for (int l = 0; l < static_cast<int>(snapshot->lights.size()); ++l) {
-        const std::string label = "shadow ray to " + snapshot->lights[static_cast<std::size_t>(l)].name;
-        std::string answer = "arrives";
-        if (!tracer.facesLight(point, l)) {
-            answer = "not sent: faces away, or outside the light";
-        } else if (!tracer.objectOf(point).receivesShadow) {
-            answer = "not sent: receives no shadow";
-        } else if (const std::uint32_t blocker = tracer.blocker(point, l); blocker != trace::kNoPrimitive) {
-            answer = "blocked by " + snapshot->objects[tracer.world().objects[blocker]].name;
-        }
-        probe.tree.push_back({0, label, {{"result", answer, ""}}});
-    }
+        probe.facts.insert(probe.facts.end(),
+                           {{"eye ray and shadow rays try", std::to_string(tests.volumes), "volumes"},
+                            {"and", std::to_string(tests.triangles), "triangles"},
+                            {"looking into", std::to_string(tests.steps), "nodes, objects or cells"}});
+    RayTree tree;
+    tree.trace(surfaces, params_.tree(), rays.eyeCentred(), glm::normalize(rays.through(centre).directionCentred),
+               point, surfaces.mediaAround(rays.eyeCentred()));
+    describeTree(tree, surfaces, light, probe);
     return probe;
 }
 
@@ -267,7 +293,7 @@ std::span<const TechniqueInfo> techniques() {
         .title = "Ray tracing",
         .paper = "Appel 1968, Some Techniques for Shading Machine Renderings of Solids; Whitted 1980, An Improved "
                  "Illumination Model for Shaded Display",
-        .getsWrong = "soft shadows (a light is a point); mirrors and glass are not followed",
+        .getsWrong = "soft shadows (a light is a point); light thrown by mirrors and glass (caustics)",
         .order = 60,
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},

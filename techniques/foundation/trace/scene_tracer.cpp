@@ -91,6 +91,23 @@ SurfacePoint SceneTracer::surfacePoint(const EyeRays& rays, const RayHit& hit) c
     return {hit.primitive, eyeSide > 0, dvec2(hit.barycentric)};
 }
 
+SurfacePoint SceneTracer::nextPoint(const SurfacePoint& from, const dvec3& directionWorld) const {
+    return nextPoint(positionCentred(from), from.primitive, directionWorld);
+}
+
+SurfacePoint SceneTracer::nextPoint(const dvec3& fromCentred, std::uint32_t leftOut,
+                                    const dvec3& directionWorld) const {
+    Ray ray;
+    ray.originCentred = fromCentred;
+    ray.directionCentred = directionWorld;
+    ray.nearest = kContactPerMetre * (1.0 + glm::length(fromCentred));
+    const RayHit hit = closest(ray, {.except = leftOut, .holes = &holes_});
+    if (!hit) return {};
+    const Triangle& t = bvh().triangles[hit.primitive];
+    // By the direction, not by where the ray began: that may be too close to the plane to tell.
+    return {hit.primitive, glm::dot(glm::cross(t.b - t.a, t.c - t.a), directionWorld) < 0, dvec2(hit.barycentric)};
+}
+
 dvec3 SceneTracer::positionCentred(const SurfacePoint& point) const {
     // From the corners, not along the ray: so the point lies in the triangle's plane, however far away the eye is.
     const Triangle& t = bvh().triangles[point.primitive];

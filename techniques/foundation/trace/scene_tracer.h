@@ -70,6 +70,13 @@ public:
     }
     [[nodiscard]] SurfacePoint eyePoint(const EyeRays& rays, dvec2 pixel) const;
 
+    /// What a ray meets that leaves the point in that unit direction, in whatever way it got there; of equally near triangles
+    /// that of the lowest number. Its own triangle is left out, and so is what touches it there: neighbours in the mesh.
+    [[nodiscard]] SurfacePoint nextPoint(const SurfacePoint& from, const dvec3& directionWorld) const;
+    /// The same from any place, such as the eye itself; `leftOut`: a triangle that is not met.
+    [[nodiscard]] SurfacePoint nextPoint(const dvec3& fromCentred, std::uint32_t leftOut,
+                                         const dvec3& directionWorld) const;
+
     /// Is there a hole in the point's triangle? Where an eye ray ends there never is; for points found in another way.
     [[nodiscard]] bool isInHole(const SurfacePoint& point) const {
         return holes_(point.primitive, point.barycentric());

@@ -1,0 +1,117 @@
+// The binary tree of one pixel ray, as the lecture draws it: where the ray meets a surface it splits into a reflection ray
+// and a refraction ray, and these split again.
+//
+// T. Whitted, "An Improved Illumination Model for Shaded Display", Communications of the ACM 1980. The tree is built from
+// the root down, level by level, and then evaluated from its leaves up: a ray that meets nothing, or is not followed, has
+// the background's intensity, one that ends on a light source that light's; a surface adds to its own light what its two
+// rays bring, each weighted; and on its way back to where it came from every ray is attenuated by the distance.
+// Nodes lie in the order in which they were made, parents before children, so going down is a loop, and coming up the same
+// loop backward.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <vector>
+
+#include "techniques/ray_tracing/fresnel.h"
+#include "techniques/ray_tracing/surfaces.h"
+
+namespace shadowlab::ray_tracing {
+
+struct TreeSettings {
+    int depth = 0;     ///< levels of rays below the eye ray; 0: nothing splits
+    double cutoff = 0; ///< a ray that can add no larger share to the pixel than this is not followed
+    Fresnel fresnel = Fresnel::exact;
+    dvec3 attenuation{1, 0, 0}; ///< c0, c1, c2: after d metres 1 / (c0 + c1 d + c2 d^2) is left
+    trace::ShadowStart start = trace::ShadowStart::exact;
+
+    [[nodiscard]] bool attenuates() const { return attenuation != dvec3(1, 0, 0); }
+    /// Of a ray that has come that far.
+    [[nodiscard]] double left(double distance) const {
+        return 1.0 / (attenuation.x + distance * (attenuation.y + distance * attenuation.z));
+    }
+};
+
+/// Why a branch ends, or that it does not.
+enum class RayEnd : std::uint8_t {
+    splits,         ///< it goes on
+    nothingHit,     ///< background
+    lightSource,    ///< one that does not reflect
+    opaque,         ///< a surface that neither reflects nor lets light pass
+    depth,          ///< the tree is deep enough
+    cutoff,         ///< it would add too little
+    noTransmission, ///< total reflection: there is no such ray
+};
+
+enum class Branch : std::uint8_t { eye, reflection, refraction };
+
+/// What a light does at a node.
+struct LightAtNode {
+    trace::Visibility visibility = trace::Visibility::noSurface;
+    dvec3 towardWorld{0.0};  ///< L
+    dvec3 halfwayWorld{0.0}; ///< H, between L and V
+    dvec3 intensity{0.0};    ///< sent toward the viewer; zero unless lit
+};
+
+/// A ray, and the surface that it meets.
+struct TreeNode {
+    int parent = -1, level = 0;
+    Branch branch = Branch::eye;
+    RayEnd end = RayEnd::opaque;
+    dvec3 fromCentred{0.0};
+    dvec3 u{0.0};              ///< the way of the ray; V is -u
+    double contribution = 1;   ///< the share of the pixel that it carries where it begins
+    DielectricStack media;     ///< that it travels in
+    trace::SurfacePoint point; ///< none: it meets nothing, or was not followed
+    double distance = 0;       ///< metres
+    double attenuation = 1;    ///< what that leaves
+    dvec3 normalWorld{0.0};    ///< N, on the viewer's side
+    dvec3 reflectedWorld{0.0}; ///< R; zero: there is none
+    dvec3 refractedWorld{0.0}; ///< T; zero: there is none
+    double iorHere = 1, iorBeyond = 1;
+    Weights weights;
+    int reflection = -1, refraction = -1; ///< children
+    std::size_t firstLight = 0;           ///< in lightsOf()
+    dvec3 local{0.0};                     ///< sent by the surface itself: emission, ambient light, lights that it sees
+    dvec3 reflectedIntensity{0.0};        ///< I_R
+    dvec3 refractedIntensity{0.0};        ///< I_T
+    dvec3 intensity{0.0};                 ///< I, as it arrives where the ray began
+
+    [[nodiscard]] bool isFollowed() const { return point || end == RayEnd::nothingHit; }
+};
+
+class RayTree {
+public:
+    /// Builds and evaluates the tree of a ray from the eye, in that unit direction, which ends at `first`.
+    void trace(const Surfaces& surfaces, const TreeSettings& settings, const dvec3& eyeCentred, const dvec3& u,
+               const trace::SurfacePoint& first, const DielectricStack& aroundEye);
+
+    /// The root comes first, then level by level.
+    [[nodiscard]] const std::vector<TreeNode>& nodes() const { return nodes_; }
+    [[nodiscard]] const TreeNode& root() const { return nodes_.front(); }
+    /// One for each light of the scene, of a node that has a surface.
+    [[nodiscard]] std::span<const LightAtNode> lightsOf(const TreeNode& node) const {
+        return {lights_.data() + node.firstLight, node.point ? lightCount_ : 0};
+    }
+    /// What its rays add to the pixel, by each of the root's branches.
+    [[nodiscard]] dvec3 addedByReflection() const {
+        return root().attenuation * root().weights.reflected * root().reflectedIntensity;
+    }
+    [[nodiscard]] dvec3 addedByRefraction() const {
+        return root().attenuation * root().weights.transmitted * root().refractedIntensity;
+    }
+    /// Of rays that were followed, the eye ray's included.
+    [[nodiscard]] int levels() const;
+
+private:
+    void find(const Surfaces& surfaces, const TreeSettings& settings, TreeNode& node) const;
+    void light(const Surfaces& surfaces, const TreeSettings& settings, TreeNode& node);
+    void split(const Surfaces& surfaces, const TreeSettings& settings, std::size_t index);
+    void add(const TreeSettings& settings, std::size_t parent, TreeNode child);
+    void evaluate(const Surfaces& surfaces);
+
+    std::vector<TreeNode> nodes_;
+    std::vector<LightAtNode> lights_;
+    std::size_t lightCount_ = 0;
+};
+
+} // namespace shadowlab::ray_tracing
