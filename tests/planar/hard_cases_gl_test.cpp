@@ -26,21 +26,12 @@
 namespace shadowlab {
 namespace {
 
+using testing::addBox;
 using testing::expectExactOnPlanes;
+using testing::floorUnder;
 using testing::OnPlanes;
 using testing::onPlanes;
 using PlanarHardTest = testing::GlTest;
-
-scene::Object& addBox(scene::Scene& scene, const dvec3& size, const dvec3& middle) {
-    return testing::addObject(scene, scene::makeBox(size), testing::translation(middle));
-}
-
-/// Floor, camera and light, and nothing that casts.
-scene::Scene floorUnder(const dvec3& lightWorld) {
-    scene::Scene scene = testing::floorScene();
-    scene.lights.push_back(testing::pointLight(lightWorld));
-    return scene;
-}
 
 /// How many pixels differ between two pictures, in any channel.
 int differing(const std::vector<vec4>& a, const std::vector<vec4>& b) {

@@ -9,6 +9,7 @@
 #include "app/measure/truth.h"
 #include "techniques/foundation/gl/id_buffer.h"
 #include "techniques/foundation/scene/depth_fit.h"
+#include "techniques/foundation/scene/shapes.h"
 #include "techniques/planar/receivers.h"
 #include "tests/support/scenes.h"
 #include "tests/support/truth_comparison.h"
@@ -81,6 +82,16 @@ private:
 };
 
 } // namespace
+
+scene::Scene floorUnder(const dvec3& lightWorld) {
+    scene::Scene scene = floorScene();
+    scene.lights.push_back(pointLight(lightWorld));
+    return scene;
+}
+
+scene::Object& addBox(scene::Scene& scene, const dvec3& size, const dvec3& middle) {
+    return addObject(scene, scene::makeBox(size), translation(middle));
+}
 
 OnPlanes& OnPlanes::operator+=(const OnPlanes& o) {
     lit += o.lit, shadowed += o.shadowed, falseLit += o.falseLit, falseShadow += o.falseShadow, ties += o.ties;

@@ -23,6 +23,11 @@ struct OnPlanes {
 };
 std::ostream& operator<<(std::ostream& stream, const OnPlanes& counts);
 
+/// Floor, camera and light, and nothing that casts.
+scene::Scene floorUnder(const dvec3& lightWorld);
+
+scene::Object& addBox(scene::Scene& scene, const dvec3& size, const dvec3& middle);
+
 inline constexpr ivec2 kPlanarSize{320, 240};
 
 /// Draws the scene with settings "param=value" of `planar`. A pixel whose truth changes within the tie radius is a tie and not

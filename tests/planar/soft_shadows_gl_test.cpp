@@ -10,38 +10,16 @@
 
 #include "app/session/picture.h"
 #include "app/session/settings.h"
-#include "techniques/foundation/scene/shapes.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/half_plane.h"
 #include "tests/support/light_shares.h"
-#include "tests/support/plane_view.h"
-#include "tests/support/scenes.h"
 
 namespace shadowlab {
 namespace {
 
 using SoftPlanarTest = testing::GlTest;
 
-// Light of 1 x 1 m at a height of 4, edge of the half plane at a height of 2 above x = 0: on the floor the penumbra is
-// exactly |x| < 1/2, and the visible share of the light's area 1/2 + x.
-const testing::PlaneView kView{.centre = {0, 0}, .pixelsPerMetre = 64, .size = {96, 4}};
-
-scene::Light squareLight(const dvec3& centreWorld) {
-    scene::Light light;
-    light.type = scene::LightType::rect;
-    light.positionWorld = centreWorld;
-    light.edgeUWorld = {1, 0, 0};
-    light.edgeVWorld = {0, 0, 1}; // u x v points down
-    return light;
-}
-
-scene::Scene halfPlaneUnderSquareLight() {
-    scene::Scene scene = testing::floorScene();
-    scene.camera = kView.camera();
-    // 3 x 4 m are enough: no point in the picture sees the light beside the other three sides.
-    testing::addObject(scene, scene::makeQuad({3, 4}), testing::translation({-1.5, 2, 0}));
-    scene.lights.push_back(squareLight({0, 4, 0}));
-    return scene;
-}
+const testing::PlaneView& kView = testing::kHalfPlaneView;
 
 std::vector<std::string> settings(int count, const std::string& spread, int seed) {
     return {"light-samples=" + std::to_string(count), "light-points=" + spread, "light-seed=" + std::to_string(seed)};
@@ -66,21 +44,10 @@ double rmse(testing::TechniqueSlot& slot, int count, const std::string& spread, 
     return std::sqrt(sum / compared);
 }
 
-/// Of log RMSE against log N, by least squares.
-double slope(const std::vector<int>& counts, const std::vector<double>& errors) {
-    double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    const auto n = static_cast<double>(counts.size());
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const double x = std::log(counts[i]), y = std::log(errors[i]);
-        sx += x, sy += y, sxx += x * x, sxy += x * y;
-    }
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
-}
-
 const std::vector<int> kCounts = {4, 16, 64, 256};
 
 std::vector<double> errorsOf(const std::string& spread) {
-    testing::TechniqueSlot slot("planar", testing::snapshot(halfPlaneUnderSquareLight()));
+    testing::TechniqueSlot slot("planar", testing::snapshot(testing::halfPlaneUnderSquareLight()));
     std::vector<double> errors;
     for (const int count : kCounts) {
         errors.push_back(rmse(slot, count, spread, std::max(8, 512 / count)));
@@ -93,19 +60,19 @@ std::vector<double> errorsOf(const std::string& spread) {
 // sqrt(n) / n^2 = N^-3/4. Over 128 to 8 choices of points the slope itself has a deviation of some 0.02.
 TEST_F(SoftPlanarTest, JitteredPointsConvergeToTheVisibleShare) {
     const std::vector<double> errors = errorsOf("jittered");
-    EXPECT_NEAR(slope(kCounts, errors), -0.75, 0.07);
+    EXPECT_NEAR(testing::logSlope(kCounts, errors), -0.75, 0.07);
     EXPECT_LE(errors[2], 0.02) << "64 points";
 }
 
 // All N are in doubt: N^-1/2.
 TEST_F(SoftPlanarTest, RandomPointsConvergeMoreSlowly) {
     const std::vector<double> errors = errorsOf("random");
-    EXPECT_NEAR(slope(kCounts, errors), -0.5, 0.07);
+    EXPECT_NEAR(testing::logSlope(kCounts, errors), -0.5, 0.07);
     EXPECT_GT(errors[2], 0.04);
 }
 
 TEST_F(SoftPlanarTest, AFewPointsAreAsManyCopies) {
-    testing::TechniqueSlot slot("planar", testing::snapshot(halfPlaneUnderSquareLight()));
+    testing::TechniqueSlot slot("planar", testing::snapshot(testing::halfPlaneUnderSquareLight()));
     const auto levels = [&](int count) {
         std::set<float> found;
         const testing::LightShares shares = slot.shares(settings(count, "jittered", 7), kView.size);
@@ -126,7 +93,7 @@ TEST_F(SoftPlanarTest, PointsBehindThePlaneAreNotSeen) {
     scene.objects.clear();
     const dmat4 upright(dvec4(1, 0, 0, 0), dvec4(0, 0, 1, 0), dvec4(0, -1, 0, 0), dvec4(0, 1, 0, 1)); // faces +z
     testing::addObject(scene, scene::makeQuad({4, 2}), upright);
-    scene.lights.push_back(squareLight({0, 4, 0.125}));
+    scene.lights.push_back(testing::squareLight({0, 4, 0.125}));
     scene.camera.positionWorld = {0, 1, 6};
     scene.camera.targetWorld = {0, 1, 0};
     testing::TechniqueSlot slot("planar", testing::snapshot(scene));
@@ -220,7 +187,7 @@ double meanDifference(const std::vector<vec4>& a, const std::vector<vec4>& b) {
 
 scene::Scene softScene() {
     scene::Scene scene = testing::simpleScene();
-    scene.lights = {squareLight({1, 4, 1})};
+    scene.lights = {testing::squareLight({1, 4, 1})};
     scene.lights[0].intensity = 20;
     return scene;
 }

@@ -7,10 +7,8 @@
 #include <cmath>
 
 #include "techniques/foundation/scene/light_points.h"
-#include "techniques/foundation/scene/shapes.h"
 #include "tests/support/gl_fixture.h"
-#include "tests/support/plane_view.h"
-#include "tests/support/scenes.h"
+#include "tests/support/half_plane.h"
 #include "tests/support/truth_comparison.h"
 
 namespace shadowlab {
@@ -18,23 +16,7 @@ namespace {
 
 using AveragedLightTest = testing::GlTest;
 
-// Light of 1 x 1 m at a height of 4, edge of the half plane at a height of 2 above x = 0: on the floor the penumbra is
-// exactly |x| < 1/2, and the visible share of the light's area 1/2 + x.
-const testing::PlaneView kView{.centre = {0, 0}, .pixelsPerMetre = 64, .size = {96, 4}};
-
-scene::Scene halfPlaneUnderSquareLight() {
-    scene::Scene scene = testing::floorScene();
-    scene.camera = kView.camera();
-    // 3 x 4 m are enough: no point in the picture sees the light beside the other three sides.
-    testing::addObject(scene, scene::makeQuad({3, 4}), testing::translation({-1.5, 2, 0}));
-    scene::Light light;
-    light.type = scene::LightType::rect;
-    light.positionWorld = {0, 4, 0};
-    light.edgeUWorld = {1, 0, 0};
-    light.edgeVWorld = {0, 0, 1}; // u x v points down
-    scene.lights.push_back(light);
-    return scene;
-}
+const testing::PlaneView& kView = testing::kHalfPlaneView;
 
 /// Texels are 16 mm here: what that adds to the error of 64 answers is 0.0006. Root of the mean square of V - (1/2 + x) over the penumbra, over all pixels and some choices of points.
 double rmse(const scene::Snapshot& scene, int count, const std::string& spread, int seeds) {
@@ -59,19 +41,8 @@ double rmse(const scene::Snapshot& scene, int count, const std::string& spread, 
     return std::sqrt(sum / compared);
 }
 
-/// Of log RMSE against log N, by least squares.
-double slope(const std::vector<int>& counts, const std::vector<double>& errors) {
-    double sx = 0, sy = 0, sxx = 0, sxy = 0;
-    const auto n = static_cast<double>(counts.size());
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const double x = std::log(counts[i]), y = std::log(errors[i]);
-        sx += x, sy += y, sxx += x * x, sxy += x * y;
-    }
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
-}
-
 std::vector<double> errorsOf(const std::vector<int>& counts, const std::string& spread) {
-    const scene::Snapshot scene = testing::snapshot(halfPlaneUnderSquareLight());
+    const scene::Snapshot scene = testing::snapshot(testing::halfPlaneUnderSquareLight());
     std::vector<double> errors;
     for (const int count : counts) {
         errors.push_back(rmse(scene, count, spread, 512 / count));
@@ -86,14 +57,14 @@ const std::vector<int> kCounts = {4, 16, 64};
 // sqrt(n) / n^2 = N^-3/4. Over 128 to 8 choices of points the slope itself has a deviation of some 0.03.
 TEST_F(AveragedLightTest, JitteredMapsConvergeToTheVisibleShare) {
     const std::vector<double> errors = errorsOf(kCounts, "jittered");
-    EXPECT_NEAR(slope(kCounts, errors), -0.75, 0.07);
+    EXPECT_NEAR(testing::logSlope(kCounts, errors), -0.75, 0.07);
     EXPECT_LT(errors.back(), 0.02);
 }
 
 // All N are in doubt: N^-1/2.
 TEST_F(AveragedLightTest, RandomMapsConvergeMoreSlowly) {
     const std::vector<double> errors = errorsOf(kCounts, "random");
-    EXPECT_NEAR(slope(kCounts, errors), -0.5, 0.07);
+    EXPECT_NEAR(testing::logSlope(kCounts, errors), -0.5, 0.07);
     EXPECT_GT(errors.back(), 0.04);
 }
 
