@@ -94,8 +94,7 @@ void Planar::markShadows(const Frame& frame, const std::vector<LitPlane>& planes
             continue;
         }
         const gl::Program& flatten = params_.divide ? flattenDivided_ : flatten_;
-        drawFlattened(frame, flatten, plane, params_.clip ? Part::between : Part::wherever);
-        if (!params_.clip && !params_.divide) drawFlattened(frame, flatten, plane, Part::whereverTurnedOver);
+        drawAsAsked(frame, flatten, plane);
         hideBehind(frame, plane);
     }
 }
@@ -110,6 +109,12 @@ void Planar::hideBehind(const Frame& frame, const LitPlane& plane) const {
         drawReceiver(frame, behind_, *plane.receiver);
     }
     glDisable(GL_CLIP_DISTANCE0);
+}
+
+/// What lies between plane and light, or all of it.
+void Planar::drawAsAsked(const Frame& frame, const gl::Program& program, const LitPlane& plane) const {
+    drawFlattened(frame, program, plane, params_.clip ? Part::between : Part::wherever);
+    if (!params_.clip && !params_.divide) drawFlattened(frame, program, plane, Part::whereverTurnedOver);
 }
 
 void Planar::drawFlattened(const Frame& frame, const gl::Program& program, const LitPlane& plane, Part part) const {
@@ -219,8 +224,7 @@ void Planar::darken(const Frame& frame, int light) const {
         glStencilMask(0);
         const gl::Program& paint = params_.divide ? paintDivided_ : paintFlattened_;
         setColor(paint, plane, vec4(0, 0, 0, kHalf));
-        drawFlattened(frame, paint, plane, params_.clip ? Part::between : Part::wherever);
-        if (!params_.clip && !params_.divide) drawFlattened(frame, paint, plane, Part::whereverTurnedOver);
+        drawAsAsked(frame, paint, plane);
     }
 }
 

@@ -8,8 +8,6 @@ namespace shadowlab::planar {
 
 namespace {
 
-constexpr scene::PicturePart kNowhere{dvec2(1.0), dvec2(-1.0)};
-
 /// The part of the picture in which the shadow of a box can fall; all of it, where the shadow reaches to infinity or behind
 /// the eye.
 scene::PicturePart partOfShadow(const scene::Bounds& box, const gl::EyeMatrices& eye, const Projection& projection) {

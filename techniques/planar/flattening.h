@@ -37,6 +37,9 @@ std::vector<LitPlane> litPlanes(const scene::Scene& scene, const std::vector<Cho
                                 const Casters& casters, const gl::EyeMatrices& eye, const dvec4& lightWorld,
                                 const PlanarParams& params, bool countTurnedAway);
 
+/// Holds nothing.
+inline constexpr scene::PicturePart kNowhere{dvec2(1.0), dvec2(-1.0)};
+
 /// The smallest part that holds both.
 scene::PicturePart around(const scene::PicturePart& a, const scene::PicturePart& b);
 

@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/planar/params.h"
 
+#include <algorithm>
+#include <iterator>
+
+#include "techniques/foundation/params/light_points.h"
+
 namespace shadowlab::planar {
 
 params::ParamList describe(PlanarParams& p) {
     using params::onlyIf;
-    const auto areMany = [&p] { return p.lightPoints.count > 1; };
-    return {
-        params::integer(
-            "receivers", p.receivers, 0, kMostReceivers, "planes",
-            "At most so many planes receive shadows: the largest in the picture. Fewer where more than 63 lie "
-            "one over the other."),
-        onlyIf([&p] { return p.once; },
-               params::integer(
-                   "light-samples", p.lightPoints.count, 1, 1024, "points",
-                   "Of a light with an area: the shadows from so many points of it are drawn, and counted where they "
-                   "overlap; 1: the hard shadow from its centre. Only with once.")),
-        onlyIf(areMany,
-               params::choice("light-points", p.lightPoints.spread, {"jittered", "random"},
-                              "Where they are: one by chance in each of as many equal parts; random: anywhere, "
-                              "which takes far more of them (teaching).")),
-        onlyIf(areMany, params::integer("light-seed", p.lightPoints.seed, 0, 1000000, "",
-                                        "Another number, another choice by chance.")),
+    params::ParamList all = {params::integer(
+        "receivers", p.receivers, 0, kMostReceivers, "planes",
+        "At most so many planes receive shadows: the largest in the picture. Fewer where more than 63 lie "
+        "one over the other.")};
+    for (params::Param& param : params::lightPoints(
+             p.lightPoints, "points",
+             "Of a light with an area: the shadows from so many points of it are drawn, and counted where they "
+             "overlap; 1: the hard shadow from its centre. Only with once."))
+        all.push_back(onlyIf([&p] { return p.once; }, std::move(param)));
+    params::ParamList drawing = {
         params::boolean("clip", p.clip,
                         "Flatten only what lies between light and plane; false: anti-shadows of what lies beyond the "
                         "light or behind the plane (teaching)."),
@@ -44,6 +42,8 @@ params::ParamList describe(PlanarParams& p) {
             "Leave out casters whose shadow cannot reach a plane, or lies out of view, faces that others hide from "
             "the light, and pixels that no shadow can reach; the picture is the same."),
     };
+    std::ranges::move(drawing, std::back_inserter(all));
+    return all;
 }
 
 } // namespace shadowlab::planar

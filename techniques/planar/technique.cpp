@@ -33,23 +33,19 @@ const PassInfo kPasses[] = {
      "    w' = (N·P_L + D) - (N·P + D)\n"
      "  draw its triangles where w' > 0 and N·P + D > 0"},
     {"count-points", "The same for many points of the light; count their shadows in every pixel",
-     "A light with an area is many points of light. The share of them whose shadows fall on a pixel is the share of "
-     "the "
-     "light that it does not see. Only with light-samples above 1.",
-     "for each point the marks as before, then one triangle over the picture: stencil EQUAL 0x80, INVERT (the mark is "
-     "gone), "
-     "blending ONE ONE into a picture of floats",
+     "A light with an area is many points of light. The share of them whose shadows fall on a pixel is "
+     "the share of the light that it does not see. Only with light-samples above 1.",
+     "for each point the marks as before, then one triangle over the picture: stencil EQUAL 0x80, INVERT "
+     "(the mark is gone), blending ONE ONE into a picture of floats",
      true, "points-in-shadow"},
     {"light", "Render the scene again with the light turned on, only where there is no mark",
      "What is not marked is seen by the light; what is no plane can have no mark. Where points were counted, the light "
-     "is as "
-     "strong as the share of them that is seen.",
+     "is as strong as the share of them that is seen.",
      "depth EQUAL, stencil EQUAL 0 in the bits 0xc0, INVERT with write mask 0x40 (each pixel once), blending ONE ONE",
      true},
     {"darken", "Draw the flattened faces in black, half transparent, over the finished picture",
      "The oldest way, and wrong: faces that overlap darken twice, and the ambient light, which nothing blocks, is "
-     "darkened "
-     "with the rest. Only with once = false.",
+     "darkened with the rest. Only with once = false.",
      "colour writes on, blending SRC_ALPHA ONE_MINUS_SRC_ALPHA with alpha 0.5, tests as for the marks", true},
 };
 
@@ -94,8 +90,7 @@ Progress Planar::render(Frame& frame) {
     for (int light = 0; light < lights; ++light) {
         const bool sampled = isSampled(scene.lights[static_cast<std::size_t>(light)]);
         if (!sampled) counted_.erase(light);
-        const bool looksAtMarks = frame.wants("shadow-marks", light) || frame.wants("flattened", light) ||
-                                  (frame.wants("points-in-shadow", light) && !sampled);
+        const bool looksAtMarks = frame.wants("shadow-marks", light) || frame.wants("flattened", light);
         frame.pass(
             passInfo(kPasses, "clear-marks"),
             [&] {
@@ -161,7 +156,6 @@ void Planar::listFor(const Frame& frame) {
     chosen_ = std::move(choice.receivers);
     leftOut_ = choice.leftOut;
     lit_.clear();
-    constexpr scene::PicturePart kNowhere{dvec2(1.0), dvec2(-1.0)};
     shadowedParts_.assign(chosen_.size(), kNowhere);
     for (const scene::Light& light : scene.lights) {
         lit_.push_back(

@@ -71,6 +71,7 @@ private:
     void tagReceivers(const Frame& frame, bool everywhere) const;
     static void drawReceiver(const Frame& frame, const gl::Program& program, const ChosenReceiver& one);
     void markShadows(const Frame& frame, const std::vector<LitPlane>& planes) const;
+    void drawAsAsked(const Frame& frame, const gl::Program& program, const LitPlane& plane) const;
     void drawFlattened(const Frame& frame, const gl::Program& program, const LitPlane& plane, Part part) const;
     void drawSingle(const Frame& frame, const gl::Program& program, const SingleCaster& single) const;
     void hideBehind(const Frame& frame, const LitPlane& plane) const;

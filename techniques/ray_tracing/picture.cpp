@@ -101,8 +101,9 @@ void Picture::shadeLight(const Surfaces& surfaces, int light) {
         if (visibility[i] != trace::Visibility::lit) return;
         const trace::SurfacePoint point = points_[i].surfacePoint();
         const dvec3 positionWorld = surfaces.tracer().positionWorld(point);
+        const dvec3 toViewerWorld = glm::normalize(eyeWorld_ - positionWorld);
         radiance_[fromBelow] +=
-            vec3(surfaces.lit(point, light, positionWorld, glm::normalize(eyeWorld_ - positionWorld)));
+            vec3(surfaces.lit(point, light, positionWorld, surfaces.normalWorld(point, toViewerWorld), toViewerWorld));
     });
 }
 

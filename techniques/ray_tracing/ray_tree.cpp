@@ -101,7 +101,8 @@ void RayTree::light(const Surfaces& surfaces, const TreeSettings& settings, Tree
         at.towardWorld = scene::towardLightWorld(surfaces.scene().lights[static_cast<std::size_t>(l)], positionWorld);
         at.halfwayWorld = glm::normalize(at.towardWorld - node.u);
         at.visibility = tracer.visibility(node.point, l, settings.start);
-        if (at.visibility == trace::Visibility::lit) at.intensity = surfaces.lit(node.point, l, positionWorld, -node.u);
+        if (at.visibility == trace::Visibility::lit)
+            at.intensity = surfaces.lit(node.point, l, positionWorld, node.normalWorld, -node.u);
         node.local += at.intensity;
         lights_.push_back(at);
     }

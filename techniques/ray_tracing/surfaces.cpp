@@ -84,12 +84,12 @@ dvec3 Surfaces::geometricNormalWorld(const trace::SurfacePoint& point) const {
     return point.eyeOnFront ? normalWorld : -normalWorld;
 }
 
-dvec3 Surfaces::lit(const trace::SurfacePoint& point, int light, const dvec3& positionWorld,
+dvec3 Surfaces::lit(const trace::SurfacePoint& point, int light, const dvec3& positionWorld, const dvec3& normalWorld,
                     const dvec3& toViewerWorld) const {
     const scene::Light& source = scene().lights[static_cast<std::size_t>(light)];
-    const dvec3 normal = normalWorld(point, toViewerWorld);
-    return scene::irradiance(source, positionWorld, normal) *
-           scene::reflectance(materialOf(point), normal, scene::towardLightWorld(source, positionWorld), toViewerWorld);
+    return scene::irradiance(source, positionWorld, normalWorld) *
+           scene::reflectance(materialOf(point), normalWorld, scene::towardLightWorld(source, positionWorld),
+                              toViewerWorld);
 }
 
 DielectricStack Surfaces::mediaAround(const dvec3& positionCentred) const {

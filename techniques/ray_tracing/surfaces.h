@@ -26,9 +26,9 @@ public:
     [[nodiscard]] dvec3 normalWorld(const trace::SurfacePoint& point, const dvec3& toViewerWorld) const;
     /// Of the triangle itself, on the side that the ray came from.
     [[nodiscard]] dvec3 geometricNormalWorld(const trace::SurfacePoint& point) const;
-    /// What it sends toward the viewer of a light that it sees.
+    /// What it sends toward the viewer of a light that it sees; `normalWorld` is normalWorld() there.
     [[nodiscard]] dvec3 lit(const trace::SurfacePoint& point, int light, const dvec3& positionWorld,
-                            const dvec3& toViewerWorld) const;
+                            const dvec3& normalWorld, const dvec3& toViewerWorld) const;
 
     /// Does a ray split here: is any light mirrored, or let through?
     [[nodiscard]] bool splits(const trace::SurfacePoint& point) const {

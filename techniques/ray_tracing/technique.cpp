@@ -12,10 +12,10 @@
 
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/id_buffer.h"
-#include "techniques/foundation/look.h"
 #include "techniques/frame.h"
 #include "techniques/ray_tracing/params.h"
 #include "techniques/ray_tracing/picture.h"
+#include "techniques/ray_tracing/picture_stages.h"
 #include "techniques/ray_tracing/probe_tree.h"
 #include "techniques/ray_tracing/ray_shapes.h"
 #include "techniques/ray_tracing/structure_params.h"
@@ -62,8 +62,6 @@ const StageInfo kStages[] = {
     {"tree-depth", "Levels of rays in the tree of each pixel", StageKind::scalar, false},
 };
 
-constexpr trace::Visibility kLit = trace::Visibility::lit;
-
 class RayTraced final : public Technique {
 public:
     params::ParamList params() override {
@@ -74,8 +72,12 @@ public:
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
         tracer_.askInstead(nullptr);
         if (!tracer_.advance(snapshot, deadline)) return {tracer_.done(), false};
-        if (snapshot != surfacesOf_) surfaces_.emplace(tracer_);
-        surfacesOf_ = snapshot;
+        // What is looked up of surfaces does not depend on lights, and they are what moves most.
+        const scene::Revisions& now = snapshot->revisions;
+        if (now.geometry != surfacesOf_.geometry || now.transforms != surfacesOf_.transforms ||
+            now.materials != surfacesOf_.materials)
+            surfaces_.emplace(tracer_);
+        surfacesOf_ = now;
         const Progress progress = structures_.prepare(tracer_.geometry(), structureParams_.structure, deadline);
         if (progress.converged && structures_.chosen() != trace::Structure::bvh)
             tracer_.askInstead(&structures_.engine());
@@ -100,7 +102,7 @@ public:
         frame.pass(passInfo(kPasses, "visibility"),
                    [&] { picture_.trace(tracer_, frame.view().camera, frame.view().size, settings); });
         countRays(frame);
-        if (frame.wants("primary-hits")) publishDistances(frame);
+        if (frame.wants("primary-hits")) publishDistances(frame, tracer_, picture_);
 
         const Surfaces& surfaces = *surfaces_;
         frame.pass(passInfo(kPasses, "lights-off"), [&] {
@@ -110,8 +112,8 @@ public:
         if (frame.wants("lights-off")) frame.publishTarget("lights-off");
 
         for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
-            if (frame.wants("shadow-rays", light)) publishShadowRays(frame, light);
-            if (frame.wants("visibility", light)) publishVisibility(frame, light);
+            if (frame.wants("shadow-rays", light)) publishShadowRays(frame, picture_, light);
+            if (frame.wants("visibility", light)) publishVisibility(frame, picture_, light);
             frame.pass(
                 passInfo(kPasses, "light"),
                 [&] {
@@ -130,9 +132,9 @@ public:
         frame.count("trees", static_cast<double>(picture_.trees()), static_cast<double>(picture_.points().size()),
                     "pixels");
         frame.count("secondary-rays", static_cast<double>(picture_.secondaryRays()));
-        if (frame.wants("reflected")) publishAdded(frame, "reflected", picture_.reflectedFromBelow());
-        if (frame.wants("transmitted")) publishAdded(frame, "transmitted", picture_.transmittedFromBelow());
-        if (frame.wants("tree-depth")) publishLevels(frame);
+        if (frame.wants("reflected")) publishAdded(frame, "reflected", picture_, picture_.reflectedFromBelow());
+        if (frame.wants("transmitted")) publishAdded(frame, "transmitted", picture_, picture_.transmittedFromBelow());
+        if (frame.wants("tree-depth")) publishLevels(frame, picture_);
         if (frame.wants(kTestsStage.id)) publishTests(frame, tracer_, structures_);
         if (frame.wants(kStructureStage.id)) publishStructure(frame, tracer_, structures_, picture_);
         return {};
@@ -178,80 +180,12 @@ private:
         }
     }
 
-    void publishDistances(Frame& frame) const {
-        Display display{.minimum = 0, .maximum = 1, .unit = "m from the eye", .key = {}};
-        // One pixel in fifty may lie beyond each end of the scale, or a horizon would make everything near one colour.
-        const trace::EyeRays rays = tracer_.eyeRays(frame.view().camera, frame.view().size);
-        std::vector<double> distances;
-        for (const KeptPoint& point : picture_.points())
-            if (point) distances.push_back(tracer_.distance(rays, point.surfacePoint()));
-        if (!distances.empty()) {
-            std::ranges::sort(distances);
-            display.minimum = distances[distances.size() / 50];
-            display.maximum = std::max(distances[distances.size() - 1 - distances.size() / 50],
-                                       display.minimum + 1e-3 * distances.back());
-        }
-        gl::Texture2D texture(GL_RG32F, picture_.size(), "primary-hits");
-        upload(texture, picture_.points(), picture_.size(), [&](const KeptPoint& point) {
-            return point ? vec2(static_cast<float>(tracer_.distance(rays, point.surfacePoint())), 1.0f) : vec2(0.0f);
-        });
-        frame.publish("primary-hits", kNoLight, std::move(texture), display);
-    }
-
-    void publishShadowRays(Frame& frame, int light) const {
-        const Display display{.unit = "",
-                              .key = {{look::kEqualDepth, "the ray arrives: lit"},
-                                      {look::kOccluded, "something is in its way: in shadow"},
-                                      {look::kNotAsked, "faces away or outside the light: no ray sent"}}};
-        gl::Texture2D texture(GL_RGBA16F, picture_.size(), "shadow-rays");
-        const vec3 background = frame.scene().background;
-        upload(texture, picture_.visibility(light), picture_.size(), [&](trace::Visibility visibility) {
-            using enum trace::Visibility;
-            switch (visibility) {
-            case noSurface: return vec4(background, 1.0f);
-            case turnedAway: return vec4(look::kNotAsked, 1.0f);
-            case shadowed: return vec4(look::kOccluded, 1.0f);
-            case lit: return vec4(look::kEqualDepth, 1.0f);
-            }
-            return vec4(0.0f);
-        });
-        frame.publish("shadow-rays", light, std::move(texture), display);
-    }
-
-    void publishVisibility(Frame& frame, int light) const {
-        gl::Texture2D texture(GL_RG32F, picture_.size(), "visibility");
-        upload(texture, picture_.visibility(light), picture_.size(), [](trace::Visibility visibility) {
-            return vec2(visibility == kLit ? 1.0f : 0.0f, visibility == trace::Visibility::noSurface ? 0.0f : 1.0f);
-        });
-        frame.publish("visibility", light, std::move(texture));
-    }
-
-    void publishAdded(Frame& frame, std::string_view stage, const Grid<vec3>& addedFromBelow) const {
-        gl::Texture2D texture(GL_RGBA16F, picture_.size(), stage);
-        const Grid<vec3> nothing(addedFromBelow.empty() ? picture_.points().size() : 0, vec3(0.0f));
-        uploadFromBelow(texture, addedFromBelow.empty() ? nothing : addedFromBelow, picture_.size());
-        frame.publish(stage, kNoLight, std::move(texture));
-    }
-
-    void publishLevels(Frame& frame) const {
-        Grid<vec2> levels(picture_.points().size());
-        int most = 2; // a scale needs two ends
-        for (std::size_t i = 0; i < levels.size(); ++i) {
-            levels[i] = vec2(static_cast<float>(picture_.levels(i)), picture_.points()[i] ? 1.0f : 0.0f);
-            most = std::max(most, picture_.levels(i));
-        }
-        gl::Texture2D texture(GL_RG32F, picture_.size(), "tree-depth");
-        upload(texture, levels, picture_.size(), [](vec2 texel) { return texel; });
-        frame.publish("tree-depth", kNoLight, std::move(texture),
-                      {.minimum = 1, .maximum = static_cast<double>(most), .unit = "levels of rays", .key = {}});
-    }
-
     RayTracedParams params_;
     StructureParams structureParams_;
     KeptStructures structures_;
     trace::SceneTracer tracer_;
-    scene::Snapshot surfacesOf_;
-    std::optional<Surfaces> surfaces_; ///< of that scene
+    scene::Revisions surfacesOf_{0, 0, 0, 0}; ///< no scene has these
+    std::optional<Surfaces> surfaces_;        ///< of a scene with these
     Picture picture_;
     gl::IdBuffer idBuffer_;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/params.h"
 
+#include "techniques/foundation/params/light_points.h"
+
 namespace shadowlab::shadow_map {
 
 GLenum ShadowMapParams::glDepthFormat() const {
@@ -95,23 +97,6 @@ params::ParamList describeBias(BiasParams& p) {
     };
 }
 
-params::ParamList describeLightPoints(scene::LightPointParams& p) {
-    const auto areMany = [&p] { return p.count > 1; };
-    using params::onlyIf;
-    return {
-        params::integer("light-samples", p.count, 1, 1024, "maps",
-                        "Of a light with an area: so many maps, each from another point of it, and the mean of their "
-                        "answers; 1: one from its centre. Not with exact or alias-free."),
-        onlyIf(areMany,
-               params::choice(
-                   "light-points", p.spread, {"jittered", "random"},
-                   "Where they are: one by chance in each of as many equal parts; random: anywhere, which takes "
-                   "far more of them (teaching).")),
-        onlyIf(areMany,
-               params::integer("light-seed", p.seed, 0, 1000000, "", "Another number, another choice by chance.")),
-    };
-}
-
 params::ParamList describeExact(ShadowMapParams& p) {
     return {
         params::boolean("exact", p.exact,
@@ -160,7 +145,11 @@ params::ParamList describe(ShadowMapParams& p) {
             all.push_back(condition ? params::onlyIf(condition, std::move(param)) : std::move(param));
     };
     add(describe(p.filter), isCompared);
-    add(describeLightPoints(p.lightPoints), isCompared);
+    add(params::lightPoints(
+            p.lightPoints, "maps",
+            "Of a light with an area: so many maps, each from another point of it, and the mean of their "
+            "answers; 1: one from its centre. Not with exact or alias-free."),
+        isCompared);
     add(describeExact(p), {});
     add(describeBias(p.bias), isCompared);
     add(describeProjection(p.projection), hasMap);

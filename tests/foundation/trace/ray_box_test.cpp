@@ -4,25 +4,11 @@
 
 #include "techniques/foundation/trace/bvh_build.h"
 #include "techniques/foundation/trace/bvh_traverse.h"
+#include "tests/foundation/trace/exact_slabs.h"
 #include "tests/foundation/trace/ray_meshes.h"
 
 namespace shadowlab::trace {
 namespace {
-
-/// The slabs without a division: where a direction has no part along an axis, the origin must lie between the planes.
-bool touchesExactly(const Ray& ray, double lower, double upper) {
-    double enter = 0, leave = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis) {
-        const double o = ray.originCentred[axis], d = ray.directionCentred[axis];
-        if (d == 0) {
-            if (o < lower || o > upper) return false;
-            continue;
-        }
-        enter = std::max(enter, std::min((lower - o) / d, (upper - o) / d)); // small integers: exact
-        leave = std::min(leave, std::max((lower - o) / d, (upper - o) / d));
-    }
-    return enter <= leave;
-}
 
 TEST(RayBoxTest, TableOfDirectionsAndOrigins) {
     FourBoxes boxes{};
@@ -41,7 +27,7 @@ TEST(RayBoxTest, TableOfDirectionsAndOrigins) {
             const ShearedRay sheared(ray);
             Float4 enter{};
             const int mask = SlabRay(ray, sheared).touched(boxes, std::numeric_limits<float>::infinity(), enter);
-            const bool expected = touchesExactly(ray, -1, 1);
+            const bool expected = testing::touchesExactly(ray, -1, 1);
             EXPECT_EQ(mask, expected ? 7 : 0) << "direction " << d << ", origin " << o; // the fourth is no box
             ++compared;
             touched += expected;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "techniques/foundation/trace/ray_volumes.h"
+#include "tests/foundation/trace/exact_slabs.h"
 #include "tests/foundation/trace/ray_meshes.h"
 
 namespace shadowlab::trace {
@@ -13,21 +14,6 @@ using namespace shadowlab::testing;
 double enterOf(const Ray& ray, const auto& volume) {
     const ShearedRay sheared(ray);
     return VolumeRay(sheared).enter(volume, sheared.farthest);
-}
-
-/// The slabs without a division: where a direction has no part along an axis, the origin must lie between the planes.
-bool touchesExactly(const Ray& ray, double lower, double upper) {
-    double enter = 0, leave = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis) {
-        const double o = ray.originCentred[axis], d = ray.directionCentred[axis];
-        if (d == 0) {
-            if (o < lower || o > upper) return false;
-            continue;
-        }
-        enter = std::max(enter, std::min((lower - o) / d, (upper - o) / d)); // small integers: exact
-        leave = std::min(leave, std::max((lower - o) / d, (upper - o) / d));
-    }
-    return enter <= leave;
 }
 
 /// The slabs as they are first written down: by the smaller and the larger of two quotients, whatever these are.

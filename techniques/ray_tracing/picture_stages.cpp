@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/ray_tracing/picture_stages.h"
+
+#include <algorithm>
+
+#include "techniques/foundation/look.h"
+#include "techniques/ray_tracing/upload.h"
+
+namespace shadowlab::ray_tracing {
+
+void publishDistances(Frame& frame, const trace::SceneTracer& tracer, const Picture& picture) {
+    Display display{.minimum = 0, .maximum = 1, .unit = "m from the eye", .key = {}};
+    // One pixel in fifty may lie beyond each end of the scale, or a horizon would make everything near one colour.
+    const trace::EyeRays rays = tracer.eyeRays(frame.view().camera, frame.view().size);
+    std::vector<double> distances;
+    for (const KeptPoint& point : picture.points())
+        if (point) distances.push_back(tracer.distance(rays, point.surfacePoint()));
+    if (!distances.empty()) {
+        std::ranges::sort(distances);
+        display.minimum = distances[distances.size() / 50];
+        display.maximum = std::max(distances[distances.size() - 1 - distances.size() / 50],
+                                   display.minimum + 1e-3 * distances.back());
+    }
+    gl::Texture2D texture(GL_RG32F, picture.size(), "primary-hits");
+    upload(texture, picture.points(), picture.size(), [&](const KeptPoint& point) {
+        return point ? vec2(static_cast<float>(tracer.distance(rays, point.surfacePoint())), 1.0f) : vec2(0.0f);
+    });
+    frame.publish("primary-hits", kNoLight, std::move(texture), display);
+}
+
+void publishShadowRays(Frame& frame, const Picture& picture, int light) {
+    const Display display{.unit = "",
+                          .key = {{look::kEqualDepth, "the ray arrives: lit"},
+                                  {look::kOccluded, "something is in its way: in shadow"},
+                                  {look::kNotAsked, "faces away or outside the light: no ray sent"}}};
+    gl::Texture2D texture(GL_RGBA16F, picture.size(), "shadow-rays");
+    const vec3 background = frame.scene().background;
+    upload(texture, picture.visibility(light), picture.size(), [&](trace::Visibility visibility) {
+        using enum trace::Visibility;
+        switch (visibility) {
+        case noSurface: return vec4(background, 1.0f);
+        case turnedAway: return vec4(look::kNotAsked, 1.0f);
+        case shadowed: return vec4(look::kOccluded, 1.0f);
+        case lit: return vec4(look::kEqualDepth, 1.0f);
+        }
+        return vec4(0.0f);
+    });
+    frame.publish("shadow-rays", light, std::move(texture), display);
+}
+
+void publishVisibility(Frame& frame, const Picture& picture, int light) {
+    gl::Texture2D texture(GL_RG32F, picture.size(), "visibility");
+    upload(texture, picture.visibility(light), picture.size(), [](trace::Visibility visibility) {
+        return vec2(visibility == trace::Visibility::lit ? 1.0f : 0.0f,
+                    visibility == trace::Visibility::noSurface ? 0.0f : 1.0f);
+    });
+    frame.publish("visibility", light, std::move(texture));
+}
+
+void publishAdded(Frame& frame, std::string_view stage, const Picture& picture, const Grid<vec3>& addedFromBelow) {
+    gl::Texture2D texture(GL_RGBA16F, picture.size(), stage);
+    const Grid<vec3> nothing(addedFromBelow.empty() ? picture.points().size() : 0, vec3(0.0f));
+    uploadFromBelow(texture, addedFromBelow.empty() ? nothing : addedFromBelow, picture.size());
+    frame.publish(stage, kNoLight, std::move(texture));
+}
+
+void publishLevels(Frame& frame, const Picture& picture) {
+    Grid<vec2> levels(picture.points().size());
+    int most = 2; // a scale needs two ends
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        levels[i] = vec2(static_cast<float>(picture.levels(i)), picture.points()[i] ? 1.0f : 0.0f);
+        most = std::max(most, picture.levels(i));
+    }
+    gl::Texture2D texture(GL_RG32F, picture.size(), "tree-depth");
+    upload(texture, levels, picture.size(), [](vec2 texel) { return texel; });
+    frame.publish("tree-depth", kNoLight, std::move(texture),
+                  {.minimum = 1, .maximum = static_cast<double>(most), .unit = "levels of rays", .key = {}});
+}
+
+} // namespace shadowlab::ray_tracing
