@@ -117,6 +117,7 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     FrameRequest frame;
     frame.timePasses = frame.waitForGl = work.timePasses;
     frame.deadline = work.deadline;
+    frame.refine = work.refine;
     if (stage && stage->isPass) frame.stopAfter = stage->key;
     if (stage && !stage->isPass && !isDerived(stage->key.id)) frame.stages = {stage->key};
     const StageKey answers{"visibility", request.light};
@@ -137,7 +138,7 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     }
     if (frame.stopAfter &&
         !(request.state.technique == drawn_.technique && request.state.values() == drawn_.values() && !passes_.empty()))
-        passes_ = distinct(session.render(slot, request.view, {.deadline = work.deadline}).result.passes);
+        passes_ = distinct(session.render(slot, request.view, {.refine = false, .deadline = work.deadline}).result.passes);
     RenderedFrame rendered = session.render(slot, request.view, frame);
     converged_ = rendered.converged;
     progress_ = rendered.prepared;
