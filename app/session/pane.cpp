@@ -138,7 +138,8 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     }
     if (frame.stopAfter &&
         !(request.state.technique == drawn_.technique && request.state.values() == drawn_.values() && !passes_.empty()))
-        passes_ = distinct(session.render(slot, request.view, {.refine = false, .deadline = work.deadline}).result.passes);
+        passes_ =
+            distinct(session.render(slot, request.view, {.refine = false, .deadline = work.deadline}).result.passes);
     RenderedFrame rendered = session.render(slot, request.view, frame);
     converged_ = rendered.converged;
     progress_ = rendered.prepared;

@@ -16,6 +16,11 @@ inline constexpr PassInfo kPasses[] = {
      "way, "
      "whatever that is and however far, the point is in shadow: the first hit is enough.",
      "none: the processor traces, on all cores, 64 neighbouring rays at a time", false, "shadow-rays"},
+    {"areas", "Find how much of the light's area every point sees, and what that brings it",
+     "What is seen of the light is cut along the edges of what stands before it, and each piece is integrated in "
+     "closed "
+     "form. Only with soft-shadows = analytic.",
+     "none: the processor cuts, 64 neighbouring points together", true, "visibility"},
     {"lights-off", "Show what is seen with all lights off", "Emission and ambient light are counted here, once.",
      "none: the processor shades; the picture is uploaded", false},
     {"light", "Add the light where its ray has arrived",

@@ -30,8 +30,8 @@ dvec2 onDisc(dvec2 numbers) {
     if (p == dvec2(0.0)) return p;
     const bool wide = std::abs(p.x) > std::abs(p.y);
     const double radius = wide ? p.x : p.y;
-    const double angle =
-        wide ? glm::quarter_pi<double>() * (p.y / p.x) : glm::half_pi<double>() - glm::quarter_pi<double>() * (p.x / p.y);
+    const double angle = wide ? glm::quarter_pi<double>() * (p.y / p.x)
+                              : glm::half_pi<double>() - glm::quarter_pi<double>() * (p.x / p.y);
     return radius * dvec2(std::cos(angle), std::sin(angle));
 }
 

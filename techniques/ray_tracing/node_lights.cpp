@@ -40,9 +40,23 @@ LightAtNode sampledLight(const RayWorld& world, const TreeSettings& settings, co
     at.visibility = visibilityAlong(world, settings, node, sample.onLightCentredOffset);
     if (at.visibility != trace::Visibility::lit) return at;
     const double cosine = std::max(0.0, glm::dot(node.normalWorld, sample.towardWorld));
-    at.intensity =
-        dvec3(source.color) * source.intensity * sample.solidAngle * cosine *
-        scene::reflectance(surfaces.materialOf(node.point), node.normalWorld, sample.towardWorld, -node.u);
+    at.intensity = dvec3(source.color) * source.intensity * sample.solidAngle * cosine *
+                   scene::reflectance(surfaces.materialOf(node.point), node.normalWorld, sample.towardWorld, -node.u);
+    return at;
+}
+
+LightAtNode analyticLight(const RayWorld& world, const TreeNode& node, int light, const dvec3& positionWorld) {
+    const Surfaces& surfaces = world.surfaces;
+    const scene::Light& source = surfaces.scene().lights[static_cast<std::size_t>(light)];
+    trace::AreaIrradiance found;
+    world.analytic->area(light)->irradiances({&node.point, 1}, {&node.normalWorld, 1}, {&found, 1});
+    LightAtNode at;
+    at.towardWorld = scene::towardLightWorld(source, positionWorld);
+    at.visibility = found.visible > 0      ? trace::Visibility::lit
+                    : found.unshadowed > 0 ? trace::Visibility::shadowed
+                                           : trace::Visibility::turnedAway;
+    at.intensity = reflectedOf(source, found.irradiance, surfaces.materialOf(node.point), positionWorld,
+                               node.normalWorld, -node.u);
     return at;
 }
 
@@ -67,8 +81,11 @@ LightAtNode lightAt(const RayWorld& world, const TreeSettings& settings, const T
     const Surfaces& surfaces = world.surfaces;
     const scene::Light& source = surfaces.scene().lights[static_cast<std::size_t>(light)];
     const dvec3 positionWorld = surfaces.tracer().world().originWorld + node.positionCentred;
+    const bool stands = !world.scene.moves() || world.time == 0;
     LightAtNode at;
-    if (world.numbers && settings.areaLights == AreaLights::sampled && scene::hasArea(source)) {
+    if (settings.areaLights == AreaLights::analytic && world.analytic && scene::hasArea(source) && stands) {
+        at = analyticLight(world, node, light, positionWorld);
+    } else if (world.numbers && settings.areaLights != AreaLights::centre && scene::hasArea(source)) {
         at = sampledLight(world, settings, node, light, positionWorld);
     } else {
         at.towardWorld = scene::towardLightWorld(source, positionWorld);

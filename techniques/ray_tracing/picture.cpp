@@ -126,6 +126,18 @@ void Picture::shadeLight(const Surfaces& surfaces, int light) {
     });
 }
 
+void Picture::shadeAreaLight(const Surfaces& surfaces, int light, const Grid<float>& irradiances) {
+    const scene::Light& source = surfaces.scene().lights[static_cast<std::size_t>(light)];
+    forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
+        if (irradiances[i] == 0) return;
+        const trace::SurfacePoint point = points_[i].surfacePoint();
+        const dvec3 positionWorld = surfaces.tracer().positionWorld(point);
+        const dvec3 toViewerWorld = glm::normalize(camera_.positionWorld - positionWorld);
+        radiance_[fromBelow] += vec3(reflectedOf(source, irradiances[i], surfaces.materialOf(point), positionWorld,
+                                                 surfaces.normalWorld(point, toViewerWorld), toViewerWorld));
+    });
+}
+
 bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, Deadline deadline) {
     const Surfaces& surfaces = world.surfaces;
     const Blocks blocks{size_};
@@ -170,7 +182,8 @@ bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, De
     secondaryRays_ += secondaryRays;
     // What has been traced so far: whole rows of blocks, and some blocks of the next.
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
-        const std::size_t block = (i / width) / kBlock * static_cast<std::size_t>(blocks.many().x) + (i % width) / kBlock;
+        const std::size_t block =
+            (i / width) / kBlock * static_cast<std::size_t>(blocks.many().x) + (i % width) / kBlock;
         if (block < treeBlocks_ && hasTree(i)) radiance_[fromBelow] = intensities_[fromBelow];
     });
     return treeBlocks_ == blocks.count();

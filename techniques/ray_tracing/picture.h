@@ -48,6 +48,8 @@ public:
     void shadeLightsOff(const Surfaces& surfaces);
     /// Adds a light where its rays have arrived.
     void shadeLight(const Surfaces& surfaces, int light);
+    /// Adds a light with an area that brings each pixel so much (trace::AreaIrradiance::irradiance).
+    void shadeAreaLight(const Surfaces& surfaces, int light, const Grid<float>& irradiances);
 
     /// Traces the trees of all pixels whose eye ray splits, or is attenuated on its way, and puts what comes of them into
     /// the radiance. All other pixels stay as they are. Goes on like trace(), and begins when that is finished.

@@ -159,8 +159,7 @@ void RayTree::split(const RayWorld& world, const TreeSettings& settings, std::si
         if (direction) {
             node.diffuseWeight = diffuse;
             child.u = *direction;
-            child.contribution =
-                node.contribution * node.attenuation * std::max({diffuse.x, diffuse.y, diffuse.z});
+            child.contribution = node.contribution * node.attenuation * std::max({diffuse.x, diffuse.y, diffuse.z});
             add(settings, index, std::move(child)); // `node` may have moved from here on
         }
     }

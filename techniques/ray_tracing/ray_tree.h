@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "techniques/foundation/trace/moving_scene.h"
+#include "techniques/ray_tracing/analytic_lights.h"
 #include "techniques/ray_tracing/fresnel.h"
 #include "techniques/ray_tracing/sample_numbers.h"
 #include "techniques/ray_tracing/surfaces.h"
@@ -23,6 +24,7 @@ namespace shadowlab::ray_tracing {
 enum class AreaLights {
     centre,  ///< the point in its middle: hard shadows
     sampled, ///< a place on it, by chance: all samples of a pixel together see how much of it is hidden
+    analytic ///< all of it, in closed form; only while nothing moves, else sampled
 };
 
 struct TreeSettings {
@@ -49,8 +51,9 @@ struct TreeSettings {
 struct RayWorld {
     const Surfaces& surfaces;
     const trace::MovingScene& scene;
-    double time = 0;                        ///< in units of shutter time
-    const SampleNumbers* numbers = nullptr; ///< none: nothing is left to chance
+    double time = 0;                          ///< in units of shutter time
+    const SampleNumbers* numbers = nullptr;   ///< none: nothing is left to chance
+    const AnalyticLights* analytic = nullptr; ///< for AreaLights::analytic
 };
 
 /// Why a branch ends, or that it does not.
@@ -82,26 +85,26 @@ struct TreeNode {
     Branch branch = Branch::eye;
     RayEnd end = RayEnd::opaque;
     dvec3 fromCentred{0.0};
-    dvec3 u{0.0};              ///< the way of the ray; V is -u
-    double contribution = 1;   ///< the share of the pixel that it carries where it begins
-    DielectricStack media;     ///< that it travels in
-    trace::SurfacePoint point; ///< none: it meets nothing, or was not followed
+    dvec3 u{0.0};               ///< the way of the ray; V is -u
+    double contribution = 1;    ///< the share of the pixel that it carries where it begins
+    DielectricStack media;      ///< that it travels in
+    trace::SurfacePoint point;  ///< none: it meets nothing, or was not followed
     dvec3 positionCentred{0.0}; ///< where it lies at that time
     double distance = 0;        ///< metres
-    double attenuation = 1;    ///< what that leaves
-    dvec3 normalWorld{0.0};    ///< N, on the viewer's side
-    dvec3 reflectedWorld{0.0}; ///< R; zero: there is none
-    dvec3 refractedWorld{0.0}; ///< T; zero: there is none
+    double attenuation = 1;     ///< what that leaves
+    dvec3 normalWorld{0.0};     ///< N, on the viewer's side
+    dvec3 reflectedWorld{0.0};  ///< R; zero: there is none
+    dvec3 refractedWorld{0.0};  ///< T; zero: there is none
     double iorHere = 1, iorBeyond = 1;
     Weights weights;
     dvec3 diffuseWeight{0.0};                           ///< of what a diffuse surface receives from others
     int reflection = -1, refraction = -1, diffuse = -1; ///< children
-    std::size_t firstLight = 0;           ///< in lightsOf()
-    dvec3 local{0.0};                     ///< sent by the surface itself: emission, ambient light, lights that it sees
-    dvec3 reflectedIntensity{0.0};        ///< I_R
-    dvec3 refractedIntensity{0.0};        ///< I_T
-    dvec3 diffuseIntensity{0.0};          ///< of the ray that a diffuse surface sends on
-    dvec3 intensity{0.0};                 ///< I, as it arrives where the ray began
+    std::size_t firstLight = 0;                         ///< in lightsOf()
+    dvec3 local{0.0};              ///< sent by the surface itself: emission, ambient light, lights that it sees
+    dvec3 reflectedIntensity{0.0}; ///< I_R
+    dvec3 refractedIntensity{0.0}; ///< I_T
+    dvec3 diffuseIntensity{0.0};   ///< of the ray that a diffuse surface sends on
+    dvec3 intensity{0.0};          ///< I, as it arrives where the ray began
 
     [[nodiscard]] bool isFollowed() const { return point || end == RayEnd::nothingHit; }
 };

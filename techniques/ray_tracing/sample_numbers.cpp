@@ -96,9 +96,10 @@ dvec2 evenPoint(std::uint32_t index, std::uint64_t key) {
 } // namespace
 
 SampleNumbers::SampleNumbers(const SamplePattern& pattern, ivec2 pixel, std::uint32_t sample)
-    : pattern_(pattern), pixelKey_(mixed(mixed(static_cast<std::uint32_t>(pixel.x) |
-                                               (static_cast<std::uint64_t>(static_cast<std::uint32_t>(pixel.y)) << 32)) +
-                                         static_cast<std::uint32_t>(pattern.seed))),
+    : pattern_(pattern),
+      pixelKey_(mixed(mixed(static_cast<std::uint32_t>(pixel.x) |
+                            (static_cast<std::uint64_t>(static_cast<std::uint32_t>(pixel.y)) << 32)) +
+                      static_cast<std::uint32_t>(pattern.seed))),
       sample_(sample) {
     if (pattern.spread == SamplePattern::Spread::regular) pixelKey_ = mixed(static_cast<std::uint32_t>(pattern.seed));
 }

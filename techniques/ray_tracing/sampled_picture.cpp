@@ -33,10 +33,10 @@ EyeSample eyeSample(const trace::EyeRays& rays, const SampledSettings& settings,
                     const SampleNumbers& numbers) {
     const dvec2 place = dvec2(pixel) + (settings.antialias ? numbers.pair(Purpose::pixel) : dvec2(0.5));
     EyeSample sample;
-    sample.ray = settings.aperture > 0
-                     ? rays.throughLens(place, 0.5 * settings.aperture * onDisc(numbers.pair(Purpose::lens)),
-                                        settings.focus)
-                     : rays.through(place);
+    sample.ray =
+        settings.aperture > 0
+            ? rays.throughLens(place, 0.5 * settings.aperture * onDisc(numbers.pair(Purpose::lens)), settings.focus)
+            : rays.through(place);
     if (settings.shutter > 0) sample.time = settings.shutter * numbers.one(Purpose::time);
     return sample;
 }
@@ -50,8 +50,8 @@ void SampledPicture::restart(ivec2 size) {
     done_ = secondaryRays_ = 0;
 }
 
-bool SampledPicture::advance(const Surfaces& surfaces, const trace::MovingScene& scene, const scene::Camera& camera,
-                             const SampledSettings& settings, Deadline deadline) {
+bool SampledPicture::advance(const Surfaces& surfaces, const trace::MovingScene& scene, const AnalyticLights* analytic,
+                             const scene::Camera& camera, const SampledSettings& settings, Deadline deadline) {
     const trace::EyeRays rays = surfaces.tracer().eyeRays(camera, size_);
     // Simplified: the lens is small, so all of it is inside what its middle is in.
     const DielectricStack aroundEye = surfaces.mediaAround(rays.eyeCentred());
@@ -76,7 +76,7 @@ bool SampledPicture::advance(const Surfaces& surfaces, const trace::MovingScene&
                     add(pixel, background);
                     continue;
                 }
-                tree.trace({surfaces, scene, eye.time, &numbers}, settings.tree, eye.ray.originCentred,
+                tree.trace({surfaces, scene, eye.time, &numbers, analytic}, settings.tree, eye.ray.originCentred,
                            glm::normalize(eye.ray.directionCentred), first, aroundEye);
                 add(pixel, tree.root().intensity);
                 below += static_cast<std::uint64_t>(std::ranges::count_if(tree.nodes(), &TreeNode::isFollowed)) - 1;
@@ -125,8 +125,8 @@ void SampledPicture::chooseActive(const SampledSettings& settings, double exposu
     anyActive_ = false;
     const auto unsureAt = [&](int x, int y) {
         if (x < 0 || y < 0 || x >= size_.x || y >= size_.y) return false;
-        return isUnsure[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) + static_cast<std::size_t>(x)] !=
-               0;
+        return isUnsure[static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.x) +
+                        static_cast<std::size_t>(x)] != 0;
     };
     for (int y = 0; y < size_.y; ++y)
         for (int x = 0; x < size_.x; ++x) {

@@ -18,12 +18,12 @@ namespace shadowlab::ray_tracing {
 
 struct SampledSettings {
     SamplePattern pattern;
-    bool antialias = true;  ///< rays pass anywhere through their pixel; false: through its middle
-    double aperture = 0;    ///< diameter of the lens, metres; 0: a pinhole
-    double focus = 0;       ///< distance of the plane in focus, metres along the camera's axis
-    double shutter = 0;     ///< how long it is open; 0: everything as it stands
-    bool adaptive = false;  ///< leave pixels alone that are known well enough
-    double tolerance = 1;   ///< adaptive: so well, standard error in steps of 8-bit grey
+    bool antialias = true; ///< rays pass anywhere through their pixel; false: through its middle
+    double aperture = 0;   ///< diameter of the lens, metres; 0: a pinhole
+    double focus = 0;      ///< distance of the plane in focus, metres along the camera's axis
+    double shutter = 0;    ///< how long it is open; 0: everything as it stands
+    bool adaptive = false; ///< leave pixels alone that are known well enough
+    double tolerance = 1;  ///< adaptive: so well, standard error in steps of 8-bit grey
     TreeSettings tree;
 };
 
@@ -42,8 +42,8 @@ public:
 
     /// Goes on until every pixel has what it shall have (true), or the time has come (false), but always a bit. The scene, the
     /// camera and the settings have to be those of the first call since restart().
-    bool advance(const Surfaces& surfaces, const trace::MovingScene& scene, const scene::Camera& camera,
-                 const SampledSettings& settings, Deadline deadline);
+    bool advance(const Surfaces& surfaces, const trace::MovingScene& scene, const AnalyticLights* analytic,
+                 const scene::Camera& camera, const SampledSettings& settings, Deadline deadline);
 
     [[nodiscard]] ivec2 size() const { return size_; }
     /// Has every pixel at least one sample?
@@ -72,7 +72,7 @@ private:
 
     ivec2 size_{0};
     std::vector<Pixel> pixels_; ///< row 0 at the top
-    std::size_t nextBlock_ = 0;   ///< in this round
+    std::size_t nextBlock_ = 0; ///< in this round
     int round_ = 0;             ///< rounds that are done: each gives every active pixel one sample
     bool anyActive_ = true;
     double done_ = 0, secondaryRays_ = 0;

@@ -21,7 +21,9 @@ SampledSettings SamplingParams::settings(const TreeSettings& tree, const scene::
     settings.adaptive = adaptive;
     settings.tolerance = tolerance;
     settings.tree = tree;
-    settings.tree.areaLights = softShadows ? AreaLights::sampled : AreaLights::centre;
+    settings.tree.areaLights = isAnalytic()                          ? AreaLights::analytic
+                               : softShadows == SoftShadows::sampled ? AreaLights::sampled
+                                                                     : AreaLights::centre;
     settings.tree.gloss = gloss;
     settings.tree.translucency = translucency;
     settings.tree.wholeLobes = wholeLobes;
@@ -36,10 +38,16 @@ params::ParamList describe(SamplingParams& p) {
         "samples", p.pattern.count, 1, kMostSamples, "rays",
         "Rays through each pixel, and what they are spread over stands below; the pixel is their mean. 1: one ray "
         "through its middle, to the middle of each light, at time 0, by perfect mirrors.")};
+    all.push_back(
+        params::choice("soft-shadows", p.softShadows, {"sampled", "analytic", "off"},
+                       "Of lights that have an area: shadow rays are spread over it, with more than one sample; or all "
+                       "of it at once in "
+                       "closed form, right to a millionth with any number of samples; or one ray to its middle."));
     params::ParamList spread = {
-        params::choice("pattern", p.pattern.spread, {"jittered", "regular", "random", "low-discrepancy"},
-                       "How chance is spread: one sample in each of as many equal cells; in the middle of each cell, in "
-                       "every pixel alike; anywhere; scrambled Sobol' points, evenly spread however many are used."),
+        params::choice(
+            "pattern", p.pattern.spread, {"jittered", "regular", "random", "low-discrepancy"},
+            "How chance is spread: one sample in each of as many equal cells; in the middle of each cell, in "
+            "every pixel alike; anywhere; scrambled Sobol' points, evenly spread however many are used."),
         onlyIf([&p] { return p.pattern.spread == SamplePattern::Spread::jittered; },
                params::real("jitter", p.pattern.jitter, 0, 1, "",
                             "How far from the middle of its cell a sample may lie, as a share of what the cell "
@@ -47,9 +55,6 @@ params::ParamList describe(SamplingParams& p) {
         params::integer("seed", p.pattern.seed, 0, 1000000, "", "Another number, another choice by chance."),
         params::boolean("antialias", p.antialias,
                         "Rays are spread over their pixel: smooth edges; false: all go through its middle."),
-        params::boolean("soft-shadows", p.softShadows,
-                        "Shadow rays are spread over lights that have an area: penumbrae; false: all go to the middle "
-                        "of the light."),
         params::boolean("gloss", p.gloss,
                         "Reflection rays are spread by the material's glossDegrees; false: perfect mirrors."),
         params::boolean("translucency", p.translucency,
@@ -62,14 +67,16 @@ params::ParamList describe(SamplingParams& p) {
         params::real("shutter", p.shutter, 0, 1000, "units of time",
                      "How long the shutter is open: objects with a velocity are blurred along the way that they go "
                      "meanwhile. 0: they stand still."),
-        params::boolean("whole-lobes", p.wholeLobes,
-                        "A direction of gloss or translucency that lies on the wrong side of the surface is drawn again; "
-                        "false: its light is lost, and surfaces look too dark at grazing angles (teaching)."),
+        params::boolean(
+            "whole-lobes", p.wholeLobes,
+            "A direction of gloss or translucency that lies on the wrong side of the surface is drawn again; "
+            "false: its light is lost, and surfaces look too dark at grazing angles (teaching)."),
         params::boolean("interreflection", p.interreflection,
                         "Diffuse surfaces send a ray on as well, in place of ambient light: what they receive of "
                         "each other (Kajiya 1986), down to depth."),
-        params::boolean("adaptive", p.adaptive,
-                        "Pixels that are known well enough, with their neighbours, get no more rays; asked after every 16."),
+        params::boolean(
+            "adaptive", p.adaptive,
+            "Pixels that are known well enough, with their neighbours, get no more rays; asked after every 16."),
         onlyIf([&p] { return p.adaptive; },
                params::real("tolerance", p.tolerance, 0.01, 64, "8-bit steps",
                             "Well enough: the standard error of the pixel's grey, as it is shown.")),

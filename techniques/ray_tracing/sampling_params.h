@@ -12,7 +12,8 @@ struct SamplingParams {
     bool antialias = true;
     // Of what spreads, all that a scene asks for by its lights, its materials and its velocities is on: a scene without them pays
     // nothing. A lens is the viewer's choice.
-    bool softShadows = true, gloss = true, translucency = true;
+    enum class SoftShadows { sampled, analytic, off } softShadows = SoftShadows::sampled;
+    bool gloss = true, translucency = true;
     double aperture = 0, focus = 0; ///< metres; focus 0: where the camera's target is
     double shutter = 1;
     bool wholeLobes = true, interreflection = false;
@@ -21,6 +22,8 @@ struct SamplingParams {
     friend bool operator==(const SamplingParams&, const SamplingParams&) = default;
 
     [[nodiscard]] bool areMany() const { return pattern.count > 1; }
+    /// With one sample, too.
+    [[nodiscard]] bool isAnalytic() const { return softShadows == SoftShadows::analytic; }
     /// `tree`: what does not depend on chance.
     [[nodiscard]] SampledSettings settings(const TreeSettings& tree, const scene::Camera& camera) const;
 };

@@ -52,7 +52,7 @@ public:
         const Progress progress = structures_.prepare(tracer_.geometry(), structureParams_.structure, deadline);
         if (!progress.converged) return progress;
         if (structures_.chosen() != trace::Structure::bvh) tracer_.askInstead(&structures_.engine());
-        return prepareMotion(snapshot, deadline);
+        return prepareSampling(snapshot, deadline);
     }
 
     Progress render(Frame& frame) override {
@@ -62,8 +62,9 @@ public:
         frame.target().framebuffer.bind();
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
         traceRays(frame);
-        shade(frame);
-        const bool hasFirst = picture_.isTraced() && traceTrees(frame);
+        const bool hasAreas = picture_.isTraced() && traceAreas(frame);
+        shade(frame, hasAreas);
+        const bool hasFirst = hasAreas && traceTrees(frame);
         const bool isFinished = hasFirst && traceSamples(frame);
         const bool hasAnswers = !hasFirst || publishShares(frame);
         publishStages(frame);
@@ -74,7 +75,9 @@ public:
     }
 
     [[nodiscard]] bool samplesArea(const scene::Scene& scene, int light) const override {
-        return samplingParams_.areMany() && samplingParams_.softShadows &&
+        const bool sampled =
+            samplingParams_.areMany() && samplingParams_.softShadows == SamplingParams::SoftShadows::sampled;
+        return (sampled || samplingParams_.isAnalytic()) &&
                scene::hasArea(scene.lights[static_cast<std::size_t>(light)]);
     }
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
@@ -107,7 +110,7 @@ private:
 
     void beginOrGoOn(const Frame& frame) {
         const View& view = frame.view();
-        Made made{frame.snapshot(), view.camera,      view.size,       frame.stopsAfter(),
+        Made made{frame.snapshot(), view.camera,      view.size,      frame.stopsAfter(),
                   params_,          structureParams_, samplingParams_};
         const bool goesOn = !isFinished_ && made == made_;
         isFinished_ = false;
@@ -136,8 +139,30 @@ private:
         countRays(frame);
     }
 
+    /// What the areas of lights bring, in closed form, where that is wanted.
+    bool traceAreas(Frame& frame) {
+        if (!samplingParams_.isAnalytic()) return true;
+        bool finished = true;
+        for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
+            if (const trace::AreaVisibility* area = analytic_->area(light))
+                frame.pass(
+                    passInfo(kPasses, "areas"),
+                    [&] {
+                        LightShares& shares = sharesOf(light);
+                        finished = shares.advance(*surfaces_, picture_, frame.view().camera, *area, frame.deadline()) &&
+                                   finished;
+                    },
+                    light);
+        return finished;
+    }
+    LightShares& sharesOf(int light) {
+        LightShares& shares = shares_[light];
+        if (shares.light() != light) shares.restart(picture_.size(), light);
+        return shares;
+    }
+
     /// Anew while rays are still being traced, and when somebody looks at a part of it; else what is shaded stays.
-    void shade(Frame& frame) {
+    void shade(Frame& frame, bool tracedAll) {
         const Surfaces& surfaces = *surfaces_;
         const bool stays = isShaded_ && !frame.wants("lights-off");
         frame.pass(passInfo(kPasses, "lights-off"), [&] {
@@ -152,16 +177,19 @@ private:
             frame.pass(
                 passInfo(kPasses, "light"),
                 [&] {
-                    if (!stays) picture_.shadeLight(surfaces, light);
+                    if (!stays && samplingParams_.isAnalytic() && analytic_->area(light))
+                        picture_.shadeAreaLight(surfaces, light, sharesOf(light).irradiances());
+                    else if (!stays)
+                        picture_.shadeLight(surfaces, light);
                     showIfLast(frame, {"light", light});
                 },
                 light);
-        isShaded_ = picture_.isTraced();
+        isShaded_ = tracedAll;
         if (!frame.stopsAfter()) show(frame);
     }
 
     [[nodiscard]] bool hasTrees() const {
-        const TreeSettings tree = params_.tree();
+        const TreeSettings tree = treeSettings();
         return (tree.depth > 0 && surfaces_->anySplits()) || tree.attenuates();
     }
 
@@ -170,7 +198,8 @@ private:
         bool finished = true;
         if (hasTrees())
             frame.pass(passInfo(kPasses, "trees"), [&] {
-                finished = picture_.traceTrees({*surfaces_, atRest()}, params_.tree(), frame.deadline());
+                finished = picture_.traceTrees({*surfaces_, atRest_, 0, nullptr, analyticLights()}, treeSettings(),
+                                               frame.deadline());
                 show(frame);
             });
         frame.count("trees", static_cast<double>(picture_.trees()), static_cast<double>(picture_.points().size()),
@@ -185,9 +214,9 @@ private:
         frame.pass(passInfo(kPasses, "samples"), [&] {
             finished = false;
             if (frame.refines())
-                finished = sampled_.advance(*surfaces_, moving_ ? *moving_ : atRest(), frame.view().camera,
-                                            samplingParams_.settings(params_.tree(), frame.view().camera),
-                                            frame.deadline());
+                finished =
+                    sampled_.advance(*surfaces_, moving_ ? *moving_ : atRest_, analyticLights(), frame.view().camera,
+                                     samplingParams_.settings(params_.tree(), frame.view().camera), frame.deadline());
             if (sampled_.isComplete())
                 uploadFromBelow(frame.target().color, sampled_.radianceFromBelow(), sampled_.size());
         });
@@ -201,12 +230,12 @@ private:
     bool publishShares(Frame& frame) {
         bool finished = true;
         for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
-            if (!samplesArea(frame.scene(), light) || !(frame.wants("visibility", light) || frame.wants("penumbra", light)))
+            if (!samplesArea(frame.scene(), light) ||
+                !(frame.wants("visibility", light) || frame.wants("penumbra", light)))
                 continue;
-            LightShares& shares = shares_[light];
-            if (shares.light() != light) shares.restart(picture_.size(), light);
-            finished = shares.advance(*surfaces_, picture_, frame.view().camera, samplingParams_.pattern,
-                                      frame.deadline()) &&
+            if (samplingParams_.isAnalytic()) continue; // found already
+            finished = sharesOf(light).advance(*surfaces_, picture_, frame.view().camera, samplingParams_.pattern,
+                                               frame.deadline()) &&
                        finished;
         }
         return finished;
@@ -237,8 +266,11 @@ private:
         if (frame.stopsAfter() == pass) show(frame);
     }
 
-    /// Structures for what moves while the shutter is open.
-    Progress prepareMotion(const scene::Snapshot& snapshot, Deadline deadline) {
+    /// What sampling needs: areas of lights, and structures for what moves while the shutter is open.
+    Progress prepareSampling(const scene::Snapshot& snapshot, Deadline deadline) {
+        if (samplingParams_.isAnalytic() && (!analytic_ || analyticOf_ != snapshot)) analytic_.emplace(tracer_);
+        if (!samplingParams_.isAnalytic()) analytic_.reset();
+        analyticOf_ = snapshot;
         if (!samplingParams_.areMany() || samplingParams_.shutter == 0) {
             moving_.reset();
             return {};
@@ -250,7 +282,13 @@ private:
         if (moving_->advance(deadline)) return {};
         return {moving_->done(), false};
     }
-    [[nodiscard]] const trace::MovingScene& atRest() const { return atRest_; }
+    [[nodiscard]] const AnalyticLights* analyticLights() const { return analytic_ ? &*analytic_ : nullptr; }
+    /// Of a tree that is not left to chance.
+    [[nodiscard]] TreeSettings treeSettings() const {
+        TreeSettings settings = params_.tree();
+        if (samplingParams_.isAnalytic()) settings.areaLights = AreaLights::analytic;
+        return settings;
+    }
 
     void countRays(Frame& frame) const {
         using enum trace::Visibility;
@@ -280,7 +318,8 @@ private:
     std::optional<Surfaces> surfaces_;        ///< of a scene with these
     trace::MovingScene atRest_{tracer_};
     std::optional<trace::MovingScene> moving_; ///< while the shutter is open for more than a moment
-    scene::Snapshot movingOf_;
+    std::optional<AnalyticLights> analytic_;   ///< for soft shadows in closed form
+    scene::Snapshot movingOf_, analyticOf_;
     trace::Structure movingIn_ = trace::Structure::bvh;
     SamplingParams samplingParams_;
 
@@ -314,8 +353,8 @@ Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
                             {"and", std::to_string(tests.triangles), "triangles"},
                             {"looking into", std::to_string(tests.steps), "nodes, objects or cells"}});
     RayTree tree;
-    tree.trace({surfaces, trace::MovingScene(tracer)}, params_.tree(), rays.eyeCentred(), glm::normalize(rays.through(centre).directionCentred),
-               point, surfaces.mediaAround(rays.eyeCentred()));
+    tree.trace({surfaces, trace::MovingScene(tracer)}, params_.tree(), rays.eyeCentred(),
+               glm::normalize(rays.through(centre).directionCentred), point, surfaces.mediaAround(rays.eyeCentred()));
     describeTree(tree, surfaces, light, probe);
     return probe;
 }

@@ -50,9 +50,9 @@ TEST(WhiteFurnace, ABallOfAnySurfaceCannotBeSeen) {
         float diffuse;
     };
     int compared = 0;
-    for (const Case& c : {Case{"gloss 5", 1, 0, 5, 0, 0}, Case{"gloss 60", 1, 0, 60, 0, 0}, Case{"gloss 90", 1, 0, 90, 0, 0},
-                          Case{"translucency 20", 0, 1, 0, 20, 0}, Case{"rough glass", 0.1, 0.9, 15, 40, 0},
-                          Case{"Lambert", 0, 0, 0, 0, 1}}) {
+    for (const Case& c : {Case{"gloss 5", 1, 0, 5, 0, 0}, Case{"gloss 60", 1, 0, 60, 0, 0},
+                          Case{"gloss 90", 1, 0, 90, 0, 0}, Case{"translucency 20", 0, 1, 0, 20, 0},
+                          Case{"rough glass", 0.1, 0.9, 15, 40, 0}, Case{"Lambert", 0, 0, 0, 0, 1}}) {
         scene::Scene scene = withBackground(1);
         const std::uint32_t material = addMaterial(scene, c.reflectivity, c.transparency);
         scene.materials[material].glossDegrees = c.glossDegrees;
@@ -139,7 +139,8 @@ TEST(WhiteFurnace, ErrorsByChanceAreDistributedAsTheyMustBe) {
         const double far = 1e6;
         const std::uint32_t bright = addMaterial(scene, 0, 0, 1.5, 0, 1);
         addObject(scene,
-                  testing::triangleSoup({{1, -far, -far}, {1, far, -far}, {1, far, far}, {1, -far, -far}, {1, far, far}, {1, -far, far}}),
+                  testing::triangleSoup(
+                      {{1, -far, -far}, {1, far, -far}, {1, far, far}, {1, -far, -far}, {1, far, far}, {1, -far, far}}),
                   bright, dmat4(1.0));
         const TracedScene traced(scene);
         TreeSettings settings = chanceSettings(2);
@@ -157,8 +158,8 @@ TEST(WhiteFurnace, ErrorsByChanceAreDistributedAsTheyMustBe) {
             squares += z * z / kPixels;
             largest = std::max(largest, std::abs(z));
         }
-        EXPECT_LT(std::abs(mean), 4 / std::sqrt(kPixels)) << c.name;                 // four standard deviations
-        EXPECT_NEAR(squares, 1, 4 * std::sqrt(2.0 / kPixels)) << c.name;             // of chi-square / n
+        EXPECT_LT(std::abs(mean), 4 / std::sqrt(kPixels)) << c.name;     // four standard deviations
+        EXPECT_NEAR(squares, 1, 4 * std::sqrt(2.0 / kPixels)) << c.name; // of chi-square / n
         EXPECT_LT(largest, 4.2) << c.name; // Bonferroni: one in a hundred for the largest of 400
         EXPECT_GT(largest, 2.0) << c.name; // and chance was there
         const auto within = std::ranges::count_if(scores, [](double z) { return std::abs(z) < 1; });

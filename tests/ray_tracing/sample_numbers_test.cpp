@@ -63,8 +63,10 @@ TEST(SampleNumbers, AnyCountFillsEqualCells) {
 }
 
 TEST(SampleNumbers, RegularIsTheSameInEveryPixel) {
-    EXPECT_EQ(pairsOf({16, regular, 1, 0}, {0, 0}, Purpose::lens), pairsOf({16, regular, 1, 0}, {81, 17}, Purpose::lens));
-    EXPECT_NE(pairsOf({16, jittered, 1, 0}, {0, 0}, Purpose::lens), pairsOf({16, jittered, 1, 0}, {81, 17}, Purpose::lens));
+    EXPECT_EQ(pairsOf({16, regular, 1, 0}, {0, 0}, Purpose::lens),
+              pairsOf({16, regular, 1, 0}, {81, 17}, Purpose::lens));
+    EXPECT_NE(pairsOf({16, jittered, 1, 0}, {0, 0}, Purpose::lens),
+              pairsOf({16, jittered, 1, 0}, {81, 17}, Purpose::lens));
     for (const dvec2& p : pairsOf({16, regular, 1, 0}, {3, 3}, Purpose::pixel)) { // middles of cells
         EXPECT_EQ(glm::fract(p.x * 4), 0.5);
         EXPECT_EQ(glm::fract(p.y * 4), 0.5);

@@ -56,7 +56,7 @@ public:
         ASSERT_TRUE(moving.advance(Deadline::max()));
         picture_.restart(size_);
         slices_ = 1;
-        while (!picture_.advance(traced_.surfaces(), moving, camera_, settings,
+        while (!picture_.advance(traced_.surfaces(), moving, nullptr, camera_, settings,
                                  std::chrono::steady_clock::now() + slice))
             ++slices_;
     }
@@ -139,7 +139,8 @@ TEST(Lens, CirclesOfConfusionAreThoseOfALensOfFiftyMillimetres) {
     settings.antialias = false;
     settings.aperture = kAperture;
     settings.focus = kFocus;
-    for (const auto& [depth, circleMm] : {std::pair(1.0, 0.641026), std::pair(4.0, 0.320513), std::pair(1e9, 0.641026)}) {
+    for (const auto& [depth, circleMm] :
+         {std::pair(1.0, 0.641026), std::pair(4.0, 0.320513), std::pair(1e9, 0.641026)}) {
         // A point at that depth on the axis: rays to it from all over the lens, and where they pass the plane of focus.
         double widest = 0;
         for (std::uint32_t i = 0; i < 4096; ++i) {
@@ -243,8 +244,8 @@ TEST(Shutter, ShadowsMoveWithWhatCastsThem) {
         constexpr int kTimes = 1000;
         for (int i = 0; i < kTimes; ++i) {
             RayTree tree;
-            tree.trace({traced.surfaces(), moving, (i + 0.5) / kTimes}, {}, traced.centred(fromWorld), {0, -1, 0}, floor,
-                       {});
+            tree.trace({traced.surfaces(), moving, (i + 0.5) / kTimes}, {}, traced.centred(fromWorld), {0, -1, 0},
+                       floor, {});
             dark += tree.lightsOf(tree.root())[0].visibility == trace::Visibility::shadowed ? 1 : 0;
         }
         // The shadow's front is at -3 + 8 t, its end at -5 + 8 t.
@@ -304,7 +305,7 @@ TEST(Adaptive, EvenPixelsGetFewSamplesAndEdgesAsManyAsTheyNeed) {
     const std::vector<std::uint32_t> counts = sampled.picture().samples();
     double squares = 0;
     for (std::size_t y = 0; y < 32; ++y) {
-        EXPECT_EQ(counts[y * 32 + 3], 16u);  // even
+        EXPECT_EQ(counts[y * 32 + 3], 16u); // even
         EXPECT_EQ(counts[y * 32 + 29], 16u);
         EXPECT_GT(counts[y * 32 + 16], 32u); // the edge
         EXPECT_LT(counts[y * 32 + 16], 1024u);
