@@ -14,7 +14,7 @@ namespace {
 constexpr double kInPlane = 1e-15;
 
 // Newton's method doubles the digits with every step: from here the next one is right to rounding.
-constexpr double kNextIsLast = 1e-8;
+constexpr double kNextIsLast = 1e-7;
 
 // Where Newton's step would leave the bracket it is halved instead; so many halvings use up all digits of a double.
 constexpr int kMostSteps = 60;
@@ -79,6 +79,13 @@ void LightSampler::lookAtRect(const scene::Light& light, const dvec3& toCentre) 
     yAtZero_ = glm::dot(axisY_, corner) - slope_ * x0_;
     width_ = glm::length(light.edgeVWorld);
     angle_ = std::atan2(height_ * depth, x0_ * x1_ + height_ * height_);
+    for (int i = 0; i < 2; ++i) {
+        const dvec3 first(x0_, yAtZero_ + slope_ * x0_ + i * width_, height_);
+        firstLengths_[i] = glm::length(first);
+        firstUnits_[i] = first / firstLengths_[i];
+    }
+    const double begin = densityAt(x0_), middle = densityAt(xAt(0.5 * angle_)), end = densityAt(x1_);
+    density_ = {begin, 4 * middle - 3 * begin - end, 2 * begin - 4 * middle + 2 * end};
     solidAngle_ = solidAngleBefore(x1_);
 }
 
@@ -102,21 +109,17 @@ LightSample LightSampler::sample(dvec2 random01) const {
 
 /// Of the part of the light from x0 to x. Two formulas, because each has its digits where the other has none.
 double LightSampler::solidAngleBefore(double x) const {
-    const double y0 = yAtZero_ + slope_ * x0_, y = yAtZero_ + slope_ * x;
-    const dvec3 corners[4] = {
-        {x0_, y0, height_}, {x, y, height_}, {x, y + width_, height_}, {x0_, y0 + width_, height_}};
-    double lengths[4];
-    dvec3 units[4];
-    for (int i = 0; i < 4; ++i) {
-        lengths[i] = glm::length(corners[i]);
-        units[i] = corners[i] / lengths[i];
-    }
-    const double first = denominator(units[0], units[1], units[2]), second = denominator(units[0], units[2], units[3]);
+    const double y = yAtZero_ + slope_ * x;
+    const dvec3 lower(x, y, height_), upper(x, y + width_, height_);
+    const double lengthLower = glm::length(lower), lengthUpper = glm::length(upper);
+    const dvec3 unitLower = lower / lengthLower, unitUpper = upper / lengthUpper;
+    const double first = denominator(firstUnits_[0], unitLower, unitUpper);
+    const double second = denominator(firstUnits_[0], unitUpper, firstUnits_[1]);
     if (first > kFewDigits && second > kFewDigits) {
         // Two triangles. Their volumes need no subtraction of products, so the smallest solid angle has all its digits; the
         // two halves are added as the angles of complex numbers are.
-        const double both = height_ / lengths[0] * ((x - x0_) / lengths[2]) * width_;
-        const double volume1 = both / lengths[1], volume2 = both / lengths[3];
+        const double both = height_ / firstLengths_[0] * ((x - x0_) / lengthUpper) * width_;
+        const double volume1 = both / lengthLower, volume2 = both / firstLengths_[1];
         return 2 * std::atan2(volume1 * second + volume2 * first, first * second - volume1 * volume2);
     }
     // Near the light's border, or nearly surrounded by it: what the turns from side to side leave of 2 pi (A. Girard, 1629), by
@@ -127,28 +130,48 @@ double LightSampler::solidAngleBefore(double x) const {
            angleBetween(top, left);
 }
 
-/// The x before which that share of the solid angle lies. What is sought is the angle, seen along y, from the line of x0: the
-/// solid angle grows with it by between 0 and 2 per radian, however near or far the light.
+/// Where the line is that is seen at that angle, along y, from the line of x0.
+double LightSampler::xAt(double angle) const {
+    const double sine = std::sin(angle);
+    double x = 0;
+    if (x0_ < 0 && x1_ > 0) { // straight above the light x is small beside its ends, and must not be their difference
+        const double cosine = std::cos(angle);
+        x = height_ * (x0_ * cosine + height_ * sine) / (height_ * cosine - x0_ * sine);
+    } else {
+        const double from = sine * std::sqrt(x0_ * x0_ + height_ * height_);
+        const double to = std::sin(angle_ - angle) * std::sqrt(x1_ * x1_ + height_ * height_);
+        x = x0_ + (x1_ - x0_) * from / (from + to);
+    }
+    return std::clamp(x, x0_, x1_);
+}
+
+/// Solid angle of the light per radian of that angle, at the line of x: between 0 and 2, however near or far the light.
+double LightSampler::densityAt(double x) const {
+    const double y = yAtZero_ + slope_ * x, squared = x * x + height_ * height_;
+    return (y + width_) / std::sqrt((y + width_) * (y + width_) + squared) - y / std::sqrt(y * y + squared);
+}
+
+/// By a density without bends.
+double LightSampler::guessedAngle(double share) const {
+    const double a = density_.x, b = density_.y, c = density_.z, whole = a + b / 2 + c / 3;
+    double t = share;
+    for (int step = 0; step < 2; ++step)
+        t -= (t * (a + t * (b / 2 + t * c / 3)) - share * whole) / (a + t * (b + t * c));
+    return t >= 0 && t <= 1 ? t * angle_ : share * angle_;
+}
+
+/// The x before which that share of the solid angle lies, found as an angle.
 double LightSampler::lineAt(double share) const {
-    const double from = std::hypot(x0_, height_), to = std::hypot(x1_, height_);
-    const auto xAt = [&](double angle) {
-        const double sine = std::sin(angle);
-        // Straight above the light x is small beside its ends, and must not be their difference.
-        if (x0_ < 0 && x1_ > 0)
-            return height_ * (x0_ * std::cos(angle) + height_ * sine) / (height_ * std::cos(angle) - x0_ * sine);
-        return x0_ + (x1_ - x0_) * from * sine / (from * sine + to * std::sin(angle_ - angle));
-    };
-    double lower = 0, upper = angle_, angle = share * angle_;
+    double lower = 0, upper = angle_, angle = guessedAngle(share);
     for (int step = 0; step < kMostSteps; ++step) {
-        const double x = std::clamp(xAt(angle), x0_, x1_), w = std::hypot(x, height_), y = yAtZero_ + slope_ * x;
-        const double excess = solidAngleBefore(x) - share * solidAngle_;
+        const double x = xAt(angle), excess = solidAngleBefore(x) - share * solidAngle_;
         (excess > 0 ? upper : lower) = angle;
-        const double next = angle - excess / ((y + width_) / std::hypot(y + width_, w) - y / std::hypot(y, w));
+        const double next = angle - excess / densityAt(x);
         const bool isWithin = next >= lower && next <= upper; // false, too, for what is no number
         angle = isWithin ? next : 0.5 * (lower + upper);
         if (isWithin && std::abs(excess) <= kNextIsLast * solidAngle_) break;
     }
-    return std::clamp(xAt(angle), x0_, x1_);
+    return xAt(angle);
 }
 
 LightSample LightSampler::onRect(dvec2 random01) const {

@@ -42,6 +42,9 @@ private:
     void lookAtRect(const scene::Light& light, const dvec3& toCentre);
     void lookAtSphere(double radius, const dvec3& toCentre);
     [[nodiscard]] double solidAngleBefore(double x) const;
+    [[nodiscard]] double xAt(double angle) const;
+    [[nodiscard]] double densityAt(double x) const;
+    [[nodiscard]] double guessedAngle(double share) const;
     [[nodiscard]] double lineAt(double share) const;
     [[nodiscard]] LightSample onRect(dvec2 random01) const;
     [[nodiscard]] LightSample onSphere(dvec2 random01) const;
@@ -52,7 +55,10 @@ private:
         axisZ_{0.0}; ///< unit, with the point as origin; z: straight to the light's plane or centre
     // Of a rect: in the plane z = height, x from x0 to x1; on each such line y from yAtZero + slope * x, for a width.
     double height_ = 0, x0_ = 0, x1_ = 0, yAtZero_ = 0, slope_ = 0, width_ = 0;
-    double angle_ = 0; ///< between the lines of x0 and of x1, seen along y
+    double angle_ = 0;      ///< between the lines of x0 and of x1, seen along y
+    dvec3 firstUnits_[2]{}; ///< toward the corners at x0
+    double firstLengths_[2]{};
+    dvec3 density_{0.0}; ///< solid angle per radian of that angle, about a + b t + c t^2 at its share t
     // Of a sphere.
     double distance_ = 0, radius_ = 0;
     double lowest_ = 0; ///< 1 - cos of the cone's half angle

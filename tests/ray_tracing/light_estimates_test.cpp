@@ -12,6 +12,7 @@
 #include "techniques/ray_tracing/light_sampling.h"
 #include "tests/support/area_lights.h"
 #include "tests/support/hard_scenes.h"
+#include "tests/support/perforated.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::ray_tracing {
@@ -70,11 +71,11 @@ TEST(LightEstimates, WhatTwoCapsHaveInCommon) {
 
 /// Comparisons of an exact number with an estimate, each in standard deviations of the estimate.
 struct Comparisons {
+    int samples = 1000000; ///< of each estimate
+    double alike = 1e-9;   ///< share of the whole that the exact number may be wrong by
     int compared = 0, partly = 0;
     double largest = 0, sum = 0;
 };
-
-constexpr int kSamples = 1000000;
 
 /// Points of all surfaces that a camera sees, most of them in penumbras, with shading normals that lean up to half a radian.
 void compare(const scene::Snapshot& snapshot, int wanted, unsigned seed, Comparisons& comparisons) {
@@ -102,25 +103,30 @@ void compare(const scene::Snapshot& snapshot, int wanted, unsigned seed, Compari
         const auto casts = [&](std::uint32_t primitive) {
             return primitive != point.primitive && snapshot->objects[tracer.world().objects[primitive]].castsShadow;
         };
+        EXPECT_NEAR(exact.visible, area.share(point), comparisons.alike);
+        const auto goesOn = [&](std::uint32_t primitive, const dvec3& barycentric) {
+            return tracer.mayHaveHoles(primitive) && tracer.isInHole({primitive, false, dvec2(barycentric)});
+        };
         double sum = 0, squares = 0, weights = 0, weighted = 0;
-        for (int n = 0; n < kSamples; ++n) {
+        for (int n = 0; n < comparisons.samples; ++n) {
             const LightSample sample = sampler.sample({chance(numbers), chance(numbers)});
             weights += sample.areaWeight;
             const trace::Ray ray{from, sample.onLightCentredOffset, trace::kContact, 1 - trace::kContact};
             if (!(glm::dot(up, sample.towardWorld) > 0)) continue;
-            if (tracer.bvh().any(ray, casts) != trace::kNoPrimitive) continue;
+            if (tracer.bvh().any(ray, casts, goesOn) != trace::kNoPrimitive) continue;
             const double value = sample.solidAngle * std::max(0.0, glm::dot(normal, sample.towardWorld)) / M_PI;
             sum += value, squares += value * value;
             weighted += sample.areaWeight;
         }
-        const double mean = sum / kSamples, sigma = std::sqrt((squares / kSamples - mean * mean) / kSamples);
-        // What does not vary has no sigma: then the million roundings of the sum are all there is.
-        const double z = (mean - exact.irradiance) / std::max(sigma, 1e-9 * exact.unshadowed);
+        const double count = comparisons.samples;
+        const double mean = sum / count, sigma = std::sqrt(std::max(squares / count - mean * mean, 0.0) / count);
+        // What does not vary has no sigma: then the roundings of the sum are all there is.
+        const double z = (mean - exact.irradiance) / std::hypot(sigma, comparisons.alike * exact.unshadowed);
         comparisons.largest = std::max(comparisons.largest, std::abs(z));
         comparisons.sum += z;
         ++comparisons.compared;
-        // Half a light seen by a million rays is right to 5e-4; five times that.
-        EXPECT_NEAR(weighted / weights, exact.visible, 2.5e-3);
+        // Half of a light, seen by so many rays, five standard deviations; and what the exact number may be wrong by.
+        EXPECT_NEAR(weighted / weights, exact.visible, 5 * (0.5 / std::sqrt(count) + comparisons.alike));
     }
 }
 
@@ -151,6 +157,20 @@ TEST(LightEstimates, AMillionRaysFindTheIrradiance) {
     // Bonferroni: of 12 normal answers one is beyond 4.5 sigma once in twelve thousand times. Their mean has sigma 1 / sqrt(12).
     EXPECT_LT(comparisons.largest, 4.5);
     EXPECT_LT(std::abs(comparisons.sum / comparisons.compared), 4 / std::sqrt(comparisons.compared));
+}
+
+// Behind holes pieces are asked with 1024 rays for the whole light, which is wrong by at most 1/64, one standard deviation.
+TEST(LightEstimates, RaysFindTheIrradianceThroughHoles) {
+    Comparisons comparisons{.samples = 40000, .alike = 1.0 / 64};
+    for (const scene::Light& light : {rectLight({1, 5, 2.5}, {1, 0, 0}, {0, 0, 1}), sphereLight({1, 5, 2.5}, 0.6)}) {
+        scene::Scene scene = testing::perforatedScene();
+        scene.lights = {light};
+        compare(testing::snapshot(std::move(scene)), 8, 3, comparisons);
+    }
+    std::cout << comparisons.partly << " partly seen, at most " << comparisons.largest << " sigma\n";
+    EXPECT_EQ(comparisons.compared, 16);
+    EXPECT_GT(comparisons.partly, 8);
+    EXPECT_LT(comparisons.largest, 4.5);
 }
 
 } // namespace

@@ -29,8 +29,8 @@ double meanOverGrid(const Value& value) {
     return sum / kSide / kSide;
 }
 
-// A grid of which the cells get narrower toward the border, and count less, as t^3 (10 - 15 t + 6 t^2) says: where a light reaches
-// the horizon, its cosine begins like a root there, which would cost equal cells half of the digits. What does not jump is then
+// A grid of which the cells get narrower toward the border, and count less, as t^3 (10 - 15 t + 6 t^2) says: where a light
+// reaches the horizon, its cosine begins like a root there, which would cost equal cells half of the digits. What does not jump is then
 // integrated to the fourth power of a cell's width, 4e-11 for 400, times what it bends.
 constexpr int kFineSide = 400;
 constexpr double kGrid = 1e-6;

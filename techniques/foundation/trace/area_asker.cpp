@@ -280,7 +280,8 @@ bool AreaVisibility::Asker::isFree(dvec2 place, bool perforated) {
 }
 
 /// Rays to places spread evenly over the polygon, of a disc to those within it, through whatever holes there are: multiples of
-/// the powers of a number that no fraction comes near to (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
+/// the powers of a number that no fraction comes near to (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
+/// 2018).
 AreaVisibility::Asker::Seen AreaVisibility::Asker::sampledSeenOf(const LightPiece& piece,
                                                                  std::span<const dvec2> polygon,
                                                                  const dvec3& normalWorld) {

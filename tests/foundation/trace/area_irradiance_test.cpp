@@ -183,6 +183,33 @@ TEST(AreaIrradiance, AboveBothHorizons) {
     EXPECT_NEAR(aside.visible, 1, kRounding);
 }
 
+// Neighbours are asked together, by a search that is parted: every answer is the one that a point gets alone.
+TEST(AreaIrradiance, ManyPointsAtOnce) {
+    for (const scene::Light& light :
+         {rectLight({2, 4, 2.5}, {1, 0, -1}, {-0.5, -1.2, -0.5}), sphereLight({2, 4, 2.5}, 0.6)}) {
+        const auto snapshot = with(testing::simpleScene(), light);
+        const SceneTracer tracer = tracerOf(snapshot);
+        const AreaVisibility area(tracer, 0);
+        const EyeRays rays = tracer.eyeRays(snapshot->camera, ivec2(32));
+        std::vector<SurfacePoint> points(32 * 32);
+        tracer.eyePoints(rays, {0, 0}, ivec2(32), dvec2(0.5), points);
+        const std::vector<dvec3> normals(points.size(), glm::normalize(dvec3(0.25, 1, 0.125)));
+        std::vector<AreaIrradiance> together(points.size());
+        area.irradiances(points, normals, together);
+        int partly = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            AreaIrradiance alone;
+            area.irradiances({&points[i], 1}, {&normals[i], 1}, {&alone, 1});
+            EXPECT_NEAR(together[i].irradiance, alone.irradiance, kRounding) << i;
+            EXPECT_NEAR(together[i].unshadowed, alone.unshadowed, kRounding) << i;
+            EXPECT_NEAR(together[i].visible, area.share(points[i]), 1e-12) << i;
+            EXPECT_LE(together[i].irradiance, together[i].unshadowed) << i;
+            partly += together[i].irradiance > 0 && together[i].irradiance < 0.999 * together[i].unshadowed;
+        }
+        EXPECT_GT(partly, 20);
+    }
+}
+
 TEST(AreaIrradiance, TheGatesAreThoseOfTheShare) {
     scene::Scene scene = halfPlane();
     const scene::Light panel = rectLight({0, 4, 0}, {1, 0, 0}, {0, 0, 1});
