@@ -4,8 +4,8 @@
 // Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013: shear space so that the ray becomes
 // an axis, drop that axis, and ask on which side of each edge the origin of the plane lies. The paper works in float,
 // where the two triangles of an edge compute the very same number, and repeats a zero in double. Here everything is
-// double: a shadow ray that starts exactly on a surface wants the digits, and most triangles never come here, because a
-// float filter (triangle_filter.h) has thrown them out. Where rounding leaves double undecided, the sign is computed
+// double: a shadow ray that starts exactly on a surface wants the digits, and of most triangles a tree finds out by the same
+// test, four at a time, that they are missed (bvh_kernel.h). Where rounding leaves double undecided, the sign is computed
 // exactly, from the coordinates as they were given (exact_sign.h). So it is the sign of the real ray and the real edge,
 // not only one that all triangles agree on.
 // SPDX-License-Identifier: MIT
@@ -30,11 +30,13 @@ struct Triangle {
 struct ShearedRay {
     explicit ShearedRay(const Ray& ray) : originCentred(ray.originCentred), directionCentred(ray.directionCentred) {
         const dvec3 d = glm::abs(ray.directionCentred);
-        kz = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
-        kx = (kz + 1) % 3;
-        ky = (kx + 1) % 3;
+        // As arithmetic, since a processor guesses wrong which axis it is.
+        const bool xOverY = d.x > d.y, xOverZ = d.x > d.z, yOverZ = d.y > d.z;
+        kz = 2 - 2 * int(xOverY & xOverZ) - int(!xOverY & yOverZ);
         const double along = ray.directionCentred[kz];
-        if (along < 0) std::swap(kx, ky); // keeps the winding
+        const int turned = along < 0; // x and y change places, which keeps the winding
+        kx = (kz + 1 + turned) % 3;
+        ky = (kz + 2 - turned) % 3;
         shearX = ray.directionCentred[kx] / along;
         shearY = ray.directionCentred[ky] / along;
         sign = along < 0 ? -1.0 : 1.0;
