@@ -58,10 +58,9 @@ inline void aim(BvhWalk& walk, const Ray& ray, const ShearedRay& sheared) {
         walk.inverseLeave[axis] = static_cast<float>(inverse * kLonger);
         // To a plane ahead, less of the way is the safe side for entering, more of it for leaving.
         const auto origin = static_cast<float>(ray.originCentred[axis]);
-        const float rounding = std::abs(origin) * 0x1p-23f + kTiniest, low = origin - rounding,
-                    high = origin + rounding;
-        walk.originEnter[axis] = walk.nearSide[axis] ? low : high;
-        walk.originLeave[axis] = walk.nearSide[axis] ? high : low;
+        const float rounding = std::copysign(std::abs(origin) * 0x1p-23f + kTiniest, static_cast<float>(inverse));
+        walk.originEnter[axis] = origin + rounding;
+        walk.originLeave[axis] = origin - rounding;
     }
     walk.nearestBox = static_cast<float>(sheared.nearest * (1 - 1e-6));
     walk.farthestBox = reachInFloat(sheared.farthest);
@@ -69,7 +68,7 @@ inline void aim(BvhWalk& walk, const Ray& ray, const ShearedRay& sheared) {
     walk.largest = 0;
     for (int i = 0; i < 3; ++i) {
         walk.axes[i] = axes[i];
-        walk.origin[i] = ray.originCentred[axes[i]];
+        walk.origin[i] = along(ray.originCentred, axes[i]);
         walk.largest = std::max(walk.largest, std::abs(walk.origin[i]));
     }
     walk.shearX = sheared.shearX;
