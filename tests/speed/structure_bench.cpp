@@ -296,7 +296,7 @@ std::vector<Row> measure(const std::string& title, const scene::Snapshot& snapsh
                 "tests: eye, shadow, random", "Mray/s: eye, sh., rnd.", "of Embree");
     for (const Row& row : rows) {
         const Row* const embree = rowOf(row.name == "bvh-64" || row.name == "embree-8" ? "embree-8" : "embree");
-        std::printf("| %-14s | %9.2f | %8.2f | %9.1f %9.1f %9.1f | %8.4f %8.4f %8.4f | %5.2f %5.2f %5.2f |\n",
+        std::printf("| %-14s | %9.2f | %8.2f | %9.1f %9.1f %9.1f | %8.3g %8.3g %8.3g | %5.2f %5.2f %5.2f |\n",
                     row.name.c_str(), row.buildMs,
                     row.engine ? static_cast<double>(row.engine->bytes()) / (1 << 20) : 0.0, row.testsPerRay[0],
                     row.testsPerRay[1], row.testsPerRay[2], row.rate(0), row.rate(1), row.rate(2), row.share(embree, 0),

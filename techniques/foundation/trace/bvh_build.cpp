@@ -21,7 +21,7 @@ constexpr std::size_t kTasksPerSlice = 128;
 
 // Triangles or leaves that a thread takes at a time, and in a slice; fewer triangles are not worth a second thread.
 constexpr std::size_t kPiece = 4096, kLeavesPerSlice = std::size_t{1} << 15;
-constexpr std::uint32_t kWorthThreads = 4096;
+constexpr std::uint32_t kWorthThreads = 1 << 14;
 
 bool isFinite(const dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
@@ -31,7 +31,7 @@ void inPieces(std::size_t first, std::size_t end, const Work& work) {
     const std::size_t pieces = (end - first + kPiece - 1) / kPiece;
     parallelFor(
         pieces, [&](std::size_t i) { work(first + i * kPiece, std::min(end, first + (i + 1) * kPiece)); },
-        pieces < 2 ? 1 : 0);
+        (end - first) < kWorthThreads ? 1 : 0);
 }
 
 } // namespace
