@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "techniques/foundation/trace/parallel.h"
+#include "techniques/foundation/trace/ray_box.h"
 
 namespace shadowlab::shadow_map {
 
@@ -81,9 +82,9 @@ FloatBox boxOf(const Corners& corners) {
     return box;
 }
 
-bool overlaps(const FloatBox& box, const trace::FourBoxes& four, int child) {
+bool overlaps(const FloatBox& box, const trace::BvhNode& node, int child) {
     for (int axis = 0; axis < 3; ++axis)
-        if (!(four.planes[axis][0][child] <= box.upper[axis] && four.planes[axis][1][child] >= box.lower[axis]))
+        if (!(node.planes[axis][0][child] <= box.upper[axis] && node.planes[axis][1][child] >= box.lower[axis]))
             return false;
     return true;
 }
@@ -91,20 +92,20 @@ bool overlaps(const FloatBox& box, const trace::FourBoxes& four, int child) {
 /// Calls visit(primitive) for all triangles in leaves whose box overlaps.
 template <typename Visit>
 void forEachNear(const trace::Bvh& bvh, const FloatBox& box, const Visit& visit) {
-    std::array<trace::BvhChild, 3 * trace::Bvh::kMostDepth + 4> stack;
+    std::array<trace::BvhChild, trace::BvhWalk::kMostWaiting> stack;
     std::size_t size = 0;
     if (!bvh.nodes.empty()) stack[size++] = trace::BvhChild::node(0);
     while (size > 0) {
         const trace::BvhChild child = stack[--size];
         if (child.isLeaf()) {
-            const trace::FourTriangles& leaf = bvh.leaves[child.index()];
+            const trace::BvhLeaf& leaf = bvh.leaves[child.index()];
             for (int i = 0; i < leaf.count; ++i)
                 visit(leaf.primitives[i]);
             continue;
         }
         const trace::BvhNode& node = bvh.nodes[child.index()];
-        for (int i = 0; i < 4; ++i)
-            if (overlaps(box, node.boxes, i)) stack[size++] = node.children[static_cast<std::size_t>(i)];
+        for (int i = 0; i < node.count; ++i)
+            if (overlaps(box, node, i)) stack[size++] = trace::BvhChild(node.children[i]);
     }
 }
 

@@ -33,7 +33,7 @@ struct FourSeen {
     unsigned doubtful; ///< those whose plane goes through the origin, or nearly: their value says nothing
 };
 
-inline void see(const BlockLeaf& leaf, const BlockRays& rays, float least, FourSeen& seen) {
+inline void see(const BvhLeaf& leaf, const BlockRays& rays, float least, FourSeen& seen) {
     Double4 x[3], y[3], k[3], m = all(rays.largest);
     const Double4 origin[3] = {all(rays.origin[rays.axes[0]]), all(rays.origin[rays.axes[1]]),
                                all(rays.origin[rays.axes[2]])};
@@ -188,22 +188,22 @@ public:
             offset_[a] = rays.parallel ? rays.span[a] : 0;
         }
     }
-    unsigned touched(const BlockNode& node, float farthest, FourFloats& enter) const {
+    unsigned touched(const BvhNode& node, float farthest, Float8& enter) const {
         const auto& main = node.planes[rays_.axes[2]];
-        const FourFloats lower = *reinterpret_cast<const FourFloats*>(main[0]) - origin_[2];
-        const FourFloats upper = *reinterpret_cast<const FourFloats*>(main[1]) - origin_[2];
+        const Float8 lower = eightOf(main[0]) - all(origin_[2]), upper = eightOf(main[1]) - all(origin_[2]);
         const bool forward = rays_.sign > 0;
-        enter = larger((forward ? lower : -upper) - pad_, four(rays_.nearest - pad_));
-        const FourFloats leave = smaller((forward ? upper : -lower) + pad_, four(farthest + pad_));
-        FourInts touched = enter <= leave;
+        enter = larger((forward ? lower : -upper) - all(pad_), all(rays_.nearest - pad_));
+        const Float8 leave = smaller((forward ? upper : -lower) + all(pad_), all(farthest + pad_));
+        Mask8 touched = enter <= leave;
         for (int a = 0; a < 2; ++a) {
             const auto& planes = node.planes[rays_.axes[a]];
-            const FourFloats low = *reinterpret_cast<const FourFloats*>(planes[0]) - origin_[a] - pad_;
-            const FourFloats high = *reinterpret_cast<const FourFloats*>(planes[1]) - origin_[a] + pad_;
-            touched &= high >= smaller(enter * slope_[a][0], leave * slope_[a][0]) - offset_[a];
-            touched &= low <= larger(enter * slope_[a][1], leave * slope_[a][1]) + offset_[a];
+            const Float8 low = eightOf(planes[0]) - all(origin_[a]) - all(pad_);
+            const Float8 high = eightOf(planes[1]) - all(origin_[a]) + all(pad_);
+            const Float8 from = smaller(enter * slope_[a][0], leave * slope_[a][0]) - all(offset_[a]);
+            const Float8 to = larger(enter * slope_[a][1], leave * slope_[a][1]) + all(offset_[a]);
+            touched = touched & (from <= high) & (low <= to);
         }
-        return bits(touched);
+        return bits(touched) & ((1u << node.count) - 1);
     }
 
 private:
@@ -211,32 +211,43 @@ private:
     float origin_[3], slope_[2][2], offset_[2], pad_;
 };
 
+// A block is worth its while where many of its rays meet the same triangles. Rays that part, among triangles smaller than
+// pixels, meet more leaves together than each for itself, and asking all 64 about a leaf costs as much as asking some ten
+// alone. So where a block has come to more leaves than this, all that is left of it is asked alone. Found by trial on loose
+// triangles (tests/speed/structure_bench.cpp): with 32 and 64 a hundred thousand are slower; without a limit ten thousand
+// are, too.
+constexpr int kMostLeaves = 128;
+
 struct Waiting {
     std::int32_t child;
     float enter;
 };
 
 /// Calls atLeaf(leaf) for what the bundle may touch, nearest first; it returns up to which K there is still something to
-/// find, or less than zero to end.
+/// find, or less than zero to end. False where the bundle has come to too many leaves; it has not seen all then.
 template <typename AtLeaf>
-inline void walk(const BlockTreeView& tree, const BlockRays& rays, const AtLeaf& atLeaf) {
+inline bool walk(const BlockTreeView& tree, const BlockRays& rays, const AtLeaf& atLeaf) {
     const Shaft shaft(rays, tree.largest);
     float farthest = rays.farthest;
-    Waiting stack[256]; // three siblings wait at every one of at most 64 levels
-    int size = 0;
+    Waiting stack[7 * 64 + 8]; // seven siblings wait at every one of at most 64 levels
+    int size = 0, leaves = 0;
     stack[size++] = {0, kNever};
     while (size > 0) {
         const Waiting next = stack[--size];
         if (next.enter > farthest) continue;
         if (next.child < 0) {
+            if (++leaves > kMostLeaves) return false;
             farthest = atLeaf(tree.leaves[~next.child]);
-            if (farthest == kNever) return;
+            if (farthest == kNever) return true;
             continue;
         }
-        const BlockNode& node = tree.nodes[next.child];
-        FourFloats enter;
+        const BvhNode& node = tree.nodes[next.child];
+        Float8 enter8;
+        alignas(32) float enter[kBvhWidth];
         const int first = size;
-        for (unsigned touched = shaft.touched(node, farthest, enter); touched != 0; touched &= touched - 1) {
+        unsigned touched = shaft.touched(node, farthest, enter8);
+        store(enter, enter8);
+        for (; touched != 0; touched &= touched - 1) {
             const int i = __builtin_ctz(touched);
             const float mine = enter[i];
             int place = size++;
@@ -245,6 +256,7 @@ inline void walk(const BlockTreeView& tree, const BlockRays& rays, const AtLeaf&
             stack[place] = {node.children[i], mine};
         }
     }
+    return true;
 }
 
 /// `kHoles`: some triangle may have holes. Made twice, so that scenes without any do not even ask.
@@ -258,7 +270,7 @@ void nearestHits(const BlockTreeView& tree, const BlockRays& rays, BlockAnswers&
     answers.givenUp = 0;
     const Rows rows(rays);
     float least = kNever, farthest = rays.farthest; // value that every ray has already found; K that this means
-    walk(tree, rays, [&](const BlockLeaf& leaf) {
+    const bool finished = walk(tree, rays, [&](const BvhLeaf& leaf) {
         FourSeen seen;
         see(leaf, rays, least, seen);
         bool found = false;
@@ -305,6 +317,7 @@ void nearestHits(const BlockTreeView& tree, const BlockRays& rays, BlockAnswers&
         }
         return farthest;
     });
+    if (!finished) answers.givenUp = rays.asked;
 }
 
 template <bool kHoles>
@@ -318,7 +331,7 @@ void blockedRays(const BlockTreeView& tree, const BlockRays& rays, const std::ui
         if (rays.asked >> i & 1 && rays.floor[i] < least) least = rays.floor[i];
     const Rows rows(rays);
     const Float8 clearance = all(rays.floorError);
-    walk(tree, rays, [&](const BlockLeaf& leaf) {
+    const bool finished = walk(tree, rays, [&](const BvhLeaf& leaf) {
         FourSeen seen;
         see(leaf, rays, least - rays.floorError, seen);
         for (unsigned left = seen.left; left != 0; left &= left - 1) {
@@ -349,6 +362,7 @@ void blockedRays(const BlockTreeView& tree, const BlockRays& rays, const std::ui
         }
         return answers.blocked == rays.asked ? kNever : rays.farthest;
     });
+    if (!finished) answers.givenUp = rays.asked & ~answers.blocked;
 }
 
 inline void nearestHits(const BlockTreeView& tree, const BlockRays& rays, BlockAnswers& answers) {

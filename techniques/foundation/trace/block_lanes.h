@@ -139,10 +139,21 @@ constexpr float kNever = -std::numeric_limits<float>::infinity();
 inline Double4 all(double v) { return four(v, v, v, v); }
 inline FourFloats four(float v) { return FourFloats{v, v, v, v}; }
 inline Double4 magnitude(Double4 a) { return choose(a < 0.0, -a, a); }
+#if defined(__AVX2__)
+inline Double4 larger(Double4 a, Double4 b) { return _mm256_max_pd(a, b); }
+inline Double4 smaller(Double4 a, Double4 b) { return _mm256_min_pd(a, b); }
+#else
 inline Double4 larger(Double4 a, Double4 b) { return choose(a > b, a, b); }
 inline Double4 smaller(Double4 a, Double4 b) { return choose(a < b, a, b); }
+#endif
+/// Of a NaN and a number, the second argument; so do all of these.
+#if defined(__AVX2__)
+inline Float8 larger(Float8 a, Float8 b) { return _mm256_max_ps(a, b); }
+inline Float8 smaller(Float8 a, Float8 b) { return _mm256_min_ps(a, b); }
+#else
 inline Float8 larger(Float8 a, Float8 b) { return choose(a > b, a, b); }
 inline Float8 smaller(Float8 a, Float8 b) { return choose(a < b, a, b); }
+#endif
 inline FourFloats smaller(FourFloats a, FourFloats b) { return a < b ? a : b; }
 inline FourFloats larger(FourFloats a, FourFloats b) { return a > b ? a : b; }
 

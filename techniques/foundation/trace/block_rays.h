@@ -16,27 +16,15 @@
 #pragma once
 #include <cstdint>
 
+#include "techniques/foundation/trace/bvh_layout.h"
+
 namespace shadowlab::trace {
 
 constexpr int kBlockSide = 8, kBlockRays = kBlockSide * kBlockSide;
 
-/// A node of the tree: boxes[axis][0] the lower, boxes[axis][1] the upper planes of four children. A child that is not
-/// there has an empty box. A leaf's number is stored as its complement.
-struct alignas(16) BlockNode {
-    float planes[3][2][4];
-    std::int32_t children[4];
-};
-
-/// Up to four triangles with their coordinates side by side, in centred space. Unused places repeat the first.
-struct alignas(32) BlockLeaf {
-    double corners[3][3][4]; ///< corner, axis, triangle
-    std::uint32_t primitives[4];
-    std::uint32_t count;
-};
-
 struct BlockTreeView {
-    const BlockNode* nodes;
-    const BlockLeaf* leaves;
+    const BvhNode* nodes;
+    const BvhLeaf* leaves;
     float largest; ///< of all coordinates of the boxes, without sign
     /// One flag for each primitive: it has holes. What may hit it is handed back as a doubt, always. Null: none has any.
     const std::uint8_t* perforated;
@@ -79,7 +67,8 @@ struct BlockAnswers {
     BlockDoubt doubts[kMostDoubts];                        ///< what may be hit, and may be nearer
     int doubtCount;
     std::uint64_t blocked; ///< shadow rays: those that are certainly hit
-    std::uint64_t givenUp; ///< rays with more doubts than there is room for
+    std::uint64_t
+        givenUp; ///< rays with more doubts than there is room for, or all when the block was not worth its while
 };
 
 /// What 64 eye rays are made of: that through column i and row j of the block runs along column[i] + row[j] + back.

@@ -1,8 +1,8 @@
 // A bounding volume hierarchy: boxes in boxes, triangles in the smallest. A ray looks only into boxes it touches.
 //
-// A node has up to four children, whose boxes are tested together; a leaf has up to four triangles, likewise. Built by
+// A node has up to eight children, whose boxes are tested together; a leaf has up to four triangles, likewise. Built by
 // BvhBuilder, asked with bvh_traverse.h; both are iterative, and the depth is bounded.
-// Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986; four-wide nodes after Dammertz, Hanika and Keller,
+// Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986; wide nodes after Dammertz, Hanika and Keller,
 // "Shallow Bounding Volume Hierarchies for Fast SIMD Ray Tracing of Incoherent Rays", EGSR 2008.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -11,30 +11,34 @@
 #include <optional>
 #include <vector>
 
-#include "techniques/foundation/trace/ray_box.h"
+#include "techniques/foundation/trace/big_memory.h"
+#include "techniques/foundation/trace/bvh_walk.h"
 #include "techniques/foundation/trace/ray_tests.h"
-#include "techniques/foundation/trace/triangle_filter.h"
+#include "techniques/foundation/trace/ray_triangle.h"
 
 namespace shadowlab::trace {
 
-/// What a child index of a node means.
+/// What a child of a node means.
 class BvhChild {
 public:
-    BvhChild() = default;
     static BvhChild node(std::uint32_t index) { return BvhChild(static_cast<std::int32_t>(index)); }
     static BvhChild leaf(std::uint32_t index) { return BvhChild(~static_cast<std::int32_t>(index)); }
+    /// As BvhNode stores it.
+    explicit BvhChild(std::int32_t code = 0) : code_(code) {}
+    [[nodiscard]] std::int32_t code() const { return code_; }
     [[nodiscard]] bool isLeaf() const { return code_ < 0; }
     [[nodiscard]] std::uint32_t index() const { return static_cast<std::uint32_t>(isLeaf() ? ~code_ : code_); }
 
 private:
-    explicit BvhChild(std::int32_t code) : code_(code) {}
-    std::int32_t code_; ///< not set by default: the stack of a traversal is made for every ray, and zeroing it shows
+    std::int32_t code_;
 };
 
-struct BvhNode {
-    FourBoxes boxes; ///< of children that are not there: inside out, never touched
-    std::array<BvhChild, 4> children{};
-};
+inline Triangle triangleOf(const BvhLeaf& leaf, int i) {
+    const auto corner = [&](int c) {
+        return dvec3(leaf.corners[c][0][i], leaf.corners[c][1][i], leaf.corners[c][2][i]);
+    };
+    return {corner(0), corner(1), corner(2)};
+}
 
 /// Nothing that a ray could pass through.
 struct NoHoles {
@@ -46,10 +50,13 @@ struct Bvh {
     /// size is enough.
     static constexpr int kMostDepth = 64;
 
-    std::vector<BvhNode> nodes; ///< the first is the root; none at all without triangles
-    std::vector<FourTriangles> leaves;
-    std::vector<Triangle> triangles; ///< as given: a primitive's id is its index
-    int depth = 0;
+    BigVector<BvhNode> nodes; ///< the first is the root; none at all without triangles
+    BigVector<BvhLeaf> leaves;
+    std::vector<Triangle>
+        triangles;     ///< as given: a primitive's id is its index. Rays do without: leaves hold them, too
+    float largest = 0; ///< of all coordinates of the boxes, without sign
+    int depth = 0;     ///< of the binary tree that nodes of eight were made from
+    const BvhKernels* kernels = &bestBvhKernels(); ///< the answers are the same with all of them
 
     /// The nearest hit; of equally near ones that of the lowest primitive, so that no answer depends on how the tree
     /// was built. `accept(primitive)`: may this one be hit? `inHole(primitive, weights of the corners)`: does the ray go

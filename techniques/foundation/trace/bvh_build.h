@@ -1,13 +1,15 @@
 // Building the tree: top down, each box cut where a ray is expected to do the least work.
 //
 // Binned surface area heuristic (Wald, "On Fast Construction of SAH-based Bounding Volume Hierarchies", 2007) into a
-// binary tree, which is then folded into nodes of four. The work can be done in slices.
+// binary tree, which is then folded into nodes of eight. The work can be done in slices, and parts of the tree are made on
+// several threads; the tree is the same whatever the slices and the threads.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>
 #include <span>
 
 #include "techniques/foundation/trace/bvh.h"
+#include "techniques/foundation/trace/bvh_split.h"
 
 namespace shadowlab::trace {
 
@@ -15,6 +17,8 @@ class BvhBuilder {
 public:
     /// Triangles with a corner that is not finite are left out: nothing hits them.
     explicit BvhBuilder(std::vector<Triangle> triangles);
+    /// The same without a copy of the triangles, which must outlive the builder: Bvh::triangles stays empty.
+    static BvhBuilder over(std::span<const Triangle> triangles) { return BvhBuilder({}, triangles); }
 
     /// Goes on until the tree is finished (true) or the time has come (false), but always a bit.
     bool advance(std::chrono::steady_clock::time_point deadline);
@@ -24,39 +28,38 @@ public:
     Bvh take();
 
 private:
-    struct Box {
-        vec3 lower{std::numeric_limits<float>::infinity()}, upper{-std::numeric_limits<float>::infinity()};
-        void include(const Box& other) {
-            lower = glm::min(lower, other.lower);
-            upper = glm::max(upper, other.upper);
-        }
-        [[nodiscard]] float halfArea() const {
-            const vec3 d = upper - lower;
-            return d.x < 0 ? 0 : d.x * d.y + d.y * d.z + d.z * d.x;
-        }
-    };
-    struct Reference { ///< a triangle as the builder sees it
-        Box box;
-        vec3 centroid;
-        std::uint32_t primitive;
-    };
     struct BinaryNode {
-        Box box;
+        SplitBox box;
         std::uint32_t first = 0, count = 0; ///< of the references below it
         std::uint32_t left = 0, right = 0;  ///< 0: a leaf (the root is nobody's child)
+    };
+    struct Task { ///< a node still to be split, and all below it
+        std::uint32_t node = 0;
+        int depth = 1;
+        SplitBox centroids;
+    };
+    struct Subtree { ///< what became of a task: its nodes below, and those of them that are tasks again
+        std::vector<BinaryNode> nodes;
+        std::vector<Task> open;
+        std::uint32_t placed = 0;
         int depth = 0;
     };
-    void split(std::uint32_t index);
-    [[nodiscard]] std::uint32_t partition(const BinaryNode& node);
-    std::uint32_t addNode(std::uint32_t first, std::uint32_t count, int depth);
+    BvhBuilder(std::vector<Triangle> owned, std::span<const Triangle> triangles);
+    void makeReferences();
+    void splitSome();
+    [[nodiscard]] Subtree splitBelow(const Task& task);
     void fold();
     BvhChild foldChild(std::uint32_t index, std::vector<std::pair<std::uint32_t, std::uint32_t>>& open);
+    void fillSomeLeaves();
 
     Bvh bvh_;
-    std::vector<Reference> references_;
+    std::span<const Triangle> triangles_;
+    BigVector<SplitReference> references_;
     std::vector<BinaryNode> nodes_;
-    std::vector<std::uint32_t> open_; ///< nodes still to be split
-    std::size_t placed_ = 0;          ///< references that have found their leaf
+    std::vector<Task> open_;
+    std::size_t placed_ = 0;                                      ///< references that have found their leaf
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges_; ///< of each leaf: first reference, count
+    std::size_t filled_ = 0;                                      ///< leaves that have their triangles
     bool folded_ = false;
 };
 

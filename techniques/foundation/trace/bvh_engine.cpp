@@ -14,8 +14,7 @@ namespace {
 class BvhEngine final : public Engine {
 public:
     explicit BvhEngine(const Bvh& bvh) : bvh_(&bvh) {}
-    explicit BvhEngine(const EngineInput& input)
-        : builder_(std::in_place, std::vector<Triangle>(input.triangles.begin(), input.triangles.end())) {}
+    explicit BvhEngine(const EngineInput& input) : builder_(BvhBuilder::over(input.triangles)) {}
 
     bool advance(Deadline deadline) override {
         if (!builder_) return true;
@@ -40,7 +39,7 @@ public:
     }
 
     [[nodiscard]] std::size_t bytes() const override {
-        return bvh_->nodes.size() * sizeof(BvhNode) + bvh_->leaves.size() * sizeof(FourTriangles);
+        return bvh_->nodes.size() * sizeof(BvhNode) + bvh_->leaves.size() * sizeof(BvhLeaf);
     }
     [[nodiscard]] std::vector<StructurePart> parts(std::size_t most) const override;
 
@@ -66,15 +65,14 @@ std::vector<StructurePart> BvhEngine::parts(std::size_t most) const {
         std::vector<StructurePart> boxes;
         for (const std::uint32_t index : level) {
             const BvhNode& node = bvh_->nodes[index];
-            for (std::size_t i = 0; i < 4; ++i) {
+            for (int i = 0; i < node.count; ++i) {
                 StructurePart box{.level = depth};
                 for (int axis = 0; axis < 3; ++axis) {
-                    box.lowerCentred[axis] = node.boxes.planes[axis][0][i];
-                    box.upperCentred[axis] = node.boxes.planes[axis][1][i];
+                    box.lowerCentred[axis] = node.planes[axis][0][i];
+                    box.upperCentred[axis] = node.planes[axis][1][i];
                 }
-                if (box.lowerCentred.x > box.upperCentred.x) continue; // no child
                 boxes.push_back(box);
-                if (!node.children[i].isLeaf()) below.push_back(node.children[i].index());
+                if (const BvhChild child(node.children[i]); !child.isLeaf()) below.push_back(child.index());
             }
         }
         if (boxes.size() > most) break;

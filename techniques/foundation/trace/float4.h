@@ -2,6 +2,7 @@
 // four where it cannot, with the same bits.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #if defined(__SSE2__)
 #include <emmintrin.h>
 #endif
@@ -26,6 +27,12 @@ inline Float4 magnitude(Float4 a) { return {_mm_andnot_ps(_mm_set1_ps(-0.0f), a.
 /// One bit per lane in which the comparison holds.
 inline int whereAtMost(Float4 a, Float4 b) { return _mm_movemask_ps(_mm_cmple_ps(a.v, b.v)); }
 inline int whereLess(Float4 a, Float4 b) { return _mm_movemask_ps(_mm_cmplt_ps(a.v, b.v)); }
+/// Zero in place of the fourth.
+inline Float4 firstThree(Float4 a) { return {_mm_and_ps(a.v, _mm_castsi128_ps(_mm_set_epi32(0, -1, -1, -1)))}; }
+/// Whole numbers, without what is behind the point; aligned to 16 bytes.
+inline void truncate(Float4 a, std::int32_t* four) {
+    _mm_store_si128(reinterpret_cast<__m128i*>(four), _mm_cvttps_epi32(a.v));
+}
 
 #else
 
@@ -71,6 +78,13 @@ inline int whereAtMost(Float4 a, Float4 b) {
 }
 inline int whereLess(Float4 a, Float4 b) {
     return laneBits(a, b, [](float x, float y) { return int(x < y); });
+}
+/// Zero in place of the fourth.
+inline Float4 firstThree(Float4 a) { return {{a.v[0], a.v[1], a.v[2], 0}}; }
+/// Whole numbers, without what is behind the point.
+inline void truncate(Float4 a, std::int32_t* four) {
+    for (int i = 0; i < 4; ++i)
+        four[i] = static_cast<std::int32_t>(a.v[i]);
 }
 
 #endif

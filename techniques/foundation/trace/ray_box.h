@@ -1,29 +1,24 @@
-// Which of four boxes may a ray touch? Conservative: a touched box is never left out, so what is watertight among the
-// triangles stays so through the tree.
+// A ray made ready for boxes, so that no box it touches is left out: what is watertight among the triangles stays so through
+// the tree.
 //
 // The slab test of Kay and Kajiya (1986) in float. Three roundings could close a slab too early: the ray's origin is
 // therefore rounded to both sides and each plane takes the side that is the safer one, and the way to the far planes is
 // made longer by more than the arithmetic can be wrong (Ize, "Robust BVH Ray Traversal", JCGT 2(2), 2013). A ray that
 // is parallel to a slab gives 0 * infinity, which is no number, where its origin lies on a plane: the comparisons are
 // ordered so that it is dropped, and the sign of the direction is that of its reciprocal, so -0 is a direction of its
-// own (Williams and others, "An Efficient and Robust Ray-Box Intersection Algorithm", 2005).
+// own (Williams and others, "An Efficient and Robust Ray-Box Intersection Algorithm", 2005). The test itself, of eight boxes
+// at once, is in bvh_kernel.h.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
-#include "techniques/foundation/trace/float4.h"
+#include "techniques/foundation/trace/bvh_walk.h"
 #include "techniques/foundation/trace/ray_triangle.h"
 
 namespace shadowlab::trace {
-
-/// Four boxes side by side: planes[axis][0] their lower, planes[axis][1] their upper planes. Rounded outward.
-struct alignas(16) FourBoxes {
-    float planes[3][2][4];
-};
 
 /// The float before and after a number (std::nextafter is a call into a library; this is made for every ray).
 inline float justBelow(float f) {
@@ -42,46 +37,45 @@ inline float roundedUp(double x) {
     return static_cast<double>(f) < x ? justAbove(f) : f;
 }
 
-/// A ray made ready for many boxes. Distances are in units of reach, as in ShearedRay.
-class SlabRay {
-public:
-    explicit SlabRay(const Ray& ray, const ShearedRay& sheared) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const double inverse = sheared.reachPerT / ray.directionCentred[axis];
-            // 1 / -0 is -infinity: the sign bit counts. More than float holds is infinite: parallel.
-            nearSide_[axis] = std::signbit(inverse) ? 1 : 0;
-            inverse_[axis] = static_cast<float>(inverse);
-            // To a plane ahead, less of the way is the safe side for entering, more of it for leaving.
-            const float low = roundedDown(ray.originCentred[axis]), high = roundedUp(ray.originCentred[axis]);
-            originEnter_[axis] = nearSide_[axis] ? low : high;
-            originLeave_[axis] = nearSide_[axis] ? high : low;
-        }
-        nearest_ = roundedDown(sheared.nearest * (1 - kSlack));
-    }
+// What is made for every ray is made without a question to which both answers are likely: a processor that guesses wrong
+// waits longer than the arithmetic takes. So numbers are not rounded up or down, but moved by more than rounding can.
+constexpr float kTiniest = std::numeric_limits<float>::min();
 
-    /// One bit per box that may be touched before `farthest`; `enter` receives where each is entered.
-    int touched(const FourBoxes& boxes, float farthest, Float4& enter) const {
-        enter = Float4::all(nearest_);
-        Float4 leave = Float4::all(farthest);
-        for (int axis = 0; axis < 3; ++axis) {
-            const Float4 inverse = Float4::all(inverse_[axis]);
-            const Float4 in =
-                (Float4::load(boxes.planes[axis][nearSide_[axis]]) - Float4::all(originEnter_[axis])) * inverse;
-            const Float4 out =
-                (Float4::load(boxes.planes[axis][1 - nearSide_[axis]]) - Float4::all(originLeave_[axis])) * inverse;
-            enter = larger(in, enter);
-            leave = smaller(out * Float4::all(1 + kSlack), leave);
-        }
-        return whereAtMost(enter, leave);
-    }
+/// A little more than the distance, in float: what is in double not beyond it is not beyond it in float either.
+inline float reachInFloat(double reach) { return static_cast<float>(reach * (1 + 1e-6)) + kTiniest; }
 
-private:
-    // Entering and leaving are each wrong by three roundings of 2^-24; Ize's 1 + 2 gamma(3) is 1 + 3.6e-7, one more
-    // rounding comes from this multiplication itself.
-    static constexpr float kSlack = 5e-7f;
-    std::array<float, 3> inverse_{}, originEnter_{}, originLeave_{};
-    std::array<int, 3> nearSide_{};
-    float nearest_;
-};
+// Entering and leaving a box are each wrong by up to four roundings of 2^-24: of plane less origin, of the inverse (of the
+// larger one twice), and of their product. Ize's 1 + 2 gamma(n) is 1 + 4.8e-7 then.
+constexpr double kLonger = 1 + 6e-7;
+
+/// Puts the ray, from where it begins to where it ends, into a walk.
+inline void aim(BvhWalk& walk, const Ray& ray, const ShearedRay& sheared) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const double inverse = sheared.reachPerT / ray.directionCentred[axis];
+        // 1 / -0 is -infinity: the sign bit counts. More than float holds is infinite: parallel.
+        walk.nearSide[axis] = std::signbit(inverse) ? 1 : 0;
+        walk.inverseEnter[axis] = static_cast<float>(inverse);
+        walk.inverseLeave[axis] = static_cast<float>(inverse * kLonger);
+        // To a plane ahead, less of the way is the safe side for entering, more of it for leaving.
+        const auto origin = static_cast<float>(ray.originCentred[axis]);
+        const float rounding = std::copysign(std::abs(origin) * 0x1p-23f + kTiniest, static_cast<float>(inverse));
+        walk.originEnter[axis] = origin + rounding;
+        walk.originLeave[axis] = origin - rounding;
+    }
+    walk.nearestBox = static_cast<float>(sheared.nearest * (1 - 1e-6));
+    walk.farthestBox = reachInFloat(sheared.farthest);
+    const int axes[3] = {sheared.kx, sheared.ky, sheared.kz};
+    walk.largest = 0;
+    for (int i = 0; i < 3; ++i) {
+        walk.axes[i] = axes[i];
+        walk.origin[i] = along(ray.originCentred, axes[i]);
+        walk.largest = std::max(walk.largest, std::abs(walk.origin[i]));
+    }
+    walk.shearX = sheared.shearX;
+    walk.shearY = sheared.shearY;
+    walk.sign = sheared.sign;
+    walk.nearest = sheared.nearest;
+    walk.farthest = sheared.farthest;
+}
 
 } // namespace shadowlab::trace

@@ -13,15 +13,17 @@ struct RayTests {
 };
 
 struct CountNothing {
-    void volumes(int) const {}
-    void triangles(int) const {}
+    void volumes(std::uint64_t) const {}
+    void triangles(std::uint64_t) const {}
+    void steps(std::uint64_t) const {}
     void step() const {}
 };
 
 struct CountTests {
     RayTests& tests;
-    void volumes(int count) const { tests.volumes += static_cast<std::uint64_t>(count); }
-    void triangles(int count) const { tests.triangles += static_cast<std::uint64_t>(count); }
+    void volumes(std::uint64_t count) const { tests.volumes += count; }
+    void triangles(std::uint64_t count) const { tests.triangles += count; }
+    void steps(std::uint64_t count) const { tests.steps += count; }
     void step() const { ++tests.steps; }
 };
 

@@ -4,8 +4,8 @@
 // Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013: shear space so that the ray becomes
 // an axis, drop that axis, and ask on which side of each edge the origin of the plane lies. The paper works in float,
 // where the two triangles of an edge compute the very same number, and repeats a zero in double. Here everything is
-// double: a shadow ray that starts exactly on a surface wants the digits, and most triangles never come here, because a
-// float filter (triangle_filter.h) has thrown them out. Where rounding leaves double undecided, the sign is computed
+// double: a shadow ray that starts exactly on a surface wants the digits, and of most triangles a tree finds out by the same
+// test, four at a time, that they are missed (bvh_kernel.h). Where rounding leaves double undecided, the sign is computed
 // exactly, from the coordinates as they were given (exact_sign.h). So it is the sign of the real ray and the real edge,
 // not only one that all triangles agree on.
 // SPDX-License-Identifier: MIT
@@ -16,6 +16,8 @@
 #include <optional>
 #include <utility>
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include "techniques/foundation/trace/exact_sign.h"
 #include "techniques/foundation/trace/ray.h"
 
@@ -25,20 +27,27 @@ struct Triangle {
     dvec3 a, b, c; ///< centred space; counter-clockwise seen from the front
 };
 
+/// A coordinate by its number. (GLM's brackets are a switch: a question that a processor guesses wrong.)
+inline double along(const dvec3& v, int axis) { return glm::value_ptr(v)[axis]; }
+/// Without signs. (GLM's asks for each sign, likewise.)
+inline dvec3 magnitudes(const dvec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
+
 /// A ray made ready for many triangles. Distances are counted along the axis in which the ray goes farthest ("reach"):
 /// the length of the direction so is of no account, and equal for every triangle.
 struct ShearedRay {
     explicit ShearedRay(const Ray& ray) : originCentred(ray.originCentred), directionCentred(ray.directionCentred) {
-        const dvec3 d = glm::abs(ray.directionCentred);
-        kz = d.x > d.y ? (d.x > d.z ? 0 : 2) : (d.y > d.z ? 1 : 2);
-        kx = (kz + 1) % 3;
-        ky = (kx + 1) % 3;
-        const double along = ray.directionCentred[kz];
-        if (along < 0) std::swap(kx, ky); // keeps the winding
-        shearX = ray.directionCentred[kx] / along;
-        shearY = ray.directionCentred[ky] / along;
-        sign = along < 0 ? -1.0 : 1.0;
-        reachPerT = std::abs(along);
+        const dvec3 d = magnitudes(ray.directionCentred);
+        // As arithmetic, since a processor guesses wrong which axis it is.
+        const bool xOverY = d.x > d.y, xOverZ = d.x > d.z, yOverZ = d.y > d.z;
+        kz = 2 - 2 * int(xOverY & xOverZ) - int(!xOverY & yOverZ);
+        const double depth = along(ray.directionCentred, kz);
+        const int turned = depth < 0; // x and y change places, which keeps the winding
+        kx = (kz + 1 + turned) % 3;
+        ky = (kz + 2 - turned) % 3;
+        shearX = along(ray.directionCentred, kx) / depth;
+        shearY = along(ray.directionCentred, ky) / depth;
+        sign = depth < 0 ? -1.0 : 1.0;
+        reachPerT = std::abs(depth);
         nearest = ray.nearest * reachPerT;
         farthest = ray.farthest * reachPerT;
     }
@@ -75,11 +84,15 @@ struct TriangleHit {
 inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Triangle& triangle, double farthest) {
     const dvec3 a = triangle.a - ray.originCentred, b = triangle.b - ray.originCentred,
                 c = triangle.c - ray.originCentred;
-    const dvec2 a2(a[ray.kx] - ray.shearX * a[ray.kz], a[ray.ky] - ray.shearY * a[ray.kz]);
-    const dvec2 b2(b[ray.kx] - ray.shearX * b[ray.kz], b[ray.ky] - ray.shearY * b[ray.kz]);
-    const dvec2 c2(c[ray.kx] - ray.shearX * c[ray.kz], c[ray.ky] - ray.shearY * c[ray.kz]);
+    const auto flat = [&ray](const dvec3& p) {
+        const double z = along(p, ray.kz);
+        return dvec2(along(p, ray.kx) - ray.shearX * z, along(p, ray.ky) - ray.shearY * z);
+    };
+    const dvec2 a2 = flat(a);
+    const dvec2 b2 = flat(b);
+    const dvec2 c2 = flat(c);
     double u = side(c2, b2), v = side(a2, c2), w = side(b2, a2);
-    const dvec3 most = glm::max(glm::abs(a), glm::max(glm::abs(b), glm::abs(c)));
+    const dvec3 most = glm::max(magnitudes(a), glm::max(magnitudes(b), magnitudes(c)));
     const double bound = sideBound(std::max(most.x, std::max(most.y, most.z)));
     if (std::min(u, std::min(v, w)) < -bound && std::max(u, std::max(v, w)) > bound) return std::nullopt;
     u = certainSide(u, bound, ray, triangle.c, triangle.b);
@@ -88,7 +101,7 @@ inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Triangl
     if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return std::nullopt;
     const double sum = u + v + w;
     if (!(sum != 0)) return std::nullopt; // seen edge-on
-    const double reach = ray.sign * (u * a[ray.kz] + v * b[ray.kz] + w * c[ray.kz]) / sum;
+    const double reach = ray.sign * (u * along(a, ray.kz) + v * along(b, ray.kz) + w * along(c, ray.kz)) / sum;
     if (!(reach > ray.nearest && reach <= farthest)) return std::nullopt; // false for NaN, too
     return TriangleHit{reach, dvec3(u, v, w) / sum};
 }

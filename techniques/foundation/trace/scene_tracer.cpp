@@ -30,7 +30,6 @@ bool SceneTracer::advance(const scene::Snapshot& snapshot, std::chrono::steady_c
     if (unfinished_) {
         if (!builder_->advance(deadline)) return false;
         unfinished_->bvh = builder_->take();
-        unfinished_->blockTree = BlockTree(unfinished_->bvh);
         builder_.reset();
         geometry_ = share(std::exchange(unfinished_, nullptr));
     }

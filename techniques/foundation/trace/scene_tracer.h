@@ -63,7 +63,7 @@ public:
     [[nodiscard]] const Bvh& bvh() const { return geometry_->bvh; }
     [[nodiscard]] const WorldTriangles& world() const { return geometry_->world; }
     /// No coordinate of a triangle is larger, in centred space.
-    [[nodiscard]] double largestCentred() const { return geometry_->blockTree.view().largest; }
+    [[nodiscard]] double largestCentred() const { return static_cast<double>(bvh().largest); }
 
     [[nodiscard]] EyeRays eyeRays(const scene::Camera& camera, ivec2 size) const {
         return {camera, size, world().originWorld};

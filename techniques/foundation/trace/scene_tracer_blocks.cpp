@@ -60,6 +60,31 @@ const double* cornersOf(const Bvh& bvh) {
     return &bvh.triangles[0].a.x;
 }
 
+/// Is it worth trying the next block, or will it be given up, and were better asked ray by ray at once? Neighbours are alike:
+/// after one that was given up the next is left out, after two in a row three, and so on up to fifteen. Each thread
+/// remembers for itself; the answers are the same either way, so that nobody notices but the clock.
+class Patience {
+public:
+    [[nodiscard]] bool isWorthTrying() {
+        if (leftOut_ == 0) return true;
+        --leftOut_;
+        return false;
+    }
+    void tell(bool isGivenUp) {
+        failures_ = isGivenUp ? std::min(failures_ + 1, kMostDoublings) : 0;
+        leftOut_ = (1 << failures_) - 1;
+    }
+
+private:
+    static constexpr int kMostDoublings = 4;
+    int failures_ = 0, leftOut_ = 0;
+};
+thread_local Patience patienceOfEyeRays, patienceOfShadowRays;
+
+BlockTreeView viewOf(const Bvh& bvh, const Holes& holes) {
+    return {bvh.nodes.data(), bvh.leaves.data(), bvh.largest, holes.flags()};
+}
+
 } // namespace
 
 void SceneTracer::eyePoints(const EyeRays& rays, ivec2 corner, ivec2 blockSize, dvec2 within,
@@ -93,7 +118,7 @@ void SceneTracer::eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, d
     block.parallel = 0;
     block.largest = 0;
     const bool usable =
-        !geometry_->blockTree.isEmpty() && std::isfinite(glm::dot(rays.eyeCentred(), dvec3(1))) && rays.nearest() > 0;
+        !bvh().nodes.empty() && std::isfinite(glm::dot(rays.eyeCentred(), dvec3(1))) && rays.nearest() > 0;
     if (!usable || !kernels_->aimFan(rays.fan(corner, within), block, directions, depth)) {
         forEachBit(there, alone);
         return;
@@ -120,7 +145,7 @@ void SceneTracer::eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, d
         left &= ~land(known);
         if (!left) return;
     }
-    if (engine_) {
+    if (engine_ || !patienceOfEyeRays.isWorthTrying()) {
         forEachBit(left, alone);
         return;
     }
@@ -132,7 +157,8 @@ void SceneTracer::eyeBlock(const EyeRays& rays, ivec2 corner, ivec2 blockSize, d
     block.nearest = 0;
     block.farthest = std::numeric_limits<float>::infinity();
     BlockAnswers answers;
-    kernels_->nearest(geometry_->blockTree.view(holes_.flags()), block, answers);
+    kernels_->nearest(viewOf(bvh(), holes_), block, answers);
+    patienceOfEyeRays.tell(answers.givenUp == block.asked);
 
     std::uint64_t hit = 0;
     for (std::size_t i = 0; i < kBlockRays; ++i) {
@@ -183,7 +209,7 @@ void SceneTracer::shadowBlock(std::span<const SurfacePoint> points, int light, s
         answers[i] = faces ? Visibility::lit : Visibility::turnedAway;
         if (faces && (gates & receives)) wanted |= bit(i);
     }
-    if (engine_)
+    if (engine_ || (wanted && !patienceOfShadowRays.isWorthTrying()))
         forEachBit(wanted, [&](std::size_t i) { answers[i] = visibility(points[i], light); });
     else if (wanted)
         traceShadowRays(points, wanted, light, answers);
@@ -220,8 +246,7 @@ void SceneTracer::traceShadowRays(std::span<const SurfacePoint> points, std::uin
             for (int axis = 0; axis < 3; ++axis)
                 placed.axis[axis][i] = positions.axis[axis][from];
         }
-        const double contact =
-            block.parallel ? 2 * kContactPerMetre * (1 + 2.0 * geometry_->blockTree.view().largest) : 0;
+        const double contact = block.parallel ? 2 * kContactPerMetre * (1 + 2.0 * bvh().largest) : 0;
         const std::uint64_t forward = kernels_->aimAtPoints(placed, contact, block) & group;
         const std::uint64_t apart = !forward               ? 0
                                     : forward != group     ? forward
@@ -237,8 +262,9 @@ void SceneTracer::traceShadowRays(std::span<const SurfacePoint> points, std::uin
         traced.doubtCount = 0;
         traced.blocked = 0;
         traced.givenUp = group; // a point in the light itself has no direction to it
-        const BlockTreeView tree = geometry_->blockTree.view(holesForLight_.flags());
+        const BlockTreeView tree = viewOf(bvh(), holesForLight_);
         if (forward) kernels_->blocked(tree, block, blocks.data(), starts.primitives, traced);
+        patienceOfShadowRays.tell(forward && traced.givenUp && (traced.givenUp | traced.blocked) == group);
         const std::uint64_t alone = traced.givenUp & ~traced.blocked;
         forEachBit(traced.blocked, [&](std::size_t i) { answers[i] = Visibility::shadowed; });
         forEachBit(alone, [&](std::size_t i) { answers[i] = visibility(points[i], light); });

@@ -58,22 +58,19 @@ std::vector<std::uint32_t> Shaft::triangles(const Bvh& bvh, const Accept& accept
         const BvhChild child = waiting.back();
         waiting.pop_back();
         if (child.isLeaf()) {
-            const FourTriangles& four = bvh.leaves[child.index()];
-            for (int i = 0; i < four.count; ++i)
-                if (accept(four.primitives[i]) && mayTouch(bvh.triangles[four.primitives[i]]))
-                    found.push_back(four.primitives[i]);
+            const BvhLeaf& leaf = bvh.leaves[child.index()];
+            for (int i = 0; i < leaf.count; ++i)
+                if (accept(leaf.primitives[i]) && mayTouch(triangleOf(leaf, i))) found.push_back(leaf.primitives[i]);
             continue;
         }
         const BvhNode& node = bvh.nodes[child.index()];
-        for (std::size_t i = 0; i < 4; ++i) {
+        for (int i = 0; i < node.count; ++i) {
             CentredBox box;
             for (int axis = 0; axis < 3; ++axis) {
-                box.lower[axis] = static_cast<double>(node.boxes.planes[axis][0][i]);
-                box.upper[axis] = static_cast<double>(node.boxes.planes[axis][1][i]);
+                box.lower[axis] = static_cast<double>(node.planes[axis][0][i]);
+                box.upper[axis] = static_cast<double>(node.planes[axis][1][i]);
             }
-            // A child that is not there has its box inside out.
-            if (glm::all(glm::lessThanEqual(box.lower, box.upper)) && mayTouch(box))
-                waiting.push_back(node.children[i]);
+            if (mayTouch(box)) waiting.push_back(BvhChild(node.children[i]));
         }
     }
     return found;

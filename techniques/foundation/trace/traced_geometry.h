@@ -4,7 +4,6 @@
 #pragma once
 #include <memory>
 
-#include "techniques/foundation/trace/block_tree.h"
 #include "techniques/foundation/trace/bvh.h"
 #include "techniques/foundation/trace/world_triangles.h"
 
@@ -18,7 +17,6 @@ struct TracedGeometry {
     } revisions;
     WorldTriangles world;
     Bvh bvh;
-    BlockTree blockTree;
 };
 
 TracedGeometry::Revisions revisionsOf(const scene::Scene& scene);

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstdlib>
+#include <cstring>
 
 #include "techniques/foundation/trace/bvh_build.h"
 #include "techniques/foundation/trace/bvh_traverse.h"
@@ -170,6 +172,56 @@ TEST(BvhTest, NothingAndNonsenseAreNotHit) {
     // Very long and very short directions are still directions.
     for (const double length : {1e-200, 1e-30, 1e30, 1e200})
         EXPECT_EQ(bvh.closest(Ray{{0, 0, 1}, {0, 0, -length}}).primitive, 11u) << length;
+}
+
+// The kernels differ in how many lanes an instruction has, and in nothing else: what is tried is the same, too.
+TEST(BvhTest, TheSameWithEveryKernel) {
+    const BvhKernels* const avx2 = avx2BvhKernels();
+    if (!avx2) GTEST_SKIP() << "this processor has no AVX2";
+    Bvh bvh = buildBvh(soup(3000, 1, 0.2, 7));
+    Random random(8);
+    int hits = 0, differences = 0;
+    constexpr int kRays = 20'000;
+    for (int i = 0; i < kRays; ++i) {
+        const Ray ray = randomRay(random, bvh.triangles, i);
+        RayHit found[2];
+        RayTests tests[2];
+        std::uint32_t any[2];
+        for (const int k : {0, 1}) {
+            bvh.kernels = k ? avx2 : &kGenericBvhKernels;
+            const auto anything = [](std::uint32_t) { return true; };
+            found[k] = bvh.closest(ray, anything, NoHoles{}, CountTests{tests[k]});
+            any[k] = bvh.any(ray, anything, NoHoles{}, CountTests{tests[k]});
+        }
+        hits += bool(found[0]);
+        differences += found[0].primitive != found[1].primitive || found[0].t != found[1].t || any[0] != any[1] ||
+                       tests[0].volumes != tests[1].volumes || tests[0].triangles != tests[1].triangles;
+    }
+    EXPECT_EQ(differences, 0);
+    EXPECT_GT(hits, kRays / 4);
+}
+
+TEST(BvhTest, TheSameTreeForAnyNumberOfThreads) {
+    const Triangles triangles = soup(30'000, 1, 0.02, 9);
+    std::vector<Bvh> trees;
+    const char* const before = std::getenv("SHADOWLAB_THREADS");
+    const std::string kept = before ? before : "";
+    for (const char* threads : {"1", "2", "5"}) {
+        ::setenv("SHADOWLAB_THREADS", threads, 1);
+        trees.push_back(buildBvh(triangles));
+    }
+    before ? ::setenv("SHADOWLAB_THREADS", kept.c_str(), 1) : ::unsetenv("SHADOWLAB_THREADS");
+    ASSERT_GT(trees[0].nodes.size(), 1000u);
+    for (const Bvh& tree : trees) {
+        ASSERT_EQ(tree.nodes.size(), trees[0].nodes.size());
+        ASSERT_EQ(tree.leaves.size(), trees[0].leaves.size());
+        for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+            EXPECT_TRUE(std::ranges::equal(tree.nodes[i].children, trees[0].nodes[i].children));
+            EXPECT_EQ(std::memcmp(tree.nodes[i].planes, trees[0].nodes[i].planes, sizeof(BvhNode::planes)), 0);
+        }
+        for (std::size_t i = 0; i < tree.leaves.size(); ++i)
+            EXPECT_TRUE(std::ranges::equal(tree.leaves[i].primitives, trees[0].leaves[i].primitives));
+    }
 }
 
 TEST(BvhTest, BuiltInSlicesItIsTheSameTree) {

@@ -10,29 +10,39 @@
 namespace shadowlab::trace {
 namespace {
 
+std::vector<const BvhKernels*> allKernels() {
+    std::vector<const BvhKernels*> kernels{&kGenericBvhKernels};
+    if (const BvhKernels* avx2 = avx2BvhKernels()) kernels.push_back(avx2);
+    return kernels;
+}
+
 TEST(RayBoxTest, TableOfDirectionsAndOrigins) {
-    FourBoxes boxes{};
+    BvhNode node{};
+    node.count = 7;
     for (int axis = 0; axis < 3; ++axis)
-        for (int i = 0; i < 4; ++i) {
-            boxes.planes[axis][0][i] = i == 3 ? std::numeric_limits<float>::infinity() : -1.0f;
-            boxes.planes[axis][1][i] = i == 3 ? -std::numeric_limits<float>::infinity() : 1.0f;
+        for (int i = 0; i < kBvhWidth; ++i) {
+            node.planes[axis][0][i] = i == 7 ? std::numeric_limits<float>::infinity() : -1.0f;
+            node.planes[axis][1][i] = i == 7 ? -std::numeric_limits<float>::infinity() : 1.0f;
         }
     const double directions[] = {0.0, -0.0, 1.0, -1.0}, origins[] = {-1, 1, 0, 2, -2};
     int compared = 0, touched = 0;
-    for (int d = 0; d < 64; ++d)
-        for (int o = 0; o < 125; ++o) {
-            const Ray ray{{origins[o % 5], origins[o / 5 % 5], origins[o / 25]},
-                          {directions[d % 4], directions[d / 4 % 4], directions[d / 16]}};
-            if (!isUsable(ray)) continue;
-            const ShearedRay sheared(ray);
-            Float4 enter{};
-            const int mask = SlabRay(ray, sheared).touched(boxes, std::numeric_limits<float>::infinity(), enter);
-            const bool expected = testing::touchesExactly(ray, -1, 1);
-            EXPECT_EQ(mask, expected ? 7 : 0) << "direction " << d << ", origin " << o; // the fourth is no box
-            ++compared;
-            touched += expected;
-        }
-    EXPECT_EQ(compared, 56 * 125);
+    for (const BvhKernels* kernels : allKernels())
+        for (int d = 0; d < 64; ++d)
+            for (int o = 0; o < 125; ++o) {
+                const Ray ray{{origins[o % 5], origins[o / 5 % 5], origins[o / 25]},
+                              {directions[d % 4], directions[d / 4 % 4], directions[d / 16]}};
+                if (!isUsable(ray)) continue;
+                BvhWalk walk;
+                aim(walk, ray, ShearedRay(ray));
+                alignas(32) float enter[kBvhWidth];
+                const unsigned mask = kernels->touched(walk, node, enter);
+                const bool expected = testing::touchesExactly(ray, -1, 1);
+                EXPECT_EQ(mask, expected ? 0x7fu : 0u) // the eighth is no box
+                    << kernels->name << ", direction " << d << ", origin " << o;
+                ++compared;
+                touched += expected;
+            }
+    EXPECT_EQ(compared, static_cast<int>(allKernels().size()) * 56 * 125);
     EXPECT_GT(touched, 1000);
 }
 

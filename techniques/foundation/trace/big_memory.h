@@ -1,0 +1,57 @@
+// Memory for arrays that rays read here and there.
+//
+// A processor remembers where only some thousand pages of memory lie. Of the usual size, 4 KiB, a tree of a million triangles
+// has 25 thousand, and nearly every node would be looked up in memory before it is fetched from memory. So large arrays are
+// laid in pages of 2 MiB where the system has such (Linux, asked with madvise). And new elements are left as they are: who
+// makes a large array fills it, and may do so on several threads.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <new>
+#include <utility>
+#include <vector>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+namespace shadowlab::trace {
+
+template <typename T>
+struct BigMemory {
+    using value_type = T;
+    static constexpr std::size_t kPage = std::size_t{2} << 20;
+
+    BigMemory() = default;
+    template <typename U>
+    BigMemory(const BigMemory<U>&) {}
+
+    /// Arrays smaller than a large page begin where T wants them to.
+    static std::align_val_t alignment(std::size_t count) {
+        return std::align_val_t{count * sizeof(T) >= kPage ? kPage : alignof(T)};
+    }
+    T* allocate(std::size_t count) {
+        void* const memory = ::operator new(count * sizeof(T), alignment(count));
+#if defined(__linux__)
+        if (count * sizeof(T) >= kPage) (void)madvise(memory, count * sizeof(T), MADV_HUGEPAGE); // a wish, no more
+#endif
+        return static_cast<T*>(memory);
+    }
+    void deallocate(T* memory, std::size_t count) { ::operator delete(memory, alignment(count)); }
+
+    template <typename U>
+    void construct(U* place) {
+        ::new (static_cast<void*>(place)) U;
+    }
+    template <typename U, typename... Arguments>
+    void construct(U* place, Arguments&&... arguments) {
+        ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+    }
+    friend bool operator==(const BigMemory&, const BigMemory&) { return true; }
+};
+
+/// A vector whose new elements are not set to anything.
+template <typename T>
+using BigVector = std::vector<T, BigMemory<T>>;
+
+} // namespace shadowlab::trace
