@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/exact_judge.h"
 
 namespace shadowlab {
 
@@ -33,8 +33,8 @@ Probe::Fact probeCount(std::string label, std::uint64_t count, std::string unit)
 // What holds for every technique: which surface the pixel shows and what is exactly true of it.
 Probe Technique::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
     Probe probe;
-    const trace::ExactVisibility exact(snapshot);
-    const auto hit = exact.eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
+    const auto exact = exactJudge(snapshot);
+    const auto hit = exact->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
     probe.facts.push_back({"pixel",
                            std::to_string(pixel.x) + ", " + std::to_string(pixel.y),
                            "",
@@ -48,7 +48,7 @@ Probe Technique::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     probe.facts.push_back(probeFact("distance from the eye", hit->distance, "m"));
     probe.geometry.push_back({"eye ray", view.camera.positionWorld, hit->positionWorld, Probe::Role::eye});
     if (light >= 0 && light < static_cast<int>(snapshot->lights.size())) {
-        const auto truth = exact.visibility(*hit, view.camera, light);
+        const auto truth = exact->visibility(*hit, view.camera, light);
         probe.facts.push_back({"truth",
                                truth == trace::Visibility::lit        ? "lit"
                                : truth == trace::Visibility::shadowed ? "in shadow"
