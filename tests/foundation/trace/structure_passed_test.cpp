@@ -66,7 +66,7 @@ TEST_P(StructurePassed, IsWhatTheRayTouchesBeforeItsEnd) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> place(-1.5, 1.5);
     int passed = 0, missed = 0;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 200; ++i) {
         const dvec3 from(place(random), place(random), place(random)), to(place(random), place(random), place(random));
         Ray ray;
         ray.originCentred = from;
