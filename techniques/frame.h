@@ -46,6 +46,9 @@ struct FrameRequest {
     std::optional<StageKey> stopAfter{}; ///< pass after which nothing more is drawn: step mode, and stage `pass:ID`
     bool timePasses = false;
     bool waitForGl = true; ///< until all is drawn; else frameMs is only what it took to ask for it
+    /// Go on making the picture better when there is one; else the first whole picture is enough: it is of no use any more when
+    /// something has moved.
+    bool refine = true;
     Deadline deadline = Deadline::max();
 };
 
@@ -74,6 +77,9 @@ public:
     [[nodiscard]] const gl::SceneBuffers& buffers() const { return buffers_; }
     [[nodiscard]] const gl::Target& target() const { return target_; }
     [[nodiscard]] Deadline deadline() const { return request_.deadline; }
+    [[nodiscard]] bool refines() const { return request_.refine; }
+    /// The pass after which nothing more is drawn; none: the picture is finished.
+    [[nodiscard]] const std::optional<StageKey>& stopsAfter() const { return request_.stopAfter; }
 
     /// Runs `draw` as one named pass: baseline state, the frame's target bound, a debug group, a timer and a GL error
     /// check around it. Skipped once the pass asked for by step mode has run.

@@ -71,7 +71,9 @@ measure::TruthOf Pane::judgedBy() const {
 }
 
 std::optional<Probe> Pane::probe(const View& view) {
-    if (!view.picked || !converged_ || !failure_.empty() || !drawnFor_.snapshot) return std::nullopt;
+    // Samples may still be added to the picture; from outside a pane draws only what is ready.
+    const bool isReady = converged_ || (progress_ >= 1 && !drawnFor_.state.stage.starts_with("outside"));
+    if (!view.picked || !isReady || !failure_.empty() || !drawnFor_.snapshot) return std::nullopt;
     const int light = drawnFor_.snapshot->lights.empty() ? kNoLight : drawnFor_.light;
     return slotFor(drawnFor_.state).technique->probe(drawnFor_.snapshot, view, *view.picked, light);
 }
@@ -124,6 +126,7 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     FrameRequest frame;
     frame.timePasses = frame.waitForGl = work.timePasses;
     frame.deadline = work.deadline;
+    frame.refine = work.refine;
     if (stage && stage->isPass) frame.stopAfter = stage->key;
     if (stage && !stage->isPass && !isDerived(stage->key.id)) frame.stages = {stage->key};
     const StageKey answers{"visibility", request.light};
@@ -144,7 +147,8 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     }
     if (frame.stopAfter &&
         !(request.state.technique == drawn_.technique && request.state.values() == drawn_.values() && !passes_.empty()))
-        passes_ = distinct(session.render(slot, request.view, {.deadline = work.deadline}).result.passes);
+        passes_ =
+            distinct(session.render(slot, request.view, {.refine = false, .deadline = work.deadline}).result.passes);
     RenderedFrame rendered = session.render(slot, request.view, frame);
     converged_ = rendered.converged;
     progress_ = rendered.prepared;

@@ -49,6 +49,7 @@ struct PanePicture {
 struct PaneWork {
     Deadline deadline = Deadline::max();
     bool timePasses = true;  ///< and wait until all is drawn; else the driver may go on while others draw
+    bool refine = true;      ///< a picture that can get better, sample by sample, goes on doing so
     bool visibility = false; ///< publish the technique's answers for the request's light as well, to be judged
 };
 
@@ -85,6 +86,8 @@ public:
     /// The passes that run with the settings of the picture, in order, also where it stops after one of them.
     [[nodiscard]] const std::vector<StageKey>& passes() const { return passes_; }
     [[nodiscard]] double progress() const { return progress_; } ///< 0..1 of what the technique prepares
+    /// 0..1 of what it draws; while pictures are not refined, of the first whole one.
+    [[nodiscard]] double drawnShare() const { return rendered_.drawn; }
     /// The picture no longer counts: shaders have changed, or the driver has lost it.
     void forget() { drawnFor_ = {}; }
 

@@ -45,12 +45,14 @@ RenderedFrame Session::render(Slot& slot, const View& view, const FrameRequest& 
     View sampled = view; // a progressive technique gets one sample after the other
     do {
         Frame frame(snapshot_, sampled, buffers_, slot.target, request);
-        rendered.converged = slot.technique->render(frame).converged;
+        const Progress progress = slot.technique->render(frame);
+        rendered.converged = progress.converged;
+        rendered.drawn = progress.converged ? 1 : progress.done;
         if (request.waitForGl) glFinish();
         rendered.frameMs = elapsedMs(start);
         rendered.result = frame.takeResult();
         ++sampled.sample;
-    } while (!rendered.converged && Clock::now() < request.deadline);
+    } while (!rendered.converged && request.refine && Clock::now() < request.deadline);
     return rendered;
 }
 

@@ -27,6 +27,7 @@ struct RenderedFrame {
     double frameMs = 0; ///< wall time of prepare and render to the end of the GL work, without read-back
     bool converged = true;
     double prepared = 1; ///< 0..1 of what the technique has to do before it can draw
+    double drawn = 1;    ///< 0..1 of what it draws: of the first whole picture where no better one was asked for
 };
 
 /// A scene, its buffers, and the slots that draw it. Needs a current GL context for its whole life.

@@ -18,6 +18,7 @@ constexpr double kWorthIt = 0.7;   ///< of the time of full pictures, that coars
 constexpr double kNewShare = 0.25; ///< of a new frame's time in the average
 constexpr int kCoarsest = 4;
 constexpr double kMostAskingMs = 20; ///< about one pixel while something moves: a third of a frame's time
+constexpr double kLeastShare = 0.01; ///< of a picture: of less no time can be foretold
 
 } // namespace
 
@@ -79,14 +80,20 @@ bool Workbench::update(ivec2 areaSize, Deadline deadline) {
     if (isAtRest()) draft_ = 1;
     const Clock::time_point begin = Clock::now();
     bool drawn = false, asked = false;
+    double share = 1;
     for (const PlacedPane& placed : this->placed(areaSize)) {
-        const PaneWork work{deadline, timePasses_, std::ranges::find(answering_, placed.pane) != answering_.end()};
+        const PaneWork work{deadline, timePasses_, isAtRest(),
+                            std::ranges::find(answering_, placed.pane) != answering_.end()};
         Pane& pane = panes_[static_cast<std::size_t>(placed.pane)];
         drawn = pane.update(session_, encoder_, requestFor(placed, draft_), work) || drawn;
         if (placed.pane == document_.active) asked = askAboutPixel(requestFor(placed, draft_), pane);
+        share = std::min(share, pane.drawnShare());
     }
-    // From one frame to the next, for the driver may still be drawing now.
-    if (drawn && begun_) chooseDraft(std::chrono::duration<double, std::milli>(begin - *begun_).count());
+    // From one frame to the next, for the driver may still be drawing now. What the deadline cut off would have taken longer.
+    if (drawn && begun_)
+        chooseDraft(std::chrono::duration<double, std::milli>(begin - *begun_).count() /
+                    std::max(drawnShare_, kLeastShare));
+    drawnShare_ = share;
     begun_ = drawn ? std::optional(begin) : std::nullopt;
     return drawn || asked;
 }

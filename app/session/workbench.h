@@ -121,6 +121,7 @@ private:
     int draft_ = 1;
     bool draftHelps_ = true, draftIsNew_ = false;
     std::optional<std::chrono::steady_clock::time_point> begun_; ///< the last frame, if something was drawn in it
+    double drawnShare_ = 1; ///< of the pictures of the last frame
     double fullMs_ = 0, draftMs_ = 0; ///< what frames take, on average: those in full, and those of the present draft
     std::vector<int> answering_;
 };

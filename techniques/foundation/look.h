@@ -36,6 +36,7 @@ constexpr float kLineRimAlpha = 0.75f;
 // The comparison of a shadow map: equal depths, an occluder in between, nothing stored, not asked.
 inline const vec3 kEqualDepth = linearFromSrgb8(0x00, 0x9E, 0x73);
 inline const vec3 kOccluded = linearFromSrgb8(0xD5, 0x5E, 0x00);
+inline const vec3 kPartlySeen = linearFromSrgb8(0xF0, 0xE4, 0x42); ///< of a light with an area
 inline const vec3 kNothingStored = linearFromSrgb8(0x56, 0xB4, 0xE9);
 inline const vec3 kNotAsked = linearFromSrgb8(0x60, 0x60, 0x60);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "techniques/foundation/params/light_points.h"
+#include "techniques/foundation/scene/light_point_params.h"
 
 namespace shadowlab::planar {
 
@@ -14,7 +14,7 @@ params::ParamList describe(PlanarParams& p) {
         "receivers", p.receivers, 0, kMostReceivers, "planes",
         "At most so many planes receive shadows: the largest in the picture. Fewer where more than 63 lie "
         "one over the other.")};
-    for (params::Param& param : params::lightPoints(
+    for (params::Param& param : scene::describe(
              p.lightPoints, "points",
              "Of a light with an area: the shadows from so many points of it are drawn, and counted where they "
              "overlap; 1: the hard shadow from its centre. Only with once."))

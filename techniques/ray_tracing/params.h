@@ -17,6 +17,7 @@ struct RayTracedParams {
     double cutoff = 0.002;
     Fresnel fresnel = Fresnel::exact;
     dvec3 attenuation{1, 0, 0};
+    friend bool operator==(const RayTracedParams&, const RayTracedParams&) = default;
 
     [[nodiscard]] trace::ShadowStart start() const {
         return excludeSource ? trace::ShadowStart::exact : trace::ShadowStart::naive;

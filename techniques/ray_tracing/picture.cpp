@@ -13,16 +13,17 @@ namespace {
 
 constexpr int kBlock = trace::SceneTracer::kBlock;
 
-/// Calls work(corner, blockSize) for every block of the picture, on all cores. A thread takes a row of blocks at a time: a
-/// tenth of a millisecond's work and more, so that taking it costs nothing, and little enough to leave no core idle.
-template <typename Work>
-void forEachBlock(ivec2 size, const Work& work) {
-    trace::parallelFor(static_cast<std::size_t>((size.y + kBlock - 1) / kBlock), [&](std::size_t row) {
-        const int y = static_cast<int>(row) * kBlock;
-        for (int x = 0; x < size.x; x += kBlock)
-            work(ivec2(x, y), glm::min(ivec2(kBlock), size - ivec2(x, y)));
-    });
-}
+// Blocks on a side; they are the pieces of work that a thread takes, small enough for a deadline to be kept with the slowest of
+// structures. Rows of them lie beside each other, so that what is done of a picture is its upper part.
+struct Blocks {
+    ivec2 size;
+    [[nodiscard]] ivec2 many() const { return (size + kBlock - 1) / kBlock; }
+    [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(many().x * many().y); }
+    [[nodiscard]] ivec2 corner(std::size_t block) const {
+        return kBlock * ivec2(static_cast<int>(block) % many().x, static_cast<int>(block) / many().x);
+    }
+    [[nodiscard]] ivec2 sizeAt(ivec2 corner) const { return glm::min(ivec2(kBlock), size - corner); }
+};
 
 /// Calls work(index, index with rows counted from the bottom) for every pixel, a row of blocks at a time.
 template <typename Work>
@@ -37,19 +38,36 @@ void forEachPixel(ivec2 size, const Work& work) {
 
 } // namespace
 
-void Picture::trace(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size,
-                    const TraceSettings& settings) {
+std::size_t Picture::blocks() const { return Blocks{size_}.count(); }
+
+void Picture::restart(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size) {
     size_ = size;
-    eyeWorld_ = camera.positionWorld;
+    camera_ = camera;
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-    points_.resize(pixels);
+    points_.assign(pixels, {});
     visibility_.resize(tracer.scene().lights.size());
     for (Grid<trace::Visibility>& ofLight : visibility_)
-        ofLight.resize(pixels);
+        ofLight.assign(pixels, trace::Visibility::noSurface);
+    reflected_.clear();
+    transmitted_.clear();
+    levels_.clear();
+    intensities_.clear();
+    tracedBlocks_ = treeBlocks_ = 0;
+    trees_ = secondaryRays_ = 0;
+}
 
-    const trace::EyeRays rays = tracer.eyeRays(camera, size);
+double Picture::done(bool withTrees) const {
+    const double all = static_cast<double>(blocks());
+    const double traced = static_cast<double>(tracedBlocks_) / all;
+    return withTrees ? 0.5 * (traced + static_cast<double>(treeBlocks_) / all) : traced;
+}
+
+bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& settings, Deadline deadline) {
+    const Blocks blocks{size_};
+    const trace::EyeRays rays = tracer.eyeRays(camera_, size_);
     const dvec2 centre(0.5);
-    forEachBlock(size, [&](ivec2 corner, ivec2 blockSize) {
+    tracedBlocks_ = trace::parallelUntil(deadline, tracedBlocks_, blocks.count(), [&](std::size_t block) {
+        const ivec2 corner = blocks.corner(block), blockSize = blocks.sizeAt(corner);
         std::array<trace::SurfacePoint, kBlock * kBlock> blockPoints;
         std::array<trace::Visibility, kBlock * kBlock> blockAnswers;
         const auto count = static_cast<std::size_t>(blockSize.x * blockSize.y);
@@ -57,19 +75,19 @@ void Picture::trace(const trace::SceneTracer& tracer, const scene::Camera& camer
         const std::span answers(blockAnswers.data(), count);
         const auto forEachRow = [&](const auto& copy) { // copy(place in the block, place in the picture)
             for (int y = 0; y < blockSize.y; ++y)
-                copy(y * blockSize.x, static_cast<std::ptrdiff_t>(corner.y + y) * size.x + corner.x);
+                copy(y * blockSize.x, static_cast<std::ptrdiff_t>(corner.y + y) * size_.x + corner.x);
         };
         if (settings.receivers.empty()) {
             tracer.eyePoints(rays, corner, blockSize, centre, points);
         } else {
             std::array<std::uint32_t, kBlock * kBlock> receivers;
-            forEachRow([&](int block, std::ptrdiff_t picture) {
-                std::copy_n(settings.receivers.begin() + picture, blockSize.x, receivers.begin() + block);
+            forEachRow([&](int place, std::ptrdiff_t picture) {
+                std::copy_n(settings.receivers.begin() + picture, blockSize.x, receivers.begin() + place);
             });
             tracer.eyePointsOn({receivers.data(), count}, rays, corner, blockSize, centre, points);
         }
-        forEachRow([&](int block, std::ptrdiff_t picture) {
-            std::transform(points.begin() + block, points.begin() + block + blockSize.x, points_.begin() + picture,
+        forEachRow([&](int place, std::ptrdiff_t picture) {
+            std::transform(points.begin() + place, points.begin() + place + blockSize.x, points_.begin() + picture,
                            [](const trace::SurfacePoint& point) {
                                return KeptPoint{point.primitive, vec2(point.weights), point.eyeOnFront};
                            });
@@ -81,11 +99,12 @@ void Picture::trace(const trace::SceneTracer& tracer, const scene::Camera& camer
                 std::ranges::transform(points, answers.begin(), [&](const trace::SurfacePoint& point) {
                     return tracer.visibility(point, static_cast<int>(light), settings.start);
                 });
-            forEachRow([&](int block, std::ptrdiff_t picture) {
-                std::copy_n(answers.begin() + block, blockSize.x, visibility_[light].begin() + picture);
+            forEachRow([&](int place, std::ptrdiff_t picture) {
+                std::copy_n(answers.begin() + place, blockSize.x, visibility_[light].begin() + picture);
             });
         }
     });
+    return isTraced();
 }
 
 void Picture::shadeLightsOff(const Surfaces& surfaces) {
@@ -101,45 +120,56 @@ void Picture::shadeLight(const Surfaces& surfaces, int light) {
         if (visibility[i] != trace::Visibility::lit) return;
         const trace::SurfacePoint point = points_[i].surfacePoint();
         const dvec3 positionWorld = surfaces.tracer().positionWorld(point);
-        const dvec3 toViewerWorld = glm::normalize(eyeWorld_ - positionWorld);
+        const dvec3 toViewerWorld = glm::normalize(camera_.positionWorld - positionWorld);
         radiance_[fromBelow] +=
             vec3(surfaces.lit(point, light, positionWorld, surfaces.normalWorld(point, toViewerWorld), toViewerWorld));
     });
 }
 
-void Picture::clearTrees() {
-    reflected_.clear();
-    transmitted_.clear();
-    levels_.clear();
-    trees_ = secondaryRays_ = 0;
+void Picture::shadeAreaLight(const Surfaces& surfaces, int light, const Grid<float>& irradiances) {
+    const scene::Light& source = surfaces.scene().lights[static_cast<std::size_t>(light)];
+    forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
+        if (irradiances[i] == 0) return;
+        const trace::SurfacePoint point = points_[i].surfacePoint();
+        const dvec3 positionWorld = surfaces.tracer().positionWorld(point);
+        const dvec3 toViewerWorld = glm::normalize(camera_.positionWorld - positionWorld);
+        radiance_[fromBelow] += vec3(reflectedOf(source, irradiances[i], surfaces.materialOf(point), positionWorld,
+                                                 surfaces.normalWorld(point, toViewerWorld), toViewerWorld));
+    });
 }
 
-void Picture::traceTrees(const Surfaces& surfaces, const scene::Camera& camera, const TreeSettings& settings) {
-    reflected_.assign(points_.size(), vec3(0.0f));
-    transmitted_.assign(points_.size(), vec3(0.0f));
-    levels_.assign(points_.size(), 0);
+bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, Deadline deadline) {
+    const Surfaces& surfaces = world.surfaces;
+    const Blocks blocks{size_};
+    if (treeBlocks_ == 0) {
+        intensities_ = reflected_ = transmitted_ = Grid<vec3>(points_.size(), vec3(0.0f));
+        levels_.assign(points_.size(), 0);
+    }
     const trace::SceneTracer& tracer = surfaces.tracer();
-    const trace::EyeRays rays = tracer.eyeRays(camera, size_);
+    const trace::EyeRays rays = tracer.eyeRays(camera_, size_);
     const DielectricStack aroundEye = surfaces.mediaAround(rays.eyeCentred());
+    const auto width = static_cast<std::size_t>(size_.x), height = static_cast<std::size_t>(size_.y);
+    const auto hasTree = [&](std::size_t i) {
+        return points_[i] && (settings.attenuates() || surfaces.splits(points_[i].surfacePoint()));
+    };
     std::atomic<std::size_t> trees = 0, secondaryRays = 0;
-    forEachBlock(size_, [&](ivec2 corner, ivec2 blockSize) {
+    treeBlocks_ = trace::parallelUntil(deadline, treeBlocks_, blocks.count(), [&](std::size_t block) {
+        const ivec2 corner = blocks.corner(block), end = corner + blocks.sizeAt(corner);
         RayTree tree; // its memory serves the whole block
-        for (int y = corner.y; y < corner.y + blockSize.y; ++y)
-            for (int x = corner.x; x < corner.x + blockSize.x; ++x) {
+        for (int y = corner.y; y < end.y; ++y)
+            for (int x = corner.x; x < end.x; ++x) {
                 const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
-                const auto width = static_cast<std::size_t>(size_.x), height = static_cast<std::size_t>(size_.y);
                 const std::size_t i = row * width + column;
-                if (!points_[i]) continue;
-                levels_[i] = 1;
-                if (!settings.attenuates() && !surfaces.splits(points_[i].surfacePoint())) continue;
+                levels_[i] = points_[i] ? 1 : 0;
+                if (!hasTree(i)) continue;
                 // The point again, in double: the kept one is too coarse for rays to start from.
                 const dvec2 pixel(x + 0.5, y + 0.5);
                 const trace::SurfacePoint first = tracer.eyePoint(rays, pixel);
                 if (!first) continue;
-                tree.trace(surfaces, settings, rays.eyeCentred(), glm::normalize(rays.through(pixel).directionCentred),
+                tree.trace(world, settings, rays.eyeCentred(), glm::normalize(rays.through(pixel).directionCentred),
                            first, aroundEye);
                 const std::size_t fromBelow = (height - 1 - row) * width + column;
-                radiance_[fromBelow] = vec3(tree.root().intensity);
+                intensities_[fromBelow] = vec3(tree.root().intensity);
                 reflected_[fromBelow] = vec3(tree.addedByReflection());
                 transmitted_[fromBelow] = vec3(tree.addedByRefraction());
                 levels_[i] = static_cast<std::uint8_t>(tree.levels());
@@ -148,8 +178,15 @@ void Picture::traceTrees(const Surfaces& surfaces, const scene::Camera& camera, 
                     static_cast<std::size_t>(std::ranges::count_if(tree.nodes(), &TreeNode::isFollowed)) - 1;
             }
     });
-    trees_ = trees;
-    secondaryRays_ = secondaryRays;
+    trees_ += trees;
+    secondaryRays_ += secondaryRays;
+    // What has been traced so far: whole rows of blocks, and some blocks of the next.
+    forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
+        const std::size_t block =
+            (i / width) / kBlock * static_cast<std::size_t>(blocks.many().x) + (i % width) / kBlock;
+        if (block < treeBlocks_ && hasTree(i)) radiance_[fromBelow] = intensities_[fromBelow];
+    });
+    return treeBlocks_ == blocks.count();
 }
 
 } // namespace shadowlab::ray_tracing

@@ -9,6 +9,7 @@
 
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "techniques/ray_tracing/ray_tree.h"
+#include "techniques/technique.h"
 
 namespace shadowlab::ray_tracing {
 
@@ -34,21 +35,27 @@ struct KeptPoint {
 
 class Picture {
 public:
+    /// Forgets everything: another scene, camera or size.
+    void restart(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size);
+
     /// One eye ray through the centre of every pixel (Appel, 1968), and at once, from every point that faces a light, one
-    /// shadow ray to it (Whitted, 1980): block by block, while the points are at hand.
-    void trace(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size,
-               const TraceSettings& settings);
+    /// shadow ray to it (Whitted, 1980): block by block, while the points are at hand. Goes on where it was interrupted, until
+    /// all is traced (true) or the time has come (false), but always a bit; what is not traced yet shows nothing.
+    bool trace(const trace::SceneTracer& tracer, const TraceSettings& settings, Deadline deadline);
+    [[nodiscard]] bool isTraced() const { return tracedBlocks_ == blocks(); }
 
     /// Fills the radiance with what is seen with all lights off.
     void shadeLightsOff(const Surfaces& surfaces);
     /// Adds a light where its rays have arrived.
     void shadeLight(const Surfaces& surfaces, int light);
+    /// Adds a light with an area that brings each pixel so much (trace::AreaIrradiance::irradiance).
+    void shadeAreaLight(const Surfaces& surfaces, int light, const Grid<float>& irradiances);
 
     /// Traces the trees of all pixels whose eye ray splits, or is attenuated on its way, and puts what comes of them into
-    /// the radiance. All other pixels stay as they are.
-    void traceTrees(const Surfaces& surfaces, const scene::Camera& camera, const TreeSettings& settings);
-    /// No trees: forgets what traceTrees() found in an earlier picture.
-    void clearTrees();
+    /// the radiance. All other pixels stay as they are. Goes on like trace(), and begins when that is finished.
+    bool traceTrees(const RayWorld& world, const TreeSettings& settings, Deadline deadline);
+    /// Share of the two that is done, 0..1.
+    [[nodiscard]] double done(bool withTrees) const;
 
     [[nodiscard]] ivec2 size() const { return size_; }
     [[nodiscard]] const Grid<KeptPoint>& points() const { return points_; }
@@ -69,13 +76,17 @@ public:
     [[nodiscard]] std::size_t trees() const { return trees_; }
 
 private:
+    [[nodiscard]] std::size_t blocks() const;
+
     ivec2 size_{0};
-    dvec3 eyeWorld_{0.0};
+    scene::Camera camera_;
     Grid<KeptPoint> points_;
     std::vector<Grid<trace::Visibility>> visibility_; ///< per light
     Grid<vec3> radiance_;
+    Grid<vec3> intensities_; ///< of trees; row 0 is at the bottom
     Grid<vec3> reflected_, transmitted_;
     Grid<std::uint8_t> levels_;
+    std::size_t tracedBlocks_ = 0, treeBlocks_ = 0; ///< so many are done
     std::size_t trees_ = 0, secondaryRays_ = 0;
 };
 

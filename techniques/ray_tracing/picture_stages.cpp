@@ -48,13 +48,49 @@ void publishShadowRays(Frame& frame, const Picture& picture, int light) {
     frame.publish("shadow-rays", light, std::move(texture), display);
 }
 
-void publishVisibility(Frame& frame, const Picture& picture, int light) {
+void publishVisibility(Frame& frame, const Picture& picture, int light, const LightShares* shares) {
+    const Grid<trace::Visibility>& fromCentre = picture.visibility(light);
+    Grid<vec2> texels(fromCentre.size());
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        const float seen = shares ? shares->shares()[i] : fromCentre[i] == trace::Visibility::lit ? 1.0f : 0.0f;
+        texels[i] = vec2(seen, fromCentre[i] == trace::Visibility::noSurface ? 0.0f : 1.0f);
+    }
     gl::Texture2D texture(GL_RG32F, picture.size(), "visibility");
-    upload(texture, picture.visibility(light), picture.size(), [](trace::Visibility visibility) {
-        return vec2(visibility == trace::Visibility::lit ? 1.0f : 0.0f,
-                    visibility == trace::Visibility::noSurface ? 0.0f : 1.0f);
-    });
+    upload(texture, texels, picture.size(), [](vec2 texel) { return texel; });
     frame.publish("visibility", light, std::move(texture));
+}
+
+void publishPenumbra(Frame& frame, const Picture& picture, int light, const LightShares* shares) {
+    const Display display{.unit = "",
+                          .key = {{look::kEqualDepth, "lit: all of the light is seen"},
+                                  {look::kPartlySeen, "penumbra: a part of it"},
+                                  {look::kOccluded, "umbra: nothing of it"},
+                                  {look::kNotAsked, "faces away or outside the light"}}};
+    const Grid<trace::Visibility>& fromCentre = picture.visibility(light);
+    Grid<vec4> texels(fromCentre.size());
+    for (std::size_t i = 0; i < texels.size(); ++i) {
+        using enum trace::Visibility;
+        const float seen = shares ? shares->shares()[i] : fromCentre[i] == lit ? 1.0f : 0.0f;
+        const vec3 color = fromCentre[i] == noSurface    ? frame.scene().background
+                           : fromCentre[i] == turnedAway ? look::kNotAsked
+                           : seen <= 0                   ? look::kOccluded
+                           : seen >= 1                   ? look::kEqualDepth
+                                                         : look::kPartlySeen;
+        texels[i] = vec4(color, 1.0f);
+    }
+    gl::Texture2D texture(GL_RGBA16F, picture.size(), "penumbra");
+    upload(texture, texels, picture.size(), [](const vec4& texel) { return texel; });
+    frame.publish("penumbra", light, std::move(texture), display);
+}
+
+void publishSamples(Frame& frame, const SampledPicture& sampled) {
+    const std::vector<std::uint32_t> counts = sampled.samples();
+    const double most = counts.empty() ? 1 : *std::ranges::max_element(counts);
+    gl::Texture2D texture(GL_RG32F, sampled.size(), "samples-per-pixel");
+    upload(texture, counts, sampled.size(),
+           [](std::uint32_t count) { return vec2(static_cast<float>(count), count > 0 ? 1.0f : 0.0f); });
+    frame.publish("samples-per-pixel", kNoLight, std::move(texture),
+                  {.minimum = 0, .maximum = std::max(1.0, most), .unit = "samples", .key = {}});
 }
 
 void publishAdded(Frame& frame, std::string_view stage, const Picture& picture, const Grid<vec3>& addedFromBelow) {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/frame.h"
+#include "techniques/ray_tracing/light_shares.h"
 #include "techniques/ray_tracing/picture.h"
+#include "techniques/ray_tracing/sampled_picture.h"
 
 namespace shadowlab::ray_tracing {
 
@@ -11,10 +13,16 @@ void publishDistances(Frame& frame, const trace::SceneTracer& tracer, const Pict
 
 /// What came of the shadow rays to a light, and which of it is the visibility that all techniques publish.
 void publishShadowRays(Frame& frame, const Picture& picture, int light);
-void publishVisibility(Frame& frame, const Picture& picture, int light);
+/// `shares`: of the light's area, where that was asked; else nullptr.
+void publishVisibility(Frame& frame, const Picture& picture, int light, const LightShares* shares);
+/// Where all, a part, or nothing of the light is seen.
+void publishPenumbra(Frame& frame, const Picture& picture, int light, const LightShares* shares);
 
 /// What reflection or refraction rays add; nothing at all where no tree was traced.
 void publishAdded(Frame& frame, std::string_view stage, const Picture& picture, const Grid<vec3>& addedFromBelow);
+
+/// How many samples each pixel has.
+void publishSamples(Frame& frame, const SampledPicture& sampled);
 
 /// Of how many levels each pixel's tree is.
 void publishLevels(Frame& frame, const Picture& picture);

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "techniques/foundation/scene/shading.h"
+#include "techniques/ray_tracing/lobe.h"
+#include "techniques/ray_tracing/node_lights.h"
 
 namespace shadowlab::ray_tracing {
 
@@ -45,13 +46,31 @@ Optics opticsAt(const Surfaces& surfaces, const TreeNode& node, Fresnel fresnel)
     return fits ? smooth : opticsWith(flatWorld, surfaces, node, fresnel);
 }
 
+/// Free tries for a direction on the right side of the surface. Of a lobe about an axis on that side at least half is there, so
+/// that all of them fail once in 2^32 rays; the axis itself is taken then.
+constexpr std::uint32_t kTries = 32;
+
+/// A direction of the lobe on the same side of the surface as `sideWorld`; nothing where lobes are cut and it fell below.
+std::optional<dvec3> spread(const RayWorld& world, const TreeSettings& settings, const dvec3& axisWorld, double power,
+                            const dvec3& sideWorld, Purpose purpose, std::uint64_t path) {
+    for (std::uint32_t attempt = 0; attempt < (settings.wholeLobes ? kTries : 1); ++attempt) {
+        const dvec3 direction = lobeDirection(axisWorld, power, world.numbers->pair(purpose, path, attempt));
+        if (glm::dot(direction, sideWorld) > 0) return direction;
+    }
+    if (settings.wholeLobes) return axisWorld;
+    return std::nullopt;
+}
+
+// Lambert's law: what a diffuse surface receives counts with the cosine to its normal.
+constexpr double kLambertPower = 1;
+
 } // namespace
 
-void RayTree::trace(const Surfaces& surfaces, const TreeSettings& settings, const dvec3& eyeCentred, const dvec3& u,
+void RayTree::trace(const RayWorld& world, const TreeSettings& settings, const dvec3& eyeCentred, const dvec3& u,
                     const trace::SurfacePoint& first, const DielectricStack& aroundEye) {
     nodes_.clear();
     lights_.clear();
-    lightCount_ = surfaces.scene().lights.size();
+    lightCount_ = world.surfaces.scene().lights.size();
     TreeNode eye;
     eye.fromCentred = eyeCentred;
     eye.u = u;
@@ -63,54 +82,65 @@ void RayTree::trace(const Surfaces& surfaces, const TreeSettings& settings, cons
         if (nodes_[i].end == RayEnd::noTransmission || nodes_[i].end == RayEnd::depth ||
             nodes_[i].end == RayEnd::cutoff)
             continue;
-        find(surfaces, settings, nodes_[i]);
+        find(world, settings, nodes_[i]);
         if (!nodes_[i].point) {
             nodes_[i].end = RayEnd::nothingHit;
             continue;
         }
         nodes_[i].attenuation = settings.left(nodes_[i].distance);
-        light(surfaces, settings, nodes_[i]);
-        split(surfaces, settings, i);
+        light(world, settings, nodes_[i]);
+        split(world, settings, i);
     }
-    evaluate(surfaces);
+    evaluate(world.surfaces);
 }
 
 /// The first surface on the ray's way that is really there. Without any splitting all of them are, as in other techniques.
-void RayTree::find(const Surfaces& surfaces, const TreeSettings& settings, TreeNode& node) const {
-    const trace::SceneTracer& tracer = surfaces.tracer();
-    if (node.parent >= 0) node.point = tracer.nextPoint(nodes_[static_cast<std::size_t>(node.parent)].point, node.u);
+void RayTree::find(const RayWorld& world, const TreeSettings& settings, TreeNode& node) const {
+    const Surfaces& surfaces = world.surfaces;
+    const auto next = [&](const dvec3& fromCentred, std::uint32_t leftOut) {
+        trace::Ray ray;
+        ray.originCentred = fromCentred;
+        ray.directionCentred = node.u;
+        ray.nearest = trace::kContactPerMetre * (1.0 + glm::length(fromCentred));
+        return world.scene.met(ray, leftOut, world.time);
+    };
+    if (node.parent >= 0)
+        node.point = next(node.fromCentred, nodes_[static_cast<std::size_t>(node.parent)].point.primitive);
     while (settings.depth > 0 && node.point && surfaces.isSolid(node.point)) {
         const Medium medium = surfaces.mediumOf(node.point);
         const bool entered = surfaces.isEntered(node.point);
         if (node.media.crossing(medium, entered).isReal) break;
         node.media.cross(medium, entered);
-        node.point = tracer.nextPoint(node.point, node.u);
+        node.point = next(world.scene.positionCentred(node.point, world.time), node.point.primitive);
     }
-    if (node.point) node.distance = glm::length(tracer.positionCentred(node.point) - node.fromCentred);
+    if (!node.point) return;
+    node.positionCentred = world.scene.positionCentred(node.point, world.time);
+    node.distance = glm::length(node.positionCentred - node.fromCentred);
 }
 
-/// The surface's own light: as in every other technique.
-void RayTree::light(const Surfaces& surfaces, const TreeSettings& settings, TreeNode& node) {
-    const trace::SceneTracer& tracer = surfaces.tracer();
-    const dvec3 positionWorld = tracer.positionWorld(node.point);
+/// The surface's own light: as in every other technique. Between diffuse surfaces ambient light stands for what they send each
+/// other, so it is left out where rays are sent for that; and of lights what was asked of them at the surface before.
+void RayTree::light(const RayWorld& world, const TreeSettings& settings, TreeNode& node) {
+    const Surfaces& surfaces = world.surfaces;
     node.normalWorld = surfaces.normalWorld(node.point, -node.u);
-    node.local = dvec3(surfaces.lightsOff(node.point));
+    const bool counted = node.branch == Branch::diffuse && surfaces.tracer().objectOf(node.point).emitterOfLight >= 0;
+    if (!settings.interreflection)
+        node.local = dvec3(surfaces.lightsOff(node.point));
+    else if (!counted)
+        node.local = dvec3(surfaces.emitted(node.point));
     node.firstLight = lights_.size();
     for (int l = 0; l < static_cast<int>(lightCount_); ++l) {
-        LightAtNode at;
-        at.towardWorld = scene::towardLightWorld(surfaces.scene().lights[static_cast<std::size_t>(l)], positionWorld);
-        at.halfwayWorld = glm::normalize(at.towardWorld - node.u);
-        at.visibility = tracer.visibility(node.point, l, settings.start);
-        if (at.visibility == trace::Visibility::lit)
-            at.intensity = surfaces.lit(node.point, l, positionWorld, node.normalWorld, -node.u);
-        node.local += at.intensity;
-        lights_.push_back(at);
+        lights_.push_back(lightAt(world, settings, node, l));
+        node.local += lights_.back().intensity;
     }
 }
 
-void RayTree::split(const Surfaces& surfaces, const TreeSettings& settings, std::size_t index) {
+void RayTree::split(const RayWorld& world, const TreeSettings& settings, std::size_t index) {
     TreeNode& node = nodes_[index];
-    if (!surfaces.splits(node.point)) {
+    const Surfaces& surfaces = world.surfaces;
+    const dvec3 diffuse(surfaces.materialOf(node.point).diffuse);
+    const bool spreads = settings.interreflection && world.numbers && diffuse != dvec3(0.0);
+    if (!surfaces.splits(node.point) && !spreads) {
         const bool shines = surfaces.materialOf(node.point).emission != vec3(0) && surfaces.emitsHere(node.point);
         node.end = shines ? RayEnd::lightSource : RayEnd::opaque;
         return;
@@ -120,21 +150,44 @@ void RayTree::split(const Surfaces& surfaces, const TreeSettings& settings, std:
         return;
     }
     node.end = RayEnd::splits;
+    if (spreads) {
+        TreeNode child;
+        child.branch = Branch::diffuse;
+        child.media = node.media;
+        const auto direction = spread(world, settings, node.normalWorld, kLambertPower,
+                                      surfaces.geometricNormalWorld(node.point), Purpose::diffuse, node.path);
+        if (direction) {
+            node.diffuseWeight = diffuse;
+            child.u = *direction;
+            child.contribution = node.contribution * node.attenuation * std::max({diffuse.x, diffuse.y, diffuse.z});
+            add(settings, index, std::move(child)); // `node` may have moved from here on
+        }
+    }
+    if (surfaces.splits(nodes_[index].point)) splitByOptics(world, settings, index);
+}
+
+void RayTree::splitByOptics(const RayWorld& world, const TreeSettings& settings, std::size_t index) {
+    TreeNode& node = nodes_[index];
+    const Surfaces& surfaces = world.surfaces;
+    const scene::Material& material = surfaces.materialOf(node.point);
+    const dvec3 sideWorld = surfaces.geometricNormalWorld(node.point);
     const Crossing crossing = crossingAt(surfaces, node);
     node.iorHere = crossing.iorHere;
     node.iorBeyond = crossing.iorBeyond;
     const Optics optics = opticsAt(surfaces, node, settings.fresnel);
     node.weights = optics.weights;
     TreeNode child;
-    child.level = node.level + 1;
-    child.fromCentred = surfaces.tracer().positionCentred(node.point);
     child.media = node.media;
     if (node.weights.reflected > 0) {
         node.reflectedWorld = optics.reflectedWorld;
+        std::optional<dvec3> direction = optics.reflectedWorld;
+        if (settings.gloss && world.numbers && material.glossDegrees > 0)
+            direction = spread(world, settings, optics.reflectedWorld, lobePower(material.glossDegrees), sideWorld,
+                               Purpose::reflection, node.path);
         child.branch = Branch::reflection;
-        child.u = optics.reflectedWorld;
         child.contribution = node.contribution * node.attenuation * node.weights.reflected;
-        add(settings, index, child); // `node` may have moved from here on
+        child.u = direction.value_or(dvec3(0.0));
+        if (direction) add(settings, index, child); // `node` may have moved from here on
     }
     child.branch = Branch::refraction;
     if (optics.weights.isTotal) {
@@ -145,7 +198,12 @@ void RayTree::split(const Surfaces& surfaces, const TreeSettings& settings, std:
     } else if (optics.refractedWorld && optics.weights.transmitted > 0) {
         TreeNode& parent = nodes_[index];
         parent.refractedWorld = *optics.refractedWorld;
-        child.u = *optics.refractedWorld;
+        std::optional<dvec3> direction = optics.refractedWorld;
+        if (settings.translucency && world.numbers && material.translucencyDegrees > 0)
+            direction = spread(world, settings, *optics.refractedWorld, lobePower(material.translucencyDegrees),
+                               -sideWorld, Purpose::refraction, parent.path);
+        if (!direction) return;
+        child.u = *direction;
         child.contribution = parent.contribution * parent.attenuation * parent.weights.transmitted;
         if (surfaces.isSolid(parent.point))
             child.media.cross(surfaces.mediumOf(parent.point), surfaces.isEntered(parent.point));
@@ -155,8 +213,14 @@ void RayTree::split(const Surfaces& surfaces, const TreeSettings& settings, std:
 
 void RayTree::add(const TreeSettings& settings, std::size_t parent, TreeNode child) {
     const int number = static_cast<int>(nodes_.size());
-    (child.branch == Branch::reflection ? nodes_[parent].reflection : nodes_[parent].refraction) = number;
+    TreeNode& from = nodes_[parent];
+    (child.branch == Branch::reflection   ? from.reflection
+     : child.branch == Branch::refraction ? from.refraction
+                                          : from.diffuse) = number;
     child.parent = static_cast<int>(parent);
+    child.level = from.level + 1;
+    child.path = 4 * from.path + static_cast<std::uint64_t>(child.branch);
+    child.fromCentred = from.positionCentred;
     if (child.end != RayEnd::noTransmission) {
         if (child.level > settings.depth)
             child.end = RayEnd::depth;
@@ -172,12 +236,15 @@ void RayTree::evaluate(const Surfaces& surfaces) {
         TreeNode& node = nodes_[i];
         if (node.point)
             node.intensity = node.attenuation * (node.local + node.weights.reflected * node.reflectedIntensity +
-                                                 node.weights.transmitted * node.refractedIntensity);
+                                                 node.weights.transmitted * node.refractedIntensity +
+                                                 node.diffuseWeight * node.diffuseIntensity);
         else if (node.end != RayEnd::noTransmission)
             node.intensity = dvec3(surfaces.scene().background);
         if (node.parent < 0) continue;
         TreeNode& parent = nodes_[static_cast<std::size_t>(node.parent)];
-        (node.branch == Branch::reflection ? parent.reflectedIntensity : parent.refractedIntensity) = node.intensity;
+        (node.branch == Branch::reflection   ? parent.reflectedIntensity
+         : node.branch == Branch::refraction ? parent.refractedIntensity
+                                             : parent.diffuseIntensity) = node.intensity;
     }
 }
 

@@ -61,10 +61,7 @@ bool Surfaces::emitsHere(const trace::SurfacePoint& point) const {
 }
 
 vec3 Surfaces::lightsOff(const trace::SurfacePoint& point) const {
-    const scene::Material& material = materialOf(point);
-    vec3 radiance = scene().ambient * material.diffuse;
-    if (emitsHere(point)) radiance += material.emission;
-    return radiance;
+    return scene().ambient * materialOf(point).diffuse + emitted(point);
 }
 
 dvec3 Surfaces::normalWorld(const trace::SurfacePoint& point, const dvec3& toViewerWorld) const {

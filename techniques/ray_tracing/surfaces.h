@@ -20,6 +20,10 @@ public:
     [[nodiscard]] const scene::Material& materialOf(const trace::SurfacePoint& point) const;
     /// A rect light's surface is dark on its back.
     [[nodiscard]] bool emitsHere(const trace::SurfacePoint& point) const;
+    /// What it sends toward the viewer of its own.
+    [[nodiscard]] vec3 emitted(const trace::SurfacePoint& point) const {
+        return emitsHere(point) ? materialOf(point).emission : vec3(0.0f);
+    }
     /// What it sends toward the viewer with all lights off.
     [[nodiscard]] vec3 lightsOff(const trace::SurfacePoint& point) const;
     /// The shading normal: interpolated between the corners, turned to the viewer's side.

@@ -4,20 +4,25 @@
 // through the holes of a plotter; Whitted, "An Improved Illumination Model for Shaded Display", 1980, made a recursion
 // of it, by way of mirrors and glass. What is asked of shadow rays is the definition of a shadow itself, "is anything between
 // this point and the light?", so nothing is approximated: no map with texels, no count in a stencil. Pixels that show
-// neither mirror nor glass are done with that; from the others a tree of rays is followed (ray_tree.h).
-// Left out on purpose: soft shadows (a light is a point), and light that mirrors and glass throw on other things.
+// neither mirror nor glass are done with that; from the others a tree of rays is followed (ray_tree.h). With more than one
+// sample, all that is done again and again with rays that chance has spread (sampled_picture.h).
+// Left out on purpose: light that mirrors and glass throw on other things.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/id_buffer.h"
 #include "techniques/frame.h"
+#include "techniques/ray_tracing/described.h"
+#include "techniques/ray_tracing/light_shares.h"
 #include "techniques/ray_tracing/params.h"
 #include "techniques/ray_tracing/picture.h"
 #include "techniques/ray_tracing/picture_stages.h"
 #include "techniques/ray_tracing/probe_tree.h"
 #include "techniques/ray_tracing/ray_shapes.h"
+#include "techniques/ray_tracing/sampling_params.h"
 #include "techniques/ray_tracing/structure_params.h"
 #include "techniques/ray_tracing/structure_shapes.h"
 #include "techniques/ray_tracing/structure_stages.h"
@@ -27,46 +32,12 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-const PassInfo kPasses[] = {
-    {"id-buffer", "Draw the number of the triangle that each pixel shows",
-     "The rasteriser finds what eye rays would find; each ray only checks that it hits the triangle it is told. Only "
-     "with "
-     "receivers = id-buffer.",
-     "depth test LESS, depth write on; the numbers are read back", false, "primary-hits"},
-    {"visibility", "Send a ray from the eye through every pixel, and from where it ends a ray to every light",
-     "The nearest triangle that the eye ray hits is what the pixel shows. If the ray to a light hits anything on its "
-     "way, "
-     "whatever that is and however far, the point is in shadow: the first hit is enough.",
-     "none: the processor traces, on all cores, 64 neighbouring rays at a time", false, "shadow-rays"},
-    {"lights-off", "Show what is seen with all lights off", "Emission and ambient light are counted here, once.",
-     "none: the processor shades; the picture is uploaded", false},
-    {"light", "Add the light where its ray has arrived",
-     "The same shading as in every other technique; only the question who is in shadow is answered in another way.",
-     "none: the processor shades; the picture is uploaded", true},
-    {"trees", "Follow the rays that mirrors and glass send on, and add what they bring",
-     "At every surface a ray splits into a reflection and a refraction ray; their intensities are added up from the "
-     "ends of "
-     "the tree to its root. Pixels that show neither mirror nor glass stay as they are.",
-     "none: the processor traces and shades; the picture is uploaded", false, "tree-depth"},
-};
-
-const StageInfo kStages[] = {
-    {"primary-hits", "Where eye rays end: distance from the eye", StageKind::scalar, false},
-    {"lights-off", "Scene with lights off", StageKind::radiance, false},
-    {"shadow-rays", "What came of the shadow rays", StageKind::swatches, true},
-    {"visibility", "Visibility of the light", StageKind::visibility, true},
-    kTestsStage,
-    kStructureStage,
-    {"reflected", "What the reflection ray of each pixel adds", StageKind::radiance, false},
-    {"transmitted", "What the refraction ray of each pixel adds", StageKind::radiance, false},
-    {"tree-depth", "Levels of rays in the tree of each pixel", StageKind::scalar, false},
-};
-
 class RayTraced final : public Technique {
 public:
     params::ParamList params() override {
         params::ParamList list = describe(params_);
         std::ranges::move(describe(structureParams_), std::back_inserter(list));
+        std::ranges::move(describe(samplingParams_), std::back_inserter(list));
         return list;
     }
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
@@ -79,67 +50,36 @@ public:
             surfaces_.emplace(tracer_);
         surfacesOf_ = now;
         const Progress progress = structures_.prepare(tracer_.geometry(), structureParams_.structure, deadline);
-        if (progress.converged && structures_.chosen() != trace::Structure::bvh)
-            tracer_.askInstead(&structures_.engine());
-        return progress;
+        if (!progress.converged) return progress;
+        if (structures_.chosen() != trace::Structure::bvh) tracer_.askInstead(&structures_.engine());
+        return prepareSampling(snapshot, deadline);
     }
 
     Progress render(Frame& frame) override {
+        beginOrGoOn(frame);
         // Tracing draws nothing: who stops after it sees an empty picture.
         gl::setBaselineState();
         frame.target().framebuffer.bind();
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-        TraceSettings settings;
-        settings.start = params_.start();
-        std::vector<std::uint32_t> receivers;
-        if (params_.receivers == RayTracedParams::Receivers::idBuffer) {
-            frame.pass(passInfo(kPasses, "id-buffer"), [&] {
-                idBuffer_.draw(frame.scene(), frame.buffers(), frame.eye(), frame.view().size);
-                receivers = idBuffer_.read();
-            });
-            settings.receivers = receivers;
-        }
-        frame.pass(passInfo(kPasses, "visibility"),
-                   [&] { picture_.trace(tracer_, frame.view().camera, frame.view().size, settings); });
-        countRays(frame);
-        if (frame.wants("primary-hits")) publishDistances(frame, tracer_, picture_);
-
-        const Surfaces& surfaces = *surfaces_;
-        frame.pass(passInfo(kPasses, "lights-off"), [&] {
-            picture_.shadeLightsOff(surfaces);
-            show(frame);
-        });
-        if (frame.wants("lights-off")) frame.publishTarget("lights-off");
-
-        for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
-            if (frame.wants("shadow-rays", light)) publishShadowRays(frame, picture_, light);
-            if (frame.wants("visibility", light)) publishVisibility(frame, picture_, light);
-            frame.pass(
-                passInfo(kPasses, "light"),
-                [&] {
-                    picture_.shadeLight(surfaces, light);
-                    show(frame);
-                },
-                light);
-        }
-        picture_.clearTrees();
-        const TreeSettings tree = params_.tree();
-        if ((tree.depth > 0 && surfaces.anySplits()) || tree.attenuates())
-            frame.pass(passInfo(kPasses, "trees"), [&] {
-                picture_.traceTrees(surfaces, frame.view().camera, tree);
-                show(frame);
-            });
-        frame.count("trees", static_cast<double>(picture_.trees()), static_cast<double>(picture_.points().size()),
-                    "pixels");
-        frame.count("secondary-rays", static_cast<double>(picture_.secondaryRays()));
-        if (frame.wants("reflected")) publishAdded(frame, "reflected", picture_, picture_.reflectedFromBelow());
-        if (frame.wants("transmitted")) publishAdded(frame, "transmitted", picture_, picture_.transmittedFromBelow());
-        if (frame.wants("tree-depth")) publishLevels(frame, picture_);
-        if (frame.wants(kTestsStage.id)) publishTests(frame, tracer_, structures_);
-        if (frame.wants(kStructureStage.id)) publishStructure(frame, tracer_, structures_, picture_);
-        return {};
+        traceRays(frame);
+        const bool hasAreas = picture_.isTraced() && traceAreas(frame);
+        shade(frame, hasAreas);
+        const bool hasFirst = hasAreas && traceTrees(frame);
+        const bool isFinished = hasFirst && traceSamples(frame);
+        const bool hasAnswers = !hasFirst || publishShares(frame);
+        publishStages(frame);
+        isFinished_ = isFinished && hasAnswers;
+        if (isFinished_) return {};
+        if (!frame.refines()) return {picture_.done(hasTrees()), false};
+        return {hasFirst && samplingParams_.areMany() ? sampled_.done() : picture_.done(hasTrees()), false};
     }
 
+    [[nodiscard]] bool samplesArea(const scene::Scene& scene, int light) const override {
+        const bool sampled =
+            samplingParams_.areMany() && samplingParams_.softShadows == SamplingParams::SoftShadows::sampled;
+        return (sampled || samplingParams_.isAnalytic()) &&
+               scene::hasArea(scene.lights[static_cast<std::size_t>(light)]);
+    }
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::vector<SceneShape> shapes(const scene::Snapshot&, const View& view, int light) override {
         if (view.picked) return {}; // what its rays pass is in its probe
@@ -157,8 +97,198 @@ public:
     }
 
 private:
+    /// What a picture is made of: while it stays, work that a deadline has interrupted goes on.
+    struct Made {
+        scene::Snapshot snapshot;
+        scene::Camera camera;
+        ivec2 size{0};
+        std::optional<StageKey> stopsAfter;
+        RayTracedParams params;
+        StructureParams structureParams;
+        SamplingParams samplingParams;
+        friend bool operator==(const Made&, const Made&) = default;
+    };
+
+    void beginOrGoOn(const Frame& frame) {
+        const View& view = frame.view();
+        Made made{frame.snapshot(), view.camera,      view.size,      frame.stopsAfter(),
+                  params_,          structureParams_, samplingParams_};
+        const bool goesOn = !isFinished_ && made == made_;
+        isFinished_ = false;
+        if (goesOn) return;
+        made_ = std::move(made);
+        picture_.restart(tracer_, view.camera, view.size);
+        sampled_.restart(view.size);
+        shares_.clear();
+        isShaded_ = false;
+    }
+
+    void traceRays(Frame& frame) {
+        TraceSettings settings;
+        settings.start = params_.start();
+        std::vector<std::uint32_t> receivers;
+        if (params_.receivers == RayTracedParams::Receivers::idBuffer) {
+            frame.pass(passInfo(kPasses, "id-buffer"), [&] {
+                idBuffer_.draw(frame.scene(), frame.buffers(), frame.eye(), frame.view().size);
+                receivers = idBuffer_.read();
+            });
+            settings.receivers = receivers;
+        }
+        frame.pass(passInfo(kPasses, "visibility"), [&] {
+            if (!picture_.isTraced()) picture_.trace(tracer_, settings, frame.deadline());
+        });
+        countRays(frame);
+    }
+
+    /// What the areas of lights bring, in closed form, where that is wanted.
+    bool traceAreas(Frame& frame) {
+        if (!samplingParams_.isAnalytic()) return true;
+        bool finished = true;
+        for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
+            if (const trace::AreaVisibility* area = analytic_->area(light))
+                frame.pass(
+                    passInfo(kPasses, "areas"),
+                    [&] {
+                        LightShares& shares = sharesOf(light);
+                        finished = shares.advance(*surfaces_, picture_, frame.view().camera, *area, frame.deadline()) &&
+                                   finished;
+                    },
+                    light);
+        return finished;
+    }
+    LightShares& sharesOf(int light) {
+        LightShares& shares = shares_[light];
+        if (shares.light() != light) shares.restart(picture_.size(), light);
+        return shares;
+    }
+
+    /// Anew while rays are still being traced, and when somebody looks at a part of it; else what is shaded stays.
+    void shade(Frame& frame, bool tracedAll) {
+        const Surfaces& surfaces = *surfaces_;
+        const bool stays = isShaded_ && !frame.wants("lights-off");
+        frame.pass(passInfo(kPasses, "lights-off"), [&] {
+            if (!stays) picture_.shadeLightsOff(surfaces);
+            showIfLast(frame, {"lights-off", kNoLight});
+        });
+        if (frame.wants("lights-off")) {
+            show(frame);
+            frame.publishTarget("lights-off");
+        }
+        for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
+            frame.pass(
+                passInfo(kPasses, "light"),
+                [&] {
+                    if (!stays && samplingParams_.isAnalytic() && analytic_->area(light))
+                        picture_.shadeAreaLight(surfaces, light, sharesOf(light).irradiances());
+                    else if (!stays)
+                        picture_.shadeLight(surfaces, light);
+                    showIfLast(frame, {"light", light});
+                },
+                light);
+        isShaded_ = tracedAll;
+        if (!frame.stopsAfter()) show(frame);
+    }
+
+    [[nodiscard]] bool hasTrees() const {
+        const TreeSettings tree = treeSettings();
+        return (tree.depth > 0 && surfaces_->anySplits()) || tree.attenuates();
+    }
+
+    /// True when the first picture is finished; also where nobody looks at what comes after an earlier step.
+    bool traceTrees(Frame& frame) {
+        bool finished = true;
+        if (hasTrees())
+            frame.pass(passInfo(kPasses, "trees"), [&] {
+                finished = picture_.traceTrees({*surfaces_, atRest_, 0, nullptr, analyticLights()}, treeSettings(),
+                                               frame.deadline());
+                show(frame);
+            });
+        frame.count("trees", static_cast<double>(picture_.trees()), static_cast<double>(picture_.points().size()),
+                    "pixels");
+        frame.count("secondary-rays", static_cast<double>(picture_.secondaryRays()));
+        return finished;
+    }
+
+    bool traceSamples(Frame& frame) {
+        if (!samplingParams_.areMany()) return true;
+        bool finished = true;
+        frame.pass(passInfo(kPasses, "samples"), [&] {
+            finished = false;
+            if (frame.refines())
+                finished =
+                    sampled_.advance(*surfaces_, moving_ ? *moving_ : atRest_, analyticLights(), frame.view().camera,
+                                     samplingParams_.settings(params_.tree(), frame.view().camera), frame.deadline());
+            if (sampled_.isComplete())
+                uploadFromBelow(frame.target().color, sampled_.radianceFromBelow(), sampled_.size());
+        });
+        frame.count("samples", sampled_.samplesInAll(),
+                    static_cast<double>(picture_.points().size()) * samplingParams_.pattern.count, "rays");
+        frame.count("secondary-rays", sampled_.secondaryRays());
+        return finished;
+    }
+
+    /// The share of each light that pixels see, where somebody wants to know it. False: not found for all of them yet.
+    bool publishShares(Frame& frame) {
+        bool finished = true;
+        for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
+            if (!samplesArea(frame.scene(), light) ||
+                !(frame.wants("visibility", light) || frame.wants("penumbra", light)))
+                continue;
+            if (samplingParams_.isAnalytic()) continue; // found already
+            finished = sharesOf(light).advance(*surfaces_, picture_, frame.view().camera, samplingParams_.pattern,
+                                               frame.deadline()) &&
+                       finished;
+        }
+        return finished;
+    }
+
+    void publishStages(Frame& frame) {
+        if (frame.wants("primary-hits")) publishDistances(frame, tracer_, picture_);
+        for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
+            const auto shares = shares_.find(light);
+            if (frame.wants("shadow-rays", light)) publishShadowRays(frame, picture_, light);
+            if (frame.wants("visibility", light))
+                publishVisibility(frame, picture_, light, shares == shares_.end() ? nullptr : &shares->second);
+            if (frame.wants("penumbra", light))
+                publishPenumbra(frame, picture_, light, shares == shares_.end() ? nullptr : &shares->second);
+        }
+        if (frame.wants("reflected")) publishAdded(frame, "reflected", picture_, picture_.reflectedFromBelow());
+        if (frame.wants("transmitted")) publishAdded(frame, "transmitted", picture_, picture_.transmittedFromBelow());
+        if (frame.wants("tree-depth")) publishLevels(frame, picture_);
+        if (frame.wants("samples-per-pixel")) publishSamples(frame, sampled_);
+        if (frame.wants(kTestsStage.id)) publishTests(frame, tracer_, structures_);
+        if (frame.wants(kStructureStage.id)) publishStructure(frame, tracer_, structures_, picture_);
+    }
+
     void show(const Frame& frame) const {
         uploadFromBelow(frame.target().color, picture_.radianceFromBelow(), picture_.size());
+    }
+    void showIfLast(const Frame& frame, const StageKey& pass) const {
+        if (frame.stopsAfter() == pass) show(frame);
+    }
+
+    /// What sampling needs: areas of lights, and structures for what moves while the shutter is open.
+    Progress prepareSampling(const scene::Snapshot& snapshot, Deadline deadline) {
+        if (samplingParams_.isAnalytic() && (!analytic_ || analyticOf_ != snapshot)) analytic_.emplace(tracer_);
+        if (!samplingParams_.isAnalytic()) analytic_.reset();
+        analyticOf_ = snapshot;
+        if (!samplingParams_.areMany() || samplingParams_.shutter == 0) {
+            moving_.reset();
+            return {};
+        }
+        if (!moving_ || movingOf_ != snapshot || movingIn_ != structures_.chosen())
+            moving_.emplace(tracer_, structures_.chosen());
+        movingOf_ = snapshot;
+        movingIn_ = structures_.chosen();
+        if (moving_->advance(deadline)) return {};
+        return {moving_->done(), false};
+    }
+    [[nodiscard]] const AnalyticLights* analyticLights() const { return analytic_ ? &*analytic_ : nullptr; }
+    /// Of a tree that is not left to chance.
+    [[nodiscard]] TreeSettings treeSettings() const {
+        TreeSettings settings = params_.tree();
+        if (samplingParams_.isAnalytic()) settings.areaLights = AreaLights::analytic;
+        return settings;
     }
 
     void countRays(Frame& frame) const {
@@ -187,7 +317,18 @@ private:
     trace::SceneTracer tracer_;
     scene::Revisions surfacesOf_{0, 0, 0, 0}; ///< no scene has these
     std::optional<Surfaces> surfaces_;        ///< of a scene with these
+    trace::MovingScene atRest_{tracer_};
+    std::optional<trace::MovingScene> moving_; ///< while the shutter is open for more than a moment
+    std::optional<AnalyticLights> analytic_;   ///< for soft shadows in closed form
+    scene::Snapshot movingOf_, analyticOf_;
+    trace::Structure movingIn_ = trace::Structure::bvh;
+    SamplingParams samplingParams_;
+
+    Made made_; ///< of this are:
     Picture picture_;
+    SampledPicture sampled_;
+    std::map<int, LightShares> shares_; ///< by light
+    bool isShaded_ = false, isFinished_ = true;
     gl::IdBuffer idBuffer_;
 };
 
@@ -216,8 +357,8 @@ Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     if (!passed.empty() && structures_.chosen() != trace::Structure::bvh)
         probe.visited.push_back(passedShape(passed, structures_.chosen(), tracer_.world().originWorld));
     RayTree tree;
-    tree.trace(surfaces, params_.tree(), rays.eyeCentred(), glm::normalize(rays.through(centre).directionCentred),
-               point, surfaces.mediaAround(rays.eyeCentred()));
+    tree.trace({surfaces, trace::MovingScene(tracer_)}, params_.tree(), rays.eyeCentred(),
+               glm::normalize(rays.through(centre).directionCentred), point, surfaces.mediaAround(rays.eyeCentred()));
     describeTree(tree, surfaces, light, probe);
     return probe;
 }
@@ -230,8 +371,8 @@ std::span<const TechniqueInfo> techniques() {
         .id = "ray-traced",
         .title = "Ray tracing",
         .paper = "Appel 1968, Some Techniques for Shading Machine Renderings of Solids; Whitted 1980, An Improved "
-                 "Illumination Model for Shaded Display",
-        .getsWrong = "soft shadows (a light is a point); light thrown by mirrors and glass (caustics)",
+                 "Illumination Model for Shaded Display; Cook, Porter and Carpenter 1984, Distributed Ray Tracing",
+        .getsWrong = "light thrown by mirrors and glass (caustics); with few samples noise",
         .order = 60,
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/params.h"
 
-#include "techniques/foundation/params/light_points.h"
+#include "techniques/foundation/scene/light_point_params.h"
 
 namespace shadowlab::shadow_map {
 
@@ -145,7 +145,7 @@ params::ParamList describe(ShadowMapParams& p) {
             all.push_back(condition ? params::onlyIf(condition, std::move(param)) : std::move(param));
     };
     add(describe(p.filter), isCompared);
-    add(params::lightPoints(
+    add(scene::describe(
             p.lightPoints, "maps",
             "Of a light with an area: so many maps, each from another point of it, and the mean of their "
             "answers; 1: one from its centre. Not with exact or alias-free."),

@@ -37,7 +37,7 @@ public:
         const trace::SurfacePoint first = tracer_.nextPoint(centred(fromWorld), trace::kNoPrimitive, u);
         ray_tracing::RayTree tree;
         if (first)
-            tree.trace(*surfaces_, settings, centred(fromWorld), u, first, surfaces_->mediaAround(centred(fromWorld)));
+            tree.trace({*surfaces_, trace::MovingScene(tracer_)}, settings, centred(fromWorld), u, first, surfaces_->mediaAround(centred(fromWorld)));
         return tree;
     }
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include <glm/gtc/constants.hpp>
+
 #include "techniques/foundation/trace/bvh_traverse.h"
 
 namespace shadowlab::trace {
@@ -84,36 +86,68 @@ void AreaVisibility::Asker::findEdges(const CentredBox& box, const std::vector<s
 }
 
 AreaShare AreaVisibility::Asker::ask(const SurfacePoint& point, double move) {
+    // Within a sphere there is no disc; its centre answers for it.
+    if (!lookFrom(point, move))
+        return {owner_.tracer_.visibility(point, owner_.number_) == Visibility::lit ? 1.0 : 0.0, 1.0};
+    double visible = 0;
+    pieces_.cut(outline_, contours_, [&](std::span<const dvec2> polygon) {
+        const LightPiece piece(seen_, polygon);
+        if (piece.area() > 0) visible += piece.area() * seenOf(piece, polygon, dvec3(0.0)).area;
+    });
+    return {std::clamp(visible / seen_.area, 0.0, 1.0), change_};
+}
+
+AreaIrradiance AreaVisibility::Asker::askIrradiance(const SurfacePoint& point, const dvec3& normalWorld) {
+    if (!lookFrom(point, 0))
+        return {owner_.tracer_.visibility(point, owner_.number_) == Visibility::lit ? 1.0 : 0.0, 0.0, 0.0};
+    const bool receives = owner_.tracer_.objectOf(point).receivesShadow;
+    if (!receives) contours_.clear();
+    contours_.push_back({seen_.product(normalWorld)}); // the normal's horizon: each piece is above it or below
+    AreaIrradiance answer;
+    if (outline_.size() < 3) return {receives ? 0.0 : 1.0, 0.0, 0.0};
+    pieces_.cut(outline_, contours_, [&](std::span<const dvec2> polygon) {
+        const LightPiece piece(seen_, polygon);
+        if (!(piece.area() > 0)) return;
+        const Seen seen = receives ? seenOf(piece, polygon, normalWorld) : Seen{1, 1};
+        answer.visible += piece.area() * seen.area;
+        if (!(glm::dot(normalWorld, seen_.toward(piece.middle())) > 0)) return;
+        // By rounding a piece of next to nothing may seem to have less than that.
+        const double whole = std::max(glm::dot(normalWorld, piece.vectorIrradiance()), 0.0) / glm::pi<double>();
+        answer.unshadowed += whole;
+        answer.irradiance += whole * seen.irradiance;
+    });
+    answer.visible = receives ? std::clamp(answer.visible / seen_.area, 0.0, 1.0) : 1.0;
+    return answer;
+}
+
+/// Finds what of the light is above the point's triangle, and the contours before it. False for points within a sphere.
+bool AreaVisibility::Asker::lookFrom(const SurfacePoint& point, double move) {
     point_ = point;
     positionCentred_ = owner_.tracer_.positionCentred(point);
     move_ = move;
     change_ = 0;
+    contours_.clear();
+    outline_.clear();
     const dvec3 toLight = owner_.centreCentred_ - positionCentred_;
     const std::optional<SeenLight> seen = seenLight(owner_.light_, toLight);
-    // Within a sphere there is no disc; its centre answers for it.
-    if (!seen) return {owner_.tracer_.visibility(point, owner_.number_) == Visibility::lit ? 1.0 : 0.0, 1.0};
+    if (!seen) return false;
     seen_ = *seen;
 
     dvec3 up = normalOf(bvh_.triangles[point.primitive]);
     if (!point.eyeOnFront) up = -up;
     const dvec3 elevation = seen_.product(up);
-    std::vector<dvec2> above;
-    std::span<const dvec2> outline = seen_.outline;
+    outline_.assign(seen_.outline.begin(), seen_.outline.end());
     if (elevation.z < seen_.range(elevation)) {
-        above = keptPart(outline, elevation);
-        outline = above;
+        outline_ = keptPart(seen_.outline, elevation);
         // A rect stays where it is, and the plane, too. A disc turns with the point, by less than it moves over its distance;
         // a chord is at most 2/pi of the area times the radius, so four makes more than twice of it.
-        if (owner_.light_.type == scene::LightType::sphere) change_ += 4 * move_ / glm::length(toLight);
+        if (seen_.isDisc) change_ += 4 * move_ / glm::length(toLight);
     }
-    if (outline.size() < 3) return {0.0, change_};
-    contours_.clear();
+    if (outline_.size() < 3) return true; // all of it is below
     addEdges();
     addCrossings();
     if (move_ > 0) mindWhatIsNear(up);
-    double visible = 0;
-    pieces_.cut(outline, contours_, [&](std::span<const dvec2> piece) { visible += shareOf(piece); });
-    return {std::clamp(visible / seen_.area, 0.0, 1.0), change_};
+    return true;
 }
 
 int AreaVisibility::Asker::turnAt(const SurfaceEdges::Edge& edge) const {
@@ -219,10 +253,11 @@ void AreaVisibility::Asker::addCrossings() {
     }
 }
 
-double AreaVisibility::Asker::shareOf(std::span<const dvec2> piece) {
-    const dvec2 middle = centroidOf(piece);
-    if (!isFree(middle, false)) return 0;
-    return !perforated_ || isFree(middle, true) ? areaOf(piece) : sampledShareOf(piece);
+AreaVisibility::Asker::Seen AreaVisibility::Asker::seenOf(const LightPiece& piece, std::span<const dvec2> polygon,
+                                                          const dvec3& normalWorld) {
+    const dvec2 middle = piece.middle();
+    if (!isFree(middle, false)) return {0, 0};
+    return !perforated_ || isFree(middle, true) ? Seen{1, 1} : sampledSeenOf(piece, polygon, normalWorld);
 }
 
 /// Does no triangle stand before that place of the light? Asks those with holes, as if they had none, or those without.
@@ -244,11 +279,14 @@ bool AreaVisibility::Asker::isFree(dvec2 place, bool perforated) {
     return blocker == kNoPrimitive;
 }
 
-/// Rays to places spread evenly over the piece, through whatever holes there are: multiples of the powers of a number that no
-/// fraction comes near to (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
-double AreaVisibility::Asker::sampledShareOf(std::span<const dvec2> piece) {
+/// Rays to places spread evenly over the polygon, of a disc to those within it, through whatever holes there are: multiples of
+/// the powers of a number that no fraction comes near to (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
+/// 2018).
+AreaVisibility::Asker::Seen AreaVisibility::Asker::sampledSeenOf(const LightPiece& piece,
+                                                                 std::span<const dvec2> polygon,
+                                                                 const dvec3& normalWorld) {
     constexpr double kRoot = 1.3247179572447460260; // of x^3 = x + 1
-    const double area = areaOf(piece);
+    const double area = areaOf(polygon);
     const int count = static_cast<int>(std::ceil(kSamples * area / seen_.area));
     const auto goesOn = [&](std::uint32_t primitive, const dvec3& barycentric) {
         return owner_.tracer_.mayHaveHoles(primitive) &&
@@ -257,23 +295,36 @@ double AreaVisibility::Asker::sampledShareOf(std::span<const dvec2> piece) {
     const auto accept = [&](std::uint32_t primitive) {
         return owner_.casts_[primitive] && primitive != point_.primitive;
     };
-    int free = 0;
+    const dvec3 lightNormal = glm::cross(seen_.axisU, seen_.axisV);
+    double free = 0, all = 0, freeIrradiance = 0, allIrradiance = 0;
+    const auto look = [&](dvec2 place) {
+        const dvec3 toward = seen_.toward(place);
+        const Ray ray{positionCentred_, toward, kContact, 1 - kContact};
+        const double seen = bvh_.any(ray, accept, goesOn) == kNoPrimitive ? 1 : 0;
+        // What a place adds to the irradiance goes with both cosines over the square of its distance.
+        const double squared = glm::dot(toward, toward);
+        const double weight =
+            std::abs(glm::dot(normalWorld, toward) * glm::dot(lightNormal, toward)) / (squared * squared);
+        free += seen, all += 1;
+        freeIrradiance += weight * seen, allIrradiance += weight;
+    };
     for (int i = 0; i < count; ++i) {
         double along = glm::fract((i + 0.5) / kRoot), across = std::sqrt(glm::fract((i + 0.5) / (kRoot * kRoot)));
-        // The triangle of the piece's fan in which that share of the area ends, and in it a place by square root.
+        // The triangle of the polygon's fan in which that share of the area ends, and in it a place by square root.
         std::size_t corner = 2;
-        double left = along * area, part = areaOf(std::array{piece[0], piece[1], piece[2]});
-        while (left > part && corner + 1 < piece.size()) {
+        double left = along * area, part = areaOf(std::array{polygon[0], polygon[1], polygon[2]});
+        while (left > part && corner + 1 < polygon.size()) {
             left -= part;
             ++corner;
-            part = areaOf(std::array{piece[0], piece[corner - 1], piece[corner]});
+            part = areaOf(std::array{polygon[0], polygon[corner - 1], polygon[corner]});
         }
         along = part > 0 ? std::min(left / part, 1.0) : 0.5;
-        const dvec2 side = glm::mix(piece[corner - 1], piece[corner], along);
-        const Ray ray{positionCentred_, seen_.toward(glm::mix(piece[0], side, across)), kContact, 1 - kContact};
-        free += bvh_.any(ray, accept, goesOn) == kNoPrimitive ? 1 : 0;
+        const dvec2 side = glm::mix(polygon[corner - 1], polygon[corner], along);
+        const dvec2 place = glm::mix(polygon[0], side, across);
+        if (!seen_.isDisc || glm::dot(place, place) <= 1) look(place);
     }
-    return area * free / count;
+    if (all == 0) look(piece.middle()); // so little of the disc that no place is in it
+    return {free / all, allIrradiance > 0 ? freeIrradiance / allIrradiance : free / all};
 }
 
 } // namespace shadowlab::trace

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "techniques/foundation/trace/area_visibility.h"
-#include "techniques/foundation/trace/seen_light.h"
+#include "techniques/foundation/trace/light_piece.h"
 #include "techniques/foundation/trace/uniform_pieces.h"
 
 namespace shadowlab::trace {
@@ -15,8 +15,14 @@ public:
     Asker(const AreaVisibility& owner, const CentredBox& box, double largestMove,
           const std::vector<std::uint32_t>& candidates);
     AreaShare ask(const SurfacePoint& point, double move);
+    AreaIrradiance askIrradiance(const SurfacePoint& point, const dvec3& normalWorld);
 
 private:
+    /// Shares, 0..1, of a piece of the light that are seen: of its area, and of its irradiance.
+    struct Seen {
+        double area = 0, irradiance = 0;
+    };
+    bool lookFrom(const SurfacePoint& point, double move);
     void findEdges(const CentredBox& box, const std::vector<std::uint32_t>& candidates);
     void addEdges();
     void addCrossings();
@@ -25,9 +31,9 @@ private:
     [[nodiscard]] double nearness(double move, double farthest) const;
     [[nodiscard]] int turnAt(const SurfaceEdges::Edge& edge) const;
     [[nodiscard]] double heightOver(const Triangle& triangle) const;
-    double shareOf(std::span<const dvec2> piece);
+    Seen seenOf(const LightPiece& piece, std::span<const dvec2> polygon, const dvec3& normalWorld);
     [[nodiscard]] bool isFree(dvec2 place, bool perforated);
-    double sampledShareOf(std::span<const dvec2> piece);
+    Seen sampledSeenOf(const LightPiece& piece, std::span<const dvec2> polygon, const dvec3& normalWorld);
 
     const AreaVisibility& owner_;
     const Bvh& bvh_;
@@ -40,6 +46,7 @@ private:
     SurfacePoint point_;
     dvec3 positionCentred_{0.0};
     SeenLight seen_;
+    std::vector<dvec2> outline_; ///< of what lies above the plane of its triangle
     double move_ = 0, change_ = 0;
     std::uint32_t lastBlocker_ = kNoPrimitive;
 };

@@ -39,8 +39,10 @@ CentredBox boxOfLight(const scene::Light& light, const dvec3& centreCentred) {
 struct AreaVisibility::Group {
     std::span<const SurfacePoint> points;
     std::span<const double> moves;
-    std::span<AreaShare> answers;
-    std::vector<dvec3> positionsCentred;
+    std::span<AreaShare> shares;
+    std::span<const dvec3> normalsWorld;
+    std::span<AreaIrradiance> irradiances; ///< shares or irradiances, whichever are asked for
+    std::vector<dvec3> positionsCentred{};
     [[nodiscard]] double move(std::uint32_t i) const { return moves.empty() ? 0.0 : moves[i]; }
     /// Around some of them, and all places they move to.
     [[nodiscard]] CentredBox box(std::span<const std::uint32_t> members) const {
@@ -71,16 +73,29 @@ double AreaVisibility::share(const SurfacePoint& point) const {
 
 void AreaVisibility::shares(std::span<const SurfacePoint> points, std::span<const double> moves,
                             std::span<AreaShare> answers) const {
-    Group group{points, moves, answers, std::vector<dvec3>(points.size())};
+    std::ranges::fill(answers, AreaShare());
+    Group group{points, moves, answers, {}, {}};
+    askAll(group);
+}
+
+void AreaVisibility::irradiances(std::span<const SurfacePoint> points, std::span<const dvec3> normalsWorld,
+                                 std::span<AreaIrradiance> answers) const {
+    std::ranges::fill(answers, AreaIrradiance());
+    Group group{points, {}, {}, normalsWorld, answers};
+    askAll(group);
+}
+
+void AreaVisibility::askAll(Group& group) const {
+    group.positionsCentred.resize(group.points.size());
     std::vector<std::uint32_t> asking;
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-        answers[i] = {};
-        if (!points[i] || !tracer_.facesLight(points[i], number_)) continue;
-        if (!tracer_.objectOf(points[i]).receivesShadow) {
-            answers[i].visible = 1;
+    for (std::uint32_t i = 0; i < group.points.size(); ++i) {
+        const SurfacePoint& point = group.points[i];
+        if (!point || !tracer_.facesLight(point, number_)) continue;
+        if (!tracer_.objectOf(point).receivesShadow && group.irradiances.empty()) {
+            group.shares[i].visible = 1;
             continue;
         }
-        group.positionsCentred[i] = tracer_.positionCentred(points[i]);
+        group.positionsCentred[i] = tracer_.positionCentred(point);
         asking.push_back(i);
     }
     if (asking.empty()) return;
@@ -117,7 +132,10 @@ void AreaVisibility::askTogether(Group& group, std::span<const std::uint32_t> me
         largestMove = std::max(largestMove, group.move(i));
     Asker asker(*this, group.box(members), largestMove, candidates);
     for (const std::uint32_t i : members)
-        group.answers[i] = asker.ask(group.points[i], group.move(i));
+        if (group.irradiances.empty())
+            group.shares[i] = asker.ask(group.points[i], group.move(i));
+        else
+            group.irradiances[i] = asker.askIrradiance(group.points[i], group.normalsWorld[i]);
 }
 
 /// Does the triangle lie so that it hides nothing above the plane of any of these points?

@@ -6,7 +6,7 @@
 // the light is cut along the contours alone (uniform_pieces.h), and one ray for each piece tells whether it is seen. An edge
 // between two triangles beside each other never matters, however fine the mesh.
 //
-// For rects the share is right up to the rounding of double; for spheres see seen_light.h. Triangles with holes in them:
+// The share is right up to the rounding of double; what of a sphere counts is said in seen_light.h. Triangles with holes in them:
 // pieces that such a triangle covers are asked with rays, in proportion about 1024 for the whole light, so a share is then
 // wrong by at most about 1/64 (one standard deviation of as many independent rays, which these, spread evenly, stay below).
 // SPDX-License-Identifier: MIT
@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "techniques/foundation/trace/area_irradiance.h"
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "techniques/foundation/trace/shaft.h"
 #include "techniques/foundation/trace/surface_edges.h"
@@ -41,9 +42,15 @@ public:
     void shares(std::span<const SurfacePoint> points, std::span<const double> moves,
                 std::span<AreaShare> answers) const;
 
+    /// What they get of the light, by the same gates. `normalsWorld`: one unit vector per point, on the side that the light is to
+    /// be counted on: the shading normal. A point within a sphere gets nothing of it.
+    void irradiances(std::span<const SurfacePoint> points, std::span<const dvec3> normalsWorld,
+                     std::span<AreaIrradiance> answers) const;
+
 private:
     class Asker;
     struct Group;
+    void askAll(Group& group) const;
     void ask(Group& group, std::span<std::uint32_t> members, std::vector<std::uint32_t> candidates) const;
     void askTogether(Group& group, std::span<const std::uint32_t> members,
                      const std::vector<std::uint32_t>& candidates) const;

@@ -34,6 +34,16 @@ public:
         return ray;
     }
 
+    /// A ray through a thin lens that stands where the eye is, square to the camera's axis: from a place on it, given in view
+    /// space, to where the ray through its middle meets the plane that is in focus, so many metres along the axis.
+    [[nodiscard]] Ray throughLens(dvec2 pixel, dvec2 placeView, double focus) const {
+        Ray ray = through(pixel);
+        const dvec3 placeCentred = worldFromView_ * dvec3(placeView, 0.0);
+        ray.originCentred += placeCentred;
+        ray.directionCentred -= placeCentred / focus; // t stays the depth along the axis
+        return ray;
+    }
+
     /// The directions of through() for the block of pixels that begins at `corner`: the same products, which all rays of
     /// a column or a row share, to be added in the same order.
     [[nodiscard]] BlockFan fan(ivec2 corner, dvec2 within) const {

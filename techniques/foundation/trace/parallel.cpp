@@ -60,6 +60,22 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work
     if (failure) std::rethrow_exception(failure);
 }
 
+std::size_t parallelUntil(std::chrono::steady_clock::time_point deadline, std::size_t first, std::size_t count,
+                          const std::function<void(std::size_t)>& work) {
+    if (first >= count) return count;
+    std::atomic<std::size_t> next = first;
+    // One piece for each thread, which takes what there is to do.
+    parallelFor(std::min(count - first, static_cast<std::size_t>(threadCount())), [&](std::size_t) {
+        // The time is asked for before a piece is taken: what was taken is done.
+        for (bool isFirst = next == first; isFirst || std::chrono::steady_clock::now() < deadline; isFirst = false) {
+            const std::size_t i = next++;
+            if (i >= count) return;
+            work(i);
+        }
+    });
+    return std::min(count, next.load());
+}
+
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work, const std::stop_token& stop) {
     parallelFor(count, [&](std::size_t i) {
         if (stop.stop_requested()) throw Stopped();

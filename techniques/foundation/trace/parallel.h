@@ -2,6 +2,7 @@
 // the number of threads: same bytes for any of them.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <chrono>
 #include <cstddef>
 #include <exception>
 #include <functional>
@@ -16,6 +17,11 @@ int threadCount();
 /// are done. Where the system refuses a thread, fewer do the work. The first exception is thrown on. The threads are new
 /// ones each time, so on Linux they inherit the caller's place in the scheduler.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work, int threads = 0);
+
+/// Calls work(first) ... work(count - 1) in that order, but begins none once the time has come; the first of them always. Returns
+/// the first that was not done: all before it are.
+std::size_t parallelUntil(std::chrono::steady_clock::time_point deadline, std::size_t first, std::size_t count,
+                          const std::function<void(std::size_t)>& work);
 
 /// Thrown by work that was asked to stop: nobody waits for what it would have found.
 struct Stopped final : std::exception {

@@ -41,6 +41,9 @@ bool SceneTracer::advance(const scene::Snapshot& snapshot, std::chrono::steady_c
 }
 
 void SceneTracer::lookAtLights() {
+    casts_.clear();
+    for (const std::uint32_t object : world().objects)
+        casts_.push_back(snapshot_->objects[object].castsShadow ? 1 : 0);
     lights_.clear();
     for (const scene::Light& light : snapshot_->lights) {
         const std::vector<std::int8_t> facing = scene::facingSigns(*snapshot_, light);
@@ -81,7 +84,7 @@ RayTests SceneTracer::testsOf(const Engine& engine, const EyeRays& rays, dvec2 p
 }
 
 SurfacePoint SceneTracer::eyePoint(const EyeRays& rays, dvec2 pixel) const {
-    return surfacePoint(rays, closest(rays.through(pixel), {.holes = &holes_}));
+    return surfacePoint(rays, closest(rays.through(pixel), mayMeet(kNoPrimitive)));
 }
 
 SurfacePoint SceneTracer::surfacePoint(const EyeRays& rays, const RayHit& hit) const {
@@ -101,7 +104,18 @@ SurfacePoint SceneTracer::nextPoint(const dvec3& fromCentred, std::uint32_t left
     ray.originCentred = fromCentred;
     ray.directionCentred = directionWorld;
     ray.nearest = kContactPerMetre * (1.0 + glm::length(fromCentred));
-    const RayHit hit = closest(ray, {.except = leftOut, .holes = &holes_});
+    return met(ray, leftOut);
+}
+
+SurfacePoint SceneTracer::met(const Ray& ray, std::uint32_t leftOut) const {
+    return surfacePoint(ray.directionCentred, closest(ray, mayMeet(leftOut)));
+}
+
+bool SceneTracer::isBlocked(const Ray& ray, std::uint32_t leftOut) const {
+    return any(ray, mayStandIn(leftOut)) != kNoPrimitive;
+}
+
+SurfacePoint SceneTracer::surfacePoint(const dvec3& directionWorld, const RayHit& hit) const {
     if (!hit) return {};
     const Triangle& t = bvh().triangles[hit.primitive];
     // By the direction, not by where the ray began: that may be too close to the plane to tell.

@@ -77,6 +77,18 @@ public:
     [[nodiscard]] SurfacePoint nextPoint(const dvec3& fromCentred, std::uint32_t leftOut,
                                          const dvec3& directionWorld) const;
 
+    // Any rays. `leftOut` is a triangle that is not met, kNoPrimitive: none is.
+
+    /// What the ray meets first; seen from the side that it comes from.
+    [[nodiscard]] SurfacePoint met(const Ray& ray, std::uint32_t leftOut) const;
+    /// Does anything that casts shadows stand on its way?
+    [[nodiscard]] bool isBlocked(const Ray& ray, std::uint32_t leftOut) const;
+    /// What an engine over the same triangles is asked for, to answer these two.
+    [[nodiscard]] MayHit mayMeet(std::uint32_t leftOut) const { return {.except = leftOut, .holes = &holes_}; }
+    [[nodiscard]] MayHit mayStandIn(std::uint32_t leftOut) const { return {leftOut, casts_.data(), &holesForLight_}; }
+    /// What a ray of that direction has hit.
+    [[nodiscard]] SurfacePoint surfacePoint(const dvec3& directionWorld, const RayHit& hit) const;
+
     /// Is there a hole in the point's triangle? Where an eye ray ends there never is; for points found in another way.
     [[nodiscard]] bool isInHole(const SurfacePoint& point) const {
         return holes_(point.primitive, point.barycentric());
@@ -167,6 +179,7 @@ private:
         std::vector<std::uint8_t> blocks; ///< can it stand in the way?
     };
     std::vector<LightView> lights_;
+    std::vector<std::uint8_t> casts_; ///< of each triangle: does its object cast shadows?
 };
 
 } // namespace shadowlab::trace

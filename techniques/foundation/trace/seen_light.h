@@ -1,4 +1,4 @@
-// A light that has an area, as one point sees it: a convex polygon in a plane.
+// A light that has an area, as one point sees it: a rect, or a disc, in a plane.
 //
 // Of a rect it is the rect. Of a sphere it is the disc inside the circle in which the tangents from the point touch it: all
 // that stands outside the sphere stands before the sphere exactly where it stands before that disc.
@@ -14,9 +14,10 @@ namespace shadowlab::trace {
 /// Places on the light are given by two numbers: middle + x * axisU + y * axisV. All vectors start at the point that looks.
 struct SeenLight {
     dvec3 middle{0.0}, axisU{0.0}, axisV{0.0};
-    std::span<const dvec2> outline; ///< of the polygon, counter-clockwise
+    bool isDisc = false;            ///< the places within the unit circle, else those within the outline
+    std::span<const dvec2> outline; ///< a square, of a disc the one around it; counter-clockwise
     dvec2 half{0.0};                ///< no place of the outline is farther from the middle, along either axis
-    double area = 0;                ///< of the outline
+    double area = 0;                ///< of all those places
 
     [[nodiscard]] dvec3 toward(dvec2 place) const { return middle + place.x * axisU + place.y * axisV; }
     /// The product of a vector with toward(place), as a linear function of the place: x * place.x + y * place.y + z.

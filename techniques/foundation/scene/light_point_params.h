@@ -4,9 +4,9 @@
 #include "techniques/foundation/params/param.h"
 #include "techniques/foundation/scene/light_points.h"
 
-namespace shadowlab::params {
+namespace shadowlab::scene {
 
 /// How many (`unit`, and what that means in this technique: `help`), and how they are chosen.
-ParamList lightPoints(scene::LightPointParams& points, std::string unit, std::string help);
+params::ParamList describe(LightPointParams& points, std::string unit, std::string help);
 
-} // namespace shadowlab::params
+} // namespace shadowlab::scene

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/params/light_points.h"
+#include "techniques/foundation/scene/light_point_params.h"
 
 #include <utility>
 
-namespace shadowlab::params {
+namespace shadowlab::scene {
 
-ParamList lightPoints(scene::LightPointParams& points, std::string unit, std::string help) {
+params::ParamList describe(LightPointParams& points, std::string unit, std::string help) {
+    using params::onlyIf, params::integer, params::choice;
     const auto areMany = [&points] { return points.count > 1; };
     return {
         integer("light-samples", points.count, 1, 1024, std::move(unit), std::move(help)),
@@ -17,4 +18,4 @@ ParamList lightPoints(scene::LightPointParams& points, std::string unit, std::st
     };
 }
 
-} // namespace shadowlab::params
+} // namespace shadowlab::scene
