@@ -151,7 +151,7 @@ def keys_table(program):
 
 def pages_list(program):
     ids = {t["id"] for t in program.techniques}
-    first = ["tour", "conventions", "measuring", "outside", "scene_format", "adding_a_technique"]
+    first = ["tour", "conventions", "measuring", "pixel", "outside", "scene_format", "adding_a_technique"]
     names = [p.stem for p in DOCS.glob("*.md") if p.stem not in ids and p.stem != "README"]
     lines = []
     for name in sorted(names, key=lambda n: (first.index(n) if n in first else len(first), n)):

@@ -11,6 +11,7 @@
 #pragma once
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,6 +21,8 @@
 #include "techniques/foundation/params/param.h"
 #include "techniques/foundation/scene/mesh_topology.h"
 #include "techniques/foundation/scene/scene.h"
+#include "techniques/probe.h"
+#include "techniques/scene_shape.h"
 
 namespace shadowlab {
 
@@ -77,6 +80,8 @@ struct View {
     Region region; ///< the part that is wanted; empty: all of it. What lies outside need not be drawn.
     std::uint32_t sample = 0;
     std::uint32_t seed = 0;
+    /// Somebody wants to know about this one: shapes() leaves out what stands for all pixels where probe() tells of one.
+    std::optional<ivec2> picked{};
 };
 
 /// The part of the picture that is drawn: the view's region, or all of it where it has none.
@@ -90,36 +95,6 @@ using Deadline = std::chrono::steady_clock::time_point;
 struct Progress {
     double done = 1.0; ///< 0..1
     bool converged = true;
-};
-
-/// What a technique knows about one pixel: facts to print, geometry to draw in the scene.
-struct Probe {
-    struct Fact {
-        std::string label, value, unit;
-    };
-    struct Segment {
-        std::string label;
-        dvec3 fromWorld, toWorld;
-    };
-    struct Node { ///< of a tree of rays; parent is an index into `tree`, -1 at the root
-        int parent;
-        std::string label;
-        std::vector<Fact> facts;
-    };
-    std::vector<Fact> facts;
-    std::vector<Segment> geometry;
-    std::vector<Node> tree;
-};
-
-/// A part of the algorithm as it lies in the scene: what the second camera, which looks on from outside, shows beside the
-/// objects. A light's frustum, the faces of a volume, the plane of a receiver.
-struct SceneShape {
-    enum class Kind { lines, faces };
-    std::string label; ///< what it is, for the key of the colours; shapes of one label have one colour
-    vec3 colorLinear;
-    Kind kind = Kind::lines;
-    std::vector<dvec3>
-        pointsWorld; ///< lines: two for each segment; faces: three for each triangle, seen from both sides
 };
 
 class Technique {

@@ -1,26 +1,54 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/technique.h"
 
-#include "techniques/foundation/trace/exact_visibility.h"
+#include <array>
+#include <charconv>
+
+#include "techniques/exact_judge.h"
 
 namespace shadowlab {
+
+std::string probeText(double number) {
+    std::array<char, 32> text{};
+    const auto [end, error] =
+        std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 6);
+    return error == std::errc{} ? std::string(text.data(), end) : "?";
+}
+
+Probe::Fact probeFact(std::string label, double number, std::string unit) {
+    return {std::move(label), probeText(number), std::move(unit), {number}};
+}
+
+Probe::Fact probeFact(std::string label, const dvec3& vector, std::string unit) {
+    return {std::move(label),
+            probeText(vector.x) + ", " + probeText(vector.y) + ", " + probeText(vector.z),
+            std::move(unit),
+            {vector.x, vector.y, vector.z}};
+}
+
+Probe::Fact probeCount(std::string label, std::uint64_t count, std::string unit) {
+    return {std::move(label), std::to_string(count), std::move(unit), {static_cast<double>(count)}};
+}
 
 // What holds for every technique: which surface the pixel shows and what is exactly true of it.
 Probe Technique::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
     Probe probe;
-    const trace::ExactVisibility exact(snapshot);
-    const auto hit = exact.eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
-    probe.facts.push_back({"pixel", std::to_string(pixel.x) + ", " + std::to_string(pixel.y), ""});
+    const auto exact = exactJudge(snapshot);
+    const auto hit = exact->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
+    probe.facts.push_back({"pixel",
+                           std::to_string(pixel.x) + ", " + std::to_string(pixel.y),
+                           "",
+                           {static_cast<double>(pixel.x), static_cast<double>(pixel.y)}});
     if (!hit) {
         probe.facts.push_back({"surface", "none (background)", ""});
         return probe;
     }
     probe.facts.push_back({"surface", snapshot->objects[hit->object].name, ""});
-    probe.facts.push_back({"triangle", std::to_string(hit->triangle), ""});
-    probe.facts.push_back({"distance from the eye", std::to_string(hit->distance), "m"});
-    probe.geometry.push_back({"eye ray", view.camera.positionWorld, hit->positionWorld});
+    probe.facts.push_back(probeCount("triangle", hit->triangle));
+    probe.facts.push_back(probeFact("distance from the eye", hit->distance, "m"));
+    probe.geometry.push_back({"eye ray", view.camera.positionWorld, hit->positionWorld, Probe::Role::eye});
     if (light >= 0 && light < static_cast<int>(snapshot->lights.size())) {
-        const auto truth = exact.visibility(*hit, view.camera, light);
+        const auto truth = exact->visibility(*hit, view.camera, light);
         probe.facts.push_back({"truth",
                                truth == trace::Visibility::lit        ? "lit"
                                : truth == trace::Visibility::shadowed ? "in shadow"
@@ -29,7 +57,9 @@ Probe Technique::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
         const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->lights[static_cast<std::size_t>(light)]);
         // A directional light is nowhere: its ray is shown as long as the eye's.
         const dvec3 end = lightWorld.w > 0 ? dvec3(lightWorld) : hit->positionWorld + hit->distance * dvec3(lightWorld);
-        probe.geometry.push_back({"shadow ray", hit->positionWorld, end});
+        probe.geometry.push_back({"shadow ray", hit->positionWorld, end,
+                                  truth == trace::Visibility::lit ? Probe::Role::arriving : Probe::Role::blocked,
+                                  lightWorld.w == 0});
     }
     return probe;
 }

@@ -144,6 +144,7 @@ private:
             FrameRequest request;
             request.timePasses = !options_.stats.empty();
             const std::optional<session::StageChoice>& stage = stages_[i];
+            if (stage && stage->key.id == "outside") view.picked = pickedIn(view.size);
             if (stage && stage->isPass) request.stopAfter = stage->key;
             if (stage && !stage->isPass) request.stages = session::neededFor(stage->key);
             const session::RenderedFrame rendered = session_->render(slot, view, request);
@@ -205,6 +206,14 @@ private:
     const image::Font& font() {
         if (!font_) font_ = std::make_unique<image::Font>(session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
         return *font_;
+    }
+
+    /// The pixel that was asked for, of a picture of that size: each of several is smaller than the whole.
+    [[nodiscard]] std::optional<ivec2> pickedIn(ivec2 size) const {
+        if (options_.pixel && (options_.pixel->x >= size.x || options_.pixel->y >= size.y))
+            throw Error(ExitStatus::usage, "--pixel: each technique's picture has " + std::to_string(size.x) + " x " +
+                                               std::to_string(size.y) + " pixels; choose one within");
+        return options_.pixel;
     }
 
     /// The second camera that was asked for, its other properties those of the scene's.

@@ -18,19 +18,6 @@ namespace {
 const std::vector<std::string> kLayouts = {"single", "side", "split", "grid",
                                            "diff"}; ///< in the order of session::Layout
 
-/// The name's ending tells what is in a file, and keeps a slip of the hand from overwriting a scene or a mesh. What
-/// stands for a device or a pipe may have any name.
-void requireEnding(const std::string& option, const std::filesystem::path& path, const std::string& ending) {
-    std::error_code ignored;
-    const bool device = path.native().starts_with("/dev/") || path.native().starts_with("/proc/self/fd/");
-    if (device || std::filesystem::is_fifo(path, ignored) || std::filesystem::is_directory(path, ignored)) return;
-    std::string found = path.extension().string();
-    std::ranges::transform(found, found.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-    if (found != ending)
-        refuseUsage(option + ": '" + path.string() + "' does not end in " + ending + "; write " + path.string() +
-                    ending);
-}
-
 session::Layout layoutFor(const GivenOptions& given, std::size_t slots) {
     if (!given.has("--layout")) return slots > 1 ? session::Layout::side : session::Layout::single;
     const auto layout = static_cast<session::Layout>(choiceFrom("--layout", given.text("--layout"), kLayouts));
@@ -96,6 +83,16 @@ std::array<double, 6> outsideFor(const GivenOptions& given, const std::vector<st
     return numbers;
 }
 
+/// A pixel that the window has picked, or whose rays are seen from outside.
+ivec2 pickedFor(const GivenOptions& given, const CaptureOptions& options) {
+    const bool outside =
+        std::ranges::any_of(options.stages, [](const std::string& stage) { return stage.starts_with("outside"); });
+    if (!outside && !options.ui)
+        refuseUsage("--pixel: only the stage outside and the window show the rays of a pixel; add --stage outside or "
+                    "--ui, or ask `shadowlab probe`");
+    return pixelFrom("--pixel", given.text("--pixel"), options.size);
+}
+
 std::string stageId(const std::string& stage) { return stage.substr(0, stage.find('@')); }
 
 int rowFor(const GivenOptions& given, const std::vector<std::string>& stages, ivec2 size) {
@@ -148,6 +145,8 @@ void describeCapture(CLI::App& command) {
     add("--row", "Y", "the row of the stage scanline, from the top (default: the one with most wrong pixels)");
     add("--outside", "X,Y,Z,X,Y,Z",
         "where the second camera of the stage outside stands, and where it looks (default: a good place)");
+    add("--pixel", "X,Y",
+        "the pixel whose rays the stage outside shows, in place of a few of all; with --ui the one that is picked");
     add("--size", "WxH", "width and height of the whole picture in pixels (default 1280x720)");
     add("--supersample", "N",
         "average N x N samples a pixel in linear light (default 1; never for stages about visibility)");
@@ -199,6 +198,7 @@ CaptureOptions captureOptions(const CLI::App& command) {
         }))
         options.supersample = 1;
     if (given.has("--outside")) options.outside = outsideFor(given, options.stages);
+    if (given.has("--pixel")) options.pixel = pickedFor(given, options);
     if (given.has("--row")) options.row = rowFor(given, options.stages, options.size);
     options.settings = given.texts("--set");
     options.light = given.text("--light");

@@ -36,6 +36,7 @@ struct CaptureOptions {
     double split = 0.5;                           ///< share of the width that the left one of two bands has
     std::optional<int> row;                       ///< of stage `scanline`
     std::optional<std::array<double, 6>> outside; ///< position and target of the second camera; none: a good place
+    std::optional<ivec2> pixel;                   ///< whose rays are shown; none: a few of all
     ivec2 size{1280, 720};
     int supersample = 1;
     std::vector<std::string> settings; ///< [SLOT:]ID.PARAM=VALUE

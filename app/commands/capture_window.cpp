@@ -47,10 +47,11 @@ session::Document documentFor(const CaptureOptions& options, const scene::Snapsh
     return document;
 }
 
+constexpr double kFrameSeconds = 1.0 / 30; ///< of the screen's own clock, which knows no other time
+
 /// Frames until nothing changes any more: stages are drawn, errors are exact, ImGui has laid out what it measured.
 void settle(ui::Screen& screen) {
     constexpr int kLayoutFrames = 3; // a window that is as high as its text is measured in one and placed in the next
-    constexpr double kFrameSeconds = 1.0 / 30; // of the screen's own clock, which knows no other time
     constexpr auto kForOthers =
         std::chrono::milliseconds(5); // exact errors are found by threads that yield to this one
     for (int settled = 0; settled < kLayoutFrames;) {
@@ -79,6 +80,16 @@ int captureWindow(const CaptureOptions& options) {
     ui::Screen screen(desk, session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
     screen.fit(options.size, 1);
     screen.setPatience(std::chrono::hours(1)); // nobody waits, and the picture must not depend on the clock
+    if (options.pixel) {
+        screen.frame(kFrameSeconds); // type is measured in it, and from that follows how large the pictures are
+        const std::vector<session::PlacedPane> panes = desk.bench.placed(screen.pictureSize());
+        const ivec2 shown = panes.empty() ? ivec2(0) : panes.front().cell.pictureSize;
+        if (options.pixel->x >= shown.x || options.pixel->y >= shown.y)
+            throw Error(ExitStatus::usage, "--pixel: in a window of this size a picture has " +
+                                               std::to_string(shown.x) + " x " + std::to_string(shown.y) +
+                                               " pixels; choose one within");
+        desk.bench.pick((dvec2(*options.pixel) + 0.5) / dvec2(shown));
+    }
     for (int frame = 0; frame < motion.frames; ++frame) {
         const session::Moment moment = session::momentAt(motion, scene, frame, desk.bench.document().scene);
         desk.bench.changeScene("", [&](const scene::Snapshot&) { return moment.snapshot; });

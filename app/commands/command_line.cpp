@@ -115,6 +115,10 @@ int run(int argc, char** argv) {
         app, "measure", "What techniques get wrong, pixel by pixel against the exact answer, and what they cost");
     describeMeasure(*measureCommand);
 
+    CLI::App* probeCommand =
+        addCommand(app, "probe", "What a technique knows about one pixel: facts, vectors, and the tree of its rays");
+    describeProbe(*probeCommand);
+
     CLI::App* demoCommand =
         addCommand(app, "demo", "Opens the window: shadow map and shadow volume on one scene (H there lists all keys)");
     addOption(*demoCommand, "SCENE", "",
@@ -127,9 +131,10 @@ int run(int argc, char** argv) {
         ->description("a line of JSON on standard output for every state that is on screen");
     addOption(*demoCommand, "--allow", "DIR", "a further folder that scenes may take meshes from; may be repeated");
 
-    CLI::App* listCommand =
-        addCommand(app, "list", "What there is: techniques, parameters, stages, scenes, keys of the window, backends, limits");
-    addOption(*listCommand, "WHAT", "", "techniques, parameters, stages, scenes, decks, lessons, backends, keys or limits");
+    CLI::App* listCommand = addCommand(
+        app, "list", "What there is: techniques, parameters, stages, scenes, keys of the window, backends, limits");
+    addOption(*listCommand, "WHAT", "",
+              "techniques, parameters, stages, scenes, decks, lessons, backends, keys or limits");
     listCommand->add_flag("--json")->description("one JSON object instead of lines with tabs");
 
     CLI::App* inspectCommand =
@@ -167,6 +172,7 @@ int run(int argc, char** argv) {
     }
     if (captureCommand->parsed()) return capture(captureOptions(*captureCommand));
     if (measureCommand->parsed()) return measure(measureOptions(*measureCommand));
+    if (probeCommand->parsed()) return probe(probeOptions(*probeCommand));
     if (listCommand->parsed())
         return list({GivenOptions(*listCommand).required("WHAT", "for example shadowlab list techniques"),
                      listCommand->count("--json") > 0});

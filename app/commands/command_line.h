@@ -7,6 +7,7 @@
 
 #include "app/commands/capture_options.h"
 #include "app/commands/measure_options.h"
+#include "app/commands/probe_options.h"
 
 namespace shadowlab::commands {
 
@@ -14,6 +15,9 @@ int capture(const CaptureOptions& options);
 
 /// Prints what was measured to standard output.
 int measure(const MeasureOptions& options);
+
+/// Prints what a technique knows about one pixel to standard output.
+int probe(const ProbeOptions& options);
 
 struct ListOptions {
     std::string what;

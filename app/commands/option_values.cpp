@@ -55,6 +55,34 @@ void addOption(CLI::App& command, const std::string& names, const std::string& v
     option->type_name(value);
 }
 
+/// The name's ending tells what is in a file, and keeps a slip of the hand from overwriting a scene or a mesh. What
+/// stands for a device or a pipe may have any name.
+void requireEnding(const std::string& option, const std::filesystem::path& path, const std::string& ending) {
+    std::error_code ignored;
+    const bool device = path.native().starts_with("/dev/") || path.native().starts_with("/proc/self/fd/");
+    if (device || std::filesystem::is_fifo(path, ignored) || std::filesystem::is_directory(path, ignored)) return;
+    std::string found = path.extension().string();
+    std::ranges::transform(found, found.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    if (found != ending)
+        refuseUsage(option + ": '" + path.string() + "' does not end in " + ending + "; write " + path.string() +
+                    ending);
+}
+
+ivec2 pixelFrom(const std::string& option, const std::string& text, ivec2 size) {
+    ivec2 pixel(-1);
+    const char *const begin = text.data(), *const end = begin + text.size();
+    const auto [comma, error] = std::from_chars(begin, end, pixel.x);
+    const bool pair = error == std::errc{} && comma != end && *comma == ',';
+    const auto [last, errorY] = std::from_chars(pair ? comma + 1 : end, end, pixel.y);
+    if (!pair || errorY != std::errc{} || last != end)
+        refuseUsage(option + ": '" + text + "' is not a pixel; write its column and row, as 320,180");
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y)
+        refuseUsage(option + ": '" + text + "' is outside the picture of " + std::to_string(size.x) + " x " +
+                    std::to_string(size.y) + " pixels; columns are 0 to " + std::to_string(size.x - 1) +
+                    ", rows 0 to " + std::to_string(size.y - 1));
+    return pixel;
+}
+
 ivec2 sizeFrom(const std::string& option, const std::string& text, int longestSide) {
     const std::size_t cross = std::min(text.find('x'), text.size());
     const std::string width = text.substr(0, cross), height = cross < text.size() ? text.substr(cross + 1) : "";

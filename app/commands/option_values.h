@@ -2,6 +2,7 @@
 // what it takes.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,12 @@ private:
 /// Adds an option that takes one word at each occurrence, and leaves the next word to whom it belongs.
 /// `value` stands for the word in the help text. How often it may be given is up to those who ask.
 void addOption(CLI::App& command, const std::string& names, const std::string& value, const std::string& help);
+
+/// Refuses an output whose name does not end in `ending`.
+void requireEnding(const std::string& option, const std::filesystem::path& path, const std::string& ending);
+
+/// "320,180": a pixel of a picture of that size.
+ivec2 pixelFrom(const std::string& option, const std::string& text, ivec2 size);
 
 /// "1280x720". Throws Error (overLimit) for a side beyond `longestSide`.
 ivec2 sizeFrom(const std::string& option, const std::string& text, int longestSide);

@@ -71,6 +71,11 @@ std::vector<std::string> captureWords(const Document& document, const std::files
             for (int axis = 0; axis < 3; ++axis)
                 place += (place.empty() ? "" : ",") + exactText(point[axis]);
         words.insert(words.end(), {"--outside=" + place});
+        if (document.picked) {
+            const ivec2 shown = layoutCells(document.layout, count, size, document.split).front().pictureSize;
+            const ivec2 pixel = pixelAt(*document.picked, shown);
+            words.insert(words.end(), {"--pixel", std::to_string(pixel.x) + "," + std::to_string(pixel.y)});
+        }
     }
     const auto& lights = document.scene->lights;
     if (document.light > 0 && document.light < static_cast<int>(lights.size()))

@@ -26,6 +26,10 @@ scene::Camera outsideCameraOf(const scene::Scene& scene, const scene::Camera& ey
     return scene::outsideCameraFor(scene, eye, kAspect);
 }
 
+ivec2 pixelAt(const dvec2& share, ivec2 size) {
+    return glm::clamp(ivec2(glm::floor(share * dvec2(size))), ivec2(0), size - 1);
+}
+
 int shownPanes(Layout layout) {
     switch (layout) {
     case Layout::single: return 1;

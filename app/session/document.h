@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,10 @@ struct Document {
     scene::Camera camera;
     scene::Camera outsideCamera; ///< the second camera, which looks on from outside
     Layout layout = Layout::split;
-    double split = 0.5; ///< share of the width that the left pane has
-    int light = 0;      ///< the light that stages and errors are about
-    int active = 0;     ///< the pane that keys and panels are about
+    double split = 0.5;          ///< share of the width that the left pane has
+    std::optional<dvec2> picked; ///< a pixel that is asked about, as shares of a picture's width and height
+    int light = 0;               ///< the light that stages and errors are about
+    int active = 0;              ///< the pane that keys and panels are about
     std::array<PaneState, kPanes> panes;
     friend bool operator==(const Document&, const Document&) = default;
 };
@@ -31,6 +33,9 @@ Document newDocument(scene::Snapshot scene, std::string sceneName);
 
 /// Where the second camera stands before anybody moves it.
 scene::Camera outsideCameraOf(const scene::Scene& scene, const scene::Camera& eye);
+
+/// The pixel at a share of a picture's width and height.
+ivec2 pixelAt(const dvec2& share, ivec2 size);
 
 /// How many panes the layout shows, from the first.
 int shownPanes(Layout layout);

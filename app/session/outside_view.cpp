@@ -2,10 +2,12 @@
 #include "app/session/outside_view.h"
 
 #include <algorithm>
+#include <iterator>
 #include <ranges>
 #include <utility>
 
 #include "app/session/outside_shapes.h"
+#include "app/session/pixel_shapes.h"
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/debug.h"
 #include "techniques/foundation/scene/outside_camera.h"
@@ -71,18 +73,24 @@ std::optional<Stage> OutsideView::render(Session& session, Slot& slot, const Vie
     drawDepth(session, outside);
     painter_.draw(all, outside.camera, outside.size);
     gl::check("outside");
+    if (eye.picked) { // its rays go through glass, and into corners
+        std::vector<SceneShape> ofPixel = pixelShapes(probe_, outside.camera);
+        painter_.draw(ofPixel, outside.camera, outside.size, true);
+        std::ranges::move(ofPixel, std::back_inserter(all));
+    }
     stage.display.key = keyOf(all);
     return stage;
 }
 
 void OutsideView::updateShapes(const Session& session, Slot& slot, const View& eye, int light) {
-    ShapesOf wanted{slot.info, slot.technique.get(), {}, session.snapshot(), eye.camera, eye.size, light};
+    ShapesOf wanted{slot.info, slot.technique.get(), {}, session.snapshot(), eye.camera, eye.size, eye.picked, light};
     for (const params::Param& param : slot.params)
         wanted.values.push_back(param.get());
     if (wanted == madeFor_) return;
     things_ = scene::thingsBounds(*session.snapshot());
     shapes_.clear();
     if (light != kNoLight) shapes_ = slot.technique->shapes(session.snapshot(), eye, light);
+    probe_ = eye.picked ? slot.technique->probe(session.snapshot(), eye, *eye.picked, light) : Probe{};
     shapes_.push_back(eyeShape(*session.snapshot(), eye));
     madeFor_ = std::move(wanted);
 }

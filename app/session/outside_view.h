@@ -13,7 +13,8 @@ namespace shadowlab::session {
 class OutsideView {
 public:
     /// The finished picture of the slot's technique from `outside.camera` in `outside.size` (and region), a little darker,
-    /// and over it the shapes. `eye` is the view that is looked at; its size gives the shape of its frustum. `light` is an
+    /// and over it the shapes. `eye` is the view that is looked at; its size gives the shape of its frustum, and
+    /// of its picked pixel, if it has one, the rays are shown. `light` is an
     /// index, or kNoLight for a scene without lights. Returns a picture of linear display colours, to be shown as
     /// StageKind::swatches, with the key of the colours; or nothing, when the technique was not ready by the deadline. The
     /// slot's own picture stays as it is.
@@ -29,6 +30,7 @@ private:
         scene::Snapshot snapshot;
         scene::Camera eye;
         ivec2 eyeSize{0};
+        std::optional<ivec2> picked;
         int light = kNoLight;
         friend bool operator==(const ShapesOf&, const ShapesOf&) = default;
     };
@@ -40,6 +42,7 @@ private:
     ShapesOf madeFor_;
     scene::Bounds things_;
     std::vector<SceneShape> shapes_; ///< the eye's and the technique's
+    Probe probe_;                    ///< of the picked pixel, if there is one
     ShapePainter painter_;
     gl::Program ground_{"fullscreen.vert", "session/outside_ground.frag"};
     gl::Program depthOnly_{"position.vert", "nothing.frag"};

@@ -45,7 +45,8 @@ bool operator==(const PaneRequest& a, const PaneRequest& b) {
            a.state.values() == b.state.values() && a.snapshot == b.snapshot && a.view.camera == b.view.camera &&
            a.view.size == b.view.size && a.view.region.corner == b.view.region.corner &&
            a.view.region.size == b.view.region.size && a.light == b.light &&
-           (!outside || (a.outsideCamera == b.outsideCamera && a.outsideSize == b.outsideSize));
+           (!outside ||
+            (a.view.picked == b.view.picked && a.outsideCamera == b.outsideCamera && a.outsideSize == b.outsideSize));
 }
 
 Slot& Pane::slotFor(const PaneState& state) {
@@ -67,6 +68,14 @@ measure::TruthOf Pane::judgedBy() const {
                        light < static_cast<int>(drawnFor_.snapshot->lights.size());
     const bool area = known && found->second.technique->samplesArea(*drawnFor_.snapshot, light);
     return area ? measure::TruthOf::area : measure::TruthOf::centre;
+}
+
+std::optional<Probe> Pane::probe(const View& view) {
+    // Samples may still be added to the picture; from outside a pane draws only what is ready.
+    const bool isReady = converged_ || (progress_ >= 1 && !drawnFor_.state.stage.starts_with("outside"));
+    if (!view.picked || !isReady || !failure_.empty() || !drawnFor_.snapshot) return std::nullopt;
+    const int light = drawnFor_.snapshot->lights.empty() ? kNoLight : drawnFor_.light;
+    return slotFor(drawnFor_.state).technique->probe(drawnFor_.snapshot, view, *view.picked, light);
 }
 
 bool isJudged(std::string_view stage) {

@@ -70,6 +70,10 @@ public:
     /// The slot of that state, made or found, its parameters set. Throws Error (usage) for a value that is out of range.
     Slot& slotFor(const PaneState& state);
 
+    /// What the technique knows about the picked pixel of what was drawn last; nothing while it is not ready, or where no
+    /// pixel is picked. Throws what the technique throws.
+    std::optional<Probe> probe(const View& view);
+
     [[nodiscard]] const PanePicture& picture() const { return picture_; }
     [[nodiscard]] const RenderedFrame& rendered() const { return rendered_; }
     [[nodiscard]] const std::string& failure() const { return failure_; }

@@ -92,7 +92,7 @@ std::vector<ScreenSegment> projectSegments(std::span<const dvec3> pointsWorld, c
     return segments;
 }
 
-void ShapePainter::draw(std::span<const SceneShape> shapes, const scene::Camera& camera, ivec2 size) const {
+void ShapePainter::draw(std::span<const SceneShape> shapes, const scene::Camera& camera, ivec2 size, bool onTop) const {
     std::vector<Lines> lines;
     std::vector<Faces> faces;
     for (const SceneShape& shape : shapes) {
@@ -112,7 +112,8 @@ void ShapePainter::draw(std::span<const SceneShape> shapes, const scene::Camera&
     // The picture's own alpha stays: it says that there is something to show.
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     for (const bool hidden : {true, false}) {
-        glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
+        if (onTop && hidden) continue;
+        glDepthFunc(onTop ? GL_ALWAYS : hidden ? GL_GREATER : GL_LEQUAL);
         drawFaces(faces, camera, size, hidden ? kHiddenFace : 1.0f);
         drawLines(lines, size, hidden);
     }

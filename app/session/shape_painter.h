@@ -28,7 +28,8 @@ public:
     /// Draws into the bound framebuffer of that size, blending over linear display colours. Its depth is that of the
     /// scene, drawn with this very camera (gl::eyeMatrices) and offset a little away from it; it is not written. What the
     /// scene hides shows through faintly. GL state as after setBaselineState(), or with a scissor set.
-    void draw(std::span<const SceneShape> shapes, const scene::Camera& camera, ivec2 size) const;
+    /// `onTop`: as if there were no scene.
+    void draw(std::span<const SceneShape> shapes, const scene::Camera& camera, ivec2 size, bool onTop = false) const;
 
 private:
     struct Lines;

@@ -17,6 +17,7 @@ constexpr double kTooSlowMs = 1000.0 / 15;
 constexpr double kWorthIt = 0.7;   ///< of the time of full pictures, that coarse ones may take at most
 constexpr double kNewShare = 0.25; ///< of a new frame's time in the average
 constexpr int kCoarsest = 4;
+constexpr double kMostAskingMs = 20; ///< about one pixel while something moves: a third of a frame's time
 constexpr double kLeastShare = 0.01; ///< of a picture: of less no time can be foretold
 
 } // namespace
@@ -70,6 +71,7 @@ PaneRequest Workbench::requestFor(const PlacedPane& placed, int draft) const {
     request.outsideCamera = document_.outsideCamera;
     request.outsideSize = glm::max(ivec2(1), (ivec2(cell.width, cell.height) + draft - 1) / draft);
     request.light = document_.light;
+    if (document_.picked) request.view.picked = pixelAt(*document_.picked, request.view.size);
     return request;
 }
 
@@ -77,13 +79,14 @@ bool Workbench::update(ivec2 areaSize, Deadline deadline) {
     using Clock = std::chrono::steady_clock;
     if (isAtRest()) draft_ = 1;
     const Clock::time_point begin = Clock::now();
-    bool drawn = false;
+    bool drawn = false, asked = false;
     double share = 1;
     for (const PlacedPane& placed : this->placed(areaSize)) {
         const PaneWork work{deadline, timePasses_, isAtRest(),
                             std::ranges::find(answering_, placed.pane) != answering_.end()};
         Pane& pane = panes_[static_cast<std::size_t>(placed.pane)];
         drawn = pane.update(session_, encoder_, requestFor(placed, draft_), work) || drawn;
+        if (placed.pane == document_.active) asked = askAboutPixel(requestFor(placed, draft_), pane);
         share = std::min(share, pane.drawnShare());
     }
     // From one frame to the next, for the driver may still be drawing now. What the deadline cut off would have taken longer.
@@ -92,7 +95,31 @@ bool Workbench::update(ivec2 areaSize, Deadline deadline) {
                     std::max(drawnShare_, kLeastShare));
     drawnShare_ = share;
     begun_ = drawn ? std::optional(begin) : std::nullopt;
-    return drawn;
+    return drawn || asked;
+}
+
+/// True when there is something new to show. While something moves, only what is quick is asked again.
+bool Workbench::askAboutPixel(const PaneRequest& request, Pane& pane) {
+    const PaneRequest& before = pickedPixel_.askedFor;
+    if (!request.view.picked) {
+        pickedPixel_ = {};
+        return false;
+    }
+    if (request == before && request.view.picked == before.view.picked) return false;
+    if (!isAtRest() && !isNewlyPicked_ && pickedPixel_.tookMs > kMostAskingMs) return false;
+    const auto begin = std::chrono::steady_clock::now();
+    std::optional<Probe> probe = pane.probe(request.view);
+    if (!probe) return false; // the technique is not ready
+    pickedPixel_ = {request, std::move(*probe),
+                    std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count()};
+    if (std::exchange(isNewlyPicked_, false) && pickedPixel_.probe.geometry.empty()) unpick();
+    return true;
+}
+
+void Workbench::pick(const dvec2& place) {
+    document_.picked = glm::clamp(place, dvec2(0), dvec2(1));
+    isNewlyPicked_ = true;
+    pickedPixel_ = {};
 }
 
 void Workbench::chooseDraft(double tookMs) {
@@ -153,6 +180,7 @@ void Workbench::show(Document document) {
     if (document.sceneName == document_.sceneName) {
         document.camera = document_.camera;
         document.outsideCamera = document_.outsideCamera;
+        document.picked = document_.picked;
     }
     document_ = std::move(document);
     shown_ = document_.scene;
@@ -173,6 +201,7 @@ void Workbench::showScene(scene::Snapshot scene, std::string sceneName) {
     document_.camera = scene->camera;
     document_.outsideCamera = outsideCameraOf(*scene, scene->camera);
     document_.light = 0;
+    document_.picked.reset();
     document_.scene = std::move(scene);
     document_.sceneName = std::move(sceneName);
     // A stage of a light that this scene does not have is no stage of it.

@@ -22,6 +22,13 @@ struct PlacedPane {
     Cell cell;
 };
 
+/// A pixel, and what is known about it.
+struct PickedPixel {
+    PaneRequest askedFor;
+    Probe probe;
+    double tookMs = 0;
+};
+
 class Workbench {
 public:
     /// Needs a current GL context for its whole life.
@@ -76,6 +83,10 @@ public:
     void setCamera(const scene::Camera& camera);
     void setOutsideCamera(const scene::Camera& camera) { document_.outsideCamera = camera; }
     void resetOutsideCamera();
+    /// Asks about the pixel at that share of a picture's width and height. Nothing is known of the background: then no
+    /// pixel is picked any more.
+    void pick(const dvec2& place);
+    void unpick() { document_.picked.reset(); }
     void activate(int pane);
 
     /// Another scene in place of this one; layout, techniques and settings stay.
@@ -86,7 +97,11 @@ public:
     /// Lets time go by.
     void advance(double seconds);
 
+    /// What the active pane's technique knows about the picked pixel: of the last picture for which there was time to ask.
+    [[nodiscard]] const PickedPixel& pickedPixel() const { return pickedPixel_; }
+
 private:
+    bool askAboutPixel(const PaneRequest& request, Pane& pane);
     void settle();
     void chooseDraft(double tookMs);
     void show(Document document);
@@ -100,6 +115,8 @@ private:
     Session session_;
     PictureEncoder encoder_;
     std::array<Pane, kPanes> panes_;
+    PickedPixel pickedPixel_;
+    bool isNewlyPicked_ = false;
     bool moving_ = false, timePasses_ = true, draftAllowed_ = true, whole_ = false;
     int draft_ = 1;
     bool draftHelps_ = true, draftIsNew_ = false;

@@ -102,7 +102,7 @@ void nextLayout(Desk& desk, int by) {
     const int now = static_cast<int>(desk.bench.document().layout);
     chooseLayout(desk, static_cast<Layout>((now + by + kCount) % kCount));
 }
-/// Out of what lies nearest: the list of keys, messages of faults, what is selected, a stage.
+/// Out of what lies nearest: the list of keys, messages of faults, what is selected, a picked pixel, a stage.
 void leave(Desk& desk) {
     if (desk.shown.keys)
         desk.shown.keys = false;
@@ -110,6 +110,8 @@ void leave(Desk& desk) {
         return;
     else if (desk.selection.kind != session::Selection::Kind::none)
         desk.selection = {};
+    else if (desk.bench.document().picked)
+        desk.bench.unpick();
     else if (!desk.bench.activeState().stage.empty())
         chooseStage(desk, "");
     else
@@ -173,6 +175,8 @@ const Action kActions[] = {
      [](Desk& d) { toggleStage(d, "truth"); }},
     {"outside", "Steps and stages", "O", "the second camera, which looks on from outside", GLFW_KEY_O, false, false,
      false, [](Desk& d) { toggleStage(d, "outside"); }},
+    {"pick", "Steps and stages", "X", "picks the pixel under the mouse: all that is known about it", GLFW_KEY_X, false,
+     false, false, [](Desk& d) { d.requests.pick = true; }},
     {"next-light", "Steps and stages", "L", "stages and errors are about the next light", GLFW_KEY_L, false, false,
      false, nextLight},
 
@@ -253,8 +257,8 @@ const Action kActions[] = {
     {"reset-settings", "Window", "R", "the technique's own settings", GLFW_KEY_R, false, false, false, resetSettings},
     {"reload-shaders", "Window", "F5", "compiles all shaders anew", GLFW_KEY_F5, false, false, false,
      [](Desk& d) { d.requests.reloadShaders = true; }},
-    {"leave", "Window", "Esc", "out of the list, messages, the selection, the stage", GLFW_KEY_ESCAPE, false, false,
-     false, leave},
+    {"leave", "Window", "Esc", "out of the list, messages, the selection, the picked pixel, the stage", GLFW_KEY_ESCAPE,
+     false, false, false, leave},
     {"quit", "Window", "Ctrl+Q", "ends the program", GLFW_KEY_Q, true, false, false,
      [](Desk& d) { d.requests.quit = true; }},
 };

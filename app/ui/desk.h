@@ -29,6 +29,7 @@ struct Shown {
 struct Requests {
     bool quit = false, screenshot = false, saveScene = false, fullScreen = false, reloadShaders = false;
     bool focusPanel = false;
+    bool pick = false; ///< the pixel under the mouse
     std::string scene; ///< to be loaded
 };
 

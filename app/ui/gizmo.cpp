@@ -212,7 +212,7 @@ bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& 
                 }
             }
         if (hovered) desk.hovered = hovered->what;
-        if (hovered && ImGui::IsMouseClicked(0)) {
+        if (hovered && ImGui::IsMouseClicked(0) && !io.KeyCtrl) {
             desk.selection = hovered->what;
             desk.drag = Drag::handle;
             desk.dragPart = part;

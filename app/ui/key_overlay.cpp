@@ -35,8 +35,9 @@ std::vector<KeyRow> keyRows() {
     return rows;
 }
 
-constexpr std::array<std::array<const char*, 2>, 6> kMouse = {{{"left", "orbits; drags handles and the split line"},
+constexpr std::array<std::array<const char*, 2>, 7> kMouse = {{{"left", "orbits; drags handles and the split line"},
                                                                {"Shift+left", "pans; lifts a handle"},
+                                                               {"Ctrl+left", "picks a pixel, as X does"},
                                                                {"middle", "pans"},
                                                                {"right", "looks around; with W A S D E Q flies"},
                                                                {"wheel", "nearer, farther"},

@@ -9,6 +9,7 @@
 #include "app/session/stepping.h"
 #include "app/ui/error_panel.h"
 #include "app/ui/parameter_panel.h"
+#include "app/ui/pixel_panel.h"
 #include "techniques/registry.h"
 
 namespace shadowlab::ui {
@@ -275,6 +276,7 @@ void sidePanel(Desk& desk, const session::LiveErrors& errors, const Area& area, 
     }
     techniquePart(desk);
     stagePart(desk);
+    pixelPanel(desk);
     if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) parameterPanel(desk, theme);
     if (ImGui::CollapsingHeader("Errors", ImGuiTreeNodeFlags_DefaultOpen)) {
         errorTable(desk, errors);

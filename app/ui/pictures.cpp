@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -117,6 +118,23 @@ std::string noteOf(const Desk& desk, const session::Pane& pane) {
                : "";
 }
 
+/// A ring with four strokes around the picked pixel: none of them covers it.
+void drawPicked(ImDrawList& list, const Desk& desk, const ShownPane& shown, const Theme& theme) {
+    const std::optional<dvec2>& picked = desk.bench.document().picked;
+    if (!picked || !desk.bench.pane(shown.pane).showsTheEyesView()) return;
+    const ImVec2 at(shown.pictureCorner.x + static_cast<float>(picked->x) * shown.pictureSize.x,
+                    shown.pictureCorner.y + static_cast<float>(picked->y) * shown.pictureSize.y);
+    const float radius = theme.em * 0.55f;
+    for (const bool rim : {true, false}) {
+        const ImU32 color = rim ? IM_COL32(16, 16, 18, 255) : kAccent;
+        const float width = rim ? 5.0f : 2.5f;
+        list.AddCircle(at, radius, color, 0, width);
+        for (const ImVec2& way : {ImVec2(1, 0), ImVec2(-1, 0), ImVec2(0, 1), ImVec2(0, -1)})
+            list.AddLine({at.x + way.x * radius, at.y + way.y * radius},
+                         {at.x + 1.7f * way.x * radius, at.y + 1.7f * way.y * radius}, color, width);
+    }
+}
+
 void drawPane(ImDrawList& list, Desk& desk, const session::LiveErrors& errors, ShownPane& shown, const Theme& theme) {
     const session::Pane& pane = desk.bench.pane(shown.pane);
     const session::Document& document = desk.bench.document();
@@ -139,6 +157,7 @@ void drawPane(ImDrawList& list, Desk& desk, const session::LiveErrors& errors, S
         legend = true;
     }
     drawGizmos(list, desk, shown, theme); // under the plates: a title has to be read, a handle can be moved
+    drawPicked(list, desk, shown, theme);
     if (legend) shown.legendSize = drawLegend(list, pane.picture(), false, shown.area.corner, shown.area.size, theme);
     const bool active = shown.pane == document.active && document.layout != Layout::single;
     // Clear of the split line, half of which lies on the pane to its right.
@@ -146,6 +165,17 @@ void drawPane(ImDrawList& list, Desk& desk, const session::LiveErrors& errors, S
     drawPlate(list, {low.x + beside, low.y}, high.x - low.x - beside, title, theme, active);
     drawNote(list, shown, noteOf(desk, pane), pane.failure().empty() ? kPlateText : kAccent, theme);
     list.PopClipRect();
+}
+
+/// The pixel of what the eye sees there, and its pane.
+void pickPixel(Desk& desk, const std::vector<ShownPane>& panes, ImVec2 place) {
+    for (const ShownPane& shown : panes) {
+        if (!shown.area.contains(place) || !desk.bench.pane(shown.pane).showsTheEyesView()) continue;
+        desk.bench.activate(shown.pane);
+        // The middle of the pixel: its edge may be rounded to either side.
+        desk.bench.pick((dvec2(place.x, place.y) + 0.5 - dvec2(shown.pictureCorner.x, shown.pictureCorner.y)) /
+                        dvec2(shown.pictureSize.x, shown.pictureSize.y));
+    }
 }
 
 void drawSplitLine(ImDrawList& list, const Desk& desk, const Area& area, const Theme& theme) {
@@ -218,7 +248,10 @@ bool handleMouse(Desk& desk, const std::vector<ShownPane>& panes, const Area& ar
     const bool onLine = over && hasSplitLine(desk) && std::abs(place.x - lineX) <= kLineGrip * theme.em;
     if (onLine) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
 
-    if (over && desk.drag == Drag::none &&
+    if (std::exchange(desk.requests.pick, false)) pickPixel(desk, panes, io.MousePos);
+    const bool picks = over && desk.drag == Drag::none && io.KeyCtrl && ImGui::IsMouseClicked(0);
+    if (picks) pickPixel(desk, panes, place);
+    if (over && !picks && desk.drag == Drag::none &&
         (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2))) {
         desk.drag = onLine && ImGui::IsMouseClicked(0) ? Drag::splitLine : Drag::camera;
         if (desk.drag == Drag::camera)

@@ -62,6 +62,13 @@ std::string stateReport(Desk& desk, const Screen& screen) {
     json["selection"] = desk.selection.kind == Kind::light    ? scene.lights[index].name
                         : desk.selection.kind == Kind::object ? scene.objects[index].name
                                                               : std::string();
+    const session::PickedPixel& picked = desk.bench.pickedPixel();
+    json["picked"] = nullptr;
+    if (picked.askedFor.view.picked)
+        json["picked"] = {{"pixel", {picked.askedFor.view.picked->x, picked.askedFor.view.picked->y}},
+                          {"technique", picked.askedFor.state.technique},
+                          {"facts", picked.probe.facts.size()},
+                          {"rays", picked.probe.tree.size()}};
     json["playing"] = desk.bench.animation().playing;
     json["moves"] = {{"lights", desk.bench.animation().lights},
                      {"camera", desk.bench.animation().camera},

@@ -46,6 +46,9 @@ inline const vec3 kEye = linearFromSrgb8(0x56, 0xB4, 0xE9);
 inline const vec3 kEyeRay = linearFromSrgb8(0xF2, 0xF2, 0xF2);
 inline const vec3 kChosenLight = linearFromSrgb8(0xF0, 0xE4, 0x42);
 inline const vec3 kOtherLight = linearFromSrgb8(0xB0, 0xB0, 0xB0);
+inline const vec3 kReflectionRay = linearFromSrgb8(0xCC, 0x79, 0xA7);
+inline const vec3 kRefractionRay = linearFromSrgb8(0xE6, 0x9F, 0x00);
+inline const vec3 kVisited = linearFromSrgb8(0xB0, 0xB0, 0xB0); ///< cells and volumes on a ray's way
 inline const vec3 kLightFrustum = linearFromSrgb8(0xE6, 0x9F, 0x00);
 
 /// The maps of one light: cascades from the eye outward, or those along +x -x +y -y +z -z.

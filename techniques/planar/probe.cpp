@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/exact_judge.h"
 #include "techniques/planar/technique.h"
 
 namespace shadowlab::planar {
 
 Probe Planar::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
     Probe probe = Technique::probe(snapshot, view, pixel, light);
-    const trace::ExactVisibility exact(snapshot);
-    const auto hit = exact.eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
+    const auto hit = exactJudge(snapshot)->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
     if (!hit) return probe;
     const gl::EyeMatrices eye = gl::eyeMatrices(view.camera, view.size);
     const Choice choice = choose(receivers_.inView(*snapshot, eye, scene::objectBounds(*snapshot)), params_.receivers,

@@ -9,111 +9,179 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-std::string text(const dvec3& v) {
-    return std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z);
+Probe::Role roleOf(Branch branch) {
+    if (branch == Branch::eye) return Probe::Role::eye;
+    return branch == Branch::reflection ? Probe::Role::reflection : Probe::Role::refraction;
 }
 
-std::string labelOf(const TreeNode& node) {
-    const std::string level = " " + std::to_string(node.level);
-    switch (node.branch) {
-    case Branch::eye: return "eye ray";
-    case Branch::reflection: return "reflection ray R" + level;
-    case Branch::refraction: return "refraction ray T" + level;
-    }
-    return "";
-}
-
+/// Empty where the ray splits.
 std::string endOf(const TreeNode& node) {
     switch (node.end) {
-    case RayEnd::splits: return "splits";
-    case RayEnd::nothingHit: return "ends: meets nothing, background";
-    case RayEnd::lightSource: return "ends: a light source that does not reflect";
-    case RayEnd::opaque: return "ends: neither reflects nor lets light pass";
-    case RayEnd::depth: return node.point ? "ends: depth is 0" : "not followed: the tree is deep enough";
+    case RayEnd::splits: return "";
+    case RayEnd::nothingHit: return "meets nothing: background";
+    case RayEnd::lightSource: return "a light source that does not reflect";
+    case RayEnd::opaque: return "neither reflects nor lets light pass";
+    case RayEnd::depth: return node.point ? "depth is 0" : "not followed: the tree is deep enough";
     case RayEnd::cutoff: return "not followed: would add less than the cut-off";
     case RayEnd::noTransmission: return "none: total reflection";
     }
     return "";
 }
 
-std::string answerOf(const Surfaces& surfaces, const trace::SurfacePoint& point, int light) {
-    const trace::SceneTracer& tracer = surfaces.tracer();
-    if (!tracer.facesLight(point, light)) return "not sent: faces away, or outside the light";
-    if (!tracer.objectOf(point).receivesShadow) return "not sent: receives no shadow";
-    const std::uint32_t blocker = tracer.blocker(point, light);
-    if (blocker == trace::kNoPrimitive) return "arrives";
-    return "blocked by " + surfaces.scene().objects[tracer.world().objects[blocker]].name;
-}
+/// Adds the nodes and lines of one tree to a probe.
+class Describer {
+public:
+    Describer(const RayTree& tree, const Surfaces& surfaces, int light, Probe& probe)
+        : tree_(tree), surfaces_(surfaces), tracer_(surfaces.tracer()), bounds_(boundsOf(surfaces.scene())),
+          light_(light), probe_(probe) {}
 
-std::vector<Probe::Fact> factsOf(const TreeNode& node, const Surfaces& surfaces) {
-    std::vector<Probe::Fact> facts;
-    const auto fact = [&](std::string label, std::string value, std::string unit = "") {
-        facts.push_back({std::move(label), std::move(value), std::move(unit)});
-    };
-    if (node.point) {
-        fact("hits", surfaces.tracer().objectOf(node.point).name);
-        fact("after", std::to_string(node.distance), "m");
-        fact("at", text(surfaces.tracer().positionWorld(node.point)), "m");
+    void describe() {
+        probe_.geometry.clear();
+        int surface = 0;
+        for (const TreeNode& node : tree_.nodes()) {
+            places_.push_back(static_cast<int>(probe_.tree.size()));
+            numbers_.push_back(node.point ? ++surface : 0);
+            probe_.tree.push_back(nodeOf(node));
+            if (node.point)
+                for (std::size_t l = 0; l < tree_.lightsOf(node).size(); ++l)
+                    addShadowRay(node, places_.back(), static_cast<int>(l));
+        }
+        addVectors();
     }
-    fact("branch", endOf(node));
-    fact("contribution", std::to_string(node.contribution));
-    if (node.end != RayEnd::noTransmission) {
-        fact("u", text(node.u));
-        fact("V", text(-node.u));
+
+private:
+    using Facts = std::vector<Probe::Fact>;
+
+    Probe::Node nodeOf(const TreeNode& node) {
+        Probe::Node shown{node.parent < 0 ? -1 : places_[static_cast<std::size_t>(node.parent)], labelOf(node),
+                          factsOf(node)};
+        shown.role = roleOf(node.branch);
+        if (node.parent >= 0) shown.sign = signOf(node);
+        shown.end = endOf(node);
+        shown.share = node.contribution;
+        shown.intensity = node.intensity;
+        if (node.point) {
+            shown.surface = "S" + std::to_string(numbers_.back());
+            shown.object = tracer_.objectOf(node.point).name;
+            shown.normalWorld = node.normalWorld;
+        }
+        if (!node.isFollowed()) return shown;
+        const dvec3 fromWorld = tracer_.world().originWorld + node.fromCentred;
+        const dvec3 toWorld = node.point ? tracer_.positionWorld(node.point) : endBeyond(bounds_, fromWorld, node.u);
+        shown.segment = static_cast<int>(probe_.geometry.size());
+        probe_.geometry.push_back({shown.label, fromWorld, toWorld, shown.role, !node.point});
+        return shown;
     }
-    if (node.point) fact("N", text(node.normalWorld));
-    if (node.end == RayEnd::splits) {
-        if (node.reflectedWorld != dvec3(0)) fact("R", text(node.reflectedWorld));
-        if (node.refractedWorld != dvec3(0)) fact("T", text(node.refractedWorld));
-        if (surfaces.materialOf(node.point).transparency > 0)
-            fact("index of refraction", std::to_string(node.iorHere) + " to " + std::to_string(node.iorBeyond));
-        fact("weight of I_R", std::to_string(node.weights.reflected));
-        fact("weight of I_T", std::to_string(node.weights.transmitted));
-        fact("I_R", text(node.reflectedIntensity));
-        fact("I_T", text(node.refractedIntensity));
+
+    [[nodiscard]] std::string signOf(const TreeNode& node) const {
+        return (node.branch == Branch::reflection ? "R" : "T") +
+               std::to_string(numbers_[static_cast<std::size_t>(node.parent)]);
     }
-    if (node.point) {
-        fact("own light", text(node.local));
-        fact("attenuation", std::to_string(node.attenuation));
+    [[nodiscard]] std::string labelOf(const TreeNode& node) const {
+        if (node.parent < 0) return "eye ray";
+        return (node.branch == Branch::reflection ? "reflection ray " : "refraction ray ") + signOf(node);
     }
-    fact("I", text(node.intensity));
-    return facts;
-}
+
+    [[nodiscard]] Facts factsOf(const TreeNode& node) const {
+        Facts facts;
+        if (node.point) {
+            facts.push_back({"hits", tracer_.objectOf(node.point).name, ""});
+            facts.push_back({"surface", "S" + std::to_string(numbers_.back()), ""});
+            facts.push_back({"material", surfaces_.materialOf(node.point).name, ""});
+            facts.push_back(probeFact("after", node.distance, "m"));
+            facts.push_back(probeFact("at", tracer_.positionWorld(node.point), "m"));
+        }
+        facts.push_back({"branch", node.end == RayEnd::splits ? "splits" : endOf(node), ""});
+        facts.push_back(probeFact("contribution", node.contribution));
+        if (node.end != RayEnd::noTransmission) {
+            facts.push_back(probeFact("u", node.u));
+            facts.push_back(probeFact("V", -node.u));
+        }
+        if (node.point) facts.push_back(probeFact("N", node.normalWorld));
+        if (node.end == RayEnd::splits) addSplit(node, facts);
+        if (node.point) {
+            facts.push_back(probeFact("own light", node.local));
+            facts.push_back(probeFact("attenuation", node.attenuation));
+        }
+        if (node.end != RayEnd::noTransmission) facts.push_back(probeFact("I", node.intensity));
+        return facts;
+    }
+
+    void addSplit(const TreeNode& node, Facts& facts) const {
+        if (node.reflectedWorld != dvec3(0)) facts.push_back(probeFact("R", node.reflectedWorld));
+        if (node.refractedWorld != dvec3(0)) facts.push_back(probeFact("T", node.refractedWorld));
+        if (surfaces_.materialOf(node.point).transparency > 0)
+            facts.push_back({"index of refraction",
+                             probeText(node.iorHere) + " to " + probeText(node.iorBeyond),
+                             "",
+                             {node.iorHere, node.iorBeyond}});
+        facts.push_back(probeFact("weight of I_R", node.weights.reflected));
+        facts.push_back(probeFact("weight of I_T", node.weights.transmitted));
+        facts.push_back(probeFact("I_R", node.reflectedIntensity));
+        facts.push_back(probeFact("I_T", node.refractedIntensity));
+    }
+
+    void addShadowRay(const TreeNode& node, int parent, int light) {
+        const LightAtNode& at = tree_.lightsOf(node)[static_cast<std::size_t>(light)];
+        const scene::Light& source = surfaces_.scene().lights[static_cast<std::size_t>(light)];
+        const std::string result = answerOf(node.point, light);
+        Probe::Node shown{parent,
+                          "shadow ray to " + source.name,
+                          {{"result", result, ""},
+                           probeFact("L", at.towardWorld),
+                           probeFact("H", at.halfwayWorld),
+                           probeFact("I", at.intensity)}};
+        const bool arrives = result == "arrives";
+        shown.role = arrives ? Probe::Role::arriving : Probe::Role::blocked;
+        shown.light = light;
+        shown.end = result;
+        shown.intensity = at.intensity;
+        if (light == light_ && at.visibility >= trace::Visibility::shadowed) {
+            shown.segment = static_cast<int>(probe_.geometry.size());
+            probe_.geometry.push_back({"shadow ray", tracer_.positionWorld(node.point),
+                                       shadowRayEnd(tracer_, node.point, light, bounds_), shown.role,
+                                       arrives && source.type == scene::LightType::directional});
+        }
+        probe_.tree.push_back(std::move(shown));
+    }
+
+    [[nodiscard]] std::string answerOf(const trace::SurfacePoint& point, int light) const {
+        if (!tracer_.facesLight(point, light)) return "not sent: faces away, or outside the light";
+        if (!tracer_.objectOf(point).receivesShadow) return "not sent: receives no shadow";
+        const std::uint32_t blocker = tracer_.blocker(point, light);
+        if (blocker == trace::kNoPrimitive) return "arrives";
+        return "blocked by " + surfaces_.scene().objects[tracer_.world().objects[blocker]].name;
+    }
+
+    void addVectors() {
+        const TreeNode& root = tree_.root();
+        const auto add = [&](const char* letter, const dvec3& directionWorld) {
+            if (directionWorld != dvec3(0)) probe_.vectors.push_back({letter, directionWorld});
+        };
+        add("u", root.u);
+        add("V", -root.u);
+        add("N", root.normalWorld);
+        add("R", root.reflectedWorld);
+        add("T", root.refractedWorld);
+        if (light_ < 0 || light_ >= static_cast<int>(tree_.lightsOf(root).size())) return;
+        add("L", tree_.lightsOf(root)[static_cast<std::size_t>(light_)].towardWorld);
+        add("H", tree_.lightsOf(root)[static_cast<std::size_t>(light_)].halfwayWorld);
+    }
+
+    const RayTree& tree_;
+    const Surfaces& surfaces_;
+    const trace::SceneTracer& tracer_;
+    const scene::Bounds bounds_;
+    const int light_;
+    Probe& probe_;
+    std::vector<int> places_;  ///< of the tree's nodes in the probe's
+    std::vector<int> numbers_; ///< of their surfaces; 0: none
+};
 
 } // namespace
 
 void describeTree(const RayTree& tree, const Surfaces& surfaces, int light, Probe& probe) {
-    const trace::SceneTracer& tracer = surfaces.tracer();
-    const scene::Bounds bounds = boundsOf(surfaces.scene());
-    std::vector<int> places; // of the tree's nodes in the probe's
-    for (const TreeNode& node : tree.nodes()) {
-        const int place = static_cast<int>(probe.tree.size());
-        places.push_back(place);
-        const int parent = node.parent < 0 ? -1 : places[static_cast<std::size_t>(node.parent)];
-        probe.tree.push_back({parent, labelOf(node), factsOf(node, surfaces)});
-        for (std::size_t l = 0; l < tree.lightsOf(node).size(); ++l) {
-            const LightAtNode& at = tree.lightsOf(node)[l];
-            probe.tree.push_back({place,
-                                  "shadow ray to " + surfaces.scene().lights[l].name,
-                                  {{"result", answerOf(surfaces, node.point, static_cast<int>(l)), ""},
-                                   {"L", text(at.towardWorld), ""},
-                                   {"H", text(at.halfwayWorld), ""},
-                                   {"I", text(at.intensity), ""}}});
-        }
-        if (node.parent < 0 || !node.isFollowed()) continue;
-        const dvec3 fromWorld = tracer.world().originWorld + node.fromCentred;
-        if (!node.point) {
-            probe.geometry.push_back({labelOf(node), fromWorld, endBeyond(bounds, fromWorld, node.u)});
-            continue;
-        }
-        const dvec3 endWorld = tracer.positionWorld(node.point);
-        probe.geometry.push_back({labelOf(node), fromWorld, endWorld});
-        const auto lights = tree.lightsOf(node);
-        if (light < 0 || light >= static_cast<int>(lights.size()) ||
-            lights[static_cast<std::size_t>(light)].visibility < trace::Visibility::shadowed)
-            continue;
-        probe.geometry.push_back({"shadow ray", endWorld, shadowRayEnd(tracer, node.point, light, bounds)});
-    }
+    Describer(tree, surfaces, light, probe).describe();
 }
 
 } // namespace shadowlab::ray_tracing

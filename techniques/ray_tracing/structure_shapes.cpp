@@ -53,6 +53,19 @@ void addOutline(std::vector<dvec3>& pointsWorld, const dvec3& centre, double rad
     addCircle(pointsWorld, centre + share * share * toEye, toEye, radius * std::sqrt(1 - share * share));
 }
 
+/// `eyeWorld`: as in structureShapes().
+void addPart(std::vector<dvec3>& pointsWorld, const trace::StructurePart& part, const dvec3& originWorld,
+             const std::optional<dvec3>& eyeWorld) {
+    const dvec3 centreWorld = originWorld + part.centreCentred;
+    if (!part.isBall)
+        addBox(pointsWorld, originWorld + part.lowerCentred, originWorld + part.upperCentred);
+    else if (eyeWorld)
+        addOutline(pointsWorld, centreWorld, part.radius, *eyeWorld);
+    else
+        for (const dvec3& axis : {dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)})
+            addCircle(pointsWorld, centreWorld, axis, part.radius);
+}
+
 std::string labelOf(trace::Structure structure, int level) {
     using enum trace::Structure;
     switch (structure) {
@@ -78,17 +91,22 @@ std::vector<SceneShape> structureShapes(const trace::Engine& engine, trace::Stru
             const vec3 color = colors[shapes.size() % colors.size()];
             shapes.push_back({labelOf(structure, static_cast<int>(shapes.size())), color, SceneShape::Kind::lines, {}});
         }
-        std::vector<dvec3>& points = shapes[level].pointsWorld;
-        const dvec3 centreWorld = originWorld + part.centreCentred;
-        if (!part.isBall)
-            addBox(points, originWorld + part.lowerCentred, originWorld + part.upperCentred);
-        else if (eyeWorld)
-            addOutline(points, centreWorld, part.radius, *eyeWorld);
-        else
-            for (const dvec3& axis : {dvec3(1, 0, 0), dvec3(0, 1, 0), dvec3(0, 0, 1)})
-                addCircle(points, centreWorld, axis, part.radius);
+        addPart(shapes[level].pointsWorld, part, originWorld, eyeWorld);
     }
     return shapes;
+}
+
+std::string passedWord(trace::Structure structure) { return structure == trace::Structure::grid ? "cells" : "volumes"; }
+
+SceneShape passedShape(const std::vector<trace::StructurePart>& passed, trace::Structure structure,
+                       const dvec3& originWorld) {
+    SceneShape shape{passedWord(structure) + " that the eye ray passes: " + std::to_string(passed.size()),
+                     look::kVisited,
+                     SceneShape::Kind::lines,
+                     {}};
+    for (const trace::StructurePart& part : passed)
+        addPart(shape.pointsWorld, part, originWorld, std::nullopt);
+    return shape;
 }
 
 } // namespace shadowlab::ray_tracing

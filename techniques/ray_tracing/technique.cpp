@@ -82,6 +82,7 @@ public:
     }
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::vector<SceneShape> shapes(const scene::Snapshot&, const View& view, int light) override {
+        if (view.picked) return {}; // what its rays pass is in its probe
         std::vector<SceneShape> shapes = rayShapes(tracer_, view, light);
         // Of the tree, which is there even if nobody looks at it, the rays alone are shown.
         if (structures_.chosen() != trace::Structure::bvh)
@@ -332,28 +333,31 @@ private:
 };
 
 /// The rays of one pixel, as a tree: the eye ray, what it splits into, and at every surface a shadow ray for every light.
+/// What the last frame was drawn with is used; without one it is made here.
 Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
     Probe probe = Technique::probe(snapshot, view, pixel, light);
-    trace::SceneTracer tracer;
-    tracer.advance(snapshot, Deadline::max());
-    const Surfaces surfaces(tracer);
-    const trace::EyeRays rays = tracer.eyeRays(view.camera, view.size);
+    prepare(snapshot, Deadline::max());
+    const Surfaces& surfaces = *surfaces_;
+    const trace::EyeRays rays = tracer_.eyeRays(view.camera, view.size);
     const dvec2 centre = dvec2(pixel) + 0.5;
-    const trace::SurfacePoint point = tracer.eyePoint(rays, centre);
+    const trace::SurfacePoint point = tracer_.eyePoint(rays, centre);
     if (!point) return probe;
-    // What is there already is used; the command line has nothing yet.
-    KeptStructures own;
-    const bool isThere = structures_.isReady(tracer.geometry(), structureParams_.structure);
-    if (!isThere) own.prepare(tracer.geometry(), structureParams_.structure, Deadline::max());
-    const trace::Engine& engine = (isThere ? structures_ : own).engine();
-    const trace::RayTests tests = tracer.testsOf(engine, rays, centre);
+    const trace::Engine& engine = structures_.engine();
+    const trace::RayTests tests = tracer_.testsOf(engine, rays, centre);
     if (engine.counts())
-        probe.facts.insert(probe.facts.end(),
-                           {{"eye ray and shadow rays try", std::to_string(tests.volumes), "volumes"},
-                            {"and", std::to_string(tests.triangles), "triangles"},
-                            {"looking into", std::to_string(tests.steps), "nodes, objects or cells"}});
+        probe.facts.insert(probe.facts.end(), {probeCount("eye ray and shadow rays try", tests.volumes, "volumes"),
+                                               probeCount("and", tests.triangles, "triangles"),
+                                               probeCount("looking into", tests.steps, "nodes, objects or cells")});
+    trace::Ray toHit = rays.through(centre);
+    toHit.farthest = tracer_.distance(rays, point) / glm::length(toHit.directionCentred);
+    const std::vector<trace::StructurePart> passed = engine.passed(toHit, kMostPassed);
+    if (!passed.empty())
+        probe.facts.push_back(probeCount("the eye ray passes", passed.size(), passedWord(structures_.chosen())));
+    // The tree of boxes is there even if nobody looks at it.
+    if (!passed.empty() && structures_.chosen() != trace::Structure::bvh)
+        probe.visited.push_back(passedShape(passed, structures_.chosen(), tracer_.world().originWorld));
     RayTree tree;
-    tree.trace({surfaces, trace::MovingScene(tracer)}, params_.tree(), rays.eyeCentred(),
+    tree.trace({surfaces, trace::MovingScene(tracer_)}, params_.tree(), rays.eyeCentred(),
                glm::normalize(rays.through(centre).directionCentred), point, surfaces.mediaAround(rays.eyeCentred()));
     describeTree(tree, surfaces, light, probe);
     return probe;

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/exact_judge.h"
 #include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {
@@ -70,7 +70,7 @@ std::optional<double> firstDepth(const scene::Scene& scene, std::span<const std:
 
 Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
     Probe probe = Technique::probe(snapshot, view, pixel, light);
-    const auto hit = trace::ExactVisibility(snapshot).eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
+    const auto hit = exactJudge(snapshot)->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
     if (!hit || light < 0 || light >= static_cast<int>(snapshot->lights.size())) return probe;
     prepare(snapshot, Deadline::max());
     const LightMaps maps =

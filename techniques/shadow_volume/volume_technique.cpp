@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "techniques/exact_judge.h"
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/scene/visible_receivers.h"
-#include "techniques/foundation/trace/exact_visibility.h"
 #include "techniques/shadow_volume/eye_line.h"
 #include "techniques/shadow_volume/shapes.h"
 
@@ -266,10 +266,10 @@ std::vector<SceneShape> VolumeTechnique::shapes(const scene::Snapshot& snapshot,
 
 Probe VolumeTechnique::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
     Probe probe = Technique::probe(snapshot, view, pixel, light);
-    const trace::ExactVisibility exact(snapshot);
-    const auto hit = exact.eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
+    const auto exact = exactJudge(snapshot);
+    const auto hit = exact->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
     if (!hit || light < 0 || light >= static_cast<int>(snapshot->lights.size())) return probe;
-    const int crossed = exact.crossings(*hit, light);
+    const int crossed = exact->crossings(*hit, light);
     probe.facts.push_back({"casting triangles between the point and the light", std::to_string(crossed), ""});
     return probe;
 }

@@ -44,6 +44,22 @@ TEST_F(CaptureTest, TwiceTheSameBytes) {
         EXPECT_EQ(picture(options), picture(options));
 }
 
+TEST_F(CaptureTest, APixelsRaysSeenFromOutside) {
+    const Words outside{"-t", "ray-traced", "--stage", "outside"};
+    const auto with = [&](const char* pixel) {
+        Words words = outside;
+        words.insert(words.end(), {"--pixel", pixel});
+        return words;
+    };
+    const std::string one = picture(with("32,30"));
+    EXPECT_NE(one, picture(outside));
+    EXPECT_NE(one, picture(with("20,30")));
+    EXPECT_EQ(one, picture(with("32,30")));
+    expectRefused({"capture", "box.json", "-o", "y.png", "--size", "64x48", "-t", "planar,ray-traced", "--stage",
+                   "outside", "--pixel", "40,10"},
+                  2, {"--pixel", "32 x 48"});
+}
+
 TEST_F(CaptureTest, ACommaLocaleChangesNothing) {
     const std::string expected = picture({"-t", "shadow-map", "--set", "shadow-map.slope-bias=1.5"});
     // A locale of our own making where the system has none; without the tool the variable alone is tried.

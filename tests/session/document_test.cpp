@@ -102,6 +102,23 @@ TEST(CaptureWords, SayAllThatThePictureDependsOn) {
     EXPECT_EQ(asCommandLine({"it's"}), "'it'\\''s'");
 }
 
+// A picked pixel is a share of the picture: the same share of a picture of another size is another pixel.
+TEST(CaptureWords, NameAPickedPixelWhereItsRaysAreSeen) {
+    Document document = someDocument();
+    document.layout = Layout::single;
+    document.active = 2;
+    document.picked = dvec2(0.255, 0.75);
+    const auto line = [&](ivec2 size) { return asCommandLine(captureWords(document, "s.json", "o.png", size)); };
+    EXPECT_EQ(line({100, 40}).find("--pixel"), std::string::npos);
+    document.panes[2].stage = "outside";
+    EXPECT_NE(line({100, 40}).find(" --pixel 25,30"), std::string::npos) << line({100, 40});
+    EXPECT_NE(line({200, 60}).find(" --pixel 51,45"), std::string::npos) << line({200, 60});
+    document.layout = Layout::grid; // each of its pictures is half as wide and half as high
+    document.panes[0].stage = "outside";
+    EXPECT_NE(line({200, 80}).find(" --pixel 25,30"), std::string::npos) << line({200, 80});
+    EXPECT_EQ(pixelAt({1, 1}, {100, 40}), ivec2(99, 39));
+}
+
 TEST(WindowMemory, ComesBackAndABrokenFileIsAsNone) {
     const scene::TempFolder folder;
     const auto file = folder.path() / "deep" / "window.json";

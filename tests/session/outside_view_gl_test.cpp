@@ -273,5 +273,43 @@ TEST_F(OutsideViewTest, AnyScaleAndAnyPlaceGiveTheSamePicture) {
     EXPECT_LE(differing(picture("shadow-map"), here), most);
 }
 
+TEST_F(OutsideViewTest, OfAPickedPixelTheRaysAreShownInPlaceOfAFewOfAll) {
+    Slot slot = Session::makeSlot("ray-traced");
+    OutsideView view;
+    const image::Image ofAll = picture(view, slot);
+    const auto named = [&](const char* beginning) {
+        return std::ranges::any_of(key, [&](const KeyEntry& entry) { return entry.label.starts_with(beginning); });
+    };
+    EXPECT_TRUE(named("eye rays, to what a pixel shows"));
+    eye.picked = kSize / 2;
+    const image::Image ofOne = picture(view, slot);
+    EXPECT_FALSE(ofOne == ofAll);
+    EXPECT_FALSE(named("eye rays, to what a pixel shows"));
+    EXPECT_TRUE(named("the pixel's ray"));
+    EXPECT_FALSE(named("cells"));
+    eye.picked = kSize / 3;
+    EXPECT_FALSE(picture(view, slot) == ofOne) << "another pixel has other rays";
+    params::setFromText(params::find(slot.params, "structure", "ray-traced"), "grid", "ray-traced");
+    picture(view, slot);
+    EXPECT_TRUE(named("cells that the eye ray passes: "));
+    eye.picked.reset();
+    params::setFromText(params::find(slot.params, "structure", "ray-traced"), "bvh", "ray-traced");
+    EXPECT_EQ(picture(view, slot), ofAll);
+}
+
+TEST_F(OutsideViewTest, EveryTechniqueShowsAPickedPixel) {
+    int shown = 0;
+    for (const RegisteredTechnique& technique : registeredTechniques()) {
+        Slot slot = Session::makeSlot(technique.info->id);
+        OutsideView view;
+        eye.picked.reset();
+        const image::Image before = picture(view, slot);
+        eye.picked = kSize / 2;
+        EXPECT_FALSE(picture(view, slot) == before) << technique.info->id;
+        ++shown;
+    }
+    EXPECT_GE(shown, 6);
+}
+
 } // namespace
 } // namespace shadowlab::session

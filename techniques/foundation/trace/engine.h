@@ -64,6 +64,8 @@ public:
     [[nodiscard]] virtual std::size_t bytes() const { return 0; }
     /// Its parts, to be shown: whole levels from the outermost in, as long as no level has more than `most` of them.
     [[nodiscard]] virtual std::vector<StructurePart> parts(std::size_t /*most*/) const { return {}; }
+    /// Those that a ray touches before ray.farthest, of parts() or, in a grid, of all cells: of these in order.
+    [[nodiscard]] virtual std::vector<StructurePart> passed(const Ray& ray, std::size_t most) const;
 };
 
 /// What an engine is built over. The triangles must outlive it; a primitive's id is its place among them. Those with a

@@ -37,6 +37,7 @@ public:
     /// The cells that hold three triangles or more, or else something; if they are too many, blocks of 2^3, 4^3 ... cells
     /// that do. Walls and floors, which are two triangles, would hide all the others.
     [[nodiscard]] std::vector<StructurePart> parts(std::size_t most) const override;
+    [[nodiscard]] std::vector<StructurePart> passed(const Ray& ray, std::size_t most) const override;
 
 private:
     Grid grid_;
@@ -128,6 +129,19 @@ std::pair<ivec3, ivec3> Grid::cellsOf(std::uint32_t primitive) const {
     Box box;
     box.include(input_.triangles[primitive]);
     return {cellAt(box.lowerCentred - margin_), cellAt(box.upperCentred + margin_)};
+}
+
+std::vector<StructurePart> GridEngine::passed(const Ray& ray, std::size_t most) const {
+    std::vector<StructurePart> passed;
+    if (!isUsable(ray)) return passed;
+    const ShearedRay sheared(ray);
+    auto walk = grid_.begin(sheared, sheared.farthest);
+    while (walk && passed.size() < most) {
+        const Box box = grid_.cellBox(walk->cell);
+        passed.push_back({false, 0, box.lowerCentred, box.upperCentred, {}, 0});
+        if (sheared.farthest < walk->leave[walk->nextAxis()] || !grid_.next(*walk)) break;
+    }
+    return passed;
 }
 
 template <typename Work>

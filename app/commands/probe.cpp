@@ -1,0 +1,53 @@
+// `shadowlab probe`: what a technique knows about one pixel.
+// SPDX-License-Identifier: MIT
+#include "app/commands/command_line.h"
+#include "app/commands/messages.h"
+#include "app/commands/probe_report.h"
+#include "app/diagram/pixel_diagram.h"
+#include "app/session/assets.h"
+#include "app/session/session.h"
+#include "app/session/settings.h"
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/scene/load.h"
+
+namespace shadowlab::commands {
+
+namespace {
+
+std::string diagramOf(const ProbedPixel& probed, const scene::Snapshot& scene) {
+    if (probed.probe.tree.empty())
+        throw Error(ExitStatus::usage, probed.probe.geometry.empty()
+                                           ? "--diagram: the pixel shows the background; choose another"
+                                           : "--diagram: " + probed.technique +
+                                                 " follows no rays; ask a technique that does, as -t ray-traced");
+    const image::Font font(session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+    return diagram::pixelDiagram(probed.probe, *scene, font);
+}
+
+} // namespace
+
+int probe(const ProbeOptions& options) {
+    std::vector<session::Slot> slots;
+    slots.push_back(session::Session::makeSlot(options.technique));
+    session::applySettings(slots, options.settings);
+    if (!options.diagram.empty()) image::probeWritable(options.diagram);
+    const scene::Snapshot scene = scene::loadScene(
+        options.scene, {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = {}});
+    int light = scene->lights.empty() ? kNoLight : 0;
+    if (!options.light.empty()) light = session::lightIndex(*scene, options.light);
+    View view;
+    view.camera = scene->camera;
+    view.size = options.size;
+    const ProbedPixel probed{
+        scene->name,  options.technique, light < 0 ? "" : scene->lights[static_cast<std::size_t>(light)].name,
+        options.size, options.pixel,     slots.front().technique->probe(scene, view, options.pixel, light)};
+    if (!options.diagram.empty()) image::writeWhole(options.diagram, diagramOf(probed, scene));
+    for (const std::string& remark : scene->notes)
+        note(remark);
+    if (light < 0) note("scene '" + scene->name + "' has no lights; there is no shadow to ask about");
+    print(options.json ? probeJson(probed) : probeText(probed));
+    return 0;
+}
+
+} // namespace shadowlab::commands

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/probe_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands/capture_options.h"
+#include "app/commands/option_values.h"
+
+namespace shadowlab::commands {
+
+void describeProbe(CLI::App& command) {
+    const auto add = [&](const char* names, const char* value, const char* help) {
+        addOption(command, names, value, help);
+    };
+    add("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh");
+    add("--pixel", "X,Y", "column and row of the pixel, counted from 0 at the upper left corner");
+    add("-t,--technique", "ID", "the technique that is asked (`list techniques`; default shadow-volume-zfail)");
+    add("--size", "WxH", "width and height in pixels of the picture that the pixel belongs to (default 1280x720)");
+    add("--set", "ID.PARAM=VALUE", "a parameter (`list parameters`); may be repeated");
+    add("--light", "NAME", "the light that is asked about (default: the first)");
+    command.add_flag("--json")->description("one JSON object instead of lines");
+    add("--diagram", "OUT.svg", "draws the pixel's rays, their tree, and the vectors where the first of them ends");
+    add("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
+    command.footer("Needs no graphics card.\n"
+                   "Examples:\n"
+                   "  shadowlab probe still-life --pixel 640,360\n"
+                   "  shadowlab probe mirror-and-glass --pixel 500,420 -t ray-traced --diagram tree.svg\n"
+                   "  shadowlab probe still-life --pixel 640,360 -t shadow-map --set shadow-map.resolution=512 --json");
+}
+
+ProbeOptions probeOptions(const CLI::App& command) {
+    const GivenOptions given(command);
+    const std::string example = "shadowlab probe SCENE --pixel X,Y";
+    ProbeOptions options;
+    options.scene = given.required("SCENE", example);
+    options.size = sizeFrom("--size", given.text("--size", "1280x720"), kLongestSide);
+    options.pixel = pixelFrom("--pixel", given.required("--pixel", example), options.size);
+    const std::vector<std::string> techniques =
+        given.has("--technique") ? splitAtCommas(given.texts("--technique")) : std::vector{options.technique};
+    if (techniques.size() != 1) refuseUsage("-t: one technique is asked at a time; write it alone");
+    options.technique = techniques.front();
+    options.settings = given.texts("--set");
+    options.light = given.text("--light");
+    options.json = command.count("--json") > 0;
+    options.diagram = given.text("--diagram");
+    if (!options.diagram.empty()) requireEnding("--diagram", options.diagram, ".svg");
+    for (const std::string& folder : given.texts("--allow"))
+        options.allowed.emplace_back(folder);
+    return options;
+}
+
+} // namespace shadowlab::commands

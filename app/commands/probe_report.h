@@ -1,0 +1,24 @@
+// What is known about a pixel, as text for people and as JSON for programs.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+#include "techniques/probe.h"
+
+namespace shadowlab::commands {
+
+/// A pixel, and what was asked about it.
+struct ProbedPixel {
+    std::string scene, technique;
+    std::string light; ///< empty: the scene has none
+    ivec2 size{0}, pixel{0};
+    Probe probe;
+};
+
+/// Facts a line each, then the tree, every ray indented below the one it comes from.
+std::string probeText(const ProbedPixel& probed);
+
+/// One object, with all digits: {"scene", "technique", "light", "size", "pixel", "facts", "vectors", "rays", "tree"}.
+std::string probeJson(const ProbedPixel& probed);
+
+} // namespace shadowlab::commands

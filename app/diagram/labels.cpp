@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "app/diagram/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <glm/gtc/constants.hpp>
+
+namespace shadowlab::diagram {
+
+namespace {
+
+constexpr int kDirections = 16;
+constexpr double kStep = 14;       ///< pixels between the rings that are tried
+constexpr int kRings = 14;         ///< the farthest is some 200 pixels away
+constexpr double kAir = 4;         ///< pixels around a label
+constexpr double kLineCost = 40;   ///< of crossing a line, in pixels that a label would rather go
+constexpr double kLeaderFrom = 34; ///< pixels from which on a thin line says what a label belongs to
+
+/// Does the segment touch the box? Clipped to it, by Liang and Barsky (1984).
+bool touches(dvec2 from, dvec2 to, const Box& box) {
+    double enter = 0, leave = 1;
+    for (int axis = 0; axis < 2; ++axis) {
+        const double way = to[axis] - from[axis];
+        const double low = box.corner[axis] - from[axis], high = low + box.size[axis];
+        if (way == 0) {
+            if (low > 0 || high < 0) return false;
+            continue;
+        }
+        enter = std::max(enter, std::min(low / way, high / way));
+        leave = std::min(leave, std::max(low / way, high / way));
+    }
+    return enter <= leave;
+}
+
+} // namespace
+
+dvec2 textSize(const image::Font& font, std::string_view text, double em) {
+    const image::TextSize size = font.measure(text, em);
+    return {size.width, size.height};
+}
+
+/// Infinite where the label would leave the area or cover another one.
+double Labels::cost(const Box& box) const {
+    const dvec2 low = box.corner - area_.corner, high = low + box.size;
+    if (low.x < 0 || low.y < 0 || high.x > area_.size.x || high.y > area_.size.y)
+        return std::numeric_limits<double>::infinity();
+    if (std::ranges::any_of(boxes_, [&](const Box& other) { return other.overlaps(box); }))
+        return std::numeric_limits<double>::infinity();
+    return kLineCost * static_cast<double>(std::ranges::count_if(
+                           lines_, [&](const Line& line) { return touches(line.from, line.to, box); }));
+}
+
+bool Labels::place(Svg& svg, dvec2 anchor, const std::string& text, const TextStyle& style, double away) {
+    const dvec2 size = textSize(font_, text, style.size);
+    std::optional<Box> best;
+    double least = std::numeric_limits<double>::infinity(), distance = 0;
+    for (int ring = 0; ring < kRings; ++ring)
+        for (int i = 0; i < kDirections; ++i) {
+            const double angle = glm::two_pi<double>() * (i + 0.5) / kDirections, reach = away + kStep * ring;
+            const dvec2 toward(std::cos(angle), std::sin(angle));
+            // The box touches the ring with its nearest side.
+            const dvec2 middle =
+                anchor + reach * toward + 0.5 * size * glm::sign(toward) * glm::min(dvec2(1), glm::abs(toward) * 1.5);
+            const Box box{middle - 0.5 * size - kAir, size + 2 * kAir};
+            const double price = cost(box) + kStep * ring;
+            if (price >= least) continue;
+            least = price;
+            best = box;
+            distance = reach;
+        }
+    if (!best) return false;
+    if (distance > kLeaderFrom) {
+        const dvec2 end = glm::clamp(anchor, best->corner, best->corner + best->size);
+        svg.line(anchor, end, {"#8c8c8c", 1.5, false});
+        avoid(anchor, end);
+    }
+    TextStyle placed = style;
+    placed.anchor = Anchor::start;
+    const image::TextSize measured = font_.measure(text, style.size);
+    svg.text({best->corner.x + kAir, best->corner.y + kAir + measured.baseline}, text, placed);
+    boxes_.push_back(*best);
+    return true;
+}
+
+} // namespace shadowlab::diagram

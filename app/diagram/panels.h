@@ -1,0 +1,32 @@
+// The three panels of a pixel's drawing.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "app/diagram/labels.h"
+#include "app/diagram/shown_tree.h"
+#include "techniques/foundation/scene/scene.h"
+
+namespace shadowlab::diagram {
+
+// A sheet is as wide as a slide; its type is 1/45 of a slide's height, which is read from the last row.
+constexpr double kSheetWidth = 1920, kText = 24, kHeading = 30;
+
+/// Colour of a ray on white paper.
+Stroke strokeOf(Probe::Role role);
+/// "0.42 0.4 0.38": red, green and blue in three digits at most.
+std::string colorNumbers(const dvec3& intensity);
+/// "4.2 %"
+std::string percent(double share);
+
+/// "Paths of pixel rays": where they go in the scene, in the plane of incidence of the first surface.
+void drawPaths(Svg& svg, const Box& area, const Probe& probe, const ShownTree& shown, const scene::Scene& scene,
+               const image::Font& font);
+
+/// "Ray-tracing tree": the same rays as edges between the surfaces that they meet, with intensities.
+void drawTree(Svg& svg, const Box& area, const Probe& probe, const ShownTree& shown, const image::Font& font);
+/// Pixels that the tree needs from top to bottom.
+double treeHeight(const Probe& probe, const ShownTree& shown);
+
+/// The vectors u, V, N, R, T, L, H at the first surface.
+void drawVectors(Svg& svg, const Box& area, const Probe& probe, const image::Font& font);
+
+} // namespace shadowlab::diagram

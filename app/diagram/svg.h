@@ -1,0 +1,59 @@
+// A drawing of lines and text, written as SVG 1.1. Lengths are in pixels of a sheet whose origin is its upper left corner.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "techniques/foundation/math/types.h"
+
+namespace shadowlab::diagram {
+
+/// "#0072b2", from a colour in linear light.
+std::string colorText(const vec3& linear);
+
+struct Stroke {
+    std::string color = "#1a1a1a";
+    double width = 3;
+    bool isDashed = false;
+};
+
+enum class Anchor { start, middle, end };
+
+struct TextStyle {
+    double size = 24; ///< em
+    Anchor anchor = Anchor::start;
+    bool isBold = false, isItalic = false;
+    std::string color = "#1a1a1a";
+};
+
+class Svg {
+public:
+    explicit Svg(dvec2 size) : size_(size) {}
+
+    void line(dvec2 from, dvec2 to, const Stroke& stroke);
+    /// A line with its head at `share` of the way: 1 is its end.
+    void arrow(dvec2 from, dvec2 to, const Stroke& stroke, double share = 1);
+    /// All in one path: two points for each segment.
+    void segments(std::span<const dvec2> points, const Stroke& stroke);
+    void circle(dvec2 centre, double radius, const std::string& fill, const Stroke& stroke);
+    void rectangle(dvec2 corner, dvec2 size, const std::string& fill, const Stroke& stroke, double rounding = 0);
+    /// One line, its foot at `place`. A white rim keeps it legible on lines.
+    void text(dvec2 place, std::string_view text, const TextStyle& style);
+    /// Two short strokes across a line: a part of it is left out there.
+    void breakMark(dvec2 place, dvec2 direction, const Stroke& stroke);
+
+    /// What is drawn until endClip() shows within that rectangle only.
+    void beginClip(dvec2 corner, dvec2 size);
+    void endClip();
+
+    /// `title`: what the drawing is, for who cannot see it.
+    [[nodiscard]] std::string document(std::string_view title) const;
+
+private:
+    dvec2 size_;
+    std::string body_;
+    int clips_ = 0;
+};
+
+} // namespace shadowlab::diagram

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "app/diagram/panels.h"
+
+namespace shadowlab::diagram {
+
+namespace {
+
+constexpr double kLevel = 142, kNodeHeight = 70, kTop = 92, kBottom = 48; ///< pixels
+
+/// Where the rays' ends stand: level by level, a parent over the middle of its children.
+class TreeLayout {
+public:
+    TreeLayout(const Probe& probe, const ShownTree& shown) : probe_(probe), shown_(shown), places_(probe.tree.size()) {
+        if (!shown.rays.empty()) place(shown.rays.front(), 0);
+    }
+    /// x in numbers of ends from the left, y in levels.
+    [[nodiscard]] dvec2 place(int ray) const { return places_[static_cast<std::size_t>(ray)]; }
+    [[nodiscard]] int ends() const { return ends_; }
+    [[nodiscard]] int levels() const { return levels_; }
+
+private:
+    void place(int ray, int level) {
+        levels_ = std::max(levels_, level + 1);
+        double first = -1, last = -1;
+        for (const int child : shown_.rays) {
+            if (probe_.tree[static_cast<std::size_t>(child)].parent != ray) continue;
+            place(child, level + 1);
+            last = place(child).x;
+            if (first < 0) first = last;
+        }
+        const double x = first < 0 ? ends_++ : 0.5 * (first + last);
+        places_[static_cast<std::size_t>(ray)] = {x, level};
+    }
+
+    const Probe& probe_;
+    const ShownTree& shown_;
+    std::vector<dvec2> places_;
+    int ends_ = 0, levels_ = 0;
+};
+
+/// As much of a text as is no wider than `width`.
+std::string shortened(const image::Font& font, std::string text, double em, double width) {
+    if (textSize(font, text, em).x <= width) return text;
+    while (!text.empty() && textSize(font, text + "...", em).x > width) {
+        do
+            text.pop_back();
+        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80); // the middle of a character
+    }
+    return text + "...";
+}
+
+/// What stands in a node: the surface and its object, or why there is none; and the intensity.
+std::string headingOf(const Probe::Node& node) {
+    if (!node.surface.empty()) return node.surface + "  " + node.object;
+    if (node.end.starts_with("not followed")) return "not followed";
+    if (node.end.starts_with("none")) return "total reflection";
+    return "background";
+}
+
+} // namespace
+
+double treeHeight(const Probe& probe, const ShownTree& shown) {
+    return kTop + kLevel * (TreeLayout(probe, shown).levels() - 1) + kNodeHeight + kBottom;
+}
+
+void drawTree(Svg& svg, const Box& area, const Probe& probe, const ShownTree& shown, const image::Font& font) {
+    const TreeLayout layout(probe, shown);
+    const double column = area.size.x / std::max(1, layout.ends());
+    const double width = std::min(330.0, column - 14);
+    const auto centre = [&](int ray) {
+        const dvec2 place = layout.place(ray);
+        return area.corner + dvec2((place.x + 0.5) * column, kTop + kLevel * place.y + kNodeHeight / 2);
+    };
+    svg.text(area.corner + dvec2(0, kHeading), "Ray-tracing tree", {.size = kHeading, .isBold = true});
+    // The edges first: nodes cover their ends.
+    for (const int ray : shown.rays) {
+        const Probe::Node& node = probe.tree[static_cast<std::size_t>(ray)];
+        const dvec2 to = centre(ray);
+        const dvec2 from = node.parent < 0 ? to - dvec2(0, kTop) : centre(node.parent);
+        svg.line(from, to, strokeOf(node.role));
+    }
+    for (const int ray : shown.rays) {
+        const Probe::Node& node = probe.tree[static_cast<std::size_t>(ray)];
+        const dvec2 at = centre(ray), corner = at - 0.5 * dvec2(width, kNodeHeight);
+        const bool isLeaf = node.surface.empty();
+        svg.rectangle(corner, {width, kNodeHeight}, isLeaf ? "#f2f2f2" : "#ffffff",
+                      {isLeaf ? "#8c8c8c" : "#1a1a1a", isLeaf ? 1.5 : 2.5, false}, isLeaf ? 4 : 16);
+        const bool hasIntensity = !node.end.starts_with("none");
+        svg.text(at - dvec2(0, hasIntensity ? 6 : -8), shortened(font, headingOf(node), kText * 0.92, width - 16),
+                 {.size = kText * 0.92, .anchor = Anchor::middle, .isBold = !isLeaf});
+        if (hasIntensity)
+            svg.text(at + dvec2(0, 24), shortened(font, "I = " + colorNumbers(node.intensity), kText * 0.85, width - 8),
+                     {.size = kText * 0.85, .anchor = Anchor::middle});
+    }
+    // Signs just over the nodes they lead to, where edges are farthest apart.
+    for (const int ray : shown.rays) {
+        const Probe::Node& node = probe.tree[static_cast<std::size_t>(ray)];
+        const dvec2 foot = centre(ray) - dvec2(0, kNodeHeight / 2 + 10);
+        const std::string sign = node.parent < 0                       ? "pixel ray"
+                                 : node.segment < 0 && node.share == 0 ? node.sign
+                                                                       : node.sign + "   " + percent(node.share);
+        const dvec2 way = node.parent < 0 ? dvec2(0, 1) : centre(ray) - centre(node.parent);
+        // Outside of a leaning edge; beside an upright one. Where columns are narrow, over the edge itself.
+        const double half = textSize(font, sign, kText * 0.9).x / 2;
+        const double aside = std::min(half + 12, column / 2 - 6 - half);
+        svg.text(foot + dvec2(way.x >= 0 ? aside : -aside, 0), sign, {.size = kText * 0.9, .anchor = Anchor::middle});
+    }
+    std::string note = "percent: share of the pixel that the ray carries; I = red, green, blue, added up from below";
+    if (shown.leftOut > 0)
+        note += "; left out: " + std::to_string(shown.leftOut) + (shown.leftOut == 1 ? " ray" : " rays of at most") +
+                (shown.leftOut == 1 ? " of " : " ") + percent(shown.largestLeftOut) +
+                (shown.leftOut == 1 ? "" : " each");
+    svg.text(area.corner + dvec2(0, area.size.y - 6), note, {.size = kText * 0.85, .color = "#4d4d4d"});
+}
+
+} // namespace shadowlab::diagram

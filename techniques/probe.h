@@ -1,0 +1,63 @@
+// What a technique knows about one pixel: facts to print, rays and vectors to draw in the scene, and where it follows rays
+// that split, their tree.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "techniques/foundation/math/types.h"
+#include "techniques/scene_shape.h"
+
+namespace shadowlab {
+
+struct Probe {
+    /// One line of what is known. Numbers are in `numbers` as well, with all their digits.
+    struct Fact {
+        std::string label, value, unit;
+        std::vector<double> numbers{};
+    };
+    /// What a ray is sent for, and of a shadow ray what came of it.
+    enum class Role { eye, reflection, refraction, arriving, blocked };
+    /// A piece of a ray that is drawn as a line.
+    struct Segment {
+        std::string label;
+        dvec3 fromWorld, toWorld;
+        Role role = Role::arriving;
+        bool isEndless = false; ///< it goes on where the line ends: it meets nothing, or the sun is nowhere
+    };
+    /// A unit vector at the first surface, such as the normal.
+    struct Vector {
+        std::string label; ///< one letter, as in the lecture
+        dvec3 directionWorld;
+    };
+    /// A ray of a tree; parent is an index into `tree`, -1 at the root.
+    struct Node {
+        int parent;
+        std::string label;
+        std::vector<Fact> facts;
+        // The rest is for drawings of the tree.
+        Role role = Role::eye;
+        std::string sign{};    ///< "R1": the reflection ray of surface S1
+        std::string surface{}; ///< "S2": what it meets; empty: nothing
+        std::string object{};  ///< of which that is the surface
+        std::string end{};     ///< why it goes no farther; empty: it does
+        int segment = -1;      ///< in `geometry`; -1: it was not sent
+        int light = -1;        ///< of a shadow ray
+        double share = 0;      ///< of the pixel that it carries where it begins
+        dvec3 intensity{0.0};
+        dvec3 normalWorld{0.0}; ///< N where it ends, on the side that it came from
+    };
+    std::vector<Fact> facts;
+    std::vector<Segment> geometry;
+    std::vector<Node> tree;
+    std::vector<Vector> vectors;     ///< at the end of the eye ray
+    std::vector<SceneShape> visited; ///< what of the technique's own structures the eye ray passes through
+};
+
+/// Six digits, without regard to the locale.
+std::string probeText(double number);
+Probe::Fact probeFact(std::string label, double number, std::string unit = "");
+Probe::Fact probeFact(std::string label, const dvec3& vector, std::string unit = "");
+Probe::Fact probeCount(std::string label, std::uint64_t count, std::string unit = "");
+
+} // namespace shadowlab

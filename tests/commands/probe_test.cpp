@@ -1,0 +1,181 @@
+// `probe`: what it says of a pixel as text and as JSON, the tree's numbers against sums made here, the diagram, refusals.
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "techniques/registry.h"
+#include "tests/commands/command_fixture.h"
+
+namespace shadowlab::testing {
+namespace {
+
+using Json = nlohmann::json;
+
+class ProbeTest : public CommandTest {
+protected:
+    Json probed(std::vector<std::string> arguments) const {
+        arguments.insert(arguments.begin(), "probe");
+        arguments.emplace_back("--json");
+        const ProgramResult result = succeed(arguments);
+        EXPECT_EQ(result.err, "");
+        return Json::parse(result.out);
+    }
+    static Json value(const Json& holder, const std::string& label) {
+        for (const Json& fact : holder.at("facts"))
+            if (fact.at("label") == label) return fact.at("value");
+        return {};
+    }
+    static dvec3 vector(const Json& json) { return {json.at(0), json.at(1), json.at(2)}; }
+};
+
+TEST_F(ProbeTest, EveryTechniqueTellsFactsWithoutAGraphicsCard) {
+    int asked = 0;
+    for (const RegisteredTechnique& technique : registeredTechniques()) {
+        const std::string id(technique.info->id);
+        // No library of a graphics card is found there: it must not be looked for.
+        const ProgramResult result = succeed({"probe", "box.json", "--pixel", "640,400", "-t", id},
+                                             {.environment = {{"LIBGL_DRIVERS_PATH", "/nowhere"}, {"DISPLAY", ""}}});
+        EXPECT_NE(result.out.find("\nsurface "), std::string::npos) << result.shown();
+        EXPECT_NE(result.out.find(" m\n"), std::string::npos) << "no unit: " << result.out;
+        const Json json = probed({"box.json", "--pixel", "640,400", "-t", id});
+        for (const char* key : {"scene", "technique", "light", "size", "pixel", "facts", "vectors", "rays", "tree"})
+            EXPECT_TRUE(json.contains(key)) << key;
+        EXPECT_EQ(json.at("technique"), id);
+        EXPECT_EQ(json.at("pixel"), Json({640, 400}));
+        EXPECT_EQ(json.at("light"), "key");
+        EXPECT_GE(json.at("facts").size(), 4u);
+        EXPECT_GT(value(json, "distance from the eye"), 1.0);
+        ++asked;
+    }
+    EXPECT_GE(asked, 6);
+}
+
+TEST_F(ProbeTest, DefaultsAreThoseOfTheOtherCommands) {
+    const Json json = probed({"box.json", "--pixel", "640,400"});
+    EXPECT_EQ(json.at("technique"), "shadow-volume-zfail");
+    EXPECT_EQ(json.at("size"), Json({1280, 720}));
+    EXPECT_EQ(probed({"box.json", "--pixel", "640,400", "--light", "sun"}).at("light"), "sun");
+}
+
+TEST_F(ProbeTest, SameBytesEachTime) {
+    for (const bool json : {false, true}) {
+        std::vector<std::string> words{"probe", "mirror-and-glass", "--pixel", "500,420", "-t", "ray-traced"};
+        if (json) words.emplace_back("--json");
+        const std::string first = succeed(words).out;
+        EXPECT_GT(first.size(), 4000u);
+        EXPECT_EQ(succeed(words, {.environment = {{"SHADOWLAB_THREADS", "1"}}}).out, first);
+    }
+}
+
+// At each surface: I = a (own light + w_R I_R + w_T I_T), R = u - 2 (u.N) N, and T by Snell's law; V, H and the share of the
+// pixel follow. Numbers are printed with all their digits, so what is left is rounding, some 1e-16 for each operation.
+TEST_F(ProbeTest, NumbersOfTheTreeAgreeWithSumsMadeHere) {
+    int surfaces = 0, splits = 0, refractions = 0, lights = 0;
+    for (const char* pixel : {"500,420", "900,450", "420,330", "640,300"}) {
+        const Json json = probed({"mirror-and-glass", "--pixel", pixel, "-t", "ray-traced"});
+        const Json& tree = json.at("tree");
+        for (std::size_t i = 0; i < tree.size(); ++i) {
+            const Json& node = tree[i];
+            if (node.at("surface").is_null()) continue;
+            ++surfaces;
+            const dvec3 u = vector(value(node, "u")), n = vector(value(node, "N"));
+            EXPECT_LT(glm::length(vector(value(node, "V")) + u), 1e-15);
+            EXPECT_NEAR(glm::length(n), 1, 1e-12);
+            EXPECT_LT(glm::dot(u, n), 0) << "N is on the side that the ray comes from";
+            dvec3 sum = vector(value(node, "own light")), ownLight(0.0);
+            for (const Json& child : tree) {
+                if (child.at("parent") != i) continue;
+                const std::string role = child.at("role");
+                if (role.starts_with("shadow")) {
+                    ++lights;
+                    ownLight += vector(value(child, "I"));
+                    const dvec3 h = glm::normalize(vector(value(child, "L")) - u);
+                    EXPECT_LT(glm::length(vector(value(child, "H")) - h), 1e-12);
+                    continue;
+                }
+                const bool reflects = role == "reflection";
+                const double weight = value(node, reflects ? "weight of I_R" : "weight of I_T");
+                const std::string sign = (reflects ? "R" : "T") + node.at("surface").get<std::string>().substr(1);
+                EXPECT_EQ(child.at("sign"), sign);
+                if (value(child, "I").is_null()) { // total reflection
+                    EXPECT_EQ(weight, 0);
+                    continue;
+                }
+                ++splits;
+                const dvec3 intensity = vector(value(child, "I"));
+                EXPECT_LT(glm::length(vector(value(node, reflects ? "I_R" : "I_T")) - intensity), 1e-15);
+                sum += weight * intensity;
+                const double share = value(child, "contribution");
+                EXPECT_NEAR(share,
+                            weight * value(node, "attenuation").get<double>() *
+                                value(node, "contribution").get<double>(),
+                            1e-12);
+                const dvec3 way = vector(value(child, "u"));
+                if (reflects) {
+                    EXPECT_LT(glm::length(way - (u - 2 * glm::dot(u, n) * n)), 1e-9);
+                } else {
+                    ++refractions;
+                    const Json ior = value(node, "index of refraction");
+                    // Snell: the parts along the surface are as the indices are, the other way round.
+                    const dvec3 inward = u - glm::dot(u, n) * n, outward = way - glm::dot(way, n) * n;
+                    EXPECT_LT(glm::length(ior[0].get<double>() * inward - ior[1].get<double>() * outward), 1e-9);
+                }
+            }
+            sum *= value(node, "attenuation").get<double>();
+            EXPECT_LT(glm::length(vector(value(node, "I")) - sum), 1e-12);
+            const dvec3 own = vector(value(node, "own light"));
+            EXPECT_TRUE(glm::all(glm::greaterThanEqual(own, ownLight - 1e-12))) << "emission and ambient come on top";
+        }
+    }
+    std::cout << surfaces << " surfaces, " << splits << " rays below them, " << refractions << " refracted\n";
+    EXPECT_GT(surfaces, 12);
+    EXPECT_GT(splits, 10);
+    EXPECT_GT(refractions, 4);
+    EXPECT_GE(lights, surfaces);
+}
+
+TEST_F(ProbeTest, DiagramIsWrittenWholeAndTheSameEachTime) {
+    const std::vector<std::string> words{"probe", "mirror-and-glass", "--pixel",   "500,420",
+                                         "-t",    "ray-traced",       "--diagram", "tree.svg"};
+    succeed(words);
+    const std::string first = fileContent(folder.path() / "tree.svg");
+    EXPECT_TRUE(first.starts_with("<?xml"));
+    EXPECT_TRUE(first.ends_with("</svg>\n"));
+    succeed(words);
+    EXPECT_EQ(fileContent(folder.path() / "tree.svg"), first);
+}
+
+TEST_F(ProbeTest, Refusals) {
+    expectRefused({"probe", "box.json"}, 2, {"--pixel"});
+    expectRefused({"probe", "box.json", "--pixel", "1280,10"}, 2, {"1280,10", "outside", "1279"});
+    expectRefused({"probe", "box.json", "--pixel=-1,10"}, 2, {"outside"});
+    expectRefused({"probe", "box.json", "--pixel", "8,8", "--size", "8x8"}, 2, {"outside", "0 to 7"});
+    for (const char* pixel : {"10", "10,", "a,b", "10,20,30", "10x20", "1.5,2"})
+        expectRefused({"probe", "box.json", "--pixel", pixel}, 2, {"--pixel", "320,180"});
+    expectRefused({"probe", "box.json", "--pixel", "1,1", "-t", "shadow-mop"}, 2, {"shadow-map"});
+    expectRefused({"probe", "box.json", "--pixel", "1,1", "-t", "planar,ray-traced"}, 2, {"one technique"});
+    expectRefused({"probe", "box.json", "--pixel", "1,1", "--light", "kee"}, 2, {"key"});
+    expectRefused({"probe", "box.json", "--pixel", "1,1", "--set", "ray-traced.depth=1"}, 2, {"ray-traced"});
+    expectRefused({"probe", "gone.json", "--pixel", "1,1"}, 3, {"gone.json"});
+    const std::vector<std::string> diagram{"probe", "box.json", "--pixel", "640,400", "-t", "ray-traced", "--diagram"};
+    const auto with = [&](const char* name) {
+        std::vector<std::string> words = diagram;
+        words.emplace_back(name);
+        return words;
+    };
+    expectRefused(with("tree.png"), 2, {".svg"});
+    expectRefused(with("nowhere/tree.svg"), 4, {"nowhere"});
+    expectRefused({"probe", "box.json", "--pixel", "640,400", "--diagram", "tree.svg"}, 2, {"ray-traced"});
+    expectRefused({"probe", "box.json", "--pixel", "0,0", "-t", "ray-traced", "--diagram", "tree.svg"}, 2,
+                  {"background"});
+    expectRefused({"capture", "box.json", "-o", "a.png", "--pixel", "1,1"}, 2, {"--stage outside"});
+}
+
+TEST_F(ProbeTest, WithoutLightsThereIsStillASurface) {
+    folder.write("dark.json", sceneText(kCamera, R"("lights": [])", kBoxOnFloor));
+    const ProgramResult result = succeed({"probe", "dark.json", "--pixel", "640,400", "-t", "ray-traced"});
+    EXPECT_NE(result.err.find("no lights"), std::string::npos);
+    EXPECT_NE(result.out.find("eye ray to S1"), std::string::npos) << result.out;
+}
+
+} // namespace
+} // namespace shadowlab::testing
