@@ -37,7 +37,8 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
         for (std::size_t x = begin; x < std::min(width, begin + kPiece); ++x) {
             const std::size_t i = y * width + x;
             if (fromCentre[i] < trace::Visibility::shadowed) continue; // turned away, or there is nothing
-            const trace::SurfacePoint point = tracer.eyePoint(rays, dvec2(x, y) + 0.5);
+            const trace::SurfacePoint point =
+                tracer.eyePointOn(picture.points()[i].primitive, rays, dvec2(x, y) + 0.5);
             if (!point) continue;
             const dvec3 toViewerWorld = glm::normalize(camera.positionWorld - tracer.positionWorld(point));
             shares_[i] = static_cast<float>(sampledShare({surfaces, atRest}, point, toViewerWorld, light_, pattern,
@@ -67,7 +68,8 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
                 const auto i =
                     static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
                 if (picture.visibility(light_)[i] < trace::Visibility::shadowed) continue; // turned away, or nothing
-                const trace::SurfacePoint point = tracer.eyePoint(rays, dvec2(x, y) + 0.5);
+                const trace::SurfacePoint point =
+                    tracer.eyePointOn(picture.points()[i].primitive, rays, dvec2(x, y) + 0.5);
                 if (!point) continue;
                 pixels.push_back(i);
                 points.push_back(point);

@@ -45,6 +45,16 @@ LightAtNode sampledLight(const RayWorld& world, const TreeSettings& settings, co
     return at;
 }
 
+// As a share of the cut-off, which is half a step of 8-bit grey among light colours: near black, where steps are thirteen
+// times smaller (sRGB), this is a ninth of half a step; many faint lights together stay below a step.
+constexpr double kFaint = 0.008;
+
+/// Most of glass: the highlight of a lamp is some pixels wide, and there is nothing else that a lamp does to it.
+bool isFaint(const TreeNode& node, const TreeSettings& settings, const dvec3& intensity, double exposure) {
+    const double most = std::max({intensity.x, intensity.y, intensity.z});
+    return node.contribution * most * exposure < kFaint * settings.cutoff;
+}
+
 LightAtNode analyticLight(const RayWorld& world, const TreeNode& node, int light, const dvec3& positionWorld) {
     const Surfaces& surfaces = world.surfaces;
     const scene::Light& source = surfaces.scene().lights[static_cast<std::size_t>(light)];
@@ -89,9 +99,10 @@ LightAtNode lightAt(const RayWorld& world, const TreeSettings& settings, const T
         at = sampledLight(world, settings, node, light, positionWorld);
     } else {
         at.towardWorld = scene::towardLightWorld(source, positionWorld);
+        const dvec3 lit = surfaces.lit(node.point, light, positionWorld, node.normalWorld, -node.u);
+        if (settings.skipsFaint && isFaint(node, settings, lit, surfaces.scene().exposure)) return at;
         at.visibility = visibilityOfCentre(world, settings, node, light, positionWorld);
-        if (at.visibility == trace::Visibility::lit)
-            at.intensity = surfaces.lit(node.point, light, positionWorld, node.normalWorld, -node.u);
+        if (at.visibility == trace::Visibility::lit) at.intensity = lit;
     }
     at.halfwayWorld = glm::normalize(at.towardWorld - node.u);
     return at;

@@ -44,16 +44,30 @@ void Picture::restart(const trace::SceneTracer& tracer, const scene::Camera& cam
     size_ = size;
     camera_ = camera;
     const std::size_t pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
-    points_.assign(pixels, {});
+    points_.resize(pixels);
     visibility_.resize(tracer.scene().lights.size());
     for (Grid<trace::Visibility>& ofLight : visibility_)
-        ofLight.assign(pixels, trace::Visibility::noSurface);
+        ofLight.resize(pixels);
     reflected_.clear();
     transmitted_.clear();
     levels_.clear();
     intensities_.clear();
     tracedBlocks_ = treeBlocks_ = 0;
     trees_ = secondaryRays_ = 0;
+}
+
+/// Where nothing is traced yet nothing is to be seen, not even what was there before. All that is traced at once needs no clearing.
+void Picture::forget(std::size_t firstBlock) {
+    const Blocks blocks{size_};
+    for (std::size_t block = firstBlock; block < blocks.count(); ++block) {
+        const ivec2 corner = blocks.corner(block), blockSize = blocks.sizeAt(corner);
+        for (int y = corner.y; y < corner.y + blockSize.y; ++y) {
+            const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * size_.x + corner.x;
+            std::fill_n(points_.begin() + first, blockSize.x, KeptPoint());
+            for (Grid<trace::Visibility>& ofLight : visibility_)
+                std::fill_n(ofLight.begin() + first, blockSize.x, trace::Visibility::noSurface);
+        }
+    }
 }
 
 double Picture::done(bool withTrees) const {
@@ -66,6 +80,7 @@ bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& setti
     const Blocks blocks{size_};
     const trace::EyeRays rays = tracer.eyeRays(camera_, size_);
     const dvec2 centre(0.5);
+    const bool begins = tracedBlocks_ == 0;
     tracedBlocks_ = trace::parallelUntil(deadline, tracedBlocks_, blocks.count(), [&](std::size_t block) {
         const ivec2 corner = blocks.corner(block), blockSize = blocks.sizeAt(corner);
         std::array<trace::SurfacePoint, kBlock * kBlock> blockPoints;
@@ -104,6 +119,7 @@ bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& setti
             });
         }
     });
+    if (begins) forget(tracedBlocks_);
     return isTraced();
 }
 
@@ -162,9 +178,10 @@ bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, De
                 const std::size_t i = row * width + column;
                 levels_[i] = points_[i] ? 1 : 0;
                 if (!hasTree(i)) continue;
-                // The point again, in double: the kept one is too coarse for rays to start from.
+                // The point again, in double: the kept one is too coarse for rays to start from. Which triangle it is on is
+                // known, so one is tried and not all.
                 const dvec2 pixel(x + 0.5, y + 0.5);
-                const trace::SurfacePoint first = tracer.eyePoint(rays, pixel);
+                const trace::SurfacePoint first = tracer.eyePointOn(points_[i].primitive, rays, pixel);
                 if (!first) continue;
                 tree.trace(world, settings, rays.eyeCentred(), glm::normalize(rays.through(pixel).directionCentred),
                            first, aroundEye);

@@ -77,6 +77,7 @@ public:
 
 private:
     [[nodiscard]] std::size_t blocks() const;
+    void forget(std::size_t firstBlock);
 
     ivec2 size_{0};
     scene::Camera camera_;

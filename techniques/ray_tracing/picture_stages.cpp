@@ -8,6 +8,32 @@
 
 namespace shadowlab::ray_tracing {
 
+RayCounts countRays(const trace::SceneTracer& tracer, const Picture& picture) {
+    using enum trace::Visibility;
+    const Grid<KeptPoint>& points = picture.points();
+    RayCounts counts;
+    counts.hits = static_cast<std::size_t>(
+        std::ranges::count_if(points, [](const KeptPoint& point) { return static_cast<bool>(point); }));
+    const bool allReceive = std::ranges::all_of(tracer.scene().objects, &scene::Object::receivesShadow);
+    for (int light = 0; light < static_cast<int>(tracer.scene().lights.size()); ++light) {
+        RayCounts::OfLight& ofLight = counts.shadowRays.emplace_back();
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const trace::Visibility visibility = picture.visibility(light)[i];
+            if (visibility < shadowed) continue;
+            ofLight.asked += allReceive || tracer.objectOf(points[i].surfacePoint()).receivesShadow ? 1 : 0;
+            ofLight.blocked += visibility == shadowed ? 1 : 0;
+        }
+    }
+    return counts;
+}
+
+void publishCounts(Frame& frame, const RayCounts& counts) {
+    const ivec2 size = frame.view().size;
+    frame.count("eye-rays", static_cast<double>(counts.hits), static_cast<double>(size.x) * size.y, "hits");
+    for (const RayCounts::OfLight& ofLight : counts.shadowRays)
+        frame.count("shadow-rays", static_cast<double>(ofLight.blocked), static_cast<double>(ofLight.asked), "blocked");
+}
+
 void publishDistances(Frame& frame, const trace::SceneTracer& tracer, const Picture& picture) {
     Display display{.minimum = 0, .maximum = 1, .unit = "m from the eye", .key = {}};
     // One pixel in fifty may lie beyond each end of the scale, or a horizon would make everything near one colour.

@@ -8,6 +8,17 @@
 
 namespace shadowlab::ray_tracing {
 
+/// How many rays were sent, and what came of them.
+struct RayCounts {
+    std::size_t hits = 0; ///< of eye rays
+    struct OfLight {
+        std::size_t asked = 0, blocked = 0;
+    };
+    std::vector<OfLight> shadowRays; ///< per light
+};
+RayCounts countRays(const trace::SceneTracer& tracer, const Picture& picture);
+void publishCounts(Frame& frame, const RayCounts& counts);
+
 /// How far from the eye its rays end.
 void publishDistances(Frame& frame, const trace::SceneTracer& tracer, const Picture& picture);
 

@@ -61,6 +61,9 @@ std::optional<dvec3> spread(const RayWorld& world, const TreeSettings& settings,
     return std::nullopt;
 }
 
+// Trees of glass have some dozens of rays; the vector grows where one has more.
+constexpr std::size_t kUsualNodes = 64;
+
 // Lambert's law: what a diffuse surface receives counts with the cosine to its normal.
 constexpr double kLambertPower = 1;
 
@@ -71,6 +74,7 @@ void RayTree::trace(const RayWorld& world, const TreeSettings& settings, const d
     nodes_.clear();
     lights_.clear();
     lightCount_ = world.surfaces.scene().lights.size();
+    nodes_.reserve(kUsualNodes);
     TreeNode eye;
     eye.fromCentred = eyeCentred;
     eye.u = u;

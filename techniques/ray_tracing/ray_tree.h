@@ -40,6 +40,10 @@ struct TreeSettings {
     bool wholeLobes = true;                   ///< what falls below the surface is drawn again; false: it is lost
     bool interreflection = false;             ///< diffuse surfaces send a ray on, too
 
+    /// No shadow ray where the light could add less to the pixel than can be seen. For pictures; who asks for a tree wants to
+    /// know all of it.
+    bool skipsFaint = false;
+
     [[nodiscard]] bool attenuates() const { return attenuation != dvec3(1, 0, 0); }
     /// Of a ray that has come that far.
     [[nodiscard]] double left(double distance) const {

@@ -33,6 +33,8 @@ Surfaces::Surfaces(const trace::SceneTracer& tracer) : tracer_(&tracer) {
             transparent = transparent || material.transparency > 0;
             anySplits_ = anySplits_ || material.reflectivity > 0 || material.transparency > 0;
         }
+        for (std::size_t part = 0; part < object.mesh->parts.size(); ++part) // in order, covering all triangles
+            materials_.insert(materials_.end(), object.mesh->parts[part].triangleCount, object.partMaterials[part]);
         outsides_.push_back(transparent ? outsideOf(object) : Outside::unknown);
         anySolid_ = anySolid_ || outsides_.back() != Outside::unknown;
     }
@@ -43,15 +45,6 @@ Surfaces::Outside Surfaces::outsideOf(const scene::Object& object) const {
     if (!scene::reportMesh(mesh, scene::buildTopology(mesh)).isClosed()) return Outside::unknown;
     const bool outwardInMesh = signedVolume(mesh) > 0;
     return outwardInMesh != scene::isMirrored(object) ? Outside::front : Outside::back;
-}
-
-const scene::Material& Surfaces::materialOf(const trace::SurfacePoint& point) const {
-    const scene::Object& object = tracer_->objectOf(point);
-    const std::uint32_t triangle = triangleOf(point);
-    const auto& parts = object.mesh->parts; // in order, covering all triangles
-    const auto after =
-        std::ranges::upper_bound(parts, triangle, {}, [](const scene::MeshPart& part) { return part.firstTriangle; });
-    return scene().materials[object.partMaterials[static_cast<std::size_t>(after - parts.begin() - 1)]];
 }
 
 bool Surfaces::emitsHere(const trace::SurfacePoint& point) const {

@@ -17,7 +17,9 @@ public:
     [[nodiscard]] const trace::SceneTracer& tracer() const { return *tracer_; }
     [[nodiscard]] const scene::Scene& scene() const { return tracer_->scene(); }
 
-    [[nodiscard]] const scene::Material& materialOf(const trace::SurfacePoint& point) const;
+    [[nodiscard]] const scene::Material& materialOf(const trace::SurfacePoint& point) const {
+        return scene().materials[materials_[point.primitive]];
+    }
     /// A rect light's surface is dark on its back.
     [[nodiscard]] bool emitsHere(const trace::SurfacePoint& point) const;
     /// What it sends toward the viewer of its own.
@@ -70,6 +72,7 @@ private:
     }
 
     const trace::SceneTracer* tracer_;
+    std::vector<std::uint32_t> materials_;   ///< per triangle of the scene
     std::vector<dmat3> normalWorldFromMesh_; ///< per object
     std::vector<Outside> outsides_;          ///< per object; looked for only where something is transparent
     bool anySplits_ = false, anySolid_ = false;

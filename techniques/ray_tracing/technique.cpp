@@ -22,7 +22,7 @@
 #include "techniques/ray_tracing/picture_stages.h"
 #include "techniques/ray_tracing/probe_tree.h"
 #include "techniques/ray_tracing/ray_shapes.h"
-#include "techniques/ray_tracing/sampling_params.h"
+#include "techniques/ray_tracing/sampling_scene.h"
 #include "techniques/ray_tracing/structure_params.h"
 #include "techniques/ray_tracing/structure_shapes.h"
 #include "techniques/ray_tracing/structure_stages.h"
@@ -52,7 +52,7 @@ public:
         const Progress progress = structures_.prepare(tracer_.geometry(), structureParams_.structure, deadline);
         if (!progress.converged) return progress;
         if (structures_.chosen() != trace::Structure::bvh) tracer_.askInstead(&structures_.engine());
-        return prepareSampling(snapshot, deadline);
+        return sampling_.prepare(snapshot, structures_.chosen(), samplingParams_, deadline);
     }
 
     Progress render(Frame& frame) override {
@@ -118,7 +118,7 @@ private:
         if (goesOn) return;
         made_ = std::move(made);
         picture_.restart(tracer_, view.camera, view.size);
-        sampled_.restart(view.size);
+        sampled_.restart(samplingParams_.areMany() ? view.size : ivec2(0)); // it takes much memory
         shares_.clear();
         isShaded_ = false;
     }
@@ -137,7 +137,8 @@ private:
         frame.pass(passInfo(kPasses, "visibility"), [&] {
             if (!picture_.isTraced()) picture_.trace(tracer_, settings, frame.deadline());
         });
-        countRays(frame);
+        if (!isShaded_) counts_ = countRays(tracer_, picture_);
+        publishCounts(frame, counts_);
     }
 
     /// What the areas of lights bring, in closed form, where that is wanted.
@@ -145,7 +146,7 @@ private:
         if (!samplingParams_.isAnalytic()) return true;
         bool finished = true;
         for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
-            if (const trace::AreaVisibility* area = analytic_->area(light))
+            if (const trace::AreaVisibility* area = sampling_.analytic()->area(light))
                 frame.pass(
                     passInfo(kPasses, "areas"),
                     [&] {
@@ -165,28 +166,25 @@ private:
     /// Anew while rays are still being traced, and when somebody looks at a part of it; else what is shaded stays.
     void shade(Frame& frame, bool tracedAll) {
         const Surfaces& surfaces = *surfaces_;
-        const bool stays = isShaded_ && !frame.wants("lights-off");
+        const int lights = static_cast<int>(frame.scene().lights.size());
+        const bool stays = isShaded_ && !frame.wants("lights-off") && !frame.stopsAfter();
         frame.pass(passInfo(kPasses, "lights-off"), [&] {
             if (!stays) picture_.shadeLightsOff(surfaces);
-            showIfLast(frame, {"lights-off", kNoLight});
+            if (lights == 0 || frame.wants("lights-off") || frame.stopsAfter()) show(frame);
         });
-        if (frame.wants("lights-off")) {
-            show(frame);
-            frame.publishTarget("lights-off");
-        }
-        for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
+        if (frame.wants("lights-off")) frame.publishTarget("lights-off");
+        for (int light = 0; light < lights; ++light)
             frame.pass(
                 passInfo(kPasses, "light"),
                 [&] {
-                    if (!stays && samplingParams_.isAnalytic() && analytic_->area(light))
+                    if (!stays && samplingParams_.isAnalytic() && sampling_.analytic()->area(light))
                         picture_.shadeAreaLight(surfaces, light, sharesOf(light).irradiances());
                     else if (!stays)
                         picture_.shadeLight(surfaces, light);
-                    showIfLast(frame, {"light", light});
+                    if (light + 1 == lights || frame.stopsAfter()) show(frame);
                 },
                 light);
         isShaded_ = tracedAll;
-        if (!frame.stopsAfter()) show(frame);
     }
 
     [[nodiscard]] bool hasTrees() const {
@@ -199,8 +197,8 @@ private:
         bool finished = true;
         if (hasTrees())
             frame.pass(passInfo(kPasses, "trees"), [&] {
-                finished = picture_.traceTrees({*surfaces_, atRest_, 0, nullptr, analyticLights()}, treeSettings(),
-                                               frame.deadline());
+                finished = picture_.traceTrees({*surfaces_, sampling_.atRest(), 0, nullptr, sampling_.analytic()},
+                                               treeSettings(), frame.deadline());
                 show(frame);
             });
         frame.count("trees", static_cast<double>(picture_.trees()), static_cast<double>(picture_.points().size()),
@@ -216,8 +214,8 @@ private:
             finished = false;
             if (frame.refines())
                 finished =
-                    sampled_.advance(*surfaces_, moving_ ? *moving_ : atRest_, analyticLights(), frame.view().camera,
-                                     samplingParams_.settings(params_.tree(), frame.view().camera), frame.deadline());
+                    sampled_.advance(*surfaces_, sampling_.moving(), sampling_.analytic(), frame.view().camera,
+                                     samplingParams_.settings(treeSettings(), frame.view().camera), frame.deadline());
             if (sampled_.isComplete())
                 uploadFromBelow(frame.target().color, sampled_.radianceFromBelow(), sampled_.size());
         });
@@ -263,52 +261,13 @@ private:
     void show(const Frame& frame) const {
         uploadFromBelow(frame.target().color, picture_.radianceFromBelow(), picture_.size());
     }
-    void showIfLast(const Frame& frame, const StageKey& pass) const {
-        if (frame.stopsAfter() == pass) show(frame);
-    }
 
-    /// What sampling needs: areas of lights, and structures for what moves while the shutter is open.
-    Progress prepareSampling(const scene::Snapshot& snapshot, Deadline deadline) {
-        if (samplingParams_.isAnalytic() && (!analytic_ || analyticOf_ != snapshot)) analytic_.emplace(tracer_);
-        if (!samplingParams_.isAnalytic()) analytic_.reset();
-        analyticOf_ = snapshot;
-        if (!samplingParams_.areMany() || samplingParams_.shutter == 0) {
-            moving_.reset();
-            return {};
-        }
-        if (!moving_ || movingOf_ != snapshot || movingIn_ != structures_.chosen())
-            moving_.emplace(tracer_, structures_.chosen());
-        movingOf_ = snapshot;
-        movingIn_ = structures_.chosen();
-        if (moving_->advance(deadline)) return {};
-        return {moving_->done(), false};
-    }
-    [[nodiscard]] const AnalyticLights* analyticLights() const { return analytic_ ? &*analytic_ : nullptr; }
     /// Of a tree that is not left to chance.
     [[nodiscard]] TreeSettings treeSettings() const {
         TreeSettings settings = params_.tree();
         if (samplingParams_.isAnalytic()) settings.areaLights = AreaLights::analytic;
+        settings.skipsFaint = true;
         return settings;
-    }
-
-    void countRays(Frame& frame) const {
-        using enum trace::Visibility;
-        const Grid<KeptPoint>& points = picture_.points();
-        const auto hits = std::ranges::count_if(points, [](const KeptPoint& point) { return bool(point); });
-        frame.count("eye-rays", static_cast<double>(hits), static_cast<double>(points.size()), "hits");
-        const bool allReceive = std::ranges::all_of(frame.scene().objects, &scene::Object::receivesShadow);
-        for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
-            std::size_t asked = 0, blocked = 0;
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const trace::Visibility visibility = picture_.visibility(light)[i];
-                asked +=
-                    visibility >= shadowed && (allReceive || tracer_.objectOf(points[i].surfacePoint()).receivesShadow)
-                        ? 1
-                        : 0;
-                blocked += visibility == shadowed ? 1 : 0;
-            }
-            frame.count("shadow-rays", static_cast<double>(blocked), static_cast<double>(asked), "blocked");
-        }
     }
 
     RayTracedParams params_;
@@ -317,17 +276,14 @@ private:
     trace::SceneTracer tracer_;
     scene::Revisions surfacesOf_{0, 0, 0, 0}; ///< no scene has these
     std::optional<Surfaces> surfaces_;        ///< of a scene with these
-    trace::MovingScene atRest_{tracer_};
-    std::optional<trace::MovingScene> moving_; ///< while the shutter is open for more than a moment
-    std::optional<AnalyticLights> analytic_;   ///< for soft shadows in closed form
-    scene::Snapshot movingOf_, analyticOf_;
-    trace::Structure movingIn_ = trace::Structure::bvh;
+    SamplingScene sampling_{tracer_};
     SamplingParams samplingParams_;
 
     Made made_; ///< of this are:
     Picture picture_;
     SampledPicture sampled_;
     std::map<int, LightShares> shares_; ///< by light
+    RayCounts counts_;
     bool isShaded_ = false, isFinished_ = true;
     gl::IdBuffer idBuffer_;
 };

@@ -69,6 +69,8 @@ public:
         return {camera, size, world().originWorld};
     }
     [[nodiscard]] SurfacePoint eyePoint(const EyeRays& rays, dvec2 pixel) const;
+    /// The same where it is known which triangle the ray meets first: only that one is tried, and all where it is missed.
+    [[nodiscard]] SurfacePoint eyePointOn(std::uint32_t primitive, const EyeRays& rays, dvec2 pixel) const;
 
     /// What a ray meets that leaves the point in that unit direction, in whatever way it got there; of equally near triangles
     /// that of the lowest number. Its own triangle is left out, and so is what touches it there: neighbours in the mesh.
