@@ -48,7 +48,7 @@ public:
     void shadeLightsOff(const Surfaces& surfaces);
     /// Adds a light where its rays have arrived.
     void shadeLight(const Surfaces& surfaces, int light);
-    /// Adds a light with an area that brings each pixel so much (trace::AreaIrradiance::irradiance).
+    /// Adds a light with an area that brings each pixel so much (trace::AreaIrradiance::irradiance); empty: not known yet.
     void shadeAreaLight(const Surfaces& surfaces, int light, const Grid<float>& irradiances);
 
     /// Traces the trees of all pixels whose eye ray splits, or is attenuated on its way, and puts what comes of them into

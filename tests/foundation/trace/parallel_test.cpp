@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <stdexcept>
 #include <vector>
@@ -49,6 +50,25 @@ TEST(ParallelTest, StopsBeforeTheNextPiece) {
     begun = 0;
     parallelFor(kMany, work, std::stop_source().get_token()); // of another source: nobody stops it
     EXPECT_EQ(begun, static_cast<int>(kMany));
+}
+
+TEST(ParallelTest, GoesOnWhereADeadlineHasCutItOff) {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::size_t kMany = 1000;
+    std::vector<std::atomic<int>> done(kMany);
+    std::size_t next = 0;
+    int slices = 0;
+    while (next < kMany) {
+        const std::size_t before = next;
+        next = parallelUntil(Clock::now(), before, kMany, [&](std::size_t i) { ++done[i]; });
+        ASSERT_GT(next, before); // always a bit
+        for (std::size_t i = 0; i < kMany; ++i) // all before it, nothing beyond
+            ASSERT_EQ(done[i], i < next ? 1 : 0);
+        ++slices;
+    }
+    EXPECT_GT(slices, 2);
+    EXPECT_EQ(parallelUntil(Clock::time_point::max(), 3, 3, [](std::size_t) { FAIL(); }), 3u);
+    EXPECT_EQ(parallelUntil(Clock::time_point::max(), 0, 7, [](std::size_t) {}), 7u);
 }
 
 TEST(ParallelTest, TheNumberOfThreadsCanBeSet) {
