@@ -8,6 +8,7 @@ generate.py --check      writes nothing; exits with 1 when a part is out of date
 generate.py --pictures   draws the pictures as well, with `shadowlab capture`:
                          `<!-- picture NAME: ARGUMENTS -->` asks for docs/images/NAME.png wherever it stands, and
                          `<!-- gallery: ARGUMENTS -->` on a technique's page for a picture of each of its stages
+                         that is not asked for by name
 --program PATH           the program to ask, build/release/shadowlab by default
 """
 # SPDX-License-Identifier: MIT
@@ -197,7 +198,8 @@ def wanted_pictures(program):
         gallery = GALLERY.search(text)
         if gallery and path.stem in ids:
             for stage in program.stages_of(path.stem):
-                pictures[f"{path.stem}-{stage['stage']}"] = f"{gallery.group(1)} -t {path.stem} --stage {stage['stage']}"
+                pictures.setdefault(f"{path.stem}-{stage['stage']}",
+                                    f"{gallery.group(1)} -t {path.stem} --stage {stage['stage']}")
     return pictures
 
 

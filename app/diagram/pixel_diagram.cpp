@@ -32,7 +32,7 @@ std::string colorNumbers(const dvec3& intensity) {
 }
 
 std::string percent(double share) {
-    const double rounded = std::round(share * 1000) / 10;
+    const double rounded = share < 0.0995 ? std::round(share * 1000) / 10 : std::round(share * 100);
     if (share > 0 && rounded < 0.1) return "< 0.1 %";
     const std::string text = std::to_string(rounded);
     return text.substr(0, text.find('.') + (rounded < 10 ? 2 : 0)) + " %";

@@ -109,11 +109,12 @@ void publishPenumbra(Frame& frame, const Picture& picture, int light, const Ligh
     frame.publish("penumbra", light, std::move(texture), display);
 }
 
-void publishSamples(Frame& frame, const SampledPicture& sampled) {
-    const std::vector<std::uint32_t> counts = sampled.samples();
-    const double most = counts.empty() ? 1 : *std::ranges::max_element(counts);
-    gl::Texture2D texture(GL_RG32F, sampled.size(), "samples-per-pixel");
-    upload(texture, counts, sampled.size(),
+void publishSamples(Frame& frame, const Picture& picture, const SampledPicture& sampled) {
+    std::vector<std::uint32_t> counts = sampled.samples();
+    if (counts.empty()) counts.assign(picture.points().size(), 1); // the rays through the middle, and no others
+    const double most = *std::ranges::max_element(counts);
+    gl::Texture2D texture(GL_RG32F, picture.size(), "samples-per-pixel");
+    upload(texture, counts, picture.size(),
            [](std::uint32_t count) { return vec2(static_cast<float>(count), count > 0 ? 1.0f : 0.0f); });
     frame.publish("samples-per-pixel", kNoLight, std::move(texture),
                   {.minimum = 0, .maximum = std::max(1.0, most), .unit = "samples", .key = {}});

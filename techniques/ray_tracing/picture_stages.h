@@ -33,7 +33,7 @@ void publishPenumbra(Frame& frame, const Picture& picture, int light, const Ligh
 void publishAdded(Frame& frame, std::string_view stage, const Picture& picture, const Grid<vec3>& addedFromBelow);
 
 /// How many samples each pixel has.
-void publishSamples(Frame& frame, const SampledPicture& sampled);
+void publishSamples(Frame& frame, const Picture& picture, const SampledPicture& sampled);
 
 /// Of how many levels each pixel's tree is.
 void publishLevels(Frame& frame, const Picture& picture);

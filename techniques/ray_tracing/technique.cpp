@@ -20,6 +20,7 @@
 #include "techniques/ray_tracing/params.h"
 #include "techniques/ray_tracing/picture.h"
 #include "techniques/ray_tracing/picture_stages.h"
+#include "techniques/ray_tracing/probe_area.h"
 #include "techniques/ray_tracing/probe_tree.h"
 #include "techniques/ray_tracing/ray_shapes.h"
 #include "techniques/ray_tracing/sampling_scene.h"
@@ -253,7 +254,7 @@ private:
         if (frame.wants("reflected")) publishAdded(frame, "reflected", picture_, picture_.reflectedFromBelow());
         if (frame.wants("transmitted")) publishAdded(frame, "transmitted", picture_, picture_.transmittedFromBelow());
         if (frame.wants("tree-depth")) publishLevels(frame, picture_);
-        if (frame.wants("samples-per-pixel")) publishSamples(frame, sampled_);
+        if (frame.wants("samples-per-pixel")) publishSamples(frame, picture_, sampled_);
         if (frame.wants(kTestsStage.id)) publishTests(frame, tracer_, structures_);
         if (frame.wants(kStructureStage.id)) publishStructure(frame, tracer_, structures_, picture_);
     }
@@ -312,9 +313,18 @@ Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     // The tree of boxes is there even if nobody looks at it.
     if (!passed.empty() && structures_.chosen() != trace::Structure::bvh)
         probe.visited.push_back(passedShape(passed, structures_.chosen(), tracer_.world().originWorld));
+    const dvec3 u = glm::normalize(rays.through(centre).directionCentred);
+    if (light >= 0 && samplesArea(*snapshot, light)) describeArea(surfaces, point, -u, light, probe);
+    if (samplingParams_.areMany())
+        probe.facts.push_back({"the picture", "the mean of " + std::to_string(samplingParams_.pattern.count) +
+                                                  " such trees, spread by chance; this one goes through the middle of "
+                                                  "everything, at time 0",
+                               ""});
     RayTree tree;
-    tree.trace({surfaces, trace::MovingScene(tracer_)}, params_.tree(), rays.eyeCentred(),
-               glm::normalize(rays.through(centre).directionCentred), point, surfaces.mediaAround(rays.eyeCentred()));
+    TreeSettings settings = treeSettings();
+    settings.skipsFaint = false;
+    tree.trace({surfaces, sampling_.atRest(), 0, nullptr, sampling_.analytic()}, settings, rays.eyeCentred(), u, point,
+               surfaces.mediaAround(rays.eyeCentred()));
     describeTree(tree, surfaces, light, probe);
     return probe;
 }

@@ -38,7 +38,8 @@ struct Floor {
                        traced.centred({x, 1, 0}), {0, -1, 0}, at(x), {});
             sum += tree.lightsOf(tree.root())[0].intensity.x;
         }
-        return sum / pattern.count / 0.8f; // the floor's diffuse reflectance
+        const double radiance = traced.surfaces().scene().lights[0].intensity, diffuse = 0.8f; // of the floor
+        return sum / pattern.count / radiance / diffuse;
     }
     [[nodiscard]] double exactIrradiance(double x) const {
         const trace::AreaVisibility area(traced.tracer(), 0);
@@ -67,7 +68,8 @@ TEST(SoftLight, SamplesAreUnbiased) {
         for (const Spread spread : {Spread::random, Spread::jittered, Spread::lowDiscrepancy})
             for (std::size_t place = 0; place < std::size(kPlaces); ++place) {
                 const double exact = floor.exactIrradiance(kPlaces[place]);
-                if (light.type == scene::LightType::rect) EXPECT_NEAR(exact, kFormFactors[place], 1e-12);
+                if (light.type == scene::LightType::rect)
+                    EXPECT_NEAR(exact, kFormFactors[place], 1e-11); // of 10 digits
                 constexpr int kSeeds = 64;
                 double sum = 0, squares = 0;
                 for (int seed = 0; seed < kSeeds; ++seed) {
@@ -99,16 +101,18 @@ TEST(SoftLight, ErrorsFallAsTheyMust) {
     for (const scene::Light& light : {testing::squareLight({0, 4, 0}), testing::sphereLight({0, 4, 0}, 0.5)}) {
         const TracedScene traced(halfPlaneUnder(light));
         const Floor floor{traced};
+        // Nowhere does the edge's shadow on the light fall on the border of cells: there jittering makes no error at all.
+        constexpr double kBetween[] = {-0.37, -0.21, -0.09, 0.03, 0.17, 0.29, 0.41};
         std::vector<double> exact;
-        for (const double place : kPlaces)
+        for (const double place : kBetween)
             exact.push_back(floor.exactIrradiance(place));
         const auto rms = [&](int count, Spread spread) {
             double squares = 0;
-            const int pixels = 120;
+            constexpr int pixels = 700; // they know a root mean square to 2.7 %, a slope over four of them to 0.02
             for (int pixel = 0; pixel < pixels; ++pixel) {
-                const std::size_t place = static_cast<std::size_t>(pixel) % std::size(kPlaces);
+                const std::size_t place = static_cast<std::size_t>(pixel) % std::size(kBetween);
                 squares +=
-                    std::pow(floor.irradiance(kPlaces[place], {count, spread, 1, 2}, {pixel, 0}) - exact[place], 2);
+                    std::pow(floor.irradiance(kBetween[place], {count, spread, 1, 2}, {pixel, 0}) - exact[place], 2);
             }
             return std::sqrt(squares / pixels);
         };

@@ -41,8 +41,8 @@ bool SceneTracer::advance(const scene::Snapshot& snapshot, std::chrono::steady_c
 
 void SceneTracer::lookAtLights() {
     casts_.clear();
-    for (const std::uint32_t object : world().objects)
-        casts_.push_back(snapshot_->objects[object].castsShadow ? 1 : 0);
+    for (const scene::Object& object : snapshot_->objects)
+        casts_.insert(casts_.end(), object.mesh->triangles.size(), object.castsShadow ? 1 : 0);
     lights_.clear();
     for (const scene::Light& light : snapshot_->lights) {
         const std::vector<std::int8_t> facing = scene::facingSigns(*snapshot_, light);

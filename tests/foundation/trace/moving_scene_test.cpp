@@ -41,7 +41,7 @@ TEST(MovingScene, IsWhatTheSceneIsAtThatMoment) {
     const SceneTracer tracer = tracerOf(inMotion());
     std::mt19937_64 numbers(3);
     std::uniform_real_distribution<double> place(-3, 3), height(0.05, 4);
-    int met = 0, ofMoving = 0, blocked = 0;
+    int ties = 0, met = 0, ofMoving = 0, blocked = 0;
     for (const Structure structure : {Structure::bvh, Structure::grid, Structure::none}) {
         MovingScene moving(tracer, structure);
         EXPECT_TRUE(moving.moves());
@@ -59,6 +59,13 @@ TEST(MovingScene, IsWhatTheSceneIsAtThatMoment) {
                 thereRay.originCentred += apart;
                 const SurfacePoint found = moving.met(ray, kNoPrimitive, time);
                 const SurfacePoint expected = there.met(thereRay, kNoPrimitive);
+                if (found && expected && found.primitive != expected.primitive) { // one stands on the other: a tie
+                    EXPECT_LT(
+                        glm::length(moving.positionCentred(found, time) + apart - there.positionCentred(expected)),
+                        1e-12);
+                    ++ties;
+                    continue;
+                }
                 ASSERT_EQ(found.primitive, expected.primitive) << i;
                 ASSERT_EQ(found.eyeOnFront, expected.eyeOnFront);
                 const bool isBlocked = moving.isBlocked(ray, found.primitive, time);
@@ -73,7 +80,8 @@ TEST(MovingScene, IsWhatTheSceneIsAtThatMoment) {
             }
         }
     }
-    EXPECT_GT(met, 10000);
+    EXPECT_LT(ties, 300);
+    EXPECT_GT(met, 8000);
     EXPECT_GT(ofMoving, 1000);
     EXPECT_GT(blocked, 1000);
 }
