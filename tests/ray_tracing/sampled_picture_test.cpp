@@ -8,7 +8,6 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/ray_tracing/lobe.h"
 #include "tests/ray_tracing/tree_of.h"
 #include "tests/support/half_plane.h"
 
