@@ -173,6 +173,7 @@ bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, De
     treeBlocks_ = trace::parallelUntil(deadline, treeBlocks_, blocks.count(), [&](std::size_t block) {
         const ivec2 corner = blocks.corner(block), end = corner + blocks.sizeAt(corner);
         RayTree tree; // its memory serves the whole block
+        std::size_t treesHere = 0, raysHere = 0;
         for (int y = corner.y; y < end.y; ++y)
             for (int x = corner.x; x < end.x; ++x) {
                 const auto column = static_cast<std::size_t>(x), row = static_cast<std::size_t>(y);
@@ -191,10 +192,11 @@ bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, De
                 reflected_[fromBelow] = vec3(tree.addedByReflection());
                 transmitted_[fromBelow] = vec3(tree.addedByRefraction());
                 levels_[i] = static_cast<std::uint8_t>(tree.levels());
-                ++trees;
-                secondaryRays +=
-                    static_cast<std::size_t>(std::ranges::count_if(tree.nodes(), &TreeNode::isFollowed)) - 1;
+                ++treesHere;
+                raysHere += static_cast<std::size_t>(std::ranges::count_if(tree.nodes(), &TreeNode::isFollowed)) - 1;
             }
+        trees += treesHere;
+        secondaryRays += raysHere;
     });
     trees_ += trees;
     secondaryRays_ += secondaryRays;

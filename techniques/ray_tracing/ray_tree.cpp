@@ -75,12 +75,11 @@ void RayTree::trace(const RayWorld& world, const TreeSettings& settings, const d
     lights_.clear();
     lightCount_ = world.surfaces.scene().lights.size();
     nodes_.reserve(kUsualNodes);
-    TreeNode eye;
+    TreeNode& eye = nodes_.emplace_back();
     eye.fromCentred = eyeCentred;
     eye.u = u;
     eye.media = aroundEye;
     eye.point = first;
-    nodes_.push_back(std::move(eye));
     // Going down: the list grows while it is gone through.
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         if (nodes_[i].end == RayEnd::noTransmission || nodes_[i].end == RayEnd::depth ||
@@ -155,83 +154,75 @@ void RayTree::split(const RayWorld& world, const TreeSettings& settings, std::si
     }
     node.end = RayEnd::splits;
     if (spreads) {
-        TreeNode child;
-        child.branch = Branch::diffuse;
-        child.media = node.media;
         const auto direction = spread(world, settings, node.normalWorld, kLambertPower,
                                       surfaces.geometricNormalWorld(node.point), Purpose::diffuse, node.path);
         if (direction) {
             node.diffuseWeight = diffuse;
-            child.u = *direction;
-            child.contribution = node.contribution * node.attenuation * std::max({diffuse.x, diffuse.y, diffuse.z});
-            add(settings, index, std::move(child)); // `node` may have moved from here on
+            add(settings, index, Branch::diffuse, *direction,
+                node.contribution * node.attenuation * std::max({diffuse.x, diffuse.y, diffuse.z}));
         }
     }
     if (surfaces.splits(nodes_[index].point)) splitByOptics(world, settings, index);
 }
 
 void RayTree::splitByOptics(const RayWorld& world, const TreeSettings& settings, std::size_t index) {
-    TreeNode& node = nodes_[index];
     const Surfaces& surfaces = world.surfaces;
-    const scene::Material& material = surfaces.materialOf(node.point);
-    const dvec3 sideWorld = surfaces.geometricNormalWorld(node.point);
+    TreeNode& node = nodes_[index];
+    const trace::SurfacePoint point = node.point;
+    const std::uint64_t path = node.path;
+    const scene::Material& material = surfaces.materialOf(point);
     const Crossing crossing = crossingAt(surfaces, node);
     node.iorHere = crossing.iorHere;
     node.iorBeyond = crossing.iorBeyond;
     const Optics optics = opticsAt(surfaces, node, settings.fresnel);
-    node.weights = optics.weights;
-    TreeNode child;
-    child.media = node.media;
-    if (node.weights.reflected > 0) {
-        node.reflectedWorld = optics.reflectedWorld;
+    const Weights& weights = optics.weights;
+    const bool letsThrough = optics.refractedWorld && weights.transmitted > 0;
+    node.weights = weights;
+    if (weights.reflected > 0) node.reflectedWorld = optics.reflectedWorld;
+    if (letsThrough) node.refractedWorld = *optics.refractedWorld;
+    const double arriving = node.contribution * node.attenuation;
+    // `node` may move from here on.
+    if (weights.reflected > 0) {
         std::optional<dvec3> direction = optics.reflectedWorld;
         if (settings.gloss && world.numbers && material.glossDegrees > 0)
-            direction = spread(world, settings, optics.reflectedWorld, lobePower(material.glossDegrees), sideWorld,
-                               Purpose::reflection, node.path);
-        child.branch = Branch::reflection;
-        child.contribution = node.contribution * node.attenuation * node.weights.reflected;
-        child.u = direction.value_or(dvec3(0.0));
-        if (direction) add(settings, index, child); // `node` may have moved from here on
+            direction = spread(world, settings, *direction, lobePower(material.glossDegrees),
+                               surfaces.geometricNormalWorld(point), Purpose::reflection, path);
+        if (direction) add(settings, index, Branch::reflection, *direction, arriving * weights.reflected);
     }
-    child.branch = Branch::refraction;
-    if (optics.weights.isTotal) {
-        child.end = RayEnd::noTransmission;
-        child.u = dvec3(0.0);
-        child.contribution = 0;
-        add(settings, index, std::move(child));
-    } else if (optics.refractedWorld && optics.weights.transmitted > 0) {
-        TreeNode& parent = nodes_[index];
-        parent.refractedWorld = *optics.refractedWorld;
+    if (weights.isTotal) {
+        add(settings, index, Branch::refraction, dvec3(0.0), 0).end = RayEnd::noTransmission;
+    } else if (letsThrough) {
         std::optional<dvec3> direction = optics.refractedWorld;
         if (settings.translucency && world.numbers && material.translucencyDegrees > 0)
-            direction = spread(world, settings, *optics.refractedWorld, lobePower(material.translucencyDegrees),
-                               -sideWorld, Purpose::refraction, parent.path);
+            direction = spread(world, settings, *direction, lobePower(material.translucencyDegrees),
+                               -surfaces.geometricNormalWorld(point), Purpose::refraction, path);
         if (!direction) return;
-        child.u = *direction;
-        child.contribution = parent.contribution * parent.attenuation * parent.weights.transmitted;
-        if (surfaces.isSolid(parent.point))
-            child.media.cross(surfaces.mediumOf(parent.point), surfaces.isEntered(parent.point));
-        add(settings, index, std::move(child));
+        TreeNode& child = add(settings, index, Branch::refraction, *direction, arriving * weights.transmitted);
+        if (surfaces.isSolid(point)) child.media.cross(surfaces.mediumOf(point), surfaces.isEntered(point));
     }
 }
 
-void RayTree::add(const TreeSettings& settings, std::size_t parent, TreeNode child) {
+TreeNode& RayTree::add(const TreeSettings& settings, std::size_t parent, Branch branch, const dvec3& u,
+                       double contribution) {
     const int number = static_cast<int>(nodes_.size());
+    TreeNode& child = nodes_.emplace_back();
     TreeNode& from = nodes_[parent];
-    (child.branch == Branch::reflection   ? from.reflection
-     : child.branch == Branch::refraction ? from.refraction
-                                          : from.diffuse) = number;
+    (branch == Branch::reflection   ? from.reflection
+     : branch == Branch::refraction ? from.refraction
+                                    : from.diffuse) = number;
     child.parent = static_cast<int>(parent);
     child.level = from.level + 1;
-    child.path = 4 * from.path + static_cast<std::uint64_t>(child.branch);
+    child.path = 4 * from.path + static_cast<std::uint64_t>(branch);
+    child.branch = branch;
     child.fromCentred = from.positionCentred;
-    if (child.end != RayEnd::noTransmission) {
-        if (child.level > settings.depth)
-            child.end = RayEnd::depth;
-        else if (child.contribution < settings.cutoff)
-            child.end = RayEnd::cutoff;
-    }
-    nodes_.push_back(std::move(child));
+    child.u = u;
+    child.contribution = contribution;
+    child.media = from.media;
+    if (child.level > settings.depth)
+        child.end = RayEnd::depth;
+    else if (contribution < settings.cutoff)
+        child.end = RayEnd::cutoff;
+    return child;
 }
 
 /// Coming up: every node has its children behind it.

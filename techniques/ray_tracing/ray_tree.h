@@ -141,7 +141,8 @@ private:
     void light(const RayWorld& world, const TreeSettings& settings, TreeNode& node);
     void split(const RayWorld& world, const TreeSettings& settings, std::size_t index);
     void splitByOptics(const RayWorld& world, const TreeSettings& settings, std::size_t index);
-    void add(const TreeSettings& settings, std::size_t parent, TreeNode child);
+    /// The new node; nodes may have moved.
+    TreeNode& add(const TreeSettings& settings, std::size_t parent, Branch branch, const dvec3& u, double contribution);
     void evaluate(const Surfaces& surfaces);
 
     std::vector<TreeNode> nodes_;

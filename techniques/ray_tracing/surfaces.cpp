@@ -77,9 +77,10 @@ dvec3 Surfaces::geometricNormalWorld(const trace::SurfacePoint& point) const {
 dvec3 Surfaces::lit(const trace::SurfacePoint& point, int light, const dvec3& positionWorld, const dvec3& normalWorld,
                     const dvec3& toViewerWorld) const {
     const scene::Light& source = scene().lights[static_cast<std::size_t>(light)];
-    return scene::irradiance(source, positionWorld, normalWorld) *
-           scene::reflectance(materialOf(point), normalWorld, scene::towardLightWorld(source, positionWorld),
-                              toViewerWorld);
+    const dvec3 irradiance = scene::irradiance(source, positionWorld, normalWorld);
+    if (irradiance == dvec3(0.0)) return irradiance; // turned away: no need to ask what would be reflected
+    return irradiance * scene::reflectance(materialOf(point), normalWorld,
+                                           scene::towardLightWorld(source, positionWorld), toViewerWorld);
 }
 
 DielectricStack Surfaces::mediaAround(const dvec3& positionCentred) const {

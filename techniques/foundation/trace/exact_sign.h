@@ -1,8 +1,8 @@
 // On which side of a ray does an edge pass? The sign of a determinant, without any rounding.
 //
 // After Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997: what double
-// leaves undecided is computed again with numbers kept as unevaluated sums of doubles. His middle stages are left out:
-// the filter before it (ray_triangle.h) lets so few cases come here that one slow and certain stage is enough.
+// leaves undecided (ray_triangle.h) is computed again, first with twice its digits, and where that is not enough either (a ray
+// aimed at a vertex, a mesh folded into one plane) with numbers kept as unevaluated sums of doubles.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/math/types.h"

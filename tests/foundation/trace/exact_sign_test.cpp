@@ -28,11 +28,11 @@ TEST(ExactSign, IsThatOfWholeNumberArithmeticWherePlainDoubleFails) {
     int zeros = 0, compared = 0, naiveWrong = 0;
     for (int i = 0; i < 200'000; ++i) {
         // Nearly in one plane: a direction spanned by the two corners with whole weights, moved by at most one unit.
-        // 2^31 and 2^7 keep the terms below 2^110, within 128 bits, and far beyond the 53 of double.
-        const glm::i64vec3 p = randomWhole(random, 0x1p31), q = randomWhole(random, 0x1p31);
+        // 2^36 and 2^7 keep the terms below 2^120, within 128 bits, and beyond twice the 53 of double.
+        const glm::i64vec3 p = randomWhole(random, 0x1p36), q = randomWhole(random, 0x1p36);
         const glm::i64vec3 weights = randomWhole(random, 0x1p7), moved = randomWhole(random, 0.9);
         const glm::i64vec3 direction = weights.x * p + weights.y * q + moved;
-        const glm::i64vec3 origin = randomWhole(random, 0x1p31);
+        const glm::i64vec3 origin = randomWhole(random, 0x1p36);
         const dvec3 d(direction), o(origin), b(origin + p), c(origin + q);
         const int truth = signOf(wholeTriple(direction, p, q));
         ASSERT_EQ(exactTripleSign(d, o, b, c), truth) << i;
