@@ -108,6 +108,8 @@ private:
         if (base_->lights.empty())
             note("scene '" + base_->name + "' has no lights; only its ambient light and what glows is seen");
         if (base_->objects.empty()) note("scene '" + base_->name + "' has no objects; only its background is seen");
+        for (const std::string& remark : session::settingsWithoutEffect(slots_))
+            note(remark);
     }
 
     /// What this driver can draw, asked before it is given anything to allocate.

@@ -79,6 +79,8 @@ int measure(const MeasureOptions& options) {
                             measurement.results()};
     for (const std::string& remark : base->notes)
         note(remark);
+    for (const std::string& remark : session::settingsWithoutEffect(slots))
+        note(remark);
     sayWhatIsProved(measured.results.front().counts, measured.scene, measured.light);
     print(options.json ? measureJson(measured) : measureTable(measured));
     return 0;

@@ -45,6 +45,8 @@ int probe(const ProbeOptions& options) {
     if (!options.diagram.empty()) image::writeWhole(options.diagram, diagramOf(probed, scene));
     for (const std::string& remark : scene->notes)
         note(remark);
+    for (const std::string& remark : session::settingsWithoutEffect(slots))
+        note(remark);
     if (light < 0) note("scene '" + scene->name + "' has no lights; there is no shadow to ask about");
     print(options.json ? probeJson(probed) : probeText(probed));
     return 0;

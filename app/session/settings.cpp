@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/settings.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "techniques/foundation/error.h"
@@ -53,6 +54,18 @@ void applySettings(std::vector<Slot>& slots, const std::vector<std::string>& set
                                                (setting.slot ? " " + std::to_string(setting.slot) : "") + " shows " +
                                                setting.id + "; choose it with -t");
     }
+}
+
+std::vector<std::string> settingsWithoutEffect(const std::vector<Slot>& slots) {
+    std::vector<std::string> sentences;
+    for (const Slot& slot : slots)
+        for (const params::Param& param : slot.params)
+            if (!params::hasEffect(param) && params::valueText(param) != params::initialText(param)) {
+                const std::string text = std::string(slot.info->id) + "." + param.id + "=" + params::valueText(param);
+                const std::string sentence = "'" + text + "' has no effect with the other settings as they are";
+                if (std::ranges::find(sentences, sentence) == sentences.end()) sentences.push_back(sentence);
+            }
+    return sentences;
 }
 
 } // namespace shadowlab::session

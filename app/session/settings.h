@@ -12,4 +12,8 @@ namespace shadowlab::session {
 /// Throws Error (usage) for anything unknown, out of range, or meant for a technique that no slot shows.
 void applySettings(std::vector<Slot>& slots, const std::vector<std::string>& settings);
 
+/// A sentence for each parameter that somebody has set, and that does nothing as the others are set: an aperture with one ray
+/// for each pixel, say.
+std::vector<std::string> settingsWithoutEffect(const std::vector<Slot>& slots);
+
 } // namespace shadowlab::session

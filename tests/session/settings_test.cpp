@@ -47,6 +47,16 @@ TEST_F(SettingsTest, TheLaterOneCounts) {
     EXPECT_EQ(value(2, "resolution"), "128");
 }
 
+TEST_F(SettingsTest, OfWhatHasNoEffectOneSentence) {
+    EXPECT_TRUE(settingsWithoutEffect(slots).empty());
+    applySettings(slots, {"shadow-map.filter=hard", "shadow-map.pcf-radius=3"}); // of both shadow maps
+    const std::vector<std::string> sentences = settingsWithoutEffect(slots);
+    ASSERT_EQ(sentences.size(), 1u);
+    EXPECT_TRUE(contains(sentences[0].c_str(), "'shadow-map.pcf-radius=3' has no effect")) << sentences[0];
+    applySettings(slots, {"shadow-map.filter=pcf"});
+    EXPECT_TRUE(settingsWithoutEffect(slots).empty());
+}
+
 TEST_F(SettingsTest, NumbersAreReadTheSameInEveryLocale) {
     applySettings(slots, {"shadow-map.slope-bias=1.5"});
     EXPECT_EQ(value(0, "slope-bias"), "1.5");

@@ -46,7 +46,7 @@ private:
 };
 
 /// One bit for each triangle that intersect() may hit.
-inline unsigned candidates(const BvhWalk& walk, const BvhLeaf& leaf) {
+inline unsigned candidates(BvhWalk& walk, const BvhLeaf& leaf) {
     Double4 x[3], y[3], z[3];
     const Double4 shearX = all(walk.shearX), shearY = all(walk.shearY);
     for (int c = 0; c < 3; ++c) {
@@ -63,7 +63,14 @@ inline unsigned candidates(const BvhWalk& walk, const BvhLeaf& leaf) {
     if (!left) return 0;
     const Double4 reach = all(walk.sign) * (u * z[0] + v * z[1] + w * z[2]) / (u + v + w);
     const Mask4 certain = (least > bound) | (greatest < -bound);
-    return left & ~bits(certain & ~((reach > all(walk.nearest)) & (reach <= all(walk.farthest))));
+    const unsigned found = left & ~bits(certain & ~((reach > all(walk.nearest)) & (reach <= all(walk.farthest))));
+    if (!found) return 0;
+    walk.certain = bits(certain);
+    const Double4 sides[3] = {u, v, w};
+    for (int side = 0; side < 3; ++side)
+        store(walk.sides[side], sides[side]);
+    store(walk.reach, reach);
+    return found;
 }
 
 // Where a ray enters a box, and which child that is, in one number, so that a comparison orders both and no branch is

@@ -20,6 +20,14 @@ inline void begin(BvhWalk& walk, const Bvh& bvh, const Ray& ray, const ShearedRa
     walk.stack[0] = 0; // the root, entered at once
 }
 
+/// What intersect() says of a candidate where the walk has stopped.
+inline std::optional<TriangleHit> hitOf(const BvhWalk& walk, const ShearedRay& sheared, int i, double farthest) {
+    if (!(walk.certain >> i & 1)) return intersect(sheared, triangleOf(*walk.leaf, i), farthest);
+    if (!(walk.reach[i] <= farthest)) return std::nullopt; // beyond what was hit in the meantime
+    const double u = walk.sides[0][i], v = walk.sides[1][i], w = walk.sides[2][i];
+    return TriangleHit{walk.reach[i], dvec3(u, v, w) / (u + v + w)};
+}
+
 template <typename Count>
 void report(const BvhWalk& walk, const Count& count) {
     count.volumes(walk.boxesTried);
@@ -41,7 +49,7 @@ RayHit Bvh::closest(const Ray& ray, const Accept& accept, const InHole& inHole, 
             const int i = std::countr_zero(left);
             const std::uint32_t primitive = walk.leaf->primitives[i];
             if (!accept(primitive)) continue;
-            const auto hit = intersect(sheared, triangleOf(*walk.leaf, i), walk.farthest);
+            const auto hit = detail::hitOf(walk, sheared, i, walk.farthest);
             if (!hit || !(hit->reach < walk.farthest || (best && primitive < best.primitive))) continue;
             if (inHole(primitive, hit->barycentric)) continue;
             walk.farthest = hit->reach;
@@ -70,7 +78,7 @@ std::uint32_t Bvh::any(const Ray& ray, const Accept& accept, const InHole& inHol
             const int i = std::countr_zero(left);
             const std::uint32_t primitive = walk.leaf->primitives[i];
             if (!accept(primitive)) continue;
-            const auto hit = intersect(sheared, triangleOf(*walk.leaf, i), sheared.farthest);
+            const auto hit = detail::hitOf(walk, sheared, i, sheared.farthest);
             if (hit && hit->reach < sheared.farthest && !inHole(primitive, hit->barycentric)) found = primitive;
         }
     }

@@ -29,6 +29,10 @@ struct BvhWalk {
     double largest; ///< coordinate of the origin, without sign
 
     const BvhLeaf* leaf; ///< where the walk has stopped
+    // What intersect() would find out there about those triangles that are hit for certain (one bit each): the three sides and
+    // where, by the same operations. Of the others it must be asked.
+    unsigned certain;
+    alignas(32) double sides[3][kLeafTriangles], reach[kLeafTriangles];
     std::uint64_t nodesSeen, boxesTried, leavesSeen, trianglesTried;
 
     int size; ///< of the stack
