@@ -46,12 +46,12 @@ inline std::string linePlot(const Plot& plot) {
     add("<rect width=\"%g\" height=\"%g\" fill=\"white\"/>\n", kWidth, kHeight);
     for (const double mark : plot.xMarks) {
         add("<path d=\"M%.1f %g V%g\" stroke=\"#ddd\"/>\n", x(mark), kTop, kHeight - kBottom);
-        add("<text x=\"%.1f\" y=\"%g\" text-anchor=\"middle\">%g</text>\n", x(mark), kHeight - kBottom + 20, mark);
+        add("<text x=\"%.1f\" y=\"%g\" text-anchor=\"middle\">%.10g</text>\n", x(mark), kHeight - kBottom + 20, mark);
     }
     for (int power = plot.firstPower; power <= plot.lastPower; ++power) {
         const double value = std::pow(10, power);
         add("<path d=\"M%g %.1f H%g\" stroke=\"#ddd\"/>\n", kLeft, y(value), kWidth - kRight);
-        add("<text x=\"%g\" y=\"%.1f\" text-anchor=\"end\">%g</text>\n", kLeft - 8, y(value) + 4, value);
+        add("<text x=\"%g\" y=\"%.1f\" text-anchor=\"end\">%.10g</text>\n", kLeft - 8, y(value) + 4, value);
     }
     add("<text x=\"%g\" y=\"%g\" text-anchor=\"middle\">%s</text>\n", (kLeft + kWidth - kRight) / 2, kHeight - 12,
         plot.xLabel.c_str());
