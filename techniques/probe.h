@@ -54,7 +54,7 @@ struct Probe {
     std::vector<SceneShape> visited; ///< what of the technique's own structures the eye ray passes through
 };
 
-/// Six digits, without regard to the locale.
+/// Six digits, without regard to the locale, and without a sign where there is nothing.
 std::string probeText(double number);
 Probe::Fact probeFact(std::string label, double number, std::string unit = "");
 Probe::Fact probeFact(std::string label, const dvec3& vector, std::string unit = "");

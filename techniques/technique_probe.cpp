@@ -11,7 +11,7 @@ namespace shadowlab {
 std::string probeText(double number) {
     std::array<char, 32> text{};
     const auto [end, error] =
-        std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 6);
+        std::to_chars(text.data(), text.data() + text.size(), number + 0.0, std::chars_format::general, 6); // no "-0"
     return error == std::errc{} ? std::string(text.data(), end) : "?";
 }
 
