@@ -57,6 +57,8 @@ class Window:
             return self.state
         while True:
             try:
+                if time.monotonic() > end + 4 * TIMEOUT:  # reports that never end, of something that moves
+                    raise queue.Empty
                 report = self.reports.get(timeout=max(0.01, end - time.monotonic()))
             except queue.Empty:
                 raise AssertionError(f"{what}: not seen in {TIMEOUT} s; the last state was {self.state}") from None
