@@ -1,0 +1,84 @@
+// Faces and patches: rectangles are found in triangles, nothing is lost or counted twice, and no patch is too large.
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/patches.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/radiosity/room.h"
+
+namespace shadowlab::radiosity {
+namespace {
+
+using namespace shadowlab::testing;
+
+double areaOf(const scene::Scene& scene) {
+    double area = 0;
+    for (const trace::Triangle& t : trace::worldTriangles(scene).triangles)
+        area += 0.5 * glm::length(glm::cross(t.b - t.a, t.c - t.a));
+    return area;
+}
+
+TEST(Faces, WallsAndBoxesAreRectangles) {
+    scene::Scene scene = emptyRoom({3, 2, 4});
+    addObject(scene, scene::makeBox({1, 1, 1}), glm::rotate(translation({1, 0.5, 1}), 0.3, dvec3(0, 1, 0)));
+    const Faces faces = facesOf(scene, trace::worldTriangles(scene));
+    ASSERT_EQ(faces.all.size(), 12u);
+    for (const Face& face : faces.all) {
+        EXPECT_EQ(face.polygon.count(), 4u);
+        EXPECT_NE(face.triangles[0], face.triangles[1]);
+    }
+    ASSERT_EQ(faces.ofTriangle.size(), 24u);
+    // Toward the inside of the room, and out of the box.
+    const dvec3 middle = dvec3(1.5, 1, 2) - trace::worldTriangles(scene).originWorld;
+    for (std::size_t f = 0; f < 6; ++f)
+        EXPECT_GT(glm::dot(areaVector(faces.all[f].polygon), middle - centroid(faces.all[f].polygon)), 0) << f;
+}
+
+TEST(Faces, OfRoundThingsTheFlatQuadsOnly) {
+    scene::Scene scene;
+    scene.materials.emplace_back();
+    addObject(scene, scene::makeSphere(1, 16));
+    const Faces faces = facesOf(scene, trace::worldTriangles(scene));
+    // 16 triangles about each pole, between them 6 rings of 16 trapezoids, each flat.
+    EXPECT_EQ(faces.all.size(), 32u + 6 * 16);
+    EXPECT_EQ(std::ranges::count(faces.all, 4u, [](const Face& f) { return f.polygon.count(); }), 6 * 16);
+}
+
+TEST(Patches, CoverTheSceneOnce) {
+    scene::Scene scene = simpleScene();
+    const Faces faces = facesOf(scene, trace::worldTriangles(scene));
+    const double area = areaOf(scene);
+    for (const double size : {10.0, 0.7, 0.2}) {
+        const std::vector<Patch> patches = cutIntoPatches(faces, size);
+        double sum = 0, longest = 0;
+        for (const Patch& patch : patches) {
+            sum += patch.area;
+            EXPECT_NEAR(glm::length(patch.normal), 1, 1e-12);
+            for (std::size_t i = 0; i < patch.polygon.count(); ++i)
+                longest =
+                    std::max(longest, glm::length(patch.polygon[(i + 1) % patch.polygon.count()] - patch.polygon[i]));
+            const dvec3 ofFace = areaVector(faces.all[patch.face].polygon);
+            EXPECT_GT(glm::dot(patch.normal, ofFace), 0.99 * glm::length(ofFace));
+        }
+        EXPECT_GE(patches.size(), faces.all.size());
+        EXPECT_NEAR(sum / area, 1, 1e-6); // quads of round things are flat to 1e-7 of their size only
+        EXPECT_LE(longest, size * (1 + 1e-6));
+    }
+}
+
+TEST(Patches, KeepToABudget) {
+    const scene::Scene scene = emptyRoom({3, 2, 4});
+    const Faces faces = facesOf(scene, trace::worldTriangles(scene));
+    for (const std::size_t most : {6u, 100u, 5000u}) {
+        const std::size_t count = cutIntoPatches(faces, sizeForBudget(faces, most)).size();
+        EXPECT_LE(count, most);
+        EXPECT_GE(count, most / 2); // a sixteenth of a doubling finer would be too many; walls are cut by whole numbers
+    }
+    EXPECT_EQ(sizeForBudget(Faces(), 10), 0);
+    EXPECT_EQ(cutIntoPatches(faces, sizeForBudget(faces, 1)).size(), 6u) << "fewer than faces are not to be had";
+}
+
+} // namespace
+} // namespace shadowlab::radiosity
