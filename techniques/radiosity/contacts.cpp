@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "techniques/foundation/trace/shaft.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+// What is nearer than this share of a face's size touches it: vertices are floats.
+constexpr double kTouching = 2e-7;
+
+struct Segment {
+    dvec3 from, to;
+};
+
+trace::CentredBox boxOf(const Polygon& polygon, double grown) {
+    trace::CentredBox box;
+    for (const dvec3& corner : polygon.corners())
+        box.include(corner);
+    box.grow(grown);
+    return box;
+}
+
+double sizeOf(const Polygon& polygon) {
+    const trace::CentredBox box = boxOf(polygon, 0);
+    return glm::length(box.upper - box.lower);
+}
+
+/// Where a polygon meets a plane: its edges, if it lies in it; else the piece of line in which it goes through, or touches.
+std::vector<Segment> meeting(const Plane& plane, const Polygon& other, double touching) {
+    std::vector<Segment> segments;
+    std::vector<dvec3> points;
+    std::size_t within = 0;
+    for (std::size_t i = 0; i < other.count(); ++i) {
+        const dvec3 &a = other[i], &b = other[(i + 1) % other.count()];
+        const double heightA = plane.height(a), heightB = plane.height(b);
+        const bool isIn = std::abs(heightA) <= touching;
+        within += isIn;
+        segments.push_back({a, b});
+        if (isIn)
+            points.push_back(a);
+        else if (std::abs(heightB) > touching && (heightA > 0) != (heightB > 0))
+            points.push_back(a + heightA / (heightA - heightB) * (b - a));
+    }
+    if (within == other.count()) return segments;
+    if (points.size() < 2) return {};
+    return {{points.front(), points.back()}}; // convex: there are two
+}
+
+/// The part of a segment that lies inside a convex polygon of the same plane, farther from its edges than `touching`; nothing
+/// where there is none.
+std::optional<Segment> inside(const Segment& segment, const Polygon& polygon, const dvec3& normal, double touching) {
+    double first = 0, last = 1;
+    const dvec3 way = segment.to - segment.from;
+    for (std::size_t i = 0; i < polygon.count(); ++i) {
+        const dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.count()];
+        const dvec3 inward = glm::normalize(glm::cross(normal, b - a));
+        const double from = glm::dot(inward, segment.from - a) - touching, slope = glm::dot(inward, way);
+        if (std::abs(slope) < 1e-300) {
+            if (from < 0) return std::nullopt;
+            continue;
+        }
+        const double crossing = -from / slope;
+        (slope > 0 ? first : last) = slope > 0 ? std::max(first, crossing) : std::min(last, crossing);
+    }
+    if (!(last > first)) return std::nullopt;
+    return Segment{segment.from + first * way, segment.from + last * way};
+}
+
+Patch pieceOf(const Patch& patch, const Polygon& polygon) {
+    const double area = glm::length(areaVector(polygon));
+    return {polygon, patch.normal, centroid(polygon), area, patch.face};
+}
+
+/// Cuts every piece that the segment goes through, along the segment's whole line.
+void cut(std::vector<Patch>& pieces, const Segment& segment, double touching) {
+    for (std::size_t i = 0, count = pieces.size(); i < count; ++i) {
+        const Patch patch = pieces[i];
+        if (patch.polygon.count() + 1 > Polygon::kMostCorners ||
+            !inside(segment, patch.polygon, patch.normal, touching))
+            continue;
+        const dvec3 across = glm::normalize(glm::cross(segment.to - segment.from, patch.normal));
+        const Polygon left = partBefore({segment.from, across}, patch.polygon, touching);
+        const Polygon right = partBefore({segment.from, -across}, patch.polygon, touching);
+        if (left.isEmpty() || right.isEmpty()) continue;
+        pieces[i] = pieceOf(patch, left);
+        pieces.push_back(pieceOf(patch, right));
+    }
+}
+
+} // namespace
+
+std::vector<Patch> cutAtContacts(const Faces& faces, std::vector<Patch> patches) {
+    std::vector<trace::CentredBox> boxes;
+    for (const Face& face : faces.all)
+        boxes.push_back(boxOf(face.polygon, kTouching * sizeOf(face.polygon)));
+    std::vector<Patch> all;
+    for (std::size_t first = 0, end = 0; first < patches.size(); first = end) {
+        const std::uint32_t number = patches[first].face;
+        while (end < patches.size() && patches[end].face == number)
+            ++end;
+        const Polygon& polygon = faces.all[number].polygon;
+        const double touching = kTouching * sizeOf(polygon);
+        const Plane plane = planeOf(polygon);
+        std::vector<Segment> segments;
+        for (std::uint32_t other = 0; other < faces.all.size(); ++other)
+            if (other != number && boxes[other].touches(boxes[number]))
+                for (const Segment& segment : meeting(plane, faces.all[other].polygon, touching))
+                    if (inside(segment, polygon, plane.normal, touching)) segments.push_back(segment);
+        for (std::size_t i = first; i < end; ++i) {
+            std::vector<Patch> pieces{patches[i]};
+            for (const Segment& segment : segments)
+                cut(pieces, segment, touching);
+            all.insert(all.end(), pieces.begin(), pieces.end());
+        }
+    }
+    return all;
+}
+
+} // namespace shadowlab::radiosity

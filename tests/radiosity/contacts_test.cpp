@@ -1,0 +1,103 @@
+// Patches end where things touch.
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/contacts.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/radiosity/room.h"
+
+namespace shadowlab::radiosity {
+namespace {
+
+using namespace shadowlab::testing;
+
+/// Does any patch of that face have corners on both sides of the line through `point` across `normal`, more than a micrometre?
+int straddling(const std::vector<Patch>& patches, std::uint32_t face, const dvec3& point, const dvec3& normal) {
+    return static_cast<int>(std::ranges::count_if(patches, [&](const Patch& patch) {
+        const auto beyond = [&](double side) {
+            return std::ranges::any_of(patch.polygon.corners(),
+                                       [&](const dvec3& p) { return side * glm::dot(normal, p - point) > 1e-6; });
+        };
+        return patch.face == face && beyond(1) && beyond(-1);
+    }));
+}
+
+double areaOf(const std::vector<Patch>& patches) {
+    double sum = 0;
+    for (const Patch& patch : patches)
+        sum += patch.area;
+    return sum;
+}
+
+TEST(Contacts, AWallAcrossAFloorCutsItsPatches) {
+    // A thin wall from side to side, at no multiple of the patches' size.
+    scene::Scene scene = emptyRoom({3, 2, 4});
+    addObject(scene, scene::makeBox({3, 2, 0.1}), translation({1.5, 1, 1.73}));
+    const trace::WorldTriangles world = trace::worldTriangles(scene);
+    const Faces faces = facesOf(scene, world);
+    const std::vector<Patch> before = cutIntoPatches(faces, 0.5), after = cutAtContacts(faces, before);
+    EXPECT_NEAR(areaOf(after), areaOf(before), 1e-12);
+    EXPECT_GT(after.size(), before.size() + 20);
+    for (const std::uint32_t face : {0u, 1u, 4u, 5u}) // floor, ceiling, and the long walls
+        for (const double side : {1.68, 1.78}) {
+            const dvec3 point = dvec3(0, 0, side) - world.originWorld;
+            EXPECT_GT(straddling(before, face, point, {0, 0, 1}), 0) << "the case is too easy";
+            EXPECT_EQ(straddling(after, face, point, {0, 0, 1}), 0) << face << ' ' << side;
+        }
+    EXPECT_TRUE(std::ranges::is_sorted(after, {}, &Patch::face));
+}
+
+TEST(Contacts, ATurnedBoxCutsOnlyWhatItTouches) {
+    scene::Scene scene = emptyRoom({3, 2, 4});
+    const dmat4 place = glm::rotate(translation({1.2, 0.5, 1.7}), 0.4, dvec3(0, 1, 0));
+    addObject(scene, scene::makeBox({1, 1, 1}), place);
+    const trace::WorldTriangles world = trace::worldTriangles(scene);
+    const Faces faces = facesOf(scene, world);
+    const std::vector<Patch> before = cutIntoPatches(faces, 0.25), after = cutAtContacts(faces, before);
+    EXPECT_NEAR(areaOf(after), areaOf(before), 1e-12);
+    // Only the floor has more patches than before: where the box stands.
+    for (std::uint32_t face = 0; face < faces.all.size(); ++face) {
+        const auto count = [&](const std::vector<Patch>& patches) {
+            return std::ranges::count(patches, face, &Patch::face);
+        };
+        if (face == 0)
+            EXPECT_GT(count(after), count(before) + 10);
+        else
+            EXPECT_EQ(count(after), count(before)) << face;
+    }
+    // Every floor patch is under the box or beside it.
+    int under = 0, beside = 0;
+    for (const Patch& patch : after) {
+        if (patch.face != 0) continue;
+        int in = 0, out = 0;
+        for (const dvec3& corner : patch.polygon.corners()) {
+            const dvec3 local = glm::abs(dvec3(glm::inverse(place) * dvec4(corner + world.originWorld, 1)));
+            const double beyond = std::max(local.x, local.z) - 0.5;
+            in += beyond < -1e-6;
+            out += beyond > 1e-6;
+        }
+        EXPECT_FALSE(in > 0 && out > 0);
+        under += in > 0;
+        beside += out > 0;
+    }
+    EXPECT_GT(under, 10);
+    EXPECT_GT(beside, 100);
+}
+
+TEST(Contacts, WhatGoesThroughCutsToo) {
+    scene::Scene scene;
+    scene.materials.emplace_back();
+    addObject(scene, scene::makeQuad({2, 2}));
+    addObject(scene, scene::makeQuad({0.7, 0.7}), glm::rotate(translation({0.1, 0.05, 0}), 1.2, dvec3(1, 0, 0.3)));
+    const Faces faces = facesOf(scene, trace::worldTriangles(scene));
+    const std::vector<Patch> whole = cutIntoPatches(faces, 4);
+    ASSERT_EQ(whole.size(), 2u);
+    const std::vector<Patch> pieces = cutAtContacts(faces, whole);
+    EXPECT_EQ(pieces.size(), 4u);            // each in two
+    EXPECT_NEAR(areaOf(pieces), 4.49, 1e-6); // the small one's vertices are floats
+}
+
+} // namespace
+} // namespace shadowlab::radiosity
