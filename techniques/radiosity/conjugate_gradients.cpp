@@ -12,6 +12,8 @@
 // step serves one group of them, so there are few steps, however near to 1 rho is. The colours are three such systems; a step of
 // all three reads the matrix once.
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "techniques/radiosity/solver_kinds.h"
 
 namespace shadowlab::radiosity {
@@ -38,6 +40,7 @@ private:
         lastProduct_ = product;
         for (std::size_t i = 0; i < iterate_.size(); ++i)
             direction_[i] = preconditioned[i] + turn * direction_[i];
+        beginAnewWhereRoundingRules(preconditioned, product);
 
         std::vector<dvec3> reflected = iterate_.reflected(direction_), change(iterate_.size());
         for (std::size_t i = 0; i < iterate_.size(); ++i)
@@ -57,6 +60,16 @@ private:
         iterate_.computeResidualAnew();
         for (int c = 0; c < 3; ++c)
             if (isStale[c]) lastProduct_[c] = 0; // the directions were made for a residual that was not so: begin anew
+    }
+
+    /// By the algebra r.p = r.z. Once a colour is solved as far as doubles can, r is rounding, the two drift apart, and steps that
+    /// rely on it would lead away again, further with each.
+    void beginAnewWhereRoundingRules(const std::vector<dvec3>& preconditioned, const dvec3& product) {
+        const dvec3 along = inner(iterate_.residual(), direction_);
+        for (int c = 0; c < 3; ++c)
+            if (std::abs(along[c] - product[c]) > 0.1 * product[c])
+                for (std::size_t i = 0; i < iterate_.size(); ++i)
+                    direction_[i][c] = preconditioned[i][c];
     }
 
     /// sum A_i / rho_i a_i b_i, over patches that reflect. First a / rho, which is of the size of the light that falls on the patch:

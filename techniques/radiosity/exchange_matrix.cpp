@@ -25,29 +25,70 @@ std::vector<double> scaledRowSums(const ExchangeMatrix& exchange, std::span<cons
     return sums;
 }
 
-double largestDeviation(std::span<const double> sums, Closure closure) {
+double largestDeviation(std::span<const double> sums) {
     double largest = 0;
     for (const double sum : sums)
-        largest = std::max(largest, closure == Closure::closedRoom ? std::abs(sum - 1) : sum - 1);
+        largest = std::max(largest, std::abs(sum - 1));
     return largest;
 }
 
-double largestChange(const ExchangeMatrix& exchange, std::span<const double> d) {
+using Factor = std::function<double(std::size_t, std::size_t)>;
+
+double largestChange(const ExchangeMatrix& exchange, const Factor& factor) {
     std::vector<double> ofRow(exchange.size(), 0.0);
     forRows(exchange.size(), [&](std::size_t i) {
         const std::span<const double> row = exchange.row(i);
         for (std::size_t j = 0; j < row.size(); ++j)
-            if (row[j] != 0) ofRow[i] = std::max(ofRow[i], std::abs(d[i] * d[j] - 1));
+            if (row[j] != 0) ofRow[i] = std::max(ofRow[i], std::abs(factor(i, j) - 1));
     });
     return exchange.size() == 0 ? 0.0 : *std::ranges::max_element(ofRow);
 }
 
+ScaledExchange scaledBy(ExchangeMatrix exchange, const Factor& factor, int passes) {
+    const double change = largestChange(exchange, factor);
+    if (change > 0) exchange.scale(factor);
+    return {std::move(exchange), true, change, 0.0, passes};
+}
+
+ScaledExchange scaledToAtMostOne(ExchangeMatrix exchange, std::span<const double> areas) {
+    std::vector<double> excess = rowSums(exchange, areas);
+    for (double& sum : excess)
+        sum = std::max(sum, 1.0);
+    const auto factor = [&](std::size_t i, std::size_t j) { return 1 / std::max(excess[i], excess[j]); };
+    ScaledExchange scaled = scaledBy(std::move(exchange), factor, 1);
+    for (const double sum : rowSums(scaled.exchange, areas))
+        scaled.largestDeviation = std::max(scaled.largestDeviation, sum - 1);
+    return scaled;
+}
+
+ScaledExchange scaledToOne(ExchangeMatrix exchange, std::span<const double> areas) {
+    constexpr double kWanted = 1e-12;  // so that energy, which the row sums bound, is kept far below 1e-10
+    constexpr double kAccepted = 1e-6; // what row sums are promised to be
+    constexpr int kMostPasses = 300; // each halves the deviation or nearly so; slow are walls that only see each other
+    std::vector<double> d(exchange.size(), 1.0);
+    std::vector<double> sums = scaledRowSums(exchange, areas, d);
+    const double deviationBefore = largestDeviation(sums);
+    double deviation = deviationBefore;
+    int passes = 0;
+    for (; deviation > kWanted && passes < kMostPasses; ++passes) {
+        for (std::size_t i = 0; i < d.size(); ++i)
+            if (sums[i] > 0) d[i] /= std::sqrt(sums[i]);
+        sums = scaledRowSums(exchange, areas, d);
+        deviation = largestDeviation(sums);
+    }
+    if (!(deviation <= kAccepted)) return {std::move(exchange), false, 0.0, deviationBefore, passes};
+    const auto factor = [&](std::size_t i, std::size_t j) { return d[i] * d[j]; };
+    ScaledExchange scaled = scaledBy(std::move(exchange), factor, passes);
+    scaled.largestDeviation = deviation;
+    return scaled;
+}
+
 } // namespace
 
-void ExchangeMatrix::scale(std::span<const double> factors) {
+void ExchangeMatrix::scale(const std::function<double(std::size_t, std::size_t)>& factor) {
     forRows(size_, [&](std::size_t i) {
         for (std::size_t j = 0; j < size_; ++j)
-            values_[i * size_ + j] *= factors[i] * factors[j];
+            values_[i * size_ + j] *= factor(i, j);
     });
 }
 
@@ -74,26 +115,8 @@ double reciprocityResidual(const ExchangeMatrix& exchange, std::span<const doubl
 }
 
 ScaledExchange scaledToClosure(ExchangeMatrix exchange, std::span<const double> areas, Closure closure) {
-    constexpr double kWanted = 1e-12;  // so that energy, which the row sums bound, is kept far below 1e-10
-    constexpr double kAccepted = 1e-6; // what row sums are promised to be
-    constexpr int kMostPasses = 300; // each halves the deviation or nearly so; slow are walls that only see each other
-    std::vector<double> d(exchange.size(), 1.0);
-    std::vector<double> sums = scaledRowSums(exchange, areas, d);
-    const double deviationBefore = largestDeviation(sums, closure);
-    double deviation = deviationBefore;
-    int passes = 0;
-    for (; deviation > kWanted && passes < kMostPasses; ++passes) {
-        for (std::size_t i = 0; i < d.size(); ++i) {
-            if (sums[i] > 0) d[i] /= std::sqrt(sums[i]);
-            if (closure == Closure::openScene) d[i] = std::min(d[i], 1.0);
-        }
-        sums = scaledRowSums(exchange, areas, d);
-        deviation = largestDeviation(sums, closure);
-    }
-    if (!(deviation <= kAccepted)) return {std::move(exchange), false, 0.0, deviationBefore, passes};
-    const double change = passes > 0 ? largestChange(exchange, d) : 0.0;
-    if (passes > 0) exchange.scale(d);
-    return {std::move(exchange), true, change, deviation, passes};
+    return closure == Closure::closedRoom ? scaledToOne(std::move(exchange), areas)
+                                          : scaledToAtMostOne(std::move(exchange), areas);
 }
 
 } // namespace shadowlab::radiosity

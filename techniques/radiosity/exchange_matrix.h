@@ -6,6 +6,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -31,8 +32,8 @@ public:
     [[nodiscard]] std::span<const double> row(std::size_t i) const { return {values_.data() + i * size_, size_}; }
     /// The memory that the numbers take.
     [[nodiscard]] std::size_t bytes() const { return values_.size() * sizeof(double); }
-    /// S_ij becomes factors_i factors_j S_ij. It stays symmetric to the last bit: a product does not depend on the order.
-    void scale(std::span<const double> factors);
+    /// S_ij becomes factor(i, j) S_ij. For S to stay symmetric, factor(i, j) has to be factor(j, i), to the last bit.
+    void scale(const std::function<double(std::size_t, std::size_t)>& factor);
 
 private:
     std::size_t size_;
@@ -60,12 +61,13 @@ struct ScaledExchange {
     int passes = 0;
 };
 
-/// Scales S_ij by d_i d_j such that row sums become right, and says how much that changed: never to be done in silence.
-/// In a closed room all row sums become 1. In an open scene no number grows (d_i <= 1): only rows that sum to more than 1,
-/// which no scene can have, come down, those that sum to less stay or come down a little with the others.
-/// The iteration is the symmetric one of R. Sinkhorn and P. Knopp, "Concerning Nonnegative Matrices and Doubly Stochastic
-/// Matrices", Pacific Journal of Mathematics 1967: d_i <- d_i / sqrt(row sum i); the root keeps it from swinging.
-/// A room of which no such scaling exists (a patch that sees nothing) comes back as it was, with isClosed false.
+/// Scales S, symmetrically, such that row sums become right, and says how much that changed: never to be done in silence.
+/// In a closed room all row sums become 1: S_ij <- d_i d_j S_ij, with the symmetric iteration of R. Sinkhorn and P. Knopp,
+/// "Concerning Nonnegative Matrices and Doubly Stochastic Matrices", Pacific Journal of Mathematics 1967,
+/// d_i <- d_i / sqrt(row sum i); the root keeps it from swinging. A room of which no such scaling exists (a patch that sees
+/// nothing) comes back as it was, with isClosed false.
+/// In an open scene no number grows: only rows that sum to more than 1, which no scene can have, come down to 1 or a little less.
+/// With e_i the row sum or 1, whichever is larger, S_ij <- S_ij / max(e_i, e_j).
 ScaledExchange scaledToClosure(ExchangeMatrix exchange, std::span<const double> areas, Closure closure);
 
 } // namespace shadowlab::radiosity

@@ -14,10 +14,12 @@ inline void forRows(std::size_t size, const std::function<void(std::size_t)>& wo
     // Some 50 microseconds of work each, as much as it takes to start a thread; a small matrix is one piece, and no thread.
     constexpr std::size_t kNumbersInPiece = 1 << 16;
     const std::size_t rows = std::max<std::size_t>(1, kNumbersInPiece / std::max<std::size_t>(1, size));
-    trace::parallelFor((size + rows - 1) / rows, [&](std::size_t piece) {
+    const auto workOn = [&](std::size_t piece) {
         for (std::size_t i = piece * rows; i < std::min(size, (piece + 1) * rows); ++i)
             work(i);
-    });
+    };
+    if (size <= rows) workOn(0); // nothing to share out, not even the question how many threads there are
+    else trace::parallelFor((size + rows - 1) / rows, workOn);
 }
 
 } // namespace shadowlab::radiosity
