@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "techniques/foundation/error.h"
 #include "techniques/radiosity/gather.h"
 
 namespace shadowlab::radiosity {
@@ -13,19 +12,14 @@ namespace {
 
 constexpr double kMargin = 1.01; // for terms of second order, and for the rounding of the bound itself
 
-Problem solvable(Problem problem) {
-    if (const auto why = refusal(problem)) throw Error(ExitStatus::badInput, "radiosity: " + *why);
-    return problem;
-}
-
 /// a / b, and 0 where a is 0, whatever b is: a colour without light has no error.
 double ratio(double a, double b) { return a == 0 ? 0.0 : a / b; }
 
 } // namespace
 
 Iterate::Iterate(Problem problem)
-    : problem_(solvable(std::move(problem))), reflects_(reflectionBounds(problem_)),
-      radiosity_(problem_.areas.size(), dvec3(0)), residual_(problem_.emission) {
+    : problem_(std::move(problem)), reflects_(boundsOfSolvable(problem_)), radiosity_(problem_.areas.size(), dvec3(0)),
+      residual_(problem_.emission) {
     for (std::size_t i = 0; i < size(); ++i) {
         reflectancePerArea_.push_back(problem_.reflectance[i] / problem_.areas[i]);
         totalArea_ += problem_.areas[i];
@@ -63,19 +57,19 @@ void Iterate::addAt(std::size_t i, const dvec3& x) {
     radiosity_[i] += x;
     residual_[i] -= x;
     const dvec3 differenceAt = glm::abs(residual_[i]);
-    dvec3 largestReceived(0);
-    largestResidual_ = dvec3(0);
+    dvec3 largest(0);
     for (std::size_t j = 0; j < row.size(); ++j) {
-        const dvec3 received = reflectancePerArea_[j] * (row[j] * x);
-        residual_[j] += received;
-        largestReceived = glm::max(largestReceived, glm::abs(received));
-        largestResidual_ = glm::max(largestResidual_, glm::abs(residual_[j]));
+        const dvec3 now = residual_[j] + reflectancePerArea_[j] * (row[j] * x);
+        residual_[j] = now;
+        largest =
+            glm::max(largest, glm::max(now, -now)); // the larger of r and -r is |r|; so said, it takes no branches
     }
+    largestResidual_ = largest;
     largestRadiosity_ = glm::max(largestRadiosity_, glm::abs(radiosity_[i])); // of B before, or now: not too small
-    // What a patch receives goes through three roundings; the rest is as in `add`.
+    // What a patch receives, rho_j F_ji x, is at most q |x| and goes through three roundings; the rest is as in `add`.
+    const dvec3& q = reflects_.ofLargest;
     drift_ += kMargin * kRoundingUnit *
-              (3.0 * largestReceived + (1.0 + reflects_.ofLargest) * glm::abs(radiosity_[i]) + largestResidual_ +
-               differenceAt);
+              (3.0 * q * glm::abs(x) + (1.0 + q) * glm::abs(radiosity_[i]) + largestResidual_ + differenceAt);
     workSinceFresh_ += 1.0 / static_cast<double>(size());
 }
 

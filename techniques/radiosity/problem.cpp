@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "techniques/foundation/error.h"
 #include "techniques/radiosity/gather.h"
 
 namespace shadowlab::radiosity {
@@ -44,6 +45,33 @@ bool reflectsEverything(const Problem& problem, int colour) {
     return std::ranges::all_of(problem.reflectance, [&](const dvec3& rho) { return rho[colour] >= kMostReflected; });
 }
 
+std::optional<std::string> wrongInput(const Problem& problem) {
+    const std::size_t size = problem.exchange.size();
+    if (size == 0) return "there are no patches; give the scene a surface";
+    if (problem.areas.size() != size || problem.emission.size() != size || problem.reflectance.size() != size)
+        return "there are form factors of " + std::to_string(size) + " patches, but " +
+               std::to_string(problem.areas.size()) + " areas, " + std::to_string(problem.emission.size()) +
+               " emissions and " + std::to_string(problem.reflectance.size()) +
+               " reflectances; give one of each for each";
+    return wrongNumber(problem);
+}
+
+std::optional<std::string> endlessLight(const Problem& problem, const dvec3& q) {
+    constexpr std::array<const char*, 3> kColours = {"red", "green", "blue"};
+    for (int c = 0; c < 3; ++c) {
+        const bool isEmitted = std::ranges::any_of(problem.emission, [&](const dvec3& e) { return e[c] > 0; });
+        if (!isEmitted || q[c] < kMostReflected) continue;
+        const std::string light = std::string(kColours[c]) + " light";
+        if (reflectsEverything(problem, c))
+            return "all surfaces of a closed room reflect everything, so " + light +
+                   " never dies out and there is no solution; give one surface a reflectance below 1, or open the room";
+        return "a surface sends on all " + light +
+               " that it gets (reflectance x row sum of form factors is 1 or more), so no error has a bound; "
+               "give every surface a reflectance below 1, or scale the row sums to 1";
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 ReflectionBounds reflectionBounds(const Problem& problem) {
@@ -63,29 +91,19 @@ ReflectionBounds reflectionBounds(const Problem& problem) {
 }
 
 std::optional<std::string> refusal(const Problem& problem) {
-    const std::size_t size = problem.exchange.size();
-    if (size == 0) return "there are no patches; give the scene a surface";
-    if (problem.areas.size() != size || problem.emission.size() != size || problem.reflectance.size() != size)
-        return "there are form factors of " + std::to_string(size) + " patches, but " +
-               std::to_string(problem.areas.size()) + " areas, " + std::to_string(problem.emission.size()) +
-               " emissions and " + std::to_string(problem.reflectance.size()) +
-               " reflectances; give one of each for each";
-    if (const auto wrong = wrongNumber(problem)) return wrong;
-    const dvec3 q = reflectionBounds(problem).ofLargest;
-    constexpr std::array<const char*, 3> kColours = {"red", "green", "blue"};
-    for (int c = 0; c < 3; ++c) {
-        const bool isEmitted = std::ranges::any_of(problem.emission, [&](const dvec3& e) { return e[c] > 0; });
-        if (!isEmitted || q[c] < kMostReflected) continue;
-        const std::string light = std::string(kColours[c]) + " light";
-        if (reflectsEverything(problem, c))
-            return "all surfaces of a closed room reflect everything, so " + light +
-                   " never dies out and there is no solution; give one surface a reflectance below 1, or open the room";
-        return "a surface sends on all " + light +
-               " that it gets (reflectance x row sum of form factors is 1 or more), so the error of a solution has no "
-               "bound; "
-               "give every surface a reflectance below 1, or scale the row sums to 1";
+    if (const auto wrong = wrongInput(problem)) return wrong;
+    return endlessLight(problem, reflectionBounds(problem).ofLargest);
+}
+
+ReflectionBounds boundsOfSolvable(const Problem& problem) {
+    auto why = wrongInput(problem);
+    ReflectionBounds bounds;
+    if (!why) {
+        bounds = reflectionBounds(problem);
+        why = endlessLight(problem, bounds.ofLargest);
     }
-    return std::nullopt;
+    if (why) throw Error(ExitStatus::badInput, "radiosity: " + *why);
+    return bounds;
 }
 
 } // namespace shadowlab::radiosity

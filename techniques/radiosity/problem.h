@@ -39,4 +39,7 @@ ReflectionBounds reflectionBounds(const Problem& problem);
 /// would stay for ever. In a colour that nothing emits the solution is 0, whatever is reflected.
 std::optional<std::string> refusal(const Problem& problem);
 
+/// The bounds of a problem that can be solved; Error (badInput) with the sentence above for others.
+ReflectionBounds boundsOfSolvable(const Problem& problem);
+
 } // namespace shadowlab::radiosity

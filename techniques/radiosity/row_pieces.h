@@ -18,8 +18,10 @@ inline void forRows(std::size_t size, const std::function<void(std::size_t)>& wo
         for (std::size_t i = piece * rows; i < std::min(size, (piece + 1) * rows); ++i)
             work(i);
     };
-    if (size <= rows) workOn(0); // nothing to share out, not even the question how many threads there are
-    else trace::parallelFor((size + rows - 1) / rows, workOn);
+    if (size <= rows)
+        workOn(0); // nothing to share out, not even the question how many threads there are
+    else
+        trace::parallelFor((size + rows - 1) / rows, workOn);
 }
 
 } // namespace shadowlab::radiosity
