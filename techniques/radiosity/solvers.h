@@ -9,7 +9,7 @@
 //   conjugate-gradients  on the symmetrised system: few sweeps even where nearly all light is reflected
 //
 // With q = max rho_i sum_j F_ij, sweeps of the simple ones divide the error by about 1/q: at rho = .999 they need 14,000 (7000)
-// for six digits. Conjugate gradients need so many only where the spectrum of rho F is spread out, which no room's is.
+// for six digits. Conjugate gradients need many only where the eigenvalues of rho F are spread out, which in rooms they are not.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>

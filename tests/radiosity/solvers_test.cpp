@@ -147,6 +147,23 @@ TEST(RadiositySolvers, SurfacesThatReflectNothingShowWhatTheyEmit) {
     EXPECT_EQ(compared, 6);
 }
 
+// A hollow ball that is one patch sees nothing but itself, F = 1: its own equation is all there is, and one step solves it.
+TEST(RadiositySolvers, APatchThatSeesItselfIsAccountedFor) {
+    const testing::Room ball = testing::sphereInside({2.0}, {dvec3(1, 2, 0)}, {dvec3(.999, .5, 1)});
+    for (const SolverKind kind :
+         {SolverKind::direct, SolverKind::gaussSeidel, SolverKind::southwell, SolverKind::conjugateGradients}) {
+        const auto solver = makeSolver(kind, ball.problem());
+        solver->step();
+        EXPECT_NEAR(solver->radiosity()[0].x, 1000, 1e-9) << nameOf(kind); // 1e-16 / (1 - rho), times 1000
+        EXPECT_NEAR(solver->radiosity()[0].y, 4, 1e-14) << nameOf(kind);
+        EXPECT_EQ(solver->radiosity()[0].z, 0) << nameOf(kind) << ": nothing emits it, and all of it would be kept";
+        EXPECT_EQ(solver->errorBound().largest.z, 0) << nameOf(kind);
+    }
+    const auto jacobi = makeSolver(SolverKind::jacobi, ball.problem()); // takes it for one more patch
+    jacobi->step();
+    EXPECT_EQ(jacobi->radiosity()[0].x, 1);
+}
+
 TEST(RadiositySolvers, GoOnFromWhereNothingIsLeftToGain) {
     // Conjugate gradients, taken literally, lead away again once all that is left is rounding: to 10^300 in some thousand steps.
     int compared = 0;
