@@ -21,8 +21,8 @@ std::vector<dvec3> irradiance(const Problem& problem, const std::vector<dvec3>& 
     return gathered(problem.exchange, problem.areas, radiosity);
 }
 
-std::vector<dvec3> nextBounce(const Problem& problem, const std::vector<dvec3>& bounceBefore) {
-    std::vector<dvec3> next = irradiance(problem, bounceBefore);
+std::vector<dvec3> nextBounce(const Problem& problem, std::span<const dvec3> bounceBefore) {
+    std::vector<dvec3> next = gathered(problem.exchange, problem.areas, bounceBefore);
     for (std::size_t i = 0; i < next.size(); ++i)
         next[i] *= problem.reflectance[i];
     return next;

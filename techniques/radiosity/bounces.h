@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "techniques/foundation/math/types.h"
@@ -13,7 +14,7 @@ namespace shadowlab::radiosity {
 std::vector<dvec3> bounce(const Problem& problem, std::size_t k);
 
 /// rho F B_{k-1}, from B_{k-1}: the next bounce without going through all before.
-std::vector<dvec3> nextBounce(const Problem& problem, const std::vector<dvec3>& bounceBefore);
+std::vector<dvec3> nextBounce(const Problem& problem, std::span<const dvec3> bounceBefore);
 
 /// H_i = sum_j F_ij B_j, the irradiance that reaches each patch, W/m^2.
 std::vector<dvec3> irradiance(const Problem& problem, const std::vector<dvec3>& radiosity);

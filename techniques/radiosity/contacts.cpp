@@ -5,31 +5,13 @@
 #include <cmath>
 #include <optional>
 
-#include "techniques/foundation/trace/shaft.h"
-
 namespace shadowlab::radiosity {
 
 namespace {
 
-// What is nearer than this share of a face's size touches it: vertices are floats.
-constexpr double kTouching = 2e-7;
-
 struct Segment {
     dvec3 from, to;
 };
-
-trace::CentredBox boxOf(const Polygon& polygon, double grown) {
-    trace::CentredBox box;
-    for (const dvec3& corner : polygon.corners())
-        box.include(corner);
-    box.grow(grown);
-    return box;
-}
-
-double sizeOf(const Polygon& polygon) {
-    const trace::CentredBox box = boxOf(polygon, 0);
-    return glm::length(box.upper - box.lower);
-}
 
 /// Where a polygon meets a plane: its edges, if it lies in it; else the piece of line in which it goes through, or touches.
 std::vector<Segment> meeting(const Plane& plane, const Polygon& other, double touching) {
@@ -72,6 +54,7 @@ std::optional<Segment> inside(const Segment& segment, const Polygon& polygon, co
     return Segment{segment.from + first * way, segment.from + last * way};
 }
 
+/// With the normal of the whole: that of a sliver is noise.
 Patch pieceOf(const Patch& patch, const Polygon& polygon) {
     const double area = glm::length(areaVector(polygon));
     return {polygon, patch.normal, centroid(polygon), area, patch.face};
@@ -98,7 +81,7 @@ void cut(std::vector<Patch>& pieces, const Segment& segment, double touching) {
 std::vector<Patch> cutAtContacts(const Faces& faces, std::vector<Patch> patches) {
     std::vector<trace::CentredBox> boxes;
     for (const Face& face : faces.all)
-        boxes.push_back(boxOf(face.polygon, kTouching * sizeOf(face.polygon)));
+        boxes.emplace_back(boxOf(face.polygon)).grow(kTouching * sizeOf(face.polygon));
     std::vector<Patch> all;
     for (std::size_t first = 0, end = 0; first < patches.size(); first = end) {
         const std::uint32_t number = patches[first].face;
@@ -106,7 +89,7 @@ std::vector<Patch> cutAtContacts(const Faces& faces, std::vector<Patch> patches)
             ++end;
         const Polygon& polygon = faces.all[number].polygon;
         const double touching = kTouching * sizeOf(polygon);
-        const Plane plane = planeOf(polygon);
+        const Plane& plane = faces.all[number].plane;
         std::vector<Segment> segments;
         for (std::uint32_t other = 0; other < faces.all.size(); ++other)
             if (other != number && boxes[other].touches(boxes[number]))

@@ -31,15 +31,11 @@ double ExchangeBuilder::done() const {
 
 void ExchangeBuilder::fill(std::size_t i) {
     const Patch& patch = patches_[i];
-    const auto liesBehind = [](const Patch& one, const Polygon& other) {
-        return std::ranges::all_of(other.corners(),
-                                   [&](const dvec3& p) { return glm::dot(one.normal, p - one.centre) <= 0; });
-    };
     // Patches of one face lie in one plane and exchange nothing.
     for (std::size_t face = patch.face + 1; face < faces_.all.size(); ++face) {
         const Polygon& polygon = faces_.all[face].polygon;
         const std::size_t first = firstOfFace_[face], end = firstOfFace_[face + 1];
-        if (liesBehind(patch, polygon) || liesBehind(patches_[first], patch.polygon)) {
+        if (isBehind(patch.plane(), polygon, 0) || isBehind(patches_[first].plane(), patch.polygon, 0)) {
             rows_[i].counts.ofKind[0] += end - first;
             continue;
         }

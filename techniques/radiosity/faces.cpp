@@ -72,7 +72,7 @@ Faces facesOf(const scene::Scene& scene, const trace::WorldTriangles& world) {
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
             if (faces.ofTriangle[first + t] != kNoFace) continue;
             const trace::Triangle& triangle = world.triangles[first + t];
-            Face face{{triangle.a, triangle.b, triangle.c}, {first + t, first + t}, o, materials[t]};
+            Face face{{triangle.a, triangle.b, triangle.c}, {}, {first + t, first + t}, o, materials[t]};
             for (const int edge : edgesByLength(triangle)) {
                 const auto [from, to] = key(t, edge);
                 const auto other = edges.find({to, from});
@@ -88,6 +88,7 @@ Faces facesOf(const scene::Scene& scene, const trace::WorldTriangles& world) {
             const auto number = static_cast<std::uint32_t>(faces.all.size());
             for (const std::uint32_t part : face.triangles)
                 faces.ofTriangle[part] = number;
+            face.plane = planeOf(face.polygon);
             faces.all.push_back(face);
         }
     }

@@ -14,6 +14,7 @@ namespace shadowlab::radiosity {
 
 struct Face {
     Polygon polygon; ///< centred space (world_triangles.h), counter-clockwise seen from the front
+    Plane plane;     ///< that it lies in
     std::array<std::uint32_t, 2> triangles; ///< of the scene; of a lone triangle the same twice
     std::uint32_t object = 0, material = 0;
 };

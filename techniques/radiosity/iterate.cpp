@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "techniques/radiosity/bounces.h"
 #include "techniques/radiosity/gather.h"
 
 namespace shadowlab::radiosity {
@@ -27,12 +28,7 @@ Iterate::Iterate(Problem problem)
     }
 }
 
-std::vector<dvec3> Iterate::reflected(std::span<const dvec3> x) const {
-    std::vector<dvec3> result = gathered(problem_.exchange, problem_.areas, x);
-    for (std::size_t i = 0; i < size(); ++i)
-        result[i] *= problem_.reflectance[i];
-    return result;
-}
+std::vector<dvec3> Iterate::reflected(std::span<const dvec3> x) const { return nextBounce(problem_, x); }
 
 void Iterate::add(std::span<const dvec3> x, std::span<const dvec3> reflectedChange) {
     dvec3 largestChange(0), largestDifference(0);

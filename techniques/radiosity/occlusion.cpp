@@ -9,21 +9,6 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Faces that touch a polygon's plane from behind, or lie in it, block nothing before it. As a share of the polygons' extent:
-// meshes are floats.
-constexpr double kTouching = 1e-7;
-
-trace::CentredBox boxOf(const Polygon& polygon) {
-    trace::CentredBox box;
-    for (const dvec3& corner : polygon.corners())
-        box.include(corner);
-    return box;
-}
-
-bool isBehind(const Plane& plane, const Polygon& polygon, double tolerance) {
-    return std::ranges::all_of(polygon.corners(), [&](const dvec3& p) { return plane.height(p) <= tolerance; });
-}
-
 /// Where a line that goes through the polygon's plane meets it: inside? The edges count as inside.
 bool isPierced(const Polygon& polygon, const dvec3& from, const dvec3& to) {
     const dvec3 way = to - from;
@@ -49,9 +34,9 @@ Blockers Occlusion::between(const Polygon& a, const Polygon& b, const Blockers* 
     const trace::Shaft shaft(boxA, boxB);
     Blockers found;
     const auto consider = [&](std::uint32_t number) {
-        const Polygon& face = faces_.all[number].polygon;
-        if (isBehind(planeA, face, touching) || isBehind(planeB, face, touching)) return;
-        const Plane plane = planeOf(face), turned{plane.point, -plane.normal};
+        const Face& face = faces_.all[number];
+        if (isBehind(planeA, face.polygon, touching) || isBehind(planeB, face.polygon, touching)) return;
+        const Plane &plane = face.plane, turned{plane.point, -plane.normal};
         const bool onOneSide = (isBehind(plane, a, touching) && isBehind(plane, b, touching)) ||
                                (isBehind(turned, a, touching) && isBehind(turned, b, touching));
         if (!onOneSide) found.push_back(number); // else no line from one to the other goes through it
@@ -76,26 +61,24 @@ Blockers Occlusion::between(const Polygon& a, const Polygon& b, const Blockers* 
 
 bool Occlusion::hideAll(const Blockers& blockers, const Polygon& a, const Polygon& b) const {
     return std::ranges::any_of(blockers, [&](std::uint32_t number) {
-        const Polygon& face = faces_.all[number].polygon;
-        const Plane plane = planeOf(face);
+        const Face& face = faces_.all[number];
         const auto allOn = [&](const Polygon& p, double side) {
             return std::ranges::all_of(p.corners(),
-                                       [&](const dvec3& corner) { return side * plane.height(corner) > 0; });
+                                       [&](const dvec3& corner) { return side * face.plane.height(corner) > 0; });
         };
         if (!((allOn(a, 1) && allOn(b, -1)) || (allOn(a, -1) && allOn(b, 1)))) return false;
         for (const dvec3& from : a.corners())
             for (const dvec3& to : b.corners())
-                if (!isPierced(face, from, to)) return false;
+                if (!isPierced(face.polygon, from, to)) return false;
         return true;
     });
 }
 
 bool Occlusion::hide(const Blockers& blockers, const dvec3& fromCentred, const dvec3& toCentred) const {
     return std::ranges::any_of(blockers, [&](std::uint32_t number) {
-        const Polygon& face = faces_.all[number].polygon;
-        const Plane plane = planeOf(face);
-        const double from = plane.height(fromCentred), to = plane.height(toCentred);
-        return ((from > 0 && to < 0) || (from < 0 && to > 0)) && isPierced(face, fromCentred, toCentred);
+        const Face& face = faces_.all[number];
+        const double from = face.plane.height(fromCentred), to = face.plane.height(toCentred);
+        return ((from > 0 && to < 0) || (from < 0 && to > 0)) && isPierced(face.polygon, fromCentred, toCentred);
     });
 }
 

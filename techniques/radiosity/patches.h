@@ -12,6 +12,7 @@ struct Patch {
     dvec3 normal{0.0}, centre{0.0};
     double area = 0; ///< m^2
     std::uint32_t face = 0;
+    [[nodiscard]] Plane plane() const { return {centre, normal}; }
 };
 
 /// No edge of a patch is longer than `size` metres. Quads become quads, as many along one pair of sides as along the other is

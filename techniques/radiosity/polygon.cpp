@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/radiosity/polygon.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace shadowlab::radiosity {
@@ -25,6 +26,22 @@ dvec3 centroid(const Polygon& polygon) {
 }
 
 Plane planeOf(const Polygon& polygon) { return {centroid(polygon), glm::normalize(areaVector(polygon))}; }
+
+trace::CentredBox boxOf(const Polygon& polygon) {
+    trace::CentredBox box;
+    for (const dvec3& corner : polygon.corners())
+        box.include(corner);
+    return box;
+}
+
+double sizeOf(const Polygon& polygon) {
+    const trace::CentredBox box = boxOf(polygon);
+    return glm::length(box.upper - box.lower);
+}
+
+bool isBehind(const Plane& plane, const Polygon& polygon, double tolerance) {
+    return std::ranges::all_of(polygon.corners(), [&](const dvec3& p) { return plane.height(p) <= tolerance; });
+}
 
 Polygon partBefore(const Plane& plane, const Polygon& polygon, double tolerance) {
     const auto height = [&](const dvec3& p) {

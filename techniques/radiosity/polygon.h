@@ -6,6 +6,7 @@
 #include <span>
 
 #include "techniques/foundation/math/types.h"
+#include "techniques/foundation/trace/shaft.h"
 
 namespace shadowlab::radiosity {
 
@@ -43,10 +44,20 @@ dvec3 centroid(const Polygon& polygon);
 
 /// All points p with dot(normal, p - point) = 0; the front is where that is positive.
 struct Plane {
-    dvec3 point, normal; ///< unit
+    dvec3 point{0.0}, normal{0.0}; ///< unit
     [[nodiscard]] double height(const dvec3& p) const { return glm::dot(normal, p - point); }
 };
 Plane planeOf(const Polygon& polygon);
+
+/// What is nearer than this share of the size of the things in question touches, or lies in a plane: vertices are floats, and a box
+/// that stands on a floor is some 2^-24 of its size above it or below.
+constexpr double kTouching = 2e-7;
+
+trace::CentredBox boxOf(const Polygon& polygon);
+/// Diagonal of that box, metres.
+double sizeOf(const Polygon& polygon);
+/// Is no corner more than `tolerance` metres before the plane?
+bool isBehind(const Plane& plane, const Polygon& polygon, double tolerance);
 
 /// What of a polygon lies before a plane (Sutherland and Hodgman, 1974). A corner within `tolerance` metres of the plane lies
 /// in it: polygons that touch along an edge do not cut slivers off each other.

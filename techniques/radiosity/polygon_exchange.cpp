@@ -29,10 +29,6 @@ constexpr std::array<std::array<GaussPoint, kMost>, kMost + 1> kGauss = {{
       {0.93056815579702629, 0.17392742256872693}}},
 }};
 
-// Corners that lie this near the other's plane, as a share of the polygons' size, lie in it: vertices are floats, and a box that
-// stands on a floor is some 2^-24 of its size above it or below.
-constexpr double kTouching = 2e-7;
-
 // A form factor from a point is a sum of some angles, each rounded at 2^-53 of a turn or less: what changes by no more than this
 // share of a piece's area is noise, and halving does not help.
 constexpr double kNoise = 4e-15;
@@ -119,22 +115,13 @@ void refine(const Quad& q, const dvec3& normal, const Polygon& target, double wh
         refine(parts[i], normal, target, values[i], 0.5 * allowed, halvings - 1, pieces, sum);
 }
 
-double size(const Polygon& p) {
-    dvec3 lower(p[0]), upper(p[0]);
-    for (const dvec3& corner : p.corners()) {
-        lower = glm::min(lower, corner);
-        upper = glm::max(upper, corner);
-    }
-    return glm::length(upper - lower);
-}
-
 /// What of each lies before the other's plane; nothing if nothing does.
 struct Facing {
     Polygon a, b;
     dvec3 normalA{0.0};
     Facing(const Polygon& wholeA, const Polygon& wholeB) {
         const Plane planeA = planeOf(wholeA), planeB = planeOf(wholeB);
-        const double touching = kTouching * (size(wholeA) + size(wholeB));
+        const double touching = kTouching * (sizeOf(wholeA) + sizeOf(wholeB));
         a = partBefore(planeB, wholeA, touching);
         b = partBefore(planeA, wholeB, touching);
         normalA = planeA.normal;

@@ -61,11 +61,7 @@ double kernel(const Patch& a, const Patch& b, const dvec3& from, const dvec3& to
 VisibleExchange visibleExchange(const Patch& a, const Patch& b, const Occlusion& occlusion, const Blockers& known,
                                 double linesInAll) {
     using Kind = VisibleExchange::Kind;
-    const auto facesAway = [](const Patch& from, const Patch& to) {
-        return std::ranges::all_of(to.polygon.corners(),
-                                   [&](const dvec3& p) { return glm::dot(from.normal, p - from.centre) <= 0; });
-    };
-    if (facesAway(a, b) || facesAway(b, a)) return {};
+    if (isBehind(a.plane(), b.polygon, 0) || isBehind(b.plane(), a.polygon, 0)) return {};
     const Blockers blockers = known.empty() ? known : occlusion.between(a.polygon, b.polygon, &known);
     if (!blockers.empty() && occlusion.hideAll(blockers, a.polygon, b.polygon)) return {Kind::hidden, 0, 0};
     const Exchange whole = unoccludedExchange(a.polygon, b.polygon);

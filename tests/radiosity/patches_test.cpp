@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "tests/radiosity/room.h"
+#include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {
 namespace {

@@ -9,7 +9,7 @@
 #include "techniques/radiosity/contacts.h"
 #include "techniques/radiosity/exchange_builder.h"
 #include "techniques/radiosity/solvers.h"
-#include "tests/radiosity/room.h"
+#include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {
 namespace {

@@ -10,7 +10,7 @@
 #include "techniques/foundation/trace/bvh_traverse.h"
 #include "techniques/radiosity/point_form_factor.h"
 #include "tests/foundation/trace/ray_meshes.h"
-#include "tests/radiosity/room.h"
+#include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {
 namespace {
