@@ -78,29 +78,40 @@ void cut(std::vector<Patch>& pieces, const Segment& segment, double touching) {
 
 } // namespace
 
-std::vector<Patch> cutAtContacts(const Faces& faces, std::vector<Patch> patches) {
+std::vector<std::vector<Contact>> contactsOf(const Faces& faces) {
     std::vector<trace::CentredBox> boxes;
     for (const Face& face : faces.all)
         boxes.emplace_back(boxOf(face.polygon)).grow(kTouching * sizeOf(face.polygon));
-    std::vector<Patch> all;
-    for (std::size_t first = 0, end = 0; first < patches.size(); first = end) {
-        const std::uint32_t number = patches[first].face;
-        while (end < patches.size() && patches[end].face == number)
-            ++end;
+    std::vector<std::vector<Contact>> contacts(faces.all.size());
+    for (std::uint32_t number = 0; number < faces.all.size(); ++number) {
         const Polygon& polygon = faces.all[number].polygon;
-        const double touching = kTouching * sizeOf(polygon);
         const Plane& plane = faces.all[number].plane;
-        std::vector<Segment> segments;
-        for (std::uint32_t other = 0; other < faces.all.size(); ++other)
-            if (other != number && boxes[other].touches(boxes[number]))
-                for (const Segment& segment : meeting(plane, faces.all[other].polygon, touching))
-                    if (inside(segment, polygon, plane.normal, touching)) segments.push_back(segment);
-        for (std::size_t i = first; i < end; ++i) {
-            std::vector<Patch> pieces{patches[i]};
-            for (const Segment& segment : segments)
-                cut(pieces, segment, touching);
-            all.insert(all.end(), pieces.begin(), pieces.end());
+        const double touching = kTouching * sizeOf(polygon);
+        for (std::uint32_t other = 0; other < faces.all.size(); ++other) {
+            if (other == number || !boxes[other].touches(boxes[number])) continue;
+            const Polygon& otherPolygon = faces.all[other].polygon;
+            const bool touchesBackOnly = isBehind(plane, otherPolygon, touching) &&
+                                         !isBehind({plane.point, -plane.normal}, otherPolygon,
+                                                   touching); // what lies in the plane is behind it twice
+            if (touchesBackOnly) continue;
+            for (const Segment& segment : meeting(plane, otherPolygon, touching))
+                // The face is grown by what touches. Faces that meet in a point share some three times that then, at right angles.
+                if (const auto part = inside(segment, polygon, plane.normal, -touching);
+                    part && glm::distance(part->from, part->to) > 4 * touching)
+                    contacts[number].push_back({part->from, part->to, other});
         }
+    }
+    return contacts;
+}
+
+std::vector<Patch> cutAtContacts(const Faces& faces, std::vector<Patch> patches) {
+    const std::vector<std::vector<Contact>> contacts = contactsOf(faces);
+    std::vector<Patch> all;
+    for (const Patch& patch : patches) {
+        std::vector<Patch> pieces{patch};
+        for (const Contact& contact : contacts[patch.face])
+            cut(pieces, {contact.from, contact.to}, kTouching * sizeOf(faces.all[patch.face].polygon));
+        all.insert(all.end(), pieces.begin(), pieces.end());
     }
     return all;
 }
