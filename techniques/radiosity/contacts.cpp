@@ -76,26 +76,44 @@ void cut(std::vector<Patch>& pieces, const Segment& segment, double touching) {
     }
 }
 
+/// Of each face the others whose boxes touch its own, in order. Boxes are gone through from left to right.
+std::vector<std::vector<std::uint32_t>> facesNear(const Faces& faces) {
+    std::vector<trace::CentredBox> boxes;
+    std::vector<std::uint32_t> order;
+    for (const Face& face : faces.all) {
+        order.push_back(static_cast<std::uint32_t>(boxes.size()));
+        boxes.emplace_back(boxOf(face.polygon)).grow(kTouching * sizeOf(face.polygon));
+    }
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t number) { return boxes[number].lower.x; });
+    std::vector<std::vector<std::uint32_t>> near(faces.all.size());
+    for (auto here = order.begin(); here != order.end(); ++here)
+        for (auto next = here + 1; next != order.end() && boxes[*next].lower.x <= boxes[*here].upper.x; ++next)
+            if (boxes[*next].touches(boxes[*here])) {
+                near[*here].push_back(*next);
+                near[*next].push_back(*here);
+            }
+    for (std::vector<std::uint32_t>& others : near)
+        std::ranges::sort(others);
+    return near;
+}
+
 } // namespace
 
 std::vector<std::vector<Contact>> contactsOf(const Faces& faces) {
-    std::vector<trace::CentredBox> boxes;
-    for (const Face& face : faces.all)
-        boxes.emplace_back(boxOf(face.polygon)).grow(kTouching * sizeOf(face.polygon));
+    const std::vector<std::vector<std::uint32_t>> near = facesNear(faces);
     std::vector<std::vector<Contact>> contacts(faces.all.size());
     for (std::uint32_t number = 0; number < faces.all.size(); ++number) {
         const Polygon& polygon = faces.all[number].polygon;
         const Plane& plane = faces.all[number].plane;
         const double touching = kTouching * sizeOf(polygon);
-        for (std::uint32_t other = 0; other < faces.all.size(); ++other) {
-            if (other == number || !boxes[other].touches(boxes[number])) continue;
+        for (const std::uint32_t other : near[number]) {
             const Polygon& otherPolygon = faces.all[other].polygon;
-            const bool touchesBackOnly = isBehind(plane, otherPolygon, touching) &&
-                                         !isBehind({plane.point, -plane.normal}, otherPolygon,
-                                                   touching); // what lies in the plane is behind it twice
-            if (touchesBackOnly) continue;
+            const Plane turned{plane.point, -plane.normal};
+            const bool isBeneath = isBehind(plane, otherPolygon, touching);
+            if (isBeneath && !isBehind(turned, otherPolygon, touching))
+                continue; // what lies in the plane is behind both
             for (const Segment& segment : meeting(plane, otherPolygon, touching))
-                // The face is grown by what touches. Faces that meet in a point share some three times that then, at right angles.
+                // The face is grown by what touches: of faces that meet in a point at right angles a line of twice that is within.
                 if (const auto part = inside(segment, polygon, plane.normal, -touching);
                     part && glm::distance(part->from, part->to) > 4 * touching)
                     contacts[number].push_back({part->from, part->to, other});

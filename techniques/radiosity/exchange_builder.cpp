@@ -9,9 +9,9 @@
 namespace shadowlab::radiosity {
 
 ExchangeBuilder::ExchangeBuilder(const Faces& faces, const std::vector<Patch>& patches, const Occlusion& occlusion,
-                                 double linesInAll)
-    : faces_(faces), patches_(patches), occlusion_(occlusion), linesInAll_(linesInAll), exchange_(patches.size()),
-      rows_(patches.size()) {
+                                 double linesInAll, std::optional<KnownExchange> known)
+    : faces_(faces), patches_(patches), occlusion_(occlusion), linesInAll_(linesInAll), known_(known),
+      exchange_(patches.size()), rows_(patches.size()) {
     for (std::size_t face = 0; face <= faces.all.size(); ++face)
         firstOfFace_.push_back(static_cast<std::size_t>(
             std::ranges::lower_bound(patches, face, {}, [](const Patch& p) { return std::size_t{p.face}; }) -
@@ -39,15 +39,33 @@ void ExchangeBuilder::fill(std::size_t i) {
             rows_[i].counts.ofKind[0] += end - first;
             continue;
         }
-        const Blockers blockers = occlusion_.between(patch.polygon, polygon);
+        std::optional<Blockers> blockers; // of no use where all is known
         for (std::size_t j = first; j < end; ++j) {
-            const VisibleExchange exchange = visibleExchange(patch, patches_[j], occlusion_, blockers, linesInAll_);
+            const bool isKnown =
+                known_ && known_->from[i] != KnownExchange::kNew && known_->from[j] != KnownExchange::kNew;
+            if (!isKnown && !blockers) blockers = occlusion_.between(patch.polygon, polygon);
+            const VisibleExchange exchange =
+                isKnown ? knownExchange(i, j) : visibleExchange(patch, patches_[j], occlusion_, *blockers, linesInAll_);
             ++rows_[i].counts.ofKind[static_cast<std::size_t>(exchange.kind)];
             if (exchange.area > 0) exchange_.set(i, j, exchange.area);
             if (exchange.kind == VisibleExchange::Kind::partial)
                 rows_[i].uncertain.push_back({static_cast<std::uint32_t>(j), static_cast<float>(exchange.error)});
         }
     }
+}
+
+VisibleExchange ExchangeBuilder::knownExchange(std::size_t i, std::size_t j) const {
+    using Kind = VisibleExchange::Kind;
+    const std::uint32_t row = known_->from[i],
+                        patch = known_->from[j]; // the row of the first, for their order is as it was
+    const std::vector<Uncertain>& uncertain = known_->builder.rows_[row].uncertain;
+    const double area = known_->exchange(row, patch);
+    const auto found = std::ranges::lower_bound(uncertain, patch, {}, &Uncertain::patch);
+    if (found != uncertain.end() && found->patch == patch) return {Kind::partial, area, double{found->error}};
+    if (area > 0) return {Kind::full, area, 0};
+    const bool faceAway =
+        isBehind(patches_[i].plane(), patches_[j].polygon, 0) || isBehind(patches_[j].plane(), patches_[i].polygon, 0);
+    return {faceAway ? Kind::none : Kind::hidden, 0, 0};
 }
 
 ExchangeCounts ExchangeBuilder::counts() const {

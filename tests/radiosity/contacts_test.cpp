@@ -99,5 +99,18 @@ TEST(Contacts, WhatGoesThroughCutsToo) {
     EXPECT_NEAR(areaOf(pieces), 4.49, 1e-6); // the small one's vertices are floats
 }
 
+TEST(Contacts, WhatTouchesTheBackDoesNotCut) {
+    for (const double height : {0.5, -0.5}) { // of the middle of a wall a metre high: on the floor, and under it
+        scene::Scene scene;
+        scene.materials.emplace_back();
+        addObject(scene, scene::makeQuad({2, 2}));
+        addObject(scene, scene::makeQuad({1, 1}),
+                  glm::rotate(translation({0.1, height, 0}), glm::half_pi<double>(), dvec3(1, 0, 0)));
+        const Faces faces = facesOf(scene, trace::worldTriangles(scene));
+        const std::vector<Patch> pieces = cutAtContacts(faces, cutIntoPatches(faces, 4));
+        EXPECT_EQ(std::ranges::count(pieces, 0u, &Patch::face), height > 0 ? 2 : 1) << height;
+    }
+}
+
 } // namespace
 } // namespace shadowlab::radiosity

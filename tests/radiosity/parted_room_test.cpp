@@ -115,5 +115,41 @@ TEST(PartedRoom, AFreeStandingWallPartsWhereItStands) {
     EXPECT_EQ(ends, 4) << "on both sides of both ends";
 }
 
+/// A floor of one object but two faces, and a wall exactly where these meet, on one half of it.
+TEST(PartedRoom, AWallOnTheSeamOfTwoFacesPartsThem) {
+    scene::Scene scene;
+    scene.materials.emplace_back();
+    addObject(scene, triangleSoup({{-2, 0, -2},
+                                   {-2, 0, 2},
+                                   {0, 0, 2},
+                                   {-2, 0, -2},
+                                   {0, 0, 2},
+                                   {0, 0, -2},
+                                   {0, 0, -2},
+                                   {0, 0, 2},
+                                   {2, 0, 2},
+                                   {0, 0, -2},
+                                   {2, 0, 2},
+                                   {2, 0, -2}}));
+    addObject(scene, triangleSoup({{0, 0, -2}, {0, 0, 0}, {0, 1, 0}}));
+    Room room(scene, 1);
+    room.patches = cutAtContacts(room.faces, room.patches);
+    ASSERT_EQ(std::ranges::count_if(room.patches, [](const Patch& p) { return p.face < 2; }), 16);
+    const PatchBorders borders = patchBorders(room.faces, room.patches);
+    int open = 0, closed = 0;
+    for (std::uint32_t piece = 0; piece < borders.pieces.size(); ++piece) {
+        const auto pointWorld = [&](std::uint32_t of) {
+            return borders.pointsCentred[borders.pieces[of].point] + room.originWorld;
+        };
+        const dvec3 from = pointWorld(piece), to = pointWorld(borders.after(piece));
+        if (room.patches[borders.pieces[piece].patch].face > 1 || std::abs(from.x) + std::abs(to.x) > 1e-6) continue;
+        const bool isOpen = borders.pieces[piece].across != PatchBorders::kNone;
+        EXPECT_EQ(isOpen, from.z + to.z > 0) << from.z << ' ' << to.z;
+        (isOpen ? open : closed) += 1;
+    }
+    EXPECT_EQ(open, 4);
+    EXPECT_EQ(closed, 4);
+}
+
 } // namespace
 } // namespace shadowlab::radiosity
