@@ -18,6 +18,9 @@ constexpr std::size_t kLightMesh = 100;
 // The fewest that can bound something with some roundness: an octahedron.
 constexpr std::size_t kFewestLeft = 8;
 
+// What would still have more than this share of its triangles stays as it is: it loses more in shape than light gains in speed.
+constexpr double kWorthIt = 0.75;
+
 // Cells of a 2^15th of the scene's size, and thus fifteen bits of a lattice's numbers.
 constexpr int kSteps = 60;
 
@@ -50,7 +53,8 @@ struct Heavy {
             coarse = clusters.clustered(cell(step));
             if (coarse->triangles.size() >= kFewestLeft) break;
         }
-        if (step > kSteps || coarse->triangles.size() == original()) coarse.reset();
+        const auto left = static_cast<double>(coarse->triangles.size());
+        if (step > kSteps || left > kWorthIt * static_cast<double>(original())) coarse.reset();
     }
 };
 
@@ -122,7 +126,7 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces
     }
     if (heavy.empty()) return answer;
 
-    // Counting is cheap and finds about the right cells; then one step finer as long as there are really few enough.
+    // Counting is cheap and finds about the right cells; what there really is then tells whether they may be finer.
     const auto sum = [&](const auto& countOf) {
         std::vector<std::size_t> counts(heavy.size());
         trace::parallelFor(heavy.size(), [&](std::size_t i) { counts[i] = countOf(heavy[i]); });
@@ -138,7 +142,10 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces
         });
     };
     const auto rough = [&](int step) { return sum([&](Heavy& one) { return one.roughCount(step); }); };
-    const int step = lastStepWithin(lastStepWithin(0, mostFaces, rough), mostFaces, simplified);
+    int step = lastStepWithin(0, mostFaces, rough);
+    while (step > 0 && simplified(step) > mostFaces)
+        --step;
+    step = lastStepWithin(step, mostFaces, simplified);
     answer.trianglesAfter = simplified(step);
     answer.cellMetres = heavy.front().cell(step);
 
@@ -152,12 +159,10 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces
         firstOfObject.push_back(first);
         first += static_cast<std::uint32_t>(object.mesh->triangles.size());
     }
-    trace::parallelFor(heavy.size(), [&](std::size_t i) {
-        const Heavy& one = heavy[i];
+    for (const Heavy& one : heavy)
         if (one.coarse)
             answer.cornersOfObject[one.number] =
                 cornerPlaces(*one.object.mesh, one.clusters, *one.coarse, firstOfObject[one.number]);
-    });
     return answer;
 }
 

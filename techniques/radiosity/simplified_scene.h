@@ -19,9 +19,9 @@ struct SimplifiedScene {
     std::uint64_t trianglesBefore = 0, trianglesAfter = 0; ///< without those of lights
 };
 
-/// At most that many triangles, or as near to that as it gets: meshes of a hundred triangles and fewer stay as they are, and of every
-/// other at least eight triangles remain, by finer cells for that mesh if need be. Cells are as small as the number allows, from a
-/// series of fourths of a halving from the scene's size on.
+/// At most that many triangles, or as near to that as it gets. Meshes of a hundred triangles and fewer stay as they are, and those of
+/// which more than three fourths would remain; of every other at least eight triangles remain, by finer cells of its own if need be.
+/// Cells are as small as the number allows, from a series of fourths of a halving that begins with the scene's size.
 SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces);
 
 } // namespace shadowlab::radiosity

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <span>
+#include <utility>
+
+#include "techniques/foundation/trace/parallel.h"
 
 namespace shadowlab::radiosity {
 
@@ -98,17 +102,51 @@ Surroundings::Surroundings(const ClusteredMesh& coarse, const scene::Mesh& origi
         }
 }
 
-/// The best that has been found for a corner.
-struct Best {
-    std::uint32_t triangle = ~std::uint32_t{0};
-    double facing = -2; ///< less than any cosine
-    NearestPlace place;
-    [[nodiscard]] bool isSameWay() const { return facing > kSameWay; }
-    void offer(const Best& other) {
-        const bool isBetter = isSameWay() && other.isSameWay() ? other.place.squaredDistance < place.squaredDistance
-                                                               : other.facing > facing;
-        if (isBetter) *this = other;
+struct CoarseTriangle {
+    std::array<dvec3, 3> corners;
+    dvec3 normal{0.0}, middle{0.0};
+    double radius = 0; ///< about the middle
+};
+
+std::vector<CoarseTriangle> trianglesOf(const ClusteredMesh& coarse) {
+    std::vector<CoarseTriangle> triangles;
+    for (const uvec3& t : coarse.triangles) {
+        const dvec3 &a = coarse.positions[t.x], &b = coarse.positions[t.y], &c = coarse.positions[t.z];
+        const dvec3 middle = (a + b + c) / 3.0;
+        const double radius = std::max({glm::distance(a, middle), glm::distance(b, middle), glm::distance(c, middle)});
+        triangles.push_back({{a, b, c}, glm::normalize(glm::cross(b - a, c - a)), middle, radius});
     }
+    return triangles;
+}
+
+/// The best place for a corner that has been found so far: on a triangle that faces the same way before one that stands across,
+/// on that before one that faces the other way, and the nearest of these.
+class Best {
+public:
+    Best(const dvec3& position, const dvec3& normal) : position_(position), normal_(normal) {}
+    [[nodiscard]] bool isSameWay() const { return rank_ == 2; }
+    void offer(std::uint32_t number, const CoarseTriangle& triangle) {
+        const double facing = glm::dot(normal_, triangle.normal);
+        const int rank = facing > kSameWay ? 2 : facing < -kSameWay ? 0 : 1;
+        if (rank < rank_) return;
+        const double atLeast = glm::distance(position_, triangle.middle) - triangle.radius;
+        if (rank == rank_ && atLeast > 0 && atLeast * atLeast > place_.squaredDistance) return;
+        const NearestPlace place = nearestPlace(position_, triangle.corners);
+        if (rank == rank_ && !(place.squaredDistance < place_.squaredDistance)) return;
+        number_ = number;
+        rank_ = rank;
+        place_ = place;
+    }
+    [[nodiscard]] SurfacePlace place(std::uint32_t firstTriangle) const {
+        const vec3 weights(place_.weights);
+        return {firstTriangle + number_, {weights.x, weights.y, weights.z}};
+    }
+
+private:
+    const dvec3 &position_, &normal_;
+    std::uint32_t number_ = 0;
+    int rank_ = -1;
+    NearestPlace place_;
 };
 
 } // namespace
@@ -116,37 +154,31 @@ struct Best {
 std::vector<std::array<SurfacePlace, 3>> cornerPlaces(const scene::Mesh& original, const VertexClusters& clusters,
                                                       const ClusteredMesh& coarse, std::uint32_t firstTriangle) {
     const Surroundings surroundings(coarse, original, clusters);
-    const auto cornersOf = [&](std::uint32_t t) {
-        const uvec3& corners = coarse.triangles[t];
-        return std::array{coarse.positions[corners.x], coarse.positions[corners.y], coarse.positions[corners.z]};
-    };
-    std::vector<dvec3> normals;
-    for (std::uint32_t t = 0; t < coarse.triangles.size(); ++t) {
-        const auto [a, b, c] = cornersOf(t);
-        normals.push_back(glm::normalize(glm::cross(b - a, c - a)));
-    }
+    const std::vector<CoarseTriangle> triangles = trianglesOf(coarse);
+    const std::vector<dvec3>& positions = clusters.positions();
     std::vector<std::array<SurfacePlace, 3>> places(original.triangles.size());
-    for (std::size_t t = 0; t < places.size(); ++t) {
+    const auto fill = [&](std::size_t t) {
         const uvec3& corners = original.triangles[t];
-        const auto& positions = clusters.positions();
         const dvec3 vector =
             glm::cross(positions[corners.y] - positions[corners.x], positions[corners.z] - positions[corners.x]);
         const double length = glm::length(vector);
         const dvec3 normal = length > 0 ? vector / length : dvec3(0.0);
         for (int corner = 0; corner < 3; ++corner) {
-            const dvec3& position = positions[corners[corner]];
-            Best best;
+            Best best(positions[corners[corner]], normal);
             for (int tried = 0; tried < 3 && !best.isSameWay();
                  ++tried) { // its own cell, then those of the other corners
                 const std::uint32_t cluster = coarse.clusterOfVertex[corners[(corner + tried) % 3]];
                 for (const std::uint32_t near : surroundings.of(clusters.partOf(t), cluster))
-                    best.offer({near, glm::dot(normal, normals[near]), nearestPlace(position, cornersOf(near))});
+                    best.offer(near, triangles[near]);
             }
-            const vec3 weights(best.place.weights);
-            places[t][static_cast<std::size_t>(corner)] = {firstTriangle + best.triangle,
-                                                           {weights.x, weights.y, weights.z}};
+            places[t][static_cast<std::size_t>(corner)] = best.place(firstTriangle);
         }
-    }
+    };
+    constexpr std::size_t kTogether = 1024; // some milliseconds
+    trace::parallelFor((places.size() + kTogether - 1) / kTogether, [&](std::size_t piece) {
+        for (std::size_t t = piece * kTogether; t < std::min(places.size(), (piece + 1) * kTogether); ++t)
+            fill(t);
+    });
     return places;
 }
 

@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <cstdlib>
+#include <string>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -21,8 +22,6 @@ namespace shadowlab::radiosity {
 namespace {
 
 using namespace shadowlab::testing;
-
-constexpr double kPi = 3.14159265358979324;
 
 scene::Scene sceneOf(scene::Mesh mesh, const dmat4& worldFromObject = dmat4(1.0)) {
     scene::Scene scene;
@@ -230,7 +229,32 @@ TEST(SimplifiedScene, WhatStaysAndWhatDoesNotVanish) {
     EXPECT_EQ(all.trianglesAfter, all.trianglesBefore);
     EXPECT_EQ(all.scene->objects[1].mesh, before.objects[1].mesh);
     EXPECT_EQ(all.scene->objects[3].mesh->triangles.size(), 0u);
+    // Not worth it, or not enough without it.
+    const scene::Scene ring = sceneOf(scene::makeTorus(1, 0.5, {10, 8}));
+    ASSERT_EQ(ring.objects[0].mesh->triangles.size(), 160u);
+    for (const std::size_t most : {150u, 120u, 60u})
+        EXPECT_LE(simplifiedScene(ring, most).trianglesAfter, std::min<std::size_t>(most, 120)) << most;
     EXPECT_EQ(simplifiedScene(before, 1).scene->objects[0].mesh, before.objects[0].mesh) << "as near as it gets";
+}
+
+TEST(SimplifiedScene, TheSameForAnyNumberOfThreads) {
+    scene::Scene before = sceneOf(scene::makeSphere(1, 64));
+    addObject(before, scene::makeTorus(1, 0.4, {64, 32}), translation({3, 0, 0}));
+    const char* const kept = std::getenv("SHADOWLAB_THREADS");
+    const std::string threadsBefore = kept ? kept : "";
+    std::vector<SimplifiedScene> all;
+    for (const char* threads : {"1", "2", "3"}) {
+        ::setenv("SHADOWLAB_THREADS", threads, 1);
+        all.push_back(simplifiedScene(before, 1000));
+    }
+    kept ? ::setenv("SHADOWLAB_THREADS", threadsBefore.c_str(), 1) : ::unsetenv("SHADOWLAB_THREADS");
+    for (const SimplifiedScene& one : all)
+        for (std::size_t o = 0; o < 2; ++o) {
+            EXPECT_EQ(one.scene->objects[o].mesh->positionsMesh, all[0].scene->objects[o].mesh->positionsMesh);
+            EXPECT_EQ(one.scene->objects[o].mesh->triangles, all[0].scene->objects[o].mesh->triangles);
+            EXPECT_EQ(one.cornersOfObject[o], all[0].cornersOfObject[o]);
+            EXPECT_GT(one.cornersOfObject[o].size(), 3000u);
+        }
 }
 
 /// Two sides of a sheet thinner than a cell: both stay, and no corner goes to the other side.
