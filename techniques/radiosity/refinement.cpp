@@ -127,7 +127,7 @@ std::vector<Refinement> patchesToRefine(const std::vector<Patch>& patches, const
     std::vector<Candidate> candidates;
     std::vector<Reason> reasons(patches.size(), Reason::balance);
     for (std::uint32_t i = 0; i < patches.size(); ++i) {
-        Wrong wrong{byGradient(patches, borders, radiosity, i), Reason::gradient};
+        Wrong wrong{limits.gradientWeight * byGradient(patches, borders, radiosity, i), Reason::gradient};
         for (const DirectLight& light : lights)
             if (const double shadow = byShadow(light, i); shadow > wrong.mean) wrong = {shadow, Reason::shadow};
         if (patches[i].area < limits.smallestArea || !(wrong.mean * area > limits.smallestError * power)) continue;

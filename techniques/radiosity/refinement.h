@@ -26,6 +26,9 @@ struct RefinementLimits {
     /// A patch whose radiosity is wrong by less than this share of the mean of all is left as it is.
     double smallestError = 0.02;
     double smallestArea = 0; ///< m^2; none below is cut
+    /// 1 where every patch is drawn in one colour; less where colours are interpolated, which shows a plain gradient right, and
+    /// no edge of a shadow.
+    double gradientWeight = 1;
 };
 
 /// A patch to be cut, and why.

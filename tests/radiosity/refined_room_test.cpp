@@ -179,7 +179,8 @@ TEST(RefinedRoom, AsManyPatchesShowMore) {
     const double coarseError = meanError(coarse, solution, fineSolution, fineLight);
     int rounds = 0;
     for (;; ++rounds) {
-        const RefinementLimits limits{std::min(fine.patches.size(), mesh->patches.size() * 3 / 2), 0.005, 0};
+        const RefinementLimits limits{.mostPatches = std::min(fine.patches.size(), mesh->patches.size() * 3 / 2),
+                                      .smallestError = 0.005};
         const auto cuts = patchesToRefine(mesh->patches, patchBorders(coarse.faces, mesh->patches), solution.radiosity,
                                           {{light}}, limits);
         if (cuts.empty()) break;

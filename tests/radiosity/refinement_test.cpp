@@ -67,6 +67,10 @@ TEST(Refinement, OnlyTheEdgeOfAShadowIsCut) {
         if (light.visibleShare[i] > 0.1 && light.visibleShare[i] < 0.9) {
             EXPECT_TRUE(std::ranges::count(cuts, i, &Refinement::patch)) << i;
         }
+    const auto edges = patchesToRefine(patches, borders, light.radiosity, {{light}}, {.gradientWeight = 0});
+    EXPECT_EQ(std::ranges::count(edges, Reason::shadow, &Refinement::reason),
+              std::ranges::count_if(light.visibleShare, [](double share) { return share > 0 && share < 1; }));
+    EXPECT_EQ(std::ranges::count(edges, Reason::gradient, &Refinement::reason), 0);
     // Light that is even all over is no reason.
     const std::vector<dvec3> even(patches.size(), dvec3(3));
     EXPECT_TRUE(patchesToRefine(patches, borders, even, {}, {}).empty());
@@ -84,8 +88,8 @@ TEST(Refinement, KeepsToABudget) {
         for (;; ++rounds) {
             const PatchBorders borders = patchBorders(faces, patches);
             const DirectLight light = spotOfLight(patches, 1.3);
-            const auto cuts =
-                patchesToRefine(patches, borders, light.radiosity, {{light}}, {most, 0.02, rounds < 5 ? 0.0 : 9.0});
+            const auto cuts = patchesToRefine(patches, borders, light.radiosity, {{light}},
+                                              {.mostPatches = most, .smallestArea = rounds < 5 ? 0.0 : 9.0});
             if (cuts.empty()) break;
             const Refined finer = refined(patches, cuts, level);
             ASSERT_EQ(finer.patches.size(), patches.size() + 3 * cuts.size());
