@@ -17,7 +17,7 @@ namespace shadowlab::radiosity {
 /// What one light sends to the patches without detour.
 struct DirectLight {
     std::vector<double>
-        visibleShare; ///< of each patch: the share of it, or of the light, that lies in view of the other, 0 to 1
+        visibleShare; ///< of each patch: the share of it that the light reaches, 0 to 1; some: the edge of its shadow goes through
     std::vector<dvec3> radiosity; ///< of each patch: what of that light it reflects, W/m^2, shadow included
 };
 
