@@ -2,6 +2,7 @@
 #include "techniques/radiosity/occlusion.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "techniques/foundation/trace/shaft.h"
 
@@ -22,40 +23,51 @@ bool isPierced(const Polygon& polygon, const dvec3& from, const dvec3& to) {
     return left == 0 || right == 0;
 }
 
+/// What is nearer touches: by the size of all that lies between the two boxes.
+double touchingIn(const trace::CentredBox& a, const trace::CentredBox& b) {
+    return kTouching * glm::length(glm::max(a.upper, b.upper) - glm::min(a.lower, b.lower));
+}
+
 } // namespace
 
-Blockers Occlusion::between(const Polygon& a, const Polygon& b, const Blockers* known) const {
-    const trace::CentredBox boxA = boxOf(a), boxB = boxOf(b);
-    const Plane planeA = planeOf(a), planeB = planeOf(b);
-    trace::CentredBox both = boxA;
-    both.include(boxB.lower);
-    both.include(boxB.upper);
-    const double touching = kTouching * glm::length(both.upper - both.lower);
-    const trace::Shaft shaft(boxA, boxB);
+Blockers Occlusion::inShaft(const trace::Shaft& shaft, const Blockers* known) const {
     Blockers found;
-    const auto consider = [&](std::uint32_t number) {
-        const Face& face = faces_.all[number];
-        if (isBehind(planeA, face.polygon, touching) || isBehind(planeB, face.polygon, touching)) return;
-        const Plane &plane = face.plane, turned{plane.point, -plane.normal};
-        const bool onOneSide = (isBehind(plane, a, touching) && isBehind(plane, b, touching)) ||
-                               (isBehind(turned, a, touching) && isBehind(turned, b, touching));
-        if (!onOneSide) found.push_back(number); // else no line from one to the other goes through it
-    };
     if (known) {
-        for (const std::uint32_t number : *known) {
-            const Face& face = faces_.all[number];
-            if (shaft.mayTouch(bvh_.triangles[face.triangles[0]]) || shaft.mayTouch(bvh_.triangles[face.triangles[1]]))
-                consider(number);
-        }
+        std::ranges::copy_if(*known, std::back_inserter(found), [&](std::uint32_t number) {
+            return std::ranges::any_of(faces_.all[number].triangles,
+                                       [&](std::uint32_t t) { return shaft.mayTouch(bvh_.triangles[t]); });
+        });
         return found;
     }
-    std::vector<std::uint32_t> numbers;
     for (const std::uint32_t t : shaft.triangles(bvh_, [&](std::uint32_t p) { return casts_[p] != 0; }))
-        numbers.push_back(faces_.ofTriangle[t]);
-    std::ranges::sort(numbers);
-    const auto repeated = std::ranges::unique(numbers);
-    numbers.erase(repeated.begin(), repeated.end());
-    std::ranges::for_each(numbers, consider);
+        found.push_back(faces_.ofTriangle[t]);
+    std::ranges::sort(found);
+    const auto repeated = std::ranges::unique(found);
+    found.erase(repeated.begin(), repeated.end());
+    return found;
+}
+
+Blockers Occlusion::betweenHull(const Polygon& a, const Polygon& hull, const Blockers* known) const {
+    const trace::CentredBox boxA = boxOf(a), boxB = boxOf(hull);
+    const Plane planeA = planeOf(a);
+    const double touching = touchingIn(boxA, boxB);
+    Blockers found = inShaft(trace::Shaft(boxA, boxB), known);
+    std::erase_if(found, [&](std::uint32_t number) {
+        const Face& face = faces_.all[number];
+        if (isBehind(planeA, face.polygon, touching)) return true;
+        const Plane &plane = face.plane, turned{plane.point, -plane.normal};
+        // Both on one side: no line from one to the other goes through it.
+        return (isBehind(plane, a, touching) && isBehind(plane, hull, touching)) ||
+               (isBehind(turned, a, touching) && isBehind(turned, hull, touching));
+    });
+    return found;
+}
+
+Blockers Occlusion::between(const Polygon& a, const Polygon& b, const Blockers* known) const {
+    const Plane planeB = planeOf(b);
+    const double touching = touchingIn(boxOf(a), boxOf(b));
+    Blockers found = betweenHull(a, b, known);
+    std::erase_if(found, [&](std::uint32_t n) { return isBehind(planeB, faces_.all[n].polygon, touching); });
     return found;
 }
 

@@ -26,12 +26,17 @@ public:
     /// What may stand between the two, each without what lies behind the other. Of pieces of polygons whose blockers are known
     /// only these are looked at.
     [[nodiscard]] Blockers between(const Polygon& a, const Polygon& b, const Blockers* known = nullptr) const;
-    /// Does one of the faces hide all of the one from all of the other?
+    /// The same where the other end has no front, as a light that shines in all directions: the convex hull of some points, of one
+    /// point perhaps. They need not lie in a plane.
+    [[nodiscard]] Blockers betweenHull(const Polygon& a, const Polygon& hull, const Blockers* known = nullptr) const;
+    /// Does one of the faces hide all of the one from all of the other? Either may be a hull.
     [[nodiscard]] bool hideAll(const Blockers& blockers, const Polygon& a, const Polygon& b) const;
     /// Does one of the faces stand between the two points?
     [[nodiscard]] bool hide(const Blockers& blockers, const dvec3& fromCentred, const dvec3& toCentred) const;
 
 private:
+    [[nodiscard]] Blockers inShaft(const trace::Shaft& shaft, const Blockers* known) const;
+
     const Faces& faces_;
     const trace::Bvh& bvh_;
     std::vector<std::uint8_t> casts_;

@@ -1,0 +1,57 @@
+// What the lights of a scene bring to its patches before anything is reflected, and how much of it others take away.
+//
+// What would arrive with nothing in between is known (light_source.h). Where something may stand in between, lines from points of
+// the patch to the light are tried: the share of what comes by free ones, times that.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <chrono>
+
+#include "techniques/radiosity/light_source.h"
+
+namespace shadowlab::radiosity {
+
+/// Of one light, for each patch.
+struct DirectLight {
+    std::vector<dvec3> irradiance; ///< H_i, W/m^2, the mean over the patch, in the light's colour
+    /// 0..1: what arrives, as a share of what would with nothing in between; 0 where nothing would. Where it is neither 0 nor 1, it is
+    /// found by 64 lines: as many chosen by chance would miss it by up to 1/16 (one standard deviation), these by half as much.
+    std::vector<double> visible;
+};
+
+class DirectLightBuilder {
+public:
+    /// Patches and occlusion must live as long. `receivesShadow`: of each patch, 1 or 0; 0: lit as if nothing stood between.
+    DirectLightBuilder(LightSource source, const std::vector<Patch>& patches, const Occlusion& occlusion,
+                       std::vector<std::uint8_t> receivesShadow);
+
+    /// Goes on until all is done (true) or the time has come, but always a bit. The numbers are the same for any deadlines and
+    /// any number of threads.
+    bool advance(std::chrono::steady_clock::time_point deadline);
+    /// 0..1 of all patches.
+    [[nodiscard]] double done() const;
+    [[nodiscard]] DirectLight take() { return std::move(light_); }
+
+private:
+    void fill(std::size_t i);
+    [[nodiscard]] double visibleShare(const Patch& patch) const;
+
+    LightSource source_;
+    const std::vector<Patch>& patches_;
+    const Occlusion& occlusion_;
+    std::vector<std::uint8_t> receivesShadow_;
+    DirectLight light_;
+    std::size_t next_ = 0; ///< patch
+};
+
+/// What arrives at a point.
+struct Arriving {
+    dvec3 irradiance{0.0}; ///< W/m^2, in the light's colour
+    double visible = 0;    ///< as in DirectLight; of lights without an area 0 or 1
+};
+
+/// At a point of a surface with that unit normal. `blockers`: those of a polygon that it lies in, from LightSource::blockers(); none
+/// where no shadow is received.
+Arriving arrivingAt(const dvec3& positionCentred, const dvec3& normal, const LightSource& source,
+                    const Occlusion& occlusion, const Blockers& blockers);
+
+} // namespace shadowlab::radiosity
