@@ -10,16 +10,10 @@
 #include <span>
 #include <vector>
 
+#include "techniques/radiosity/direct_light.h"
 #include "techniques/radiosity/patch_borders.h"
 
 namespace shadowlab::radiosity {
-
-/// What one light sends to the patches without detour.
-struct DirectLight {
-    /// Of each patch: the share of it that the light reaches, 0 to 1. Between these the edge of its shadow goes through.
-    std::vector<double> visibleShare;
-    std::vector<dvec3> radiosity; ///< of each patch: what of that light it reflects, W/m^2, shadow included
-};
 
 struct RefinementLimits {
     std::size_t mostPatches = 5000;
@@ -43,12 +37,13 @@ struct Refinement {
 };
 
 /// Those to be cut next, by their numbers. A few rounds, each with some more patches, find what one round from coarse patches
-/// cannot see. `radiosity`: of each patch, W/m^2; its luminance counts. Patches that are wrong by as much power, to six digits,
-/// are cut together or not at all: what is symmetric stays so. A patch with nearly three times the area of a neighbour that is
-/// cut is cut too, so that no neighbours are more than one level apart that were not so from the start.
+/// cannot see. `radiosity` (W/m^2) and `reflectance`: of each patch; their luminance counts. `lights`: what each light brings.
+/// Patches that are wrong by as much power, to six digits, are cut together or not at all: what is symmetric stays so. A patch
+/// with nearly three times the area of a neighbour that is cut is cut too, so that no neighbours are more than one level apart
+/// that were not so from the start.
 std::vector<Refinement> patchesToRefine(const std::vector<Patch>& patches, const PatchBorders& borders,
-                                        std::span<const dvec3> radiosity, std::span<const DirectLight> lights,
-                                        const RefinementLimits& limits);
+                                        std::span<const dvec3> radiosity, std::span<const dvec3> reflectance,
+                                        std::span<const DirectLight> lights, const RefinementLimits& limits);
 
 /// The patches after that, in the order of their faces as before.
 struct Refined {
