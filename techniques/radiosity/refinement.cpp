@@ -33,9 +33,9 @@ double byGradient(const std::vector<Patch>& patches, const PatchBorders& borders
 }
 
 /// Where a share s of the patch gets u and the rest nothing, the mean is s u, and points are off by 2 s (1 - s) u in the mean.
-double byShadow(const DirectLight& light, std::size_t number) {
-    const double share = light.visibleShare[number];
-    return share > 0 && share < 1 ? 2 * (1 - share) * luminance(light.radiosity[number]) : 0;
+double byShadow(const DirectLight& light, std::span<const dvec3> reflectance, std::size_t number) {
+    const double share = light.visible[number];
+    return share > 0 && share < 1 ? 2 * (1 - share) * luminance(reflectance[number] * light.irradiance[number]) : 0;
 }
 
 /// To six digits: what rounding makes of equal numbers is equal again.
@@ -113,8 +113,8 @@ std::vector<Polygon> piecesOf(const Patch& patch) {
 } // namespace
 
 std::vector<Refinement> patchesToRefine(const std::vector<Patch>& patches, const PatchBorders& borders,
-                                        std::span<const dvec3> radiosity, std::span<const DirectLight> lights,
-                                        const RefinementLimits& limits) {
+                                        std::span<const dvec3> radiosity, std::span<const dvec3> reflectance,
+                                        std::span<const DirectLight> lights, const RefinementLimits& limits) {
     double power = 0, area = 0;
     for (std::size_t i = 0; i < patches.size(); ++i) {
         power += patches[i].area * luminance(radiosity[i]);
@@ -127,9 +127,10 @@ std::vector<Refinement> patchesToRefine(const std::vector<Patch>& patches, const
     std::vector<Candidate> candidates;
     std::vector<Reason> reasons(patches.size(), Reason::balance);
     for (std::uint32_t i = 0; i < patches.size(); ++i) {
-        Wrong wrong{byGradient(patches, borders, radiosity, i), Reason::gradient};
+        Wrong wrong{limits.gradientWeight * byGradient(patches, borders, radiosity, i), Reason::gradient};
         for (const DirectLight& light : lights)
-            if (const double shadow = byShadow(light, i); shadow > wrong.mean) wrong = {shadow, Reason::shadow};
+            if (const double shadow = byShadow(light, reflectance, i); shadow > wrong.mean)
+                wrong = {shadow, Reason::shadow};
         if (patches[i].area < limits.smallestArea || !(wrong.mean * area > limits.smallestError * power)) continue;
         candidates.push_back({rounded(wrong.mean * patches[i].area), i});
         reasons[i] = wrong.reason;

@@ -10,22 +10,19 @@
 #include <span>
 #include <vector>
 
+#include "techniques/radiosity/direct_light.h"
 #include "techniques/radiosity/patch_borders.h"
 
 namespace shadowlab::radiosity {
-
-/// What one light sends to the patches without detour.
-struct DirectLight {
-    std::vector<double>
-        visibleShare; ///< of each patch: the share of it, or of the light, that lies in view of the other, 0 to 1
-    std::vector<dvec3> radiosity; ///< of each patch: what of that light it reflects, W/m^2, shadow included
-};
 
 struct RefinementLimits {
     std::size_t mostPatches = 5000;
     /// A patch whose radiosity is wrong by less than this share of the mean of all is left as it is.
     double smallestError = 0.02;
     double smallestArea = 0; ///< m^2; none below is cut
+    /// 1 where every patch is drawn in one colour; less where colours are interpolated, which shows a plain gradient right, and
+    /// no edge of a shadow.
+    double gradientWeight = 1;
 };
 
 /// A patch to be cut, and why.
@@ -40,13 +37,13 @@ struct Refinement {
 };
 
 /// Those to be cut next, by their numbers. A few rounds, each with some more patches, find what one round from coarse patches
-/// cannot see. Radiosity counts by its luminance; one number for each patch and colour, W/m^2. Patches
-/// that are wrong by as much power, to six digits, are cut together or not at all: what is symmetric stays so. A patch with
-/// nearly three times the area of a neighbour that is cut is cut too, so that no neighbours are more than one level apart that
-/// were not so from the start.
+/// cannot see. `radiosity` (W/m^2) and `reflectance`: of each patch; their luminance counts. `lights`: what each light brings.
+/// Patches that are wrong by as much power, to six digits, are cut together or not at all: what is symmetric stays so. A patch
+/// with nearly three times the area of a neighbour that is cut is cut too, so that no neighbours are more than one level apart
+/// that were not so from the start.
 std::vector<Refinement> patchesToRefine(const std::vector<Patch>& patches, const PatchBorders& borders,
-                                        std::span<const dvec3> radiosity, std::span<const DirectLight> lights,
-                                        const RefinementLimits& limits);
+                                        std::span<const dvec3> radiosity, std::span<const dvec3> reflectance,
+                                        std::span<const DirectLight> lights, const RefinementLimits& limits);
 
 /// The patches after that, in the order of their faces as before.
 struct Refined {

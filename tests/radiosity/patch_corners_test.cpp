@@ -249,5 +249,25 @@ TEST(PatchCorners, OtherMaterialsAndOtherSidesAreApart) {
     EXPECT_EQ(patchCorners(ofFolded, whole).count(), 6u);
 }
 
+/// What touches what does not depend on how large a scene is, or where.
+TEST(PatchCorners, ScaledAndMovedScenesHaveTheSame) {
+    const auto counts = [](const scene::Scene& scene) {
+        const Faces faces = facesOf(scene, trace::worldTriangles(scene));
+        const std::vector<Patch> patches =
+            cutAtContacts(faces, cutIntoPatches(faces, 0.1 * sizeOf(faces.all[0].polygon)));
+        const PatchCorners corners = patchCorners(faces, patches);
+        const auto open = std::ranges::count(corners.borders.pieces, PatchBorders::kNone, &PatchBorders::Piece::across);
+        return std::array{patches.size(), corners.count(), corners.borders.pieces.size(),
+                          static_cast<std::size_t>(open), corners.borders.parted.size()};
+    };
+    const scene::Scene scene = simpleScene();
+    const auto expected = counts(scene);
+    EXPECT_GT(expected[0], 1000u);
+    EXPECT_GT(expected[4], 5u) << "nothing stands on anything: the case is too easy";
+    for (const double factor : {1.0 / 1024, 1024.0}) // of which no vertex is rounded
+        EXPECT_EQ(counts(scaled(scene, factor)), expected) << factor;
+    EXPECT_EQ(counts(moved(scene, {1048576, 0, -1048576})), expected);
+}
+
 } // namespace
 } // namespace shadowlab::radiosity

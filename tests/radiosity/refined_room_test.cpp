@@ -109,8 +109,8 @@ DirectLight directLight(const Room& room, const std::vector<Patch>& patches) {
             sum += here;
             seen += here > 0;
         }
-        light.visibleShare.push_back(seen / (kSide * kSide));
-        light.radiosity.emplace_back(kReflectance * sum / (kSide * kSide));
+        light.visible.push_back(seen / (kSide * kSide));
+        light.irradiance.emplace_back(sum / (kSide * kSide));
     }
     return light;
 }
@@ -122,10 +122,13 @@ struct Solution {
 
 Solution solved(const std::vector<Patch>& patches, const DirectLight& light, const ExchangeMatrix& exchange) {
     std::vector<double> areas;
-    for (const Patch& patch : patches)
-        areas.push_back(patch.area);
+    std::vector<dvec3> emission; // what the light itself brings, once reflected
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        areas.push_back(patches[i].area);
+        emission.push_back(kReflectance * light.irradiance[i]);
+    }
     const std::vector<dvec3> rho(patches.size(), dvec3(kReflectance));
-    const auto solver = makeSolver(SolverKind::conjugateGradients, {exchange, areas, light.radiosity, rho});
+    const auto solver = makeSolver(SolverKind::conjugateGradients, {exchange, areas, emission, rho});
     EXPECT_TRUE(solve(*solver, 1e-6, 100));
     return {patches, solver->radiosity()};
 }
@@ -153,7 +156,7 @@ double meanError(const Room& room, const Solution& solution, const Solution& smo
         const std::size_t here = patchAt(solution.patches, point.face, point.centre),
                           there = patchAt(smooth.patches, point.face, point.centre);
         const double truth = kReflectance * direct(room, point.centre, point.normal) + smooth.radiosity[there].x -
-                             ofSmooth.radiosity[there].x;
+                             kReflectance * ofSmooth.irradiance[there].x;
         sum += point.area * std::abs(solution.radiosity[here].x - truth);
         whole += point.area * truth;
     }
@@ -179,9 +182,11 @@ TEST(RefinedRoom, AsManyPatchesShowMore) {
     const double coarseError = meanError(coarse, solution, fineSolution, fineLight);
     int rounds = 0;
     for (;; ++rounds) {
-        const RefinementLimits limits{std::min(fine.patches.size(), mesh->patches.size() * 3 / 2), 0.005, 0};
-        const auto cuts = patchesToRefine(mesh->patches, patchBorders(coarse.faces, mesh->patches), solution.radiosity,
-                                          {{light}}, limits);
+        const RefinementLimits limits{.mostPatches = std::min(fine.patches.size(), mesh->patches.size() * 3 / 2),
+                                      .smallestError = 0.005};
+        const auto cuts =
+            patchesToRefine(mesh->patches, patchBorders(coarse.faces, mesh->patches), solution.radiosity,
+                            std::vector<dvec3>(mesh->patches.size(), dvec3(kReflectance)), {{light}}, limits);
         if (cuts.empty()) break;
         auto finer = std::make_unique<Refined>(refined(mesh->patches, cuts, {}));
         auto next = std::make_unique<ExchangeBuilder>(coarse.faces, finer->patches, *coarse.occlusion, kLines,

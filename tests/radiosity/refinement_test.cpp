@@ -31,11 +31,14 @@ DirectLight spotOfLight(const std::vector<Patch>& patches, double radius) {
             const Polygon& q = patch.polygon;
             lit += glm::length(glm::mix(glm::mix(q[0], q[1], s), glm::mix(q[3], q[2], s), t)) < radius;
         }
-        light.visibleShare.push_back(static_cast<double>(lit) / (kSide * kSide));
-        light.radiosity.emplace_back(light.visibleShare.back());
+        light.visible.push_back(static_cast<double>(lit) / (kSide * kSide));
+        light.irradiance.emplace_back(light.visible.back());
     }
     return light;
 }
+
+/// What they reflect: all of the light.
+std::vector<dvec3> white(const std::vector<Patch>& patches) { return std::vector<dvec3>(patches.size(), dvec3(1)); }
 
 double areaOf(const std::vector<Patch>& patches) {
     double sum = 0;
@@ -50,10 +53,11 @@ TEST(Refinement, OnlyTheEdgeOfAShadowIsCut) {
     ASSERT_EQ(patches.size(), 256u);
     const PatchBorders borders = patchBorders(faces, patches);
     const DirectLight light = spotOfLight(patches, 1.3);
-    const std::vector<Refinement> cuts = patchesToRefine(patches, borders, light.radiosity, {{light}}, {});
+    const std::vector<Refinement> cuts =
+        patchesToRefine(patches, borders, light.irradiance, white(patches), {{light}}, {});
     int shadow = 0, gradient = 0;
     for (const Refinement& cut : cuts) {
-        const double share = light.visibleShare[cut.patch];
+        const double share = light.visible[cut.patch];
         shadow += cut.reason == Reason::shadow;
         gradient += cut.reason == Reason::gradient;
         EXPECT_LT(std::abs(glm::length(patches[cut.patch].centre) - 1.3), 0.5) << "far from the edge";
@@ -64,14 +68,21 @@ TEST(Refinement, OnlyTheEdgeOfAShadowIsCut) {
     EXPECT_GE(shadow, 20);
     EXPECT_GT(gradient, 10);
     for (std::uint32_t i = 0; i < patches.size(); ++i)
-        if (light.visibleShare[i] > 0.1 && light.visibleShare[i] < 0.9) {
+        if (light.visible[i] > 0.1 && light.visible[i] < 0.9) {
             EXPECT_TRUE(std::ranges::count(cuts, i, &Refinement::patch)) << i;
         }
+    const auto edges =
+        patchesToRefine(patches, borders, light.irradiance, white(patches), {{light}}, {.gradientWeight = 0});
+    EXPECT_EQ(std::ranges::count(edges, Reason::shadow, &Refinement::reason),
+              std::ranges::count_if(light.visible, [](double share) { return share > 0 && share < 1; }));
+    EXPECT_EQ(std::ranges::count(edges, Reason::gradient, &Refinement::reason), 0);
     // Light that is even all over is no reason.
     const std::vector<dvec3> even(patches.size(), dvec3(3));
-    EXPECT_TRUE(patchesToRefine(patches, borders, even, {}, {}).empty());
-    EXPECT_TRUE(patchesToRefine(patches, borders, light.radiosity, {{light}}, {.smallestArea = 0.07}).empty());
-    EXPECT_TRUE(patchesToRefine(patches, borders, light.radiosity, {{light}}, {.smallestError = 9}).empty());
+    EXPECT_TRUE(patchesToRefine(patches, borders, even, {}, {}, {}).empty());
+    EXPECT_TRUE(
+        patchesToRefine(patches, borders, light.irradiance, white(patches), {{light}}, {.smallestArea = 0.07}).empty());
+    EXPECT_TRUE(
+        patchesToRefine(patches, borders, light.irradiance, white(patches), {{light}}, {.smallestError = 9}).empty());
 }
 
 TEST(Refinement, KeepsToABudget) {
@@ -84,8 +95,8 @@ TEST(Refinement, KeepsToABudget) {
         for (;; ++rounds) {
             const PatchBorders borders = patchBorders(faces, patches);
             const DirectLight light = spotOfLight(patches, 1.3);
-            const auto cuts =
-                patchesToRefine(patches, borders, light.radiosity, {{light}}, {most, 0.02, rounds < 5 ? 0.0 : 9.0});
+            const auto cuts = patchesToRefine(patches, borders, light.irradiance, white(patches), {{light}},
+                                              {.mostPatches = most, .smallestArea = rounds < 5 ? 0.0 : 9.0});
             if (cuts.empty()) break;
             const Refined finer = refined(patches, cuts, level);
             ASSERT_EQ(finer.patches.size(), patches.size() + 3 * cuts.size());
@@ -117,10 +128,11 @@ TEST(Refinement, NeighboursAreOneLevelApart) {
         DirectLight light;
         for (const Patch& patch : patches) {
             const dvec3 toPlace = glm::abs(patch.centre - place);
-            light.visibleShare.push_back(std::max(toPlace.x, toPlace.z) < std::sqrt(patch.area) / 2 ? 0.5 : 1);
-            light.radiosity.emplace_back(1);
+            light.visible.push_back(std::max(toPlace.x, toPlace.z) < std::sqrt(patch.area) / 2 ? 0.5 : 1);
+            light.irradiance.emplace_back(1);
         }
-        const auto cuts = patchesToRefine(patches, patchBorders(faces, patches), light.radiosity, {{light}}, {});
+        const auto cuts =
+            patchesToRefine(patches, patchBorders(faces, patches), light.irradiance, white(patches), {{light}}, {});
         EXPECT_EQ(std::ranges::count(cuts, Reason::shadow, &Refinement::reason), 1);
         balanced += static_cast<int>(cuts.size()) - 1;
         const Refined finer = refined(patches, cuts, level);
@@ -142,9 +154,9 @@ TEST(Refinement, WhatIsSymmetricStaysSo) {
     for (int round = 0; round < 3; ++round) {
         DirectLight light = spotOfLight(patches, 1.1);
         for (std::size_t i = 0; i < patches.size(); ++i) // the noise of another order of sums
-            light.radiosity[i] *= 1 + 1e-14 * static_cast<double>(i % 7);
-        const auto cuts = patchesToRefine(patches, patchBorders(faces, patches), light.radiosity, {{light}},
-                                          {.mostPatches = patches.size() + 100});
+            light.irradiance[i] *= 1 + 1e-14 * static_cast<double>(i % 7);
+        const auto cuts = patchesToRefine(patches, patchBorders(faces, patches), light.irradiance, white(patches),
+                                          {{light}}, {.mostPatches = patches.size() + 100});
         ASSERT_GT(cuts.size(), 15u);
         const auto isCut = [&](const dvec3& centre) {
             return std::ranges::any_of(
