@@ -1,12 +1,13 @@
 // What radiosity costs and how exact it is.
 //
 //   ninja -C build/release radiosity_bench
-//   build/release/tests/radiosity_bench [--plots FOLDER] growth [COUNT]...    (500 1000 2000 5000)
+//   build/release/tests/radiosity_bench [--plots FOLDER] growth [HALVINGS]    (3)
 //   build/release/tests/radiosity_bench [--plots FOLDER] solvers [COUNT]      (2000)
 //   build/release/tests/radiosity_bench [--plots FOLDER] hemicube [COUNT]     (1000)
 //
 // To be run from the folder that holds assets/. COUNT is how many patches there are at most before they are cut where things touch.
-//   growth    time, memory and what is wrong with the radiosity, against the number of patches (radiosity_growth.cpp)
+//   growth    time, memory and what is wrong with the radiosity, for patches halved so many times; 4: 20,000 patches, for which it takes
+//             3 GB and some ten minutes (radiosity_growth.cpp)
 //   solvers   what each solver knows of its error and what the error is, against time (radiosity_solvers.cpp)
 //   hemicube  form factors by drawing beside exact ones, at several sizes of the picture (radiosity_hemicube.cpp)
 // SPDX-License-Identifier: MIT
@@ -26,13 +27,35 @@
 
 namespace shadowlab::radiosity {
 
-CornellRoom::CornellRoom(std::size_t mostPatches) {
+namespace {
+
+std::vector<Patch> quartered(const std::vector<Patch>& patches) {
+    std::vector<Patch> all;
+    for (const Patch& patch : patches) {
+        const Polygon& q = patch.polygon; // a quad: the room has no others
+        for (std::size_t i = 0; i < 4; ++i) {
+            Patch piece = patch;
+            piece.polygon = {q[i], 0.5 * (q[i] + q[(i + 1) % 4]), patch.centre, 0.5 * (q[i] + q[(i + 3) % 4])};
+            piece.centre = centroid(piece.polygon);
+            piece.area = glm::length(areaVector(piece.polygon));
+            all.push_back(piece);
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+CornellRoom::CornellRoom(std::size_t mostPatches, int halvings) {
     const scene::Snapshot scene =
         scene::loadScene("assets/scenes/cornell-room.json", {.assetsRoot = {}, .allowed = {}, .limits = {}});
     const trace::WorldTriangles world = trace::worldTriangles(*scene);
     faces = facesOf(*scene, world);
     bvh_ = trace::buildBvh(world.triangles);
-    patches = cutAtContacts(faces, cutIntoPatches(faces, sizeForBudget(faces, mostPatches)));
+    patches = cutIntoPatches(faces, sizeForBudget(faces, mostPatches));
+    for (int i = 0; i < halvings; ++i)
+        patches = quartered(patches);
+    patches = cutAtContacts(faces, patches);
     std::vector<std::uint8_t> casts;
     for (const std::uint32_t object : world.objects)
         casts.push_back(scene->objects[object].castsShadow || scene->objects[object].emitterOfLight >= 0 ? 1 : 0);
@@ -68,26 +91,24 @@ int main(int count, char** arguments) {
             plots = words[1];
             words.erase(words.begin(), words.begin() + 2);
         }
-        std::vector<std::size_t> counts;
-        for (std::size_t i = 1; i < words.size(); ++i) {
-            if (words[i].size() > 6 || words[i].find_first_not_of("0123456789") != std::string::npos)
-                throw Error(ExitStatus::usage, "'" + words[i] + "' is no number of patches; give one like 2000");
-            counts.push_back(std::stoul(words[i]));
-        }
+        if (words.size() == 2 &&
+            (words[1].empty() || words[1].size() > 6 || words[1].find_first_not_of("0123456789") != std::string::npos))
+            throw Error(ExitStatus::usage, "'" + words[1] + "' is no number; give one like 2000");
+        const auto number = [&](int otherwise) { return words.size() == 2 ? std::stoi(words[1]) : otherwise; };
         std::printf("radiosity_bench");
         for (int i = 1; i < count; ++i)
             std::printf(" %s", arguments[i]);
         std::printf("   (%d threads)\n", trace::threadCount());
-        const auto only = [&](std::size_t otherwise) { return counts.empty() ? otherwise : counts.front(); };
-        const std::string part = words.empty() ? "" : words[0];
+        const std::string part = words.empty() || words.size() > 2 ? "" : words[0];
         if (part == "growth")
-            radiosity::benchGrowth(counts.empty() ? std::vector<std::size_t>{500, 1000, 2000, 5000} : counts, plots);
+            radiosity::benchGrowth(number(3), plots);
         else if (part == "solvers")
-            radiosity::benchSolvers(only(2000), plots);
+            radiosity::benchSolvers(static_cast<std::size_t>(number(2000)), plots);
         else if (part == "hemicube")
-            radiosity::benchHemicube(only(1000), plots);
+            radiosity::benchHemicube(static_cast<std::size_t>(number(1000)), plots);
         else
-            throw Error(ExitStatus::usage, "radiosity_bench [--plots FOLDER] growth|solvers|hemicube [COUNT]...");
+            throw Error(ExitStatus::usage,
+                        "what is to be measured is not said; give [--plots FOLDER] growth|solvers|hemicube [NUMBER]");
     } catch (const Error& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return static_cast<int>(error.status());

@@ -15,7 +15,8 @@ namespace shadowlab::radiosity {
 /// The built-in scene cornell-room. Its lamp is a surface like others, which emits pi times the lamp's radiance, as diffuse ones do, and
 /// hides the ceiling behind it.
 struct CornellRoom {
-    explicit CornellRoom(std::size_t mostPatches);
+    /// Cut into so many patches at most, each then so many times into four, and all where other things touch them.
+    explicit CornellRoom(std::size_t mostPatches, int halvings = 0);
     CornellRoom(const CornellRoom&) = delete; // the occlusion points into it
     CornellRoom& operator=(const CornellRoom&) = delete;
 
@@ -59,7 +60,7 @@ inline double median(std::vector<double> values) {
 }
 
 /// The parts of the bench. Each prints a table, and draws its charts into a folder unless that is empty.
-void benchGrowth(const std::vector<std::size_t>& counts, const std::filesystem::path& plots);
+void benchGrowth(int halvings, const std::filesystem::path& plots);
 void benchSolvers(std::size_t count, const std::filesystem::path& plots);
 void benchHemicube(std::size_t count, const std::filesystem::path& plots);
 

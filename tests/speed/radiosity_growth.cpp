@@ -1,6 +1,8 @@
 // Time, memory and error of the radiosity of a room, against the number of its patches.
 //
-// The error is that of cutting into patches: against the radiosity B' of the finest run, on all surfaces but the lamp.
+// From row to row the edges of all patches are halved, so that patches of one run are made of whole patches of the finer ones. (Where
+// they are not, the mean of a finer run over a patch is itself uncertain, by more than what is looked for.) The error is that of
+// cutting into patches: against the radiosity B' of the finest run, on all surfaces but the lamp.
 //   means   of each patch: B against the mean of B' over the patch
 //   flat    of each point: B of its patch against B' there, which is what a picture with one colour for a patch is wrong by
 // Both are root mean squares over the area and the three colours, as a share of that of B'.
@@ -16,6 +18,8 @@ namespace shadowlab::radiosity {
 
 namespace {
 
+constexpr std::size_t kCoarsest = 80; // patches; then 320, 1280 ...
+
 struct Run {
     std::vector<Patch> patches;
     std::vector<dvec3> radiosity;
@@ -23,10 +27,10 @@ struct Run {
     double cutMs = 0, exchangeMs = 0, solveMs = 0, bytes = 0;
 };
 
-Run runOf(std::size_t count) {
+Run runOf(int halvings) {
     Run run;
     std::optional<CornellRoom> room;
-    run.cutMs = clockMs([&] { room.emplace(count); });
+    run.cutMs = clockMs([&] { room.emplace(kCoarsest, halvings); });
     std::optional<ExchangeMatrix> exchange;
     run.exchangeMs = clockMs([&] { exchange = exactExchange(*room); });
     const Problem problem = room->problem(*exchange);
@@ -89,13 +93,13 @@ Errors errorsOf(const Run& run, const Run& finest) {
     return {std::sqrt(ofMeans / all), std::sqrt(flat / all)};
 }
 
-void draw(const std::vector<std::size_t>& counts, const std::vector<Run>& runs, const std::vector<Errors>& errors,
-          const std::filesystem::path& folder) {
+void draw(const std::vector<Run>& runs, const std::vector<Errors>& errors, const std::filesystem::path& folder) {
+    const auto patchesOf = [](const Run& run) { return static_cast<double>(run.patches.size()); };
     LogLogPlot time{.xLabel = "patches",
                     .yLabel = "seconds",
-                    .firstX = 0.8 * static_cast<double>(counts.front()),
-                    .lastX = 1.2 * static_cast<double>(counts.back()),
-                    .xMarks = {counts.begin(), counts.end()},
+                    .firstX = 0.8 * patchesOf(runs.front()),
+                    .lastX = 1.2 * patchesOf(runs.back()),
+                    .xMarks = {},
                     .firstPower = -3,
                     .lastPower = 3,
                     .lines = {{"exchange areas", "#d55e00", {}, {}}, {"conjugate gradients", "#0072b2", {}, {}}},
@@ -104,13 +108,17 @@ void draw(const std::vector<std::size_t>& counts, const std::vector<Run>& runs, 
                      .yLabel = "relative RMS error of the radiosity",
                      .firstX = time.firstX,
                      .lastX = time.lastX,
-                     .xMarks = time.xMarks,
+                     .xMarks = {},
                      .firstPower = -3,
                      .lastPower = 0,
                      .lines = {{"one colour for a patch", "#d55e00", {}, {}}, {"means of patches", "#0072b2", {}, {}}},
                      .remark = {}};
+    for (const Run& run : runs) {
+        time.xMarks.push_back(patchesOf(run));
+        error.xMarks.push_back(patchesOf(run));
+    }
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const auto patches = static_cast<double>(runs[i].patches.size());
+        const double patches = patchesOf(runs[i]);
         for (std::size_t line = 0; line < 2; ++line) {
             time.lines[line].x.push_back(patches);
             time.lines[line].y.push_back((line == 0 ? runs[i].exchangeMs : runs[i].solveMs) / 1000);
@@ -125,12 +133,12 @@ void draw(const std::vector<std::size_t>& counts, const std::vector<Run>& runs, 
 
 } // namespace
 
-void benchGrowth(const std::vector<std::size_t>& counts, const std::filesystem::path& plots) {
-    std::printf("cornell-room; each count once, solving: median of three\n");
+void benchGrowth(int halvings, const std::filesystem::path& plots) {
+    std::printf("cornell-room; each once, solving: median of three\n");
     std::printf("| %7s | %8s | %10s | %8s | %8s |\n", "patches", "cut ms", "exchange s", "solve ms", "MiB");
     std::vector<Run> runs;
-    for (const std::size_t count : counts) {
-        runs.push_back(runOf(count));
+    for (int i = 0; i <= halvings; ++i) {
+        runs.push_back(runOf(i));
         const Run& run = runs.back();
         std::printf("| %7zu | %8.1f | %10.2f | %8.1f | %8.1f |\n", run.patches.size(), run.cutMs, run.exchangeMs / 1000,
                     run.solveMs, run.bytes / (1 << 20));
@@ -144,7 +152,7 @@ void benchGrowth(const std::vector<std::size_t>& counts, const std::filesystem::
         if (&run == &runs.back()) break;
         std::printf("| %7zu | %9.5f | %9.5f |\n", run.patches.size(), errors.back().ofMeans, errors.back().flat);
     }
-    if (!plots.empty()) draw(counts, runs, errors, plots);
+    if (!plots.empty()) draw(runs, errors, plots);
 }
 
 } // namespace shadowlab::radiosity
