@@ -100,7 +100,7 @@ void draw(const std::vector<Run>& runs, const std::vector<Errors>& errors, const
                     .firstX = 0.8 * patchesOf(runs.front()),
                     .lastX = 1.2 * patchesOf(runs.back()),
                     .xMarks = {},
-                    .firstPower = -3,
+                    .firstPower = -4,
                     .lastPower = 3,
                     .lines = {{"exchange areas", "#d55e00", {}, {}}, {"conjugate gradients", "#0072b2", {}, {}}},
                     .remark = {}};
