@@ -5,9 +5,10 @@
 //   build/release/tests/radiosity_bench [--plots FOLDER] solvers [COUNT]      (2000)
 //   build/release/tests/radiosity_bench [--plots FOLDER] hemicube [COUNT]     (1000)
 //
-// To be run from the folder that holds assets/. COUNT is how many patches there are at most before they are cut where things touch.
-//   growth    time, memory and what is wrong with the radiosity, for patches halved so many times; 4: 20,000 patches, for which it takes
-//             3 GB and some ten minutes (radiosity_growth.cpp)
+// To be run from the folder that holds assets/. COUNT is how many patches there are at most, before they are cut where
+// things touch.
+//   growth    time, memory and what is wrong with the radiosity, for patches halved so many times; 4: 16,000 patches, for which it takes
+//             2 GB and some seven minutes (radiosity_growth.cpp)
 //   solvers   what each solver knows of its error and what the error is, against time (radiosity_solvers.cpp)
 //   hemicube  form factors by drawing beside exact ones, at several sizes of the picture (radiosity_hemicube.cpp)
 // SPDX-License-Identifier: MIT
@@ -99,9 +100,12 @@ int main(int count, char** arguments) {
         for (int i = 1; i < count; ++i)
             std::printf(" %s", arguments[i]);
         std::printf("   (%d threads)\n", trace::threadCount());
+        const int halvings = number(3);
         const std::string part = words.empty() || words.size() > 2 ? "" : words[0];
+        if (part == "growth" && halvings > 5) // 64,000 patches, 30 GB
+            throw Error(ExitStatus::overLimit, "more than 5 halvings fill any memory; give 4");
         if (part == "growth")
-            radiosity::benchGrowth(number(3), plots);
+            radiosity::benchGrowth(halvings, plots);
         else if (part == "solvers")
             radiosity::benchSolvers(static_cast<std::size_t>(number(2000)), plots);
         else if (part == "hemicube")
