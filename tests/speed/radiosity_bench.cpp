@@ -100,10 +100,11 @@ int main(int count, char** arguments) {
         for (int i = 1; i < count; ++i)
             std::printf(" %s", arguments[i]);
         std::printf("   (%d threads)\n", trace::threadCount());
-        const int halvings = number(3);
         const std::string part = words.empty() || words.size() > 2 ? "" : words[0];
-        if (part == "growth" && halvings > 5) // 64,000 patches, 30 GB
-            throw Error(ExitStatus::overLimit, "more than 5 halvings fill any memory; give 4");
+        const int halvings = number(3);
+        if (part == "growth" ? halvings > 5 : number(0) > 20000) // 64,000 patches: 30 GB; 20,000: 3 GB
+            throw Error(ExitStatus::overLimit,
+                        "so many patches are too many; give 5 halvings or 20000 patches at most");
         if (part == "growth")
             radiosity::benchGrowth(halvings, plots);
         else if (part == "solvers")
