@@ -4,7 +4,8 @@
 // what is seen; the form factor to a patch is the sum of the delta form factors of its pixels (hemicube_pixels.h).
 //
 // What it simplifies, beside the exact exchange areas of visible_exchange.h:
-//   - A patch's centre stands for all of it. Where patches touch, that errs by some ten in a hundred, and more pixels mend nothing.
+//   - A patch's centre stands for all of it. Between two equal squares that share an edge that is wrong by 5 in a hundred, between others
+//     that touch by more; neither more pixels nor smaller patches mend it.
 //   - A pixel is seen or not: a patch errs by about the pixels along its outline, and one smaller than a pixel may be missed.
 //   - Nearer than kNearestShare of the patch's own reach nothing is seen: things that float that low over its centre are cut
 //     open. What touches the patch along its edges, or stands beyond them, is seen whole.

@@ -1,0 +1,121 @@
+// What radiosity costs and how exact it is.
+//
+//   ninja -C build/release radiosity_bench
+//   build/release/tests/radiosity_bench [--plots FOLDER] growth [HALVINGS]    (3)
+//   build/release/tests/radiosity_bench [--plots FOLDER] solvers [COUNT]      (2000)
+//   build/release/tests/radiosity_bench [--plots FOLDER] hemicube [COUNT]     (1000)
+//
+// To be run from the folder that holds assets/. COUNT is how many patches there are at most, before they are cut where
+// things touch.
+//   growth    time, memory and what is wrong with the radiosity, for patches halved so many times; 4: 16,000 patches, for which it takes
+//             2 GB and some seven minutes (radiosity_growth.cpp)
+//   solvers   what each solver knows of its error and what the error is, against time (radiosity_solvers.cpp)
+//   hemicube  form factors by drawing beside exact ones, at several sizes of the picture (radiosity_hemicube.cpp)
+// SPDX-License-Identifier: MIT
+#include "tests/speed/radiosity_bench.h"
+
+#include <cstdio>
+#include <string>
+
+#include <glm/gtc/constants.hpp>
+
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/trace/bvh_build.h"
+#include "techniques/foundation/trace/parallel.h"
+#include "techniques/radiosity/contacts.h"
+#include "techniques/radiosity/solvers.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+std::vector<Patch> quartered(const std::vector<Patch>& patches) {
+    std::vector<Patch> all;
+    for (const Patch& patch : patches) {
+        const Polygon& q = patch.polygon; // a quad: the room has no others
+        for (std::size_t i = 0; i < 4; ++i) {
+            Patch piece = patch;
+            piece.polygon = {q[i], 0.5 * (q[i] + q[(i + 1) % 4]), patch.centre, 0.5 * (q[i] + q[(i + 3) % 4])};
+            piece.centre = centroid(piece.polygon);
+            piece.area = glm::length(areaVector(piece.polygon));
+            all.push_back(piece);
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+CornellRoom::CornellRoom(std::size_t mostPatches, int halvings) {
+    const scene::Snapshot scene =
+        scene::loadScene("assets/scenes/cornell-room.json", {.assetsRoot = {}, .allowed = {}, .limits = {}});
+    const trace::WorldTriangles world = trace::worldTriangles(*scene);
+    faces = facesOf(*scene, world);
+    bvh_ = trace::buildBvh(world.triangles);
+    patches = cutIntoPatches(faces, sizeForBudget(faces, mostPatches));
+    for (int i = 0; i < halvings; ++i)
+        patches = quartered(patches);
+    patches = cutAtContacts(faces, patches);
+    std::vector<std::uint8_t> casts;
+    for (const std::uint32_t object : world.objects)
+        casts.push_back(scene->objects[object].castsShadow || scene->objects[object].emitterOfLight >= 0 ? 1 : 0);
+    occlusion.emplace(faces, *bvh_, casts);
+    for (const Patch& patch : patches) {
+        const scene::Material& material = scene->materials[faces.all[patch.face].material];
+        emission.push_back(glm::pi<double>() * dvec3(material.emission));
+        reflectance.emplace_back(material.diffuse);
+    }
+}
+
+std::vector<double> CornellRoom::areas() const {
+    std::vector<double> areas;
+    for (const Patch& patch : patches)
+        areas.push_back(patch.area);
+    return areas;
+}
+
+std::vector<dvec3> solved(const Problem& problem) {
+    const auto solver = makeSolver(SolverKind::conjugateGradients, problem);
+    if (!solve(*solver, 1e-6, 1000)) throw Error(ExitStatus::bug, "conjugate gradients did not solve the room");
+    return solver->radiosity();
+}
+
+} // namespace shadowlab::radiosity
+
+int main(int count, char** arguments) {
+    using namespace shadowlab;
+    try {
+        std::vector<std::string> words(arguments + 1, arguments + count);
+        std::string plots;
+        if (words.size() >= 2 && words[0] == "--plots") {
+            plots = words[1];
+            words.erase(words.begin(), words.begin() + 2);
+        }
+        if (words.size() == 2 &&
+            (words[1].empty() || words[1].size() > 6 || words[1].find_first_not_of("0123456789") != std::string::npos))
+            throw Error(ExitStatus::usage, "'" + words[1] + "' is no number; give one like 2000");
+        const auto number = [&](int otherwise) { return words.size() == 2 ? std::stoi(words[1]) : otherwise; };
+        std::printf("radiosity_bench");
+        for (int i = 1; i < count; ++i)
+            std::printf(" %s", arguments[i]);
+        std::printf("   (%d threads)\n", trace::threadCount());
+        const std::string part = words.empty() || words.size() > 2 ? "" : words[0];
+        const int halvings = number(3);
+        if (part == "growth" ? halvings > 5 : number(0) > 20000) // 64,000 patches: 30 GB; 20,000: 3 GB
+            throw Error(ExitStatus::overLimit,
+                        "so many patches are too many; give 5 halvings or 20000 patches at most");
+        if (part == "growth")
+            radiosity::benchGrowth(halvings, plots);
+        else if (part == "solvers")
+            radiosity::benchSolvers(static_cast<std::size_t>(number(2000)), plots);
+        else if (part == "hemicube")
+            radiosity::benchHemicube(static_cast<std::size_t>(number(1000)), plots);
+        else
+            throw Error(ExitStatus::usage,
+                        "what is to be measured is not said; give [--plots FOLDER] growth|solvers|hemicube [NUMBER]");
+    } catch (const Error& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return static_cast<int>(error.status());
+    }
+}
