@@ -13,23 +13,29 @@ namespace {
 // They miss what is seen in part by 1/40 or so; and a patch is no smaller than a shadow's edge anyway.
 constexpr int kLines = 64;
 
-/// Of lines that are tried, the share of their weight that is free.
+/// Lines that are tried: the share of their weight that is free, and of their number.
 struct Tried {
-    double free = 0, all = 0;
-    void add(double weight, bool isFree) {
+    double free = 0, all = 0, freeCount = 0, count = 0;
+    /// `countWeight`: what the line counts where all of the light counts alike.
+    void add(double weight, double countWeight, bool isFree) {
         all += weight;
+        count += countWeight;
         if (isFree) free += weight;
+        if (isFree && weight > 0) freeCount += countWeight;
     }
     [[nodiscard]] double share() const { return all > 0 ? free / all : 0; }
+    [[nodiscard]] double seenArea() const { return count > 0 ? freeCount / count : 0; }
 };
 
 } // namespace
 
 DirectLightBuilder::DirectLightBuilder(LightSource source, const std::vector<Patch>& patches,
                                        const Occlusion& occlusion, std::vector<std::uint8_t> receivesShadow)
-    : source_(std::move(source)), patches_(patches), occlusion_(occlusion),
-      receivesShadow_(std::move(receivesShadow)), light_{std::vector<dvec3>(patches.size(), dvec3(0.0)),
-                                                         std::vector<double>(patches.size(), 0.0)} {}
+    : source_(std::move(source)), patches_(patches), occlusion_(occlusion), receivesShadow_(std::move(receivesShadow)) {
+    light_.irradiance.resize(patches.size(), dvec3(0.0));
+    light_.visible.resize(patches.size(), 0.0);
+    light_.seenArea.resize(patches.size(), 0.0);
+}
 
 bool DirectLightBuilder::advance(std::chrono::steady_clock::time_point deadline) {
     next_ = trace::parallelUntil(deadline, next_, patches_.size(), [&](std::size_t i) { fill(i); });
@@ -44,41 +50,41 @@ void DirectLightBuilder::fill(std::size_t i) {
     const Patch& patch = patches_[i];
     const double whole = source_.meanIrradiance(patch);
     if (!(whole > 0)) return;
-    const double visible = receivesShadow_[i] ? visibleShare(patch) : 1;
-    light_.irradiance[i] = visible * whole * source_.color();
-    light_.visible[i] = visible;
+    const Blockers blockers = receivesShadow_[i] ? source_.blockers(patch.polygon, occlusion_) : Blockers{};
+    if (!blockers.empty() && source_.isHidden(patch.polygon, occlusion_, blockers)) return;
+    tryLines(i, blockers);
+    if (blockers.empty()) light_.visible[i] = 1; // for certain
+    light_.irradiance[i] = light_.visible[i] * whole * source_.color();
 }
 
-double DirectLightBuilder::visibleShare(const Patch& patch) const {
-    const Blockers blockers = source_.blockers(patch.polygon, occlusion_);
-    if (blockers.empty()) return 1;
-    if (source_.isHidden(patch.polygon, occlusion_, blockers)) return 0;
+void DirectLightBuilder::tryLines(std::size_t i, const Blockers& blockers) {
+    const Patch& patch = patches_[i];
     const Polygon reached = source_.reached(patch);
-    if (reached.isEmpty()) return 0;
+    if (reached.isEmpty()) return;
     Tried tried;
-    for (int i = 0; i < kLines; ++i) {
-        const auto x = evenly(i, kLines);
+    for (int l = 0; l < kLines; ++l) {
+        const auto x = evenly(l, kLines);
         const Place place = placeIn(reached, x[0], x[1]);
         const LightLine line = source_.line(place.point, patch.normal, x[2], x[3]);
-        if (line.weight > 0)
-            tried.add(place.weight * line.weight, !occlusion_.hide(blockers, place.point, line.fromCentred));
+        const bool isFree =
+            line.weight > 0 && (blockers.empty() || !occlusion_.hide(blockers, place.point, line.fromCentred));
+        tried.add(place.weight * line.weight, place.weight, isFree);
     }
-    return tried.share();
+    light_.visible[i] = tried.share();
+    light_.seenArea[i] = tried.seenArea();
 }
 
-Arriving arrivingAt(const dvec3& positionCentred, const dvec3& normal, const LightSource& source,
-                    const Occlusion& occlusion, const Blockers& blockers) {
+Arriving arrivingAt(const dvec3& positionCentred, const dvec3& normal, const LightSource& source, const Hides& hides) {
     const double whole = source.irradiance(positionCentred, normal);
     if (!(whole > 0)) return {};
-    if (blockers.empty()) return {whole * source.color(), 1};
     Tried tried;
     const int lines = source.hasArea() ? kLines : 1;
     for (int i = 0; i < lines; ++i) {
         const auto x = evenly(i, lines);
         const LightLine line = source.line(positionCentred, normal, x[0], x[1]);
-        if (line.weight > 0) tried.add(line.weight, !occlusion.hide(blockers, positionCentred, line.fromCentred));
+        tried.add(line.weight, 1, line.weight > 0 && !hides(positionCentred, line.fromCentred));
     }
-    return {tried.share() * whole * source.color(), tried.share()};
+    return {tried.share() * whole * source.color(), tried.seenArea()};
 }
 
 } // namespace shadowlab::radiosity

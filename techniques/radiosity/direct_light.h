@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>
+#include <functional>
 
 #include "techniques/radiosity/light_source.h"
 
@@ -16,6 +17,8 @@ struct DirectLight {
     /// 0..1: what arrives, as a share of what would with nothing in between; 0 where nothing would. Where it is neither 0 nor 1, it is
     /// found by 64 lines: as many chosen by chance would miss it by up to 1/16 (one standard deviation), these by half as much.
     std::vector<double> visible;
+    /// 0..1: the share of the light's area that is seen, on average: what is behind the patch's plane is not.
+    std::vector<double> seenArea;
 };
 
 class DirectLightBuilder {
@@ -33,7 +36,7 @@ public:
 
 private:
     void fill(std::size_t i);
-    [[nodiscard]] double visibleShare(const Patch& patch) const;
+    void tryLines(std::size_t i, const Blockers& blockers);
 
     LightSource source_;
     const std::vector<Patch>& patches_;
@@ -46,12 +49,14 @@ private:
 /// What arrives at a point.
 struct Arriving {
     dvec3 irradiance{0.0}; ///< W/m^2, in the light's colour
-    double visible = 0;    ///< as in DirectLight; of lights without an area 0 or 1
+    double seenArea = 0;   ///< as in DirectLight; of lights without an area 0 or 1
 };
 
-/// At a point of a surface with that unit normal. `blockers`: those of a polygon that it lies in, from LightSource::blockers(); none
-/// where no shadow is received.
-Arriving arrivingAt(const dvec3& positionCentred, const dvec3& normal, const LightSource& source,
-                    const Occlusion& occlusion, const Blockers& blockers);
+/// Does something stand between two points?
+using Hides = std::function<bool(const dvec3& fromCentred, const dvec3& toCentred)>;
+
+/// At a point of a surface with that unit normal, by 64 lines to a light with an area and one to others. `hides`: asked of the point
+/// and points of the light.
+Arriving arrivingAt(const dvec3& positionCentred, const dvec3& normal, const LightSource& source, const Hides& hides);
 
 } // namespace shadowlab::radiosity

@@ -20,6 +20,10 @@ double kernel(const Patch& a, const Patch& b, const dvec3& from, const dvec3& to
     return std::max(0.0, glm::dot(a.normal, way)) * std::max(0.0, -glm::dot(b.normal, way)) / (square * square);
 }
 
+// To what share of itself the exchange with nothing in between is found; where lines are to say how much of it is left, they err
+// by a hundredth at best.
+constexpr double kWhole = 1e-7, kInPart = 1e-4;
+
 } // namespace
 
 VisibleExchange visibleExchange(const Patch& a, const Patch& b, const Occlusion& occlusion, const Blockers& known,
@@ -28,14 +32,14 @@ VisibleExchange visibleExchange(const Patch& a, const Patch& b, const Occlusion&
     if (isBehind(a.plane(), b.polygon, 0) || isBehind(b.plane(), a.polygon, 0)) return {};
     const Blockers blockers = known.empty() ? known : occlusion.between(a.polygon, b.polygon, &known);
     if (!blockers.empty() && occlusion.hideAll(blockers, a.polygon, b.polygon)) return {Kind::hidden, 0, 0};
-    const Exchange whole = unoccludedExchange(a.polygon, b.polygon);
+    const Exchange whole = unoccludedExchange(a.polygon, b.polygon, blockers.empty() ? kWhole : kInPart);
     if (whole.area <= 0) return {};
     if (blockers.empty()) return {Kind::full, whole.area, whole.error};
     const double share = whole.area / std::min(a.area, b.area);
     const int lines = static_cast<int>(std::clamp(std::ceil(linesInAll * share), kFewestLines, kMostLines));
     double free = 0, all = 0, squares = 0;
     for (int i = 0; i < lines; ++i) {
-        const auto x = evenly(i);
+        const auto x = evenly(i, lines);
         const Place from = placeIn(a.polygon, x[0], x[1]), to = placeIn(b.polygon, x[2], x[3]);
         const double weight = from.weight * to.weight * kernel(a, b, from.point, to.point);
         all += weight;

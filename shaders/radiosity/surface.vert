@@ -1,0 +1,15 @@
+#version 330 core
+// A surface whose fragments know where on their mesh they are: patches are looked up by that.
+#include "attributes.glsl"
+#include "clip_position.glsl"
+#include "texcoord.glsl"
+uniform mat4 viewFromMesh;
+out vec3 positionOnMesh;
+out vec3 positionView;
+
+void main() {
+    gl_Position = clipPosition(vec4(positionMesh, 1.0));
+    passTexcoord();
+    positionOnMesh = positionMesh;
+    positionView = (viewFromMesh * vec4(positionMesh, 1.0)).xyz;
+}

@@ -1,0 +1,41 @@
+#version 330 core
+// The value that the patch of a pixel has: its radiosity, or any other number of each patch, as one value for all of the patch
+// or interpolated between its corners.
+#include "material.glsl"
+#include "light.glsl"
+#include "facing.glsl"
+#include "radiosity/cell.glsl"
+#include "cut_holes.glsl"
+in vec3 positionOnMesh;
+in vec3 positionView;
+uniform int interpolates;
+uniform int receivesShadow;
+uniform int emitsFromFrontOnly; // a rect light's surface is dark on its back
+out vec4 result;
+#ifdef LIGHT_MAP
+#include "radiosity/light_map.glsl"
+#endif
+
+void main() {
+    cutHoles();
+    vec2 place = placeOnFace(positionOnMesh);
+    uint number = cellAt(place);
+    uvec4 cell = number == kNoCell ? uvec4(0u) : texelFetch(cellTable, int(number));
+    vec4 value = vec4(0.0);
+    if (number != kNoCell) value = interpolates != 0 ? interpolatedValue(cell, place) : flatValue(cell);
+#ifdef LIGHT_MAP
+    if (number != kNoCell) value += lightMapValue(cell, place);
+#endif
+#if defined(RADIANCE)
+    // What is no patch shines by itself or not at all: lights, and what nobody sees.
+    bool emits = emitsFromFrontOnly == 0 || gl_FrontFacing;
+    result = vec4(number == kNoCell ? (emits ? emission : vec3(0.0)) : value.rgb, 1.0);
+#elif defined(VISIBILITY)
+    float distanceSquared;
+    vec3 toLightView = towardLight(positionView, distanceSquared);
+    bool gate = eyeSideFacesLight() && lightShinesTo(toLightView);
+    result = vec4(!gate ? 0.0 : receivesShadow == 0 ? 1.0 : number == kNoCell ? 0.0 : value.r, 1.0, 0.0, 1.0);
+#else
+    result = vec4(value.r, number == kNoCell ? 0.0 : 1.0, 0.0, 1.0);
+#endif
+}

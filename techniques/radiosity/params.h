@@ -1,0 +1,35 @@
+// The knobs of radiosity.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/foundation/params/param.h"
+#include "techniques/radiosity/room.h"
+#include "techniques/radiosity/solvers.h"
+
+namespace shadowlab::radiosity {
+
+struct RadiosityParams {
+    // What the form factors depend on.
+    int patches = 600;
+    bool cutAtContacts = true;
+    enum class FormFactors { analytic, hemicube } formFactors = FormFactors::analytic;
+    int hemicubeSide = 128;
+    bool scaleRows = true;
+
+    // What the solution depends on.
+    enum class Surroundings { background, ambient, dark } surroundings = Surroundings::background;
+    SolverKind solver = SolverKind::conjugateGradients;
+    double tolerance = 1e-4;
+    int steps = 0, stepsPerPicture = 0;
+
+    // How it is shown.
+    enum class Display { flat, interpolated, lightMap } display = Display::lightMap;
+    int lightMapPoints = 8;
+    double exposure = 0; ///< stops
+    int bounce = 2, fromPatch = -1, toPatch = -1;
+    friend bool operator==(const RadiosityParams&, const RadiosityParams&) = default;
+};
+
+/// The descriptions refer to the fields of `params`.
+params::ParamList describe(RadiosityParams& params);
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,21 @@
+// What is known of the patch that a pixel shows, and of the light that it gets from another one.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/radiosity/kept_room.h"
+#include "techniques/radiosity/light_balance.h"
+#include "techniques/radiosity/params.h"
+#include "techniques/technique.h"
+
+namespace shadowlab::radiosity {
+
+/// The patch that is seen where an eye ray ends; nothing where there is none. Loose patches have the numbers after the others.
+std::optional<std::uint32_t> patchSeen(const KeptRoom& kept, const scene::Scene& scene, const trace::EyeHit& hit);
+
+/// The one that gives most of the light that patch j gets from others; nothing if none gives any.
+std::optional<std::uint32_t> brightestGiver(const KeptRoom& kept, const LightBalance& balance, std::uint32_t j);
+
+/// Adds what there is to say of patch j, and of its partner if it has one.
+void describePatch(const KeptRoom& kept, const Sources& sources, const LightBalance& balance, std::uint32_t j,
+                   int light, std::optional<std::uint32_t> partner, Probe& probe);
+
+} // namespace shadowlab::radiosity

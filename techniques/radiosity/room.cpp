@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/room.h"
+
+#include "techniques/foundation/trace/bvh_build.h"
+#include "techniques/foundation/trace/parallel.h"
+#include "techniques/radiosity/contacts.h"
+#include "techniques/radiosity/look_around.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+// Of the budget, what the faces of curved meshes may take at most: the flat ones have to be cut as well.
+constexpr double kShareOfFaces = 0.5;
+
+} // namespace
+
+Room::Room(const scene::Scene& scene, RoomSettings settings) : scene_(scene), settings_(std::move(settings)) {}
+
+bool Room::advance(std::chrono::steady_clock::time_point deadline) {
+    do {
+        switch (phase_) {
+        case Phase::simplify:
+            simplify();
+            phase_ = Phase::cut;
+            break;
+        case Phase::cut:
+            cut();
+            phase_ = Phase::lookAround;
+            break;
+        case Phase::lookAround:
+            nextPatch_ = trace::parallelUntil(deadline, nextPatch_, patches_.size(), [&](std::size_t i) {
+                const Seen seen = lookAround(tracer_, sides_, patches_[i]);
+                surroundings_[i] = seen.nothing;
+                inside_[i] = seen.insides;
+            });
+            if (nextPatch_ < patches_.size()) return false;
+            leaveOutCovered();
+            phase_ = Phase::done;
+            break;
+        case Phase::done: return true;
+        }
+    } while (phase_ == Phase::done || std::chrono::steady_clock::now() < deadline);
+    return false;
+}
+
+void Room::simplify() {
+    simple_ = simplifiedScene(scene_, static_cast<std::size_t>(kShareOfFaces * static_cast<double>(settings_.patches)));
+    world_ = trace::worldTriangles(*simple_->scene);
+    plain_ = facesOf(*simple_->scene, world_);
+    bvh_ = trace::buildBvh(world_.triangles);
+    std::vector<std::uint8_t> casts;
+    for (const std::uint32_t object : world_.objects)
+        casts.push_back(simple_->scene->objects[object].castsShadow ? 1 : 0);
+    occlusion_.emplace(plain_, *bvh_, std::move(casts));
+    tracer_.advance(simple_->scene, std::chrono::steady_clock::time_point::max());
+}
+
+void Room::cut() {
+    sides_ = sidesOf(*simple_->scene, world_, plain_, settings_.lightWithin);
+    Faces loose;
+    exchangingFaces_.ofTriangle = sides_.faces.ofTriangle;
+    for (std::size_t i = 0; i < sides_.faces.all.size(); ++i)
+        (i < sides_.exchanging ? exchangingFaces_ : loose).all.push_back(sides_.faces.all[i]);
+    const double size = cutWithinBudget();
+    allPatches_ = cutIntoPatches(loose, size); // for now without the others
+    for (Patch& patch : allPatches_)
+        patch.face += static_cast<std::uint32_t>(sides_.exchanging);
+    surroundings_.resize(patches_.size());
+    inside_.resize(patches_.size());
+}
+
+double Room::cutWithinBudget() {
+    // How many patches contacts will make of one is not known before: what is too much is taken off the budget, a few times.
+    constexpr int kTries = 6;
+    std::size_t budget = settings_.patches;
+    for (int i = 0;; ++i) {
+        const double size = sizeForBudget(exchangingFaces_, budget);
+        patches_ = cutIntoPatches(exchangingFaces_, size);
+        if (settings_.cutsAtContacts) patches_ = cutAtContacts(exchangingFaces_, std::move(patches_));
+        const std::size_t count = patches_.size();
+        if (count <= settings_.patches || budget == 0 || i == kTries) return size;
+        budget = std::min(budget - 1, budget * settings_.patches / count);
+    }
+}
+
+void Room::leaveOutCovered() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+        if (inside_[i] == 1) continue;
+        patches_[kept] = patches_[i];
+        surroundings_[kept] = surroundings_[i];
+        ++kept;
+    }
+    coveredPatches_ = patches_.size() - kept;
+    patches_.resize(kept);
+    surroundings_.resize(kept);
+    allPatches_.insert(allPatches_.begin(), patches_.begin(), patches_.end());
+}
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/stages.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+
+#include "techniques/foundation/look.h"
+#include "techniques/radiosity/matrix_picture.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+/// The radiance of a Lambertian surface of that radiosity, as the exposure shows it.
+double radiancePerRadiosity(const RadiosityParams& params) { return std::exp2(params.exposure) / glm::pi<double>(); }
+
+std::vector<dvec3> times(double factor, std::span<const dvec3> values) {
+    std::vector<dvec3> all(values.begin(), values.end());
+    for (dvec3& value : all)
+        value *= factor;
+    return all;
+}
+
+double luminance(const dvec3& rgb) { return glm::dot(rgb, dvec3(0.2126, 0.7152, 0.0722)); } // of sRGB's primaries
+
+void publishRadiance(const Showing& showing, std::string_view stage, std::span<const dvec3> radiosity,
+                     bool interpolates) {
+    if (showing.frame.wants(stage))
+        showing.frame.drawStage(stage, kNoLight, GL_RGBA16F, [&] {
+            const vec3& background = showing.frame.scene().background;
+            glClearColor(background.r, background.g, background.b, 1);
+            glClear(GL_COLOR_BUFFER_BIT);
+            showing.draw(radiosity, interpolates);
+        });
+}
+
+void publishScalar(const Showing& showing, std::string_view stage, const std::vector<dvec3>& values,
+                   const Display& display) {
+    showing.frame.drawStage(
+        stage, kNoLight, GL_RG32F,
+        [&] {
+            const auto uploaded = SurfacePicture::upload(cellValues(showing.kept.cells(), values));
+            showing.picture.drawScalar(showing.frame, uploaded, false);
+        },
+        display);
+}
+
+/// One number of each patch that exchanges light; of the others, `ofLoose`.
+std::vector<dvec3> asValues(const Showing& showing, std::span<const double> numbers, double ofLoose) {
+    std::vector<dvec3> values;
+    for (const double number : numbers)
+        values.emplace_back(number);
+    values.resize(showing.sources.size(), dvec3(ofLoose));
+    return values;
+}
+
+void publishPatches(const Showing& showing) {
+    static const std::vector<KeyEntry> key = {{look::linearFromSrgb8(0xB8, 0xB8, 0xB4), "patch, cut to size"},
+                                              {look::kNoSurface, "border of a patch"}};
+    std::vector<dvec3> colors(showing.sources.size(), dvec3(key[0].colorLinear));
+    showing.frame.drawStage("patches", kNoLight, GL_RGBA16F,
+                            [&] {
+                                const auto uploaded = SurfacePicture::upload(cellValues(showing.kept.cells(), colors));
+                                showing.picture.drawOutlines(showing.frame, uploaded, key[1].colorLinear);
+                            },
+                            {.unit = "", .key = key});
+}
+
+/// Whose form factors are looked at: the one asked for, or the one that sends the most light.
+std::size_t lookedAt(const Showing& showing) {
+    const std::size_t count = showing.kept.room().patches().size();
+    if (showing.params.fromPatch >= 0 && static_cast<std::size_t>(showing.params.fromPatch) < count)
+        return static_cast<std::size_t>(showing.params.fromPatch);
+    std::size_t best = 0;
+    double most = -1;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double power = luminance(showing.balance.radiosity()[i]) * showing.kept.exchange().areas[i];
+        if (power > most) {
+            most = power;
+            best = i;
+        }
+    }
+    return best;
+}
+
+void publishFormFactors(const Showing& showing) {
+    const std::size_t count = showing.kept.room().patches().size();
+    std::vector<double> shares(count, 0.0);
+    double most = 0;
+    if (count > 0) {
+        const std::size_t from = lookedAt(showing);
+        for (std::size_t j = 0; j < count; ++j)
+            shares[j] = 100 * showing.kept.exchange().matrix(from, j) / showing.kept.exchange().areas[from];
+        most = *std::ranges::max_element(shares);
+    }
+    publishScalar(showing, "form-factors", asValues(showing, shares, 0),
+                  {.minimum = 0, .maximum = most > 0 ? most : 1, .unit = "% of its light", .key = {}});
+}
+
+void publishResidual(const Showing& showing) {
+    std::vector<dvec3> values = showing.balance.residual();
+    double most = 0;
+    for (dvec3& value : values) {
+        value = dvec3(std::abs(luminance(value)));
+        most = std::max(most, value.x);
+    }
+    publishScalar(showing, "residual", values,
+                  {.minimum = 0, .maximum = most > 0 ? most : 1, .unit = "W/m^2", .key = {}});
+}
+
+void publishVisibility(const Showing& showing, int light, const LightMap* map) {
+    const SurfaceCells& cells = showing.kept.cells();
+    if (map) {
+        const LightMap::Values seen = map->seenArea(cells, light);
+        const std::vector<dvec3> nothing(showing.sources.size(), dvec3(0)); // all of it is in the map
+        const auto uploaded = SurfacePicture::upload(cellValues(cells, nothing, seen.atBlends));
+        const auto lattices = SurfacePicture::upload(map->boxes(), seen.atPoints, map->side());
+        showing.frame.drawStage("visibility", light, GL_RG32F,
+                                [&] { showing.picture.drawVisibility(showing.frame, uploaded, lattices, light); });
+        return;
+    }
+    std::vector<dvec3> shares;
+    for (const double share : showing.kept.light(light).seenArea)
+        shares.emplace_back(share);
+    const auto uploaded = SurfacePicture::upload(cellValues(cells, shares));
+    const bool interpolates = showing.params.display != RadiosityParams::Display::flat;
+    showing.frame.drawStage("visibility", light, GL_RG32F,
+                            [&] { showing.picture.drawVisibility(showing.frame, uploaded, interpolates, light); });
+}
+
+} // namespace
+
+void Showing::draw(std::span<const dvec3> radiosity, bool interpolates) const {
+    const std::vector<dvec3> radiance = times(radiancePerRadiosity(params), radiosity);
+    picture.drawRadiance(frame, SurfacePicture::upload(cellValues(kept.cells(), radiance)), interpolates);
+}
+
+void Showing::draw(const LightMap& map) const {
+    // What came by way of other patches, or from outside, changes slowly: it is interpolated. The rest is in the map.
+    const double factor = radiancePerRadiosity(params);
+    std::vector<dvec3> indirect = times(factor, balance.radiosity());
+    for (std::size_t i = 0; i < indirect.size(); ++i)
+        indirect[i] -= factor * (sources.emission[i] + sources.reflectance[i] * sources.fromLights[i]);
+    const LightMap::Values direct = map.radiance(kept.cells(), sources, factor);
+    std::vector<dvec3> atBlends = blended(kept.cells(), indirect);
+    for (std::size_t i = 0; i < atBlends.size(); ++i)
+        atBlends[i] += direct.atBlends[i];
+    picture.drawRadiance(frame, SurfacePicture::upload(cellValues(kept.cells(), indirect, atBlends)),
+                         SurfacePicture::upload(map.boxes(), direct.atPoints, map.side()));
+}
+
+void publishStages(const Showing& showing, const LightMap* map) {
+    const Frame& frame = showing.frame;
+    if (frame.wants("patches")) publishPatches(showing);
+    if (frame.wants("form-factors")) publishFormFactors(showing);
+    if (frame.wants("matrix")) publishMatrix(showing.frame, showing.kept.exchange());
+    if (frame.wants("row-sums")) {
+        const std::vector<double>& sums = showing.kept.exchange().rowSums;
+        const double most = sums.empty() ? 1 : std::max(1.0, *std::ranges::max_element(sums));
+        publishScalar(showing, "row-sums", asValues(showing, sums, 0),
+                      {.minimum = 0, .maximum = most, .unit = "sum of form factors", .key = {}});
+    }
+    if (frame.wants("surroundings"))
+        publishScalar(showing, "surroundings", asValues(showing, showing.kept.room().surroundings(), 1),
+                      {.minimum = 0, .maximum = 1, .unit = "share of its view", .key = {}});
+    publishRadiance(showing, "emission", showing.sources.emission, false);
+    if (frame.wants("first-bounce")) publishRadiance(showing, "first-bounce", showing.balance.bounce(1), false);
+    if (frame.wants("bounce"))
+        publishRadiance(showing, "bounce", showing.balance.bounce(static_cast<std::size_t>(showing.params.bounce)),
+                        false);
+    if (frame.wants("reflected")) {
+        std::vector<dvec3> more = showing.balance.radiosity();
+        const std::vector<dvec3> once = showing.balance.bounce(1);
+        for (std::size_t i = 0; i < more.size(); ++i)
+            more[i] = glm::max(more[i] - once[i] - showing.sources.emission[i], dvec3(0));
+        publishRadiance(showing, "reflected", more, true);
+    }
+    if (frame.wants("residual")) publishResidual(showing);
+    publishRadiance(showing, "radiosity", showing.balance.radiosity(), false);
+    publishRadiance(showing, "interpolated", showing.balance.radiosity(), true);
+    for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
+        if (frame.wants("visibility", light)) publishVisibility(showing, light, map);
+}
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,33 @@
+// Showing what radiosity has found: pictures of values of patches, the stages, and what is told in words.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+
+#include "techniques/frame.h"
+#include "techniques/radiosity/kept_room.h"
+#include "techniques/radiosity/light_balance.h"
+#include "techniques/radiosity/light_map.h"
+#include "techniques/radiosity/params.h"
+#include "techniques/radiosity/surface_picture.h"
+
+namespace shadowlab::radiosity {
+
+/// One frame, and all that there is to show.
+struct Showing {
+    Frame& frame;
+    const KeptRoom& kept;
+    const Sources& sources;
+    const LightBalance& balance;
+    const SurfacePicture& picture;
+    const RadiosityParams& params;
+
+    /// Radiosities of all patches, into what is bound.
+    void draw(std::span<const dvec3> radiosity, bool interpolates) const;
+    /// The radiosity there is, with direct light from the map.
+    void draw(const LightMap& map) const;
+};
+
+/// What is wanted of the stages. `map`: what direct light is shown by, or nullptr.
+void publishStages(const Showing& showing, const LightMap* map);
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/surface_picture.h"
+
+#include "techniques/foundation/gl/surfaces.h"
+#include "techniques/foundation/look.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+/// A shader may not read from a buffer that is not there: one texel that nothing refers to.
+template <typename Texel>
+std::vector<Texel> atLeastOne(std::vector<Texel> texels) {
+    if (texels.empty()) texels.emplace_back(0);
+    return texels;
+}
+
+} // namespace
+
+void SurfacePicture::setCells(const SurfaceCells& cells) {
+    places_ = gl::BufferTexture(atLeastOne(cells.places), "radiosity: places of triangles");
+    roots_ = gl::BufferTexture(atLeastOne(cells.roots), "radiosity: roots of triangles");
+    lines_ = gl::BufferTexture(atLeastOne(cells.lines), "radiosity: lines between patches");
+    branches_ = gl::BufferTexture(atLeastOne(cells.branches), "radiosity: branches of trees");
+    table_ = gl::BufferTexture(atLeastOne(cells.cells), "radiosity: cells");
+    borders_ = gl::BufferTexture(atLeastOne(cells.borders), "radiosity: borders of cells");
+}
+
+SurfacePicture::Values SurfacePicture::upload(const CellValues& values) {
+    return {gl::BufferTexture(atLeastOne(values.ofPatches), "radiosity: values of patches"),
+            gl::BufferTexture(atLeastOne(values.ofBorders), "radiosity: values of borders")};
+}
+
+SurfacePicture::Lattices SurfacePicture::upload(const std::vector<vec4>& boxes, const std::vector<vec4>& values,
+                                                int side) {
+    return {gl::BufferTexture(atLeastOne(boxes), "radiosity: lattices"),
+            gl::BufferTexture(atLeastOne(values), "radiosity: light map"), side};
+}
+
+void SurfacePicture::draw(const Frame& frame, const gl::Program& program, const Values& values, bool interpolates,
+                          const std::function<void()>& setUniforms) const {
+    program.use();
+    if (setUniforms) setUniforms(); // first: what it may upload would take the place of what is bound
+    int unit = gl::kFirstFreeUnit;
+    const auto bind = [&](const gl::BufferTexture& texture, std::string_view name) {
+        texture.bind(unit);
+        program.set(name, unit++);
+    };
+    bind(places_, "cellPlaces");
+    bind(roots_, "cellRoots");
+    bind(lines_, "cellLines");
+    bind(branches_, "cellBranches");
+    bind(table_, "cellTable");
+    bind(borders_, "cellBorders");
+    bind(values.ofPatches, "patchValues");
+    bind(values.ofBorders, "borderValues");
+    program.set("interpolates", interpolates ? 1 : 0);
+    glClear(GL_STENCIL_BUFFER_BIT);
+    gl::setVisibilityState();
+    gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());
+}
+
+void SurfacePicture::drawRadiance(const Frame& frame, const Values& values, bool interpolates) const {
+    draw(frame, radiance_, values, interpolates);
+}
+
+void SurfacePicture::bind(const Lattices& map, const gl::Program& program) {
+    constexpr int kFirst = gl::kFirstFreeUnit + 8; // after what draw() binds
+    map.boxes.bind(kFirst);
+    map.values.bind(kFirst + 1);
+    program.set("latticeBoxes", kFirst);
+    program.set("latticeValues", kFirst + 1);
+    program.set("latticeSide", map.side);
+}
+
+void SurfacePicture::drawRadiance(const Frame& frame, const Values& values, const Lattices& map) const {
+    draw(frame, lightMap_, values, true, [&] { bind(map, lightMap_); });
+}
+
+void SurfacePicture::drawScalar(const Frame& frame, const Values& values, bool interpolates) const {
+    draw(frame, scalar_, values, interpolates);
+}
+
+void SurfacePicture::drawVisibility(const Frame& frame, const Values& values, bool interpolates, int light) const {
+    draw(frame, visibility_, values, interpolates,
+         [&] { gl::setLight(visibility_, frame.scene(), frame.buffers(), frame.eye(), light); });
+}
+
+void SurfacePicture::drawVisibility(const Frame& frame, const Values& values, const Lattices& map, int light) const {
+    draw(frame, visibilityMap_, values, true, [&] {
+        gl::setLight(visibilityMap_, frame.scene(), frame.buffers(), frame.eye(), light);
+        bind(map, visibilityMap_);
+    });
+}
+
+void SurfacePicture::drawOutlines(const Frame& frame, const Values& values, const vec3& lineColor) const {
+    draw(frame, outlines_, values, false, [&] {
+        outlines_.set("lineColor", lineColor);
+        outlines_.set("lineWidthPx", static_cast<float>(look::lineRadius(frame.view().size.y)));
+    });
+}
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,56 @@
+// Drawing what patches are worth: the scene's own triangles, each pixel with the value of the patch that it shows.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/foundation/gl/program.h"
+#include "techniques/foundation/gl/texture.h"
+#include "techniques/frame.h"
+#include "techniques/radiosity/surface_cells.h"
+
+namespace shadowlab::radiosity {
+
+class SurfacePicture {
+public:
+    /// Uploads where patches are. Values given before are of no use any more.
+    void setCells(const SurfaceCells& cells);
+
+    /// Values on the graphics card.
+    struct Values {
+        gl::BufferTexture ofPatches, ofBorders;
+    };
+    static Values upload(const CellValues& values);
+    /// A light map there (light_map.h).
+    struct Lattices {
+        gl::BufferTexture boxes, values;
+        int side = 0;
+    };
+    static Lattices upload(const std::vector<vec4>& boxes, const std::vector<vec4>& values, int side);
+
+    // Into what is bound, on the surfaces that the depth buffer has. Each clears the stencil.
+
+    /// Linear RGB; what is no patch shows its emission.
+    void drawRadiance(const Frame& frame, const Values& values, bool interpolates) const;
+    /// The same, interpolated, and to it what the map has there.
+    void drawRadiance(const Frame& frame, const Values& values, const Lattices& map) const;
+    /// Red: the value's red; green: 1 where there is a patch.
+    void drawScalar(const Frame& frame, const Values& values, bool interpolates) const;
+    /// Red: the value's red where the side that is seen faces the light; green: 1 where there is a surface.
+    void drawVisibility(const Frame& frame, const Values& values, bool interpolates, int light) const;
+    void drawVisibility(const Frame& frame, const Values& values, const Lattices& map, int light) const;
+    /// The values' colours, and every patch's border.
+    void drawOutlines(const Frame& frame, const Values& values, const vec3& lineColor) const;
+
+private:
+    static void bind(const Lattices& map, const gl::Program& program);
+    void draw(const Frame& frame, const gl::Program& program, const Values& values, bool interpolates,
+              const std::function<void()>& setUniforms = {}) const;
+
+    gl::BufferTexture places_, roots_, lines_, branches_, table_, borders_;
+    gl::Program radiance_{"radiosity/surface.vert", "radiosity/values.frag", {"RADIANCE"}};
+    gl::Program lightMap_{"radiosity/surface.vert", "radiosity/values.frag", {"RADIANCE", "LIGHT_MAP"}};
+    gl::Program scalar_{"radiosity/surface.vert", "radiosity/values.frag"};
+    gl::Program visibility_{"radiosity/surface.vert", "radiosity/values.frag", {"VISIBILITY"}};
+    gl::Program visibilityMap_{"radiosity/surface.vert", "radiosity/values.frag", {"VISIBILITY", "LIGHT_MAP"}};
+    gl::Program outlines_{"radiosity/surface.vert", "radiosity/outlines.frag"};
+};
+
+} // namespace shadowlab::radiosity

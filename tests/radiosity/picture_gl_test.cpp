@@ -1,0 +1,195 @@
+// Radiosity as the session draws it.
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+
+#include "app/session/assets.h"
+#include "app/session/session.h"
+#include "app/session/settings.h"
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/gl/read_back.h"
+#include "techniques/foundation/scene/load.h"
+#include "tests/radiosity/scene_room.h"
+#include "tests/support/gl_fixture.h"
+
+namespace shadowlab {
+namespace {
+
+using RadiosityPictureTest = testing::GlTest;
+
+scene::Snapshot builtIn(const char* name) {
+    return scene::loadScene(name, {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+}
+
+struct Drawing {
+    explicit Drawing(const scene::Snapshot& snapshot, const std::vector<std::string>& settings = {},
+                     const std::string& technique = "radiosity", ivec2 size = {64, 48})
+        : session(snapshot) {
+        slots.push_back(session::Session::makeSlot(technique));
+        std::vector<std::string> full;
+        for (const std::string& setting : settings)
+            full.push_back(technique + "." + setting);
+        session::applySettings(slots, full);
+        view.camera = snapshot->camera;
+        view.size = size;
+    }
+    session::RenderedFrame render(const FrameRequest& request = {}) { return session.render(slots[0], view, request); }
+    std::vector<vec4> texels() {
+        EXPECT_TRUE(render().converged);
+        return gl::readTexels(slots[0].target.color);
+    }
+    session::Session session;
+    std::vector<session::Slot> slots;
+    View view;
+};
+
+double counted(const session::RenderedFrame& frame, std::string_view id) {
+    const auto found = std::ranges::find(frame.result.counters, id, &Counter::id);
+    return found == frame.result.counters.end() ? -1 : found->built;
+}
+
+/// A room of which every wall emits and reflects alike, seen from inside.
+scene::Scene uniformRoom(double emission, double reflectance) {
+    scene::Scene scene = testing::emptyRoom({3, 2, 4});
+    scene.materials[0].emission = vec3(static_cast<float>(emission));
+    scene.materials[0].diffuse = vec3(static_cast<float>(reflectance));
+    scene.camera.positionWorld = {0.3, 1.2, 3.6};
+    scene.camera.targetWorld = {2, 0.7, 0};
+    scene.camera.fovYDegrees = 80;
+    return scene;
+}
+
+// In a uniform enclosure all is equally bright: E / (1 - rho), as if one looked at the light itself through fog.
+TEST_F(RadiosityPictureTest, OfAUniformEnclosureEveryPixelIsAlike) {
+    for (const char* display : {"display=flat", "display=interpolated", "display=light-map"})
+        for (const char* formFactors : {"form-factors=analytic", "form-factors=hemicube"}) {
+            Drawing drawing(testing::snapshot(uniformRoom(0.25, 0.5)),
+                            {"patches=150", "tolerance=1e-6", display, formFactors});
+            const std::vector<vec4> texels = drawing.texels();
+            ASSERT_EQ(texels.size(), 64u * 48u);
+            for (const vec4& texel : texels)
+                ASSERT_NEAR(texel.g, 0.5, 0.5 / 1024) << display; // a half float has 11 bits; rows are scaled to 1
+        }
+}
+
+TEST_F(RadiosityPictureTest, AClosedRoomThatReflectsEverythingIsRefused) {
+    Drawing drawing(testing::snapshot(uniformRoom(0.25, 1)), {"patches=60"});
+    try {
+        drawing.render();
+        ADD_FAILURE() << "there is no solution";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), ExitStatus::badInput);
+        EXPECT_NE(std::string(error.what()).find("reflect"), std::string::npos) << error.what();
+    }
+}
+
+// The other technique that knows of light which was reflected more than once: rays followed from wall to wall by chance.
+TEST_F(RadiosityPictureTest, AgreesWithPathsFollowedByChance) {
+    const scene::Snapshot scene = builtIn("cornell-room");
+    const ivec2 size{24, 14};
+    Drawing traced(scene, {"samples=512", "interreflection=true", "depth=8", "cutoff=0", "antialias=false"},
+                   "ray-traced", size);
+    const std::vector<vec4> paths = traced.texels();
+    for (const char* formFactors : {"form-factors=analytic", "form-factors=hemicube"}) {
+        Drawing drawing(scene, {"patches=1200", formFactors}, "radiosity", size);
+        const std::vector<vec4> patches = drawing.texels();
+        double sum = 0, difference = 0;
+        int compared = 0;
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            if (paths[i].g > 1) continue; // the lamp
+            for (int c = 0; c < 3; ++c) {
+                sum += static_cast<double>(paths[i][c]);
+                difference += std::abs(static_cast<double>(paths[i][c]) - static_cast<double>(patches[i][c]));
+            }
+            ++compared;
+        }
+        EXPECT_GT(compared, 300);
+        // Paths scatter by some hundredths each, after eight walls a thousandth is left; patches are 20 cm wide, and where two walls meet that shows.
+        EXPECT_LT(difference / sum, 0.03) << formFactors;
+    }
+}
+
+TEST_F(RadiosityPictureTest, APatchLooksAlikeFromEverywhere) {
+    const scene::Snapshot scene = builtIn("cornell-room");
+    Drawing drawing(scene, {"display=flat", "patches=100"}, "radiosity", {33, 33});
+    const dvec3 aim(-1.38, 2.1, -1.5); // on the red wall, above the blocks
+    std::vector<vec4> seen;
+    for (const dvec3 eye :
+         {dvec3(1.2, 2, -1.5), dvec3(-1.3, 2.2, -0.2), dvec3(0.2, 2.6, -1.4), dvec3(-1.2, 1.9, -1.6)}) {
+        drawing.view.camera.positionWorld = eye;
+        drawing.view.camera.targetWorld = aim;
+        drawing.view.camera.near = 0.01;
+        seen.push_back(drawing.texels()[16 * 33 + 16]);
+    }
+    EXPECT_GT(seen[0].r, 0.05f);
+    for (const vec4& one : seen)
+        EXPECT_EQ(one, seen[0]); // B = pi I, in whatever direction
+}
+
+TEST_F(RadiosityPictureTest, AnEyeThatMovesSolvesNothingAgain) {
+    Drawing drawing(builtIn("cornell-room"),
+                    {"solver=shooting", "steps-per-picture=1", "tolerance=1e-9", "patches=100"});
+    FrameRequest once;
+    once.refine = false; // one picture at a time
+    EXPECT_EQ(counted(drawing.render(once), "steps"), 1);
+    for (int step = 2; step < 5; ++step) {
+        drawing.view.camera.positionWorld.x += 0.1;
+        EXPECT_EQ(counted(drawing.render(once), "steps"), step) << "it goes on where it was";
+    }
+}
+
+TEST_F(RadiosityPictureTest, StepsStopTheSolver) {
+    const scene::Snapshot scene = builtIn("cornell-room");
+    double before = -1;
+    for (const char* steps : {"steps=1", "steps=20", "steps=400"}) {
+        Drawing drawing(scene, {"solver=southwell", steps, "tolerance=1e-9", "patches=100"});
+        const auto frame = drawing.render();
+        EXPECT_TRUE(frame.converged);
+        EXPECT_EQ(counted(frame, "steps"), std::atof(steps + 6));
+        double sum = 0;
+        for (const vec4& texel : gl::readTexels(drawing.slots[0].target.color))
+            sum += static_cast<double>(texel.g);
+        EXPECT_GT(sum, before) << "the room brightens";
+        before = sum;
+    }
+}
+
+TEST_F(RadiosityPictureTest, ALampThatMovesGivesWhatANewSceneGives) {
+    const scene::Snapshot scene = builtIn("cornell-room");
+    Drawing moving(scene, {"patches=100"});
+    moving.texels();
+    for (const double x : {0.5, -0.7, 0.1}) {
+        std::vector<scene::Light> lights = scene->lights;
+        lights[0].positionWorld.x = x;
+        lights[0].intensity *= 1 + x;
+        const scene::Snapshot moved = scene::withLights(scene, lights);
+        moving.session.setScene(moved);
+        Drawing fresh(moved, {"patches=100"});
+        EXPECT_EQ(moving.texels(), fresh.texels()) << x;
+    }
+}
+
+// Two rooms with a wall between them that stands in the middle of patches: not a trace of light gets through.
+TEST_F(RadiosityPictureTest, BehindAWallItIsDark) {
+    scene::Scene scene = testing::emptyRoom({4, 2, 3});
+    scene.lights.push_back(testing::pointLight({0.6, 1.5, 1.1}));
+    testing::addObject(scene, scene::makeBox({0.05, 2, 3}), testing::translation({1.77, 1, 1.5}));
+    scene.camera.positionWorld = {3.8, 1.6, 2.8};
+    scene.camera.targetWorld = {1.8, 0, 1};
+    scene.camera.fovYDegrees = 90;
+    const scene::Snapshot snapshot = testing::snapshot(scene);
+    for (const char* display : {"display=flat", "display=interpolated", "display=light-map"}) {
+        int bright = 0;
+        for (const vec4& texel : Drawing(snapshot, {"patches=200", display}).texels())
+            bright += texel.g > 0;
+        EXPECT_EQ(bright, 0) << display;
+    }
+    int leaking = 0;
+    for (const vec4& texel : Drawing(snapshot, {"patches=200", "display=flat", "cut-at-contacts=false"}).texels())
+        leaking += texel.g > 0.001f;
+    EXPECT_GT(leaking, 100) << "patches that lie on both sides of the wall carry light to the other";
+}
+
+} // namespace
+} // namespace shadowlab

@@ -1,0 +1,93 @@
+// Which sides of faces exchange light, and what else patches see.
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/sides.h"
+
+#include <gtest/gtest.h>
+
+#include "techniques/radiosity/room.h"
+#include "tests/radiosity/scene_room.h"
+
+namespace shadowlab::radiosity {
+namespace {
+
+using namespace shadowlab::testing;
+
+Sides sidesIn(const scene::Scene& scene, const std::vector<bool>& lightWithin) {
+    const trace::WorldTriangles world = trace::worldTriangles(scene);
+    return sidesOf(scene, world, facesOf(scene, world), lightWithin);
+}
+
+TEST(Sides, WallsOfARoomExchangeLightByTheirInsides) {
+    const Sides sides = sidesIn(emptyRoom({3, 2, 4}), std::vector<bool>(6, false));
+    EXPECT_EQ(sides.exchanging, 6u); // fronts, which face inward
+    EXPECT_EQ(sides.faces.all.size(), 12u) << "backs are there as well, and see nothing";
+    for (std::size_t t = 0; t < 12; ++t) {
+        EXPECT_LT(sides.faces.ofTriangle[t], 6u);
+        EXPECT_GE(sides.backOfTriangle[t], 6u);
+        const Face &front = sides.faces.all[sides.faces.ofTriangle[t]],
+                   &back = sides.faces.all[sides.backOfTriangle[t]];
+        EXPECT_EQ(front.plane.normal, -back.plane.normal);
+        EXPECT_EQ(front.triangles, back.triangles);
+    }
+}
+
+TEST(Sides, OfAClosedBodyTheInsideCountsOnlyWithALightInIt) {
+    scene::Scene scene = floorScene();
+    addObject(scene, scene::makeBox({1, 1, 1}), translation({0, 2, 0}));
+    EXPECT_EQ(sidesIn(scene, {false, false}).faces.all.size(), 2u + 6u); // floor twice, box once
+    const Sides lit = sidesIn(scene, {false, true});
+    EXPECT_EQ(lit.faces.all.size(), 2u + 12u);
+    // Of the box the side that looks down sees the floor, and within all see each other. The floor's front sees the box.
+    EXPECT_EQ(lit.exchanging, 1u + 4u + 1u + 6u) << "the upper side sees nothing, the others see the floor";
+    scene.objects[1].castsShadow = false;
+    EXPECT_EQ(sidesIn(scene, {false, false}).faces.all.size(), 2u + 12u) << "light gets in";
+}
+
+TEST(Sides, PatchesUnderABoxAreLeftOut) {
+    scene::Scene scene = floorScene();
+    addObject(scene, scene::makeBox({2, 1, 2}), translation({0, 0.5, 0}));
+    Room room(scene, {200, true, {false, false}});
+    while (!room.advance(std::chrono::steady_clock::now())) {
+    }
+    EXPECT_GE(room.coveredPatches(), 4u);
+    double area = 0;
+    for (std::size_t i = 0; i < room.patches().size(); ++i) {
+        const Patch& patch = room.patches()[i];
+        if (room.faceOf(patch).object == 0) area += patch.area;
+        EXPECT_GT(room.surroundings()[i], 0.2) << "it stands in the open";
+        EXPECT_LE(room.surroundings()[i], 1);
+    }
+    EXPECT_NEAR(area, 100 - 4, 1e-6); // floor less box; vertices are floats
+    EXPECT_EQ(room.surroundings().size(), room.patches().size());
+}
+
+TEST(Sides, InAClosedRoomNobodySeesTheSurroundings) {
+    const scene::Scene scene = emptyRoom({3, 2, 4});
+    Room room(scene, {150, true, std::vector<bool>(6, false)});
+    ASSERT_TRUE(room.advance(std::chrono::steady_clock::time_point::max()));
+    ASSERT_GT(room.patches().size(), 80u);
+    for (const double share : room.surroundings())
+        EXPECT_EQ(share, 0);
+    EXPECT_EQ(room.coveredPatches(), 0u);
+}
+
+// From the floor before a wall that has, as good as, no end to the sides: the wall hides (1 - cos of its elevation) / 2.
+TEST(Sides, TheSurroundingsAreWhatIsNotHidden) {
+    scene::Scene scene = floorScene();
+    addObject(scene, scene::makeBox({200, 3, 0.1}), translation({0, 1.5, -5.05}));
+    Room room(scene, {1500, true, {false, false}});
+    ASSERT_TRUE(room.advance(std::chrono::steady_clock::time_point::max()));
+    int compared = 0;
+    for (std::size_t i = 0; i < room.patches().size(); ++i) {
+        const Patch& patch = room.patches()[i];
+        if (room.faceOf(patch).object != 0) continue;
+        const double distance = patch.centre.z + room.world().originWorld.z + 5;
+        const double hidden = (1 - distance / std::hypot(distance, 3.0)) / 2;
+        EXPECT_NEAR(room.surroundings()[i], 1 - hidden, 0.03) << distance; // 256 rays, from all over the patch
+        ++compared;
+    }
+    EXPECT_GT(compared, 50);
+}
+
+} // namespace
+} // namespace shadowlab::radiosity
