@@ -76,11 +76,14 @@ void DirectLightBuilder::tryLines(std::size_t i, const Blockers& blockers) {
 
 Arriving arrivingAt(const dvec3& positionCentred, const dvec3& normal, const LightSource& source, const Hides& hides) {
     const double whole = source.irradiance(positionCentred, normal);
+    if (!source.hasArea()) {
+        const bool isFree = !hides(positionCentred, source.line(positionCentred, normal, 0, 0).fromCentred);
+        return {(isFree ? whole : 0.0) * source.color(), isFree ? 1.0 : 0.0};
+    }
     if (!(whole > 0)) return {};
     Tried tried;
-    const int lines = source.hasArea() ? kLines : 1;
-    for (int i = 0; i < lines; ++i) {
-        const auto x = evenly(i, lines);
+    for (int i = 0; i < kLines; ++i) {
+        const auto x = evenly(i, kLines);
         const LightLine line = source.line(positionCentred, normal, x[0], x[1]);
         tried.add(line.weight, 1, line.weight > 0 && !hides(positionCentred, line.fromCentred));
     }

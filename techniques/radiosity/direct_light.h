@@ -49,7 +49,8 @@ private:
 /// What arrives at a point.
 struct Arriving {
     dvec3 irradiance{0.0}; ///< W/m^2, in the light's colour
-    double seenArea = 0;   ///< as in DirectLight; of lights without an area 0 or 1
+    /// As in DirectLight; of lights without an area 1 where nothing stands in between, whichever way the surface faces.
+    double seenArea = 0;
 };
 
 /// Does something stand between two points?

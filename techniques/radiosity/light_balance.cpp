@@ -5,7 +5,6 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/radiosity/bounces.h"
 #include "techniques/radiosity/gather.h"
 
 namespace shadowlab::radiosity {
@@ -45,6 +44,7 @@ void LightBalance::restart(const PreparedExchange& exchange, const Sources& sour
     sources_ = &sources;
     solver_.reset();
     if (!exchange.areas.empty()) solver_ = makeSolver(solver, problem());
+    isFinished_ = false;
     isOneByOne_ = solver == SolverKind::southwell || solver == SolverKind::shooting;
     show();
 }
@@ -55,7 +55,7 @@ bool LightBalance::advance(const Until& until, std::size_t most, std::chrono::st
     const auto isDone = [&] {
         return (until.steps > 0 && solver_->steps() >= until.steps) || isSolved(*solver_, until.tolerance);
     };
-    if (!solver_) return true; // nothing exchanges light
+    if (!solver_ || isFinished_) return true; // nothing exchanges light, or all has been done
     bool done = isDone();
     for (std::size_t step = 0; !done && (most == 0 || step < most); ++step) {
         solver_->step();
@@ -64,10 +64,18 @@ bool LightBalance::advance(const Until& until, std::size_t most, std::chrono::st
         if (std::chrono::steady_clock::now() >= deadline) break;
     }
     show();
+    isFinished_ = done;
     return done;
 }
 
+const EnergyBalance& LightBalance::energy() const {
+    if (!energy_) energy_ = energyBalance(problem(), solver_->radiosity());
+    return *energy_;
+}
+
 void LightBalance::show() {
+    ++version_;
+    energy_.reset();
     radiosity_ = solver_ ? solver_->shown() : std::vector<dvec3>{};
     for (std::size_t i = radiosity_.size(); i < sources_->size(); ++i)
         radiosity_.push_back(sources_->first(i));

@@ -4,9 +4,11 @@
 #pragma once
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "techniques/radiosity/bounces.h"
 #include "techniques/radiosity/direct_light.h"
 #include "techniques/radiosity/prepared_exchange.h"
 #include "techniques/radiosity/room.h"
@@ -41,11 +43,15 @@ public:
         std::size_t steps = 0;   ///< no more than that; 0: any number
     };
     /// Steps until it is solved, `most` times (0: any number), or until the time has come, but at least once if there is anything
-    /// to do. True when there is nothing more to do.
+    /// to do. True when there is nothing more to do; from then on it stays so until it begins anew.
     bool advance(const Until& until, std::size_t most, std::chrono::steady_clock::time_point deadline);
 
     /// nullptr: no patch exchanges light with another.
     [[nodiscard]] const Solver* solver() const { return solver_.get(); }
+    /// Another number whenever a step was made, or all has begun anew.
+    [[nodiscard]] std::uint64_t version() const { return version_; }
+    /// Where the power goes. Found when first asked for after a step.
+    [[nodiscard]] const EnergyBalance& energy() const;
     /// B_i of every patch, W/m^2, to be shown: while shooting with the ambient term.
     [[nodiscard]] const std::vector<dvec3>& radiosity() const { return radiosity_; }
     /// H_i of every patch, what arrives from lights, from outside and from the radiosities so far, W/m^2.
@@ -65,6 +71,9 @@ private:
     std::unique_ptr<Solver> solver_;
     bool isOneByOne_ = false; ///< its steps are single shots, not sweeps
     std::vector<dvec3> radiosity_;
+    bool isFinished_ = false;
+    std::uint64_t version_ = 0;
+    mutable std::optional<EnergyBalance> energy_;
 };
 
 } // namespace shadowlab::radiosity

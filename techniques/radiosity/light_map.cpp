@@ -54,6 +54,7 @@ bool LightMap::advance(const scene::Snapshot& snapshot, const KeptRoom& kept, st
         map.next =
             trace::parallelUntil(deadline, map.next, blocks, [&](std::size_t block) { fill(map, source, block); });
         if (map.next < blocks) return false;
+        ++version_;
     }
     return true;
 }

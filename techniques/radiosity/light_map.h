@@ -20,6 +20,8 @@ public:
     /// or the time has come, but always a bit. Every patch has four points, however few there are to be.
     bool advance(const scene::Snapshot& snapshot, const KeptRoom& kept, std::size_t points, Deadline deadline);
 
+    /// Another number whenever a light's part of it is new.
+    [[nodiscard]] std::uint64_t version() const { return version_; }
     /// Two of each patch: the lowest place of its lattice and its size, in (u, v) of the face; its first point, and how many there
     /// are along u and v.
     [[nodiscard]] const std::vector<vec4>& lattices() const { return lattices_; }
@@ -54,7 +56,8 @@ private:
 
     trace::SceneTracer tracer_;
     std::uint64_t room_ = 0;
-    double nearest_ = 0;     ///< metres: what is nearer to a point touches it
+    double nearest_ = 0; ///< metres: what is nearer to a point touches it
+    std::uint64_t version_ = 0;
     std::size_t wanted_ = 0; ///< points
     std::vector<vec4> lattices_;
     std::vector<Point> points_; ///< those of lattices, then vertices; in the tracer's centred space

@@ -145,18 +145,20 @@ void Showing::draw(std::span<const dvec3> radiosity, bool interpolates) const {
     picture.drawRadiance(frame, SurfacePicture::upload(cellValues(kept.cells(), radiance)), interpolates);
 }
 
-void Showing::draw(const LightMap& map) const {
-    // What came by way of other patches, or from outside, changes slowly: it is interpolated. The rest is in the map.
+ShownRadiosity Showing::shown(const LightMap* map) const {
     const double factor = radiancePerRadiosity(params);
-    std::vector<dvec3> indirect = times(factor, balance.radiosity());
+    const std::vector<dvec3> all = times(factor, balance.radiosity());
+    if (!map) return {SurfacePicture::upload(cellValues(kept.cells(), all)), std::nullopt};
+    // What came by way of other patches, or from outside, changes slowly: it is interpolated. The rest is in the map.
+    std::vector<dvec3> indirect = all;
     for (std::size_t i = 0; i < indirect.size(); ++i)
         indirect[i] -= factor * (sources.emission[i] + sources.reflectance[i] * sources.fromLights[i]);
-    const LightMap::Values direct = map.radiance(kept.cells(), sources, factor);
+    const LightMap::Values direct = map->radiance(kept.cells(), sources, factor);
     std::vector<dvec3> atBlends = blended(kept.cells(), indirect);
     for (std::size_t i = 0; i < atBlends.size(); ++i)
         atBlends[i] += direct.atBlends[i];
-    picture.drawRadiance(frame, SurfacePicture::upload(cellValues(kept.cells(), indirect, atBlends)),
-                         SurfacePicture::upload(map.lattices(), direct.atPoints));
+    return {SurfacePicture::upload(cellValues(kept.cells(), indirect, atBlends)),
+            SurfacePicture::upload(map->lattices(), direct.atPoints)};
 }
 
 void publishStages(const Showing& showing, const LightMap* map) {

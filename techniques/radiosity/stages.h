@@ -1,6 +1,7 @@
 // Showing what radiosity has found: pictures of values of patches, the stages, and what is told in words.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
 #include <span>
 
 #include "techniques/frame.h"
@@ -11,6 +12,12 @@
 #include "techniques/radiosity/surface_picture.h"
 
 namespace shadowlab::radiosity {
+
+/// On the graphics card.
+struct ShownRadiosity {
+    SurfacePicture::Values values;
+    std::optional<SurfacePicture::Lattices> map;
+};
 
 /// One frame, and all that there is to show.
 struct Showing {
@@ -23,8 +30,8 @@ struct Showing {
 
     /// Radiosities of all patches, into what is bound.
     void draw(std::span<const dvec3> radiosity, bool interpolates) const;
-    /// The radiosity there is, with direct light from the map.
-    void draw(const LightMap& map) const;
+    /// What the finished picture is drawn with: the radiosity there is; `map`: with direct light from there, or nullptr.
+    [[nodiscard]] ShownRadiosity shown(const LightMap* map) const;
 };
 
 /// What is wanted of the stages. `map`: what direct light is shown by, or nullptr.

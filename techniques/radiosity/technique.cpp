@@ -63,8 +63,9 @@ public:
         frame.pass(passInfo(kPasses, "solve"), [&] {
             if (frame.stopsAfter() || isFlat()) showing.draw(balance_.radiosity(), false);
         });
-        if (!isFlat()) frame.pass(passInfo(kPasses, "display"), [&] { drawSmooth(showing, isMapped); });
-        publishStages(showing, isMapped && usesLightMap() ? &lightMap_ : nullptr);
+        const LightMap* map = isMapped && usesLightMap() ? &lightMap_ : nullptr;
+        if (!isFlat()) frame.pass(passInfo(kPasses, "display"), [&] { drawSmooth(showing, map); });
+        publishStages(showing, map);
         tell(showing);
         const bool isFinished = isSolved && isMapped;
         return {isFinished ? 1.0 : 0.95, isFinished};
@@ -147,11 +148,15 @@ private:
         }
         gl::drawSurfacesWithHoles(lightsOff_, frame.scene(), frame.buffers(), frame.eye());
     }
-    void drawSmooth(const Showing& showing, bool isMapped) const {
-        if (isMapped && usesLightMap())
-            showing.draw(lightMap_);
+    /// What is shown stays on the graphics card while only the eye moves.
+    void drawSmooth(const Showing& showing, const LightMap* map) {
+        const ShownOf shownOf{balance_.version(), map ? lightMap_.version() : 0, params_.exposure};
+        if (!shown_ || shownOf_ != shownOf) shown_ = showing.shown(map);
+        shownOf_ = shownOf;
+        if (shown_->map)
+            picture_.drawRadiance(showing.frame, shown_->values, *shown_->map);
         else
-            showing.draw(balance_.radiosity(), true);
+            picture_.drawRadiance(showing.frame, shown_->values, true);
     }
 
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
@@ -165,6 +170,13 @@ private:
     LightMap lightMap_;
     SurfacePicture picture_;
     std::uint64_t uploadedRoom_ = 0;
+    struct ShownOf {
+        std::uint64_t solution = 0, map = 0;
+        double exposure = 0;
+        friend bool operator==(const ShownOf&, const ShownOf&) = default;
+    };
+    ShownOf shownOf_;
+    std::optional<ShownRadiosity> shown_;
 };
 
 Probe Radiosity::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "techniques/foundation/look.h"
-#include "techniques/radiosity/bounces.h"
 
 namespace shadowlab::radiosity {
 
@@ -58,7 +57,7 @@ void tellOfSolution(Frame& frame, const Showing& showing) {
                    " steps: no radiosity is farther off than " + colors(bound) + " W/m^2",
                look::kLit);
     if (const auto unshot = solver->unshotPower()) frame.note("unshot", colors(*unshot) + " W", look::kLit);
-    const EnergyBalance energy = energyBalance(showing.balance.problem(), solver->radiosity());
+    const EnergyBalance& energy = showing.balance.energy();
     frame.note("power",
                colors(energy.emitted) + " W sent, " + colors(energy.absorbed) + " absorbed, " + colors(energy.escaped) +
                    " escaped",

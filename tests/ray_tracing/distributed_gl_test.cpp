@@ -50,7 +50,9 @@ TEST_F(DistributedTest, SlicesGiveTheSameBytesAsOneRun) {
             request.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(2);
             const auto frame = sliced.session.render(sliced.slots[0], sliced.view, request);
             converged = frame.converged;
-            if (frame.prepared == 1) EXPECT_GE(frame.drawn, std::min(last, frame.drawn));
+            if (frame.prepared == 1) {
+                EXPECT_GE(frame.drawn, std::min(last, frame.drawn));
+            }
             last = frame.drawn;
             ++slices;
         }
