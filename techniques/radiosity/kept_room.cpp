@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "techniques/radiosity/light_balance.h"
+
 namespace shadowlab::radiosity {
 
 namespace {
@@ -22,7 +24,15 @@ void KeptRoom::lookAt(const scene::Snapshot& snapshot, const RadiosityParams& pa
     if (bounds_.empty() || boundsOf_.geometry != now.geometry || boundsOf_.transforms != now.transforms)
         bounds_ = scene::objectBounds(*snapshot);
     boundsOf_ = now;
-    Made made{{}, {static_cast<std::size_t>(params.patches), params.cutAtContacts, {}}};
+    Made made;
+    made.budget = params.patches;
+    made.refine = params.formFactors == RadiosityParams::FormFactors::analytic ? params.refine : 0;
+    if (made.refine > 0) {
+        made.refineThreshold = params.refineThreshold;
+        made.lights = snapshot->lights;
+    }
+    made.settings.patches = static_cast<std::size_t>(made.refine > 0 ? (params.patches + 2) / 3 : params.patches);
+    made.settings.cutsAtContacts = params.cutAtContacts;
     for (std::size_t o = 0; o < snapshot->objects.size(); ++o) {
         const scene::Object& object = snapshot->objects[o];
         const bool isLight = object.emitterOfLight >= 0;
@@ -49,7 +59,10 @@ void KeptRoom::lookAt(const scene::Snapshot& snapshot, const RadiosityParams& pa
     made_ = std::move(made);
     roomOf_ = snapshot;
     lights_.clear();
+    receives_.clear();
     builder_.reset();
+    builderBefore_.reset();
+    rounds_ = 0;
     computed_.reset();
     drawn_.reset();
     exchange_.reset();
@@ -59,19 +72,61 @@ void KeptRoom::lookAt(const scene::Snapshot& snapshot, const RadiosityParams& pa
 }
 
 bool KeptRoom::advance(const scene::Snapshot& snapshot, const RadiosityParams& params, Deadline deadline) {
-    if (snapshot != snapshot_ || params.patches != static_cast<int>(made_.settings.patches) ||
-        params.cutAtContacts != made_.settings.cutsAtContacts)
-        lookAt(snapshot, params);
+    if (snapshot != snapshot_ || params != lookedAt_) lookAt(snapshot, params);
+    lookedAt_ = params;
     deadline = std::max(deadline, std::chrono::steady_clock::now() + kLeastWork);
     if (!room_->advance(deadline)) return false;
-    if (!findFormFactors(params, deadline)) return false;
-    if (!cells_) {
-        cells_ = surfaceCells(*roomOf_, *room_);
-        receives_.clear();
-        for (const Patch& patch : room_->allPatches())
-            receives_.push_back(room_->objectOf(patch).receivesShadow ? 1 : 0);
+    do {
+        if (!findFormFactors(params, deadline) || !advanceLights(deadline)) return false;
+    } while (refineOn());
+    if (!cells_) cells_ = surfaceCells(*roomOf_, *room_);
+    return true;
+}
+
+/// Cuts some patches by what light there is on them; false: there are none to be cut, or no more rounds.
+bool KeptRoom::refineOn() {
+    // A round begins with half as many patches again: the next one sees better where to cut.
+    constexpr double kGrowth = 1.5;
+    // Of the radiosity, for a solution that only decides what is cut.
+    constexpr double kTolerance = 1e-2;
+    const bool isDone = rounds_ >= made_.refine;
+    if (!isDone) {
+        const Sources sources = sourcesOf(*room_, lights(), dvec3(0));
+        LightBalance balance;
+        balance.restart(*exchange_, sources, SolverKind::conjugateGradients);
+        balance.advance({kTolerance, 0}, 0, Deadline::max());
+        RefinementLimits limits;
+        limits.mostPatches = std::min(static_cast<std::size_t>(made_.budget),
+                                      static_cast<std::size_t>(kGrowth * static_cast<double>(room_->patches().size())));
+        limits.smallestError = made_.refineThreshold;
+        const std::size_t count = room_->patches().size();
+        std::vector<DirectLight> found; // of the patches that exchange light
+        for (const DirectLight* light : lights()) {
+            found.push_back(*light);
+            found.back().irradiance.resize(count);
+            found.back().visible.resize(count);
+            found.back().seenArea.resize(count);
+        }
+        const std::vector<Refinement> refinements = patchesToRefine(
+            room_->patches(), patchBorders(room_->exchangingFaces(), room_->patches()),
+            std::span(balance.radiosity()).first(count), std::span(sources.reflectance).first(count), found, limits);
+        if (!refinements.empty()) {
+            ++rounds_;
+            from_ = room_->refine(refinements);
+            builderBefore_ = std::move(builder_);
+            matrixBefore_ = std::move(computed_->matrix);
+            computed_.reset();
+            exchange_.reset();
+            lights_.clear();
+            receives_.clear();
+            return true;
+        }
     }
-    return advanceLights(deadline);
+    rounds_ = made_.refine;
+    builder_.reset();
+    builderBefore_.reset();
+    matrixBefore_ = ExchangeMatrix(0);
+    return false;
 }
 
 bool KeptRoom::findFormFactors(const RadiosityParams& params, Deadline deadline) {
@@ -82,14 +137,16 @@ bool KeptRoom::findFormFactors(const RadiosityParams& params, Deadline deadline)
     exchange_.reset();
     if (params.formFactors == hemicube && drawnSide_ != params.hemicubeSide) drawn_.reset();
     if (params.formFactors == analytic && !computed_) {
-        if (!builder_)
+        if (!builder_) {
+            std::optional<KnownExchange> known;
+            if (builderBefore_) known.emplace(KnownExchange{*builderBefore_, matrixBefore_, from_});
             builder_ = std::make_unique<ExchangeBuilder>(room_->exchangingFaces(), room_->patches(), room_->occlusion(),
-                                                         kLinesInAll);
+                                                         kLinesInAll, known);
+        }
         if (!builder_->advance(deadline)) return false;
         const ExchangeCounts counts = builder_->counts();
         std::vector<double> deviations = builder_->rowDeviations();
         computed_ = Found{builder_->take(), counts, std::move(deviations)};
-        builder_.reset();
     }
     exchangeOf_ = params.formFactors;
     isScaled_ = params.scaleRows;
@@ -111,6 +168,9 @@ void KeptRoom::setDrawnFormFactors(ExchangeMatrix found, int hemicubeSide) {
 }
 
 bool KeptRoom::advanceLights(Deadline deadline) {
+    if (receives_.empty())
+        for (const Patch& patch : room_->allPatches())
+            receives_.push_back(room_->objectOf(patch).receivesShadow ? 1 : 0);
     lights_.resize(snapshot_->lights.size());
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         KeptLight& kept = lights_[i];

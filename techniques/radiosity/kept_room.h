@@ -33,6 +33,8 @@ public:
     [[nodiscard]] bool hasFormFactors() const { return exchange_.has_value(); }
     void setDrawnFormFactors(ExchangeMatrix found, int hemicubeSide);
     [[nodiscard]] const PreparedExchange& exchange() const { return *exchange_; }
+    /// Have patches been cut by their light?
+    [[nodiscard]] bool isRefined() const { return made_.refine > 0; }
     [[nodiscard]] const SurfaceCells& cells() const { return *cells_; }
     [[nodiscard]] const DirectLight& light(int light) const { return *lights_[static_cast<std::size_t>(light)].found; }
     [[nodiscard]] std::vector<const DirectLight*> lights() const;
@@ -52,6 +54,9 @@ private:
     struct Made {
         std::vector<Surface> surfaces;
         RoomSettings settings;
+        int budget = 0, refine = 0;
+        double refineThreshold = 0;
+        std::vector<scene::Light> lights; ///< if patches are cut by their light
         friend bool operator==(const Made&, const Made&) = default;
     };
     struct KeptLight {
@@ -60,6 +65,7 @@ private:
         std::unique_ptr<DirectLightBuilder> builder;
     };
     void lookAt(const scene::Snapshot& snapshot, const RadiosityParams& params);
+    bool refineOn();
     bool findFormFactors(const RadiosityParams& params, Deadline deadline);
     bool advanceLights(Deadline deadline);
 
@@ -67,6 +73,7 @@ private:
     std::vector<scene::Bounds> bounds_;
     scene::Revisions boundsOf_{0, 0, 0, 0};
     Made made_;
+    RadiosityParams lookedAt_;
     std::unique_ptr<Room> room_;
     // Form factors as they were found: kept, for there is more than one way to use them.
     struct Found {
@@ -76,6 +83,11 @@ private:
     };
     void use(const Found& found);
     std::unique_ptr<ExchangeBuilder> builder_;
+    // While patches are being refined: what was found before the last round, and which patch is which.
+    int rounds_ = 0;
+    std::unique_ptr<ExchangeBuilder> builderBefore_;
+    ExchangeMatrix matrixBefore_{0};
+    std::vector<std::uint32_t> from_;
     std::optional<Found> computed_, drawn_;
     int drawnSide_ = 0; ///< of the hemicube
     /// What is used, and by which settings it was made.

@@ -2,6 +2,7 @@
 #include "techniques/radiosity/light_map.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "techniques/foundation/trace/parallel.h"
@@ -12,6 +13,9 @@ namespace {
 
 // Points on a border are moved toward the centre by this share of the way: a wall that stands there is on their other side.
 constexpr double kInward = 1e-4;
+
+// Along one side of a patch: floats count all of the points to the last one.
+constexpr double kMostAlong = 255;
 
 // Points that one thread takes at a time.
 constexpr std::size_t kBlock = 64;
@@ -36,9 +40,9 @@ dvec2 nearestIn(std::span<const dvec2> corners, const dvec2& place) {
 
 } // namespace
 
-bool LightMap::advance(const scene::Snapshot& snapshot, const KeptRoom& kept, int side, Deadline deadline) {
+bool LightMap::advance(const scene::Snapshot& snapshot, const KeptRoom& kept, std::size_t points, Deadline deadline) {
     if (!tracer_.advance(snapshot, deadline)) return false;
-    if (room_ != kept.version() || side_ != side) begin(snapshot, kept, side);
+    if (room_ != kept.version() || wanted_ != points) begin(snapshot, kept, points);
     lights_.resize(snapshot->lights.size());
     const std::size_t blocks = (points_.size() + kBlock - 1) / kBlock;
     for (std::size_t i = 0; i < lights_.size(); ++i) {
@@ -54,25 +58,36 @@ bool LightMap::advance(const scene::Snapshot& snapshot, const KeptRoom& kept, in
     return true;
 }
 
-void LightMap::begin(const scene::Snapshot& snapshot, const KeptRoom& kept, int side) {
+void LightMap::begin(const scene::Snapshot& snapshot, const KeptRoom& kept, std::size_t points) {
     room_ = kept.version();
-    side_ = side;
+    wanted_ = points;
     lights_.clear();
-    boxes_.clear();
+    lattices_.clear();
     points_.clear();
     const Room& room = kept.room();
-    for (std::size_t p = 0; p < room.allPatches().size(); ++p)
-        addLattice(room.allPatches()[p], kept.cells().frames[p], room.objectOf(room.allPatches()[p]).receivesShadow);
+    double area = 0;
+    for (const Patch& patch : room.allPatches())
+        area += patch.area;
+    const double spacing = std::sqrt(area / static_cast<double>(points));
+    for (std::uint32_t p = 0; p < room.allPatches().size(); ++p) {
+        const Patch& patch = room.allPatches()[p];
+        addLattice(patch, kept.cells().frames[p], spacing, {{}, patch.normal, p, room.objectOf(patch).receivesShadow});
+    }
     firstVertex_ = points_.size();
     for (const SurfaceCells::Vertex& vertex : kept.cells().vertices)
-        points_.push_back({vertex.positionCentred, vertex.normal, snapshot->objects[vertex.object].receivesShadow});
+        points_.push_back({vertex.positionCentred, vertex.normal, 0, snapshot->objects[vertex.object].receivesShadow});
     const dvec3 tracerFromRoom = room.world().originWorld - tracer_.world().originWorld;
     for (Point& point : points_)
         point.positionCentred += tracerFromRoom;
     nearest_ = kTouching * tracer_.largestCentred();
+    const double offPlane = 2 * kOffPlane * room.simple().cellMetres;
+    for (std::size_t i = 0; i < firstVertex_; ++i)
+        if (const std::uint32_t object = room.faceOf(room.allPatches()[points_[i].patch]).object;
+            !room.simple().cornersOfObject[object].empty())
+            bringToSurface(points_[i], object, offPlane);
 }
 
-void LightMap::addLattice(const Patch& patch, const FaceFrame& frame, bool receivesShadow) {
+void LightMap::addLattice(const Patch& patch, const FaceFrame& frame, double spacing, Point point) {
     std::vector<dvec2> corners;
     dvec2 lower(std::numeric_limits<double>::infinity()), upper = -lower;
     for (const dvec3& corner : patch.polygon.corners()) {
@@ -81,27 +96,35 @@ void LightMap::addLattice(const Patch& patch, const FaceFrame& frame, bool recei
         upper = glm::max(upper, corners.back());
     }
     if (glm::dot(glm::cross(frame.u, frame.v), patch.normal) < 0) std::ranges::reverse(corners); // a back
-    boxes_.emplace_back(vec2(lower), vec2(upper - lower));
+    const dvec2 size = upper - lower;
+    const ivec2 count = 1 + ivec2(glm::clamp(glm::ceil(size / spacing), 1.0, kMostAlong));
+    lattices_.emplace_back(vec2(lower), vec2(size));
+    lattices_.emplace_back(static_cast<float>(points_.size()), vec2(count), 0.0f);
     const dvec2 centre = frame.place(patch.centre);
-    for (int y = 0; y < side_; ++y)
-        for (int x = 0; x < side_; ++x) {
-            const dvec2 at = glm::mix(lower, upper, dvec2(x, y) / static_cast<double>(side_ - 1));
+    for (int y = 0; y < count.y; ++y)
+        for (int x = 0; x < count.x; ++x) {
+            const dvec2 at = glm::mix(lower, upper, dvec2(x, y) / dvec2(count - 1));
             const dvec2 place = glm::mix(nearestIn(corners, at), centre, kInward);
-            points_.push_back(
-                {frame.originCentred + place.x * frame.u + place.y * frame.v, patch.normal, receivesShadow});
+            point.positionCentred = frame.originCentred + place.x * frame.u + place.y * frame.v;
+            points_.push_back(point);
         }
 }
 
+void LightMap::bringToSurface(Point& point, std::uint32_t object, double within) const {
+    const trace::Ray ray{point.positionCentred + within * point.normal, -point.normal, 0, 2 * within};
+    const trace::SurfacePoint met = tracer_.met(ray, trace::kNoPrimitive);
+    if (met && tracer_.world().objects[met.primitive] == object) point.positionCentred = tracer_.positionCentred(met);
+}
+
 void LightMap::fill(OfLight& map, const LightSource& source, std::size_t block) const {
-    const auto hides = [&](const dvec3& fromCentred, const dvec3& toCentred) {
-        const dvec3 way = toCentred - fromCentred;
-        return tracer_.isBlocked({fromCentred, way, nearest_ / glm::length(way), 1}, trace::kNoPrimitive);
-    };
-    const auto hidesNothing = [](const dvec3&, const dvec3&) { return false; };
     for (std::size_t i = block * kBlock; i < std::min((block + 1) * kBlock, points_.size()); ++i) {
         const Point& point = points_[i];
-        const Arriving arriving = radiosity::arrivingAt(point.positionCentred, point.normal, source,
-                                                        point.receivesShadow ? Hides(hides) : Hides(hidesNothing));
+        const auto hides = [&](const dvec3& fromCentred, const dvec3& toCentred) {
+            if (!point.receivesShadow) return false;
+            const dvec3 way = toCentred - fromCentred;
+            return tracer_.isBlocked({fromCentred, way, nearest_ / glm::length(way), 1}, trace::kNoPrimitive);
+        };
+        const Arriving arriving = radiosity::arrivingAt(point.positionCentred, point.normal, source, hides);
         map.arriving[i] = vec4(vec3(arriving.irradiance), static_cast<float>(arriving.seenArea));
     }
 }
@@ -118,9 +141,8 @@ LightMap::Values LightMap::radiance(const SurfaceCells& cells, const Sources& so
         return factor * (sources.emission[patch] + sources.reflectance[patch] * arrivingAt(point));
     };
     Values values;
-    const auto count = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
     for (std::size_t i = 0; i < firstVertex_; ++i)
-        values.atPoints.emplace_back(vec3(of(i / count, i)), 1.0f);
+        values.atPoints.emplace_back(vec3(of(points_[i].patch, i)), 1.0f);
     for (const SurfaceCells::Blend& blend : cells.blends)
         values.atBlends.push_back(of(blend.patch, firstVertex_ + blend.vertex));
     return values;

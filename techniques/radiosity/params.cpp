@@ -8,6 +8,8 @@ namespace {
 // At this many the matrix alone takes 800 MB.
 constexpr int kMostPatches = 10000;
 constexpr int kMostSteps = 1000000;
+constexpr int kMostRounds = 8;       // each has half as many patches again: the budget is used up by then
+constexpr int kMostPoints = 4000000; // 64 MB for each light
 
 } // namespace
 
@@ -21,6 +23,15 @@ params::ParamList describe(RadiosityParams& p) {
                         "for the exchange of light. Time and memory grow with the square."),
         params::boolean("cut-at-contacts", p.cutAtContacts,
                         "Patches end where other things stand on them; false: light leaks under walls (teaching)."),
+        onlyIf(
+            [hasHemicube] { return !hasHemicube(); },
+            params::integer("refine", p.refine, 0, kMostRounds, "rounds",
+                            "A third of the patches is cut evenly; then, in so many rounds, those are cut again that "
+                            "the light is uneven on, or the edge of a shadow goes through. With it, form factors are "
+                            "found again when a light moves; 0: all are cut evenly.")),
+        onlyIf([&p, hasHemicube] { return !hasHemicube() && p.refine > 0; },
+               params::real("refine-threshold", p.refineThreshold, 0.001, 10, "",
+                            "Patches that are wrong by less than this share of the mean radiosity are not cut again.")),
         params::choice("form-factors", p.formFactors, {"analytic", "hemicube"},
                        "Closed forms and Lambert's polygon formula, with lines between patches that see each other in "
                        "part; or drawn from the centre of each patch onto half a cube (Cohen and Greenberg 1985)."),
@@ -46,7 +57,9 @@ params::ParamList describe(RadiosityParams& p) {
                        "One radiosity for each patch; interpolated between corners of patches; the same, but with the "
                        "light that comes straight from lights found at many points of each patch."),
         onlyIf(hasLightMap,
-               params::integer("light-map-points", p.lightMapPoints, 2, 64, "points", "Along each side of a patch.")),
+               params::integer("light-map-points", p.lightMapPoints, 1, kMostPoints, "points",
+                               "On all patches together, evenly; and one at every vertex of meshes that were "
+                               "simplified.")),
         params::real("exposure", p.exposure, -10, 10, "stops", "Twice as bright for each."),
         params::integer("bounce", p.bounce, 0, 1000, "",
                         "Which reflection stage `bounce` shows: light that was reflected so many times."),

@@ -11,6 +11,8 @@ struct RadiosityParams {
     // What the form factors depend on.
     int patches = 600;
     bool cutAtContacts = true;
+    int refine = 0; ///< rounds
+    double refineThreshold = 0.05;
     enum class FormFactors { analytic, hemicube } formFactors = FormFactors::analytic;
     int hemicubeSide = 128;
     bool scaleRows = true;
@@ -23,7 +25,7 @@ struct RadiosityParams {
 
     // How it is shown.
     enum class Display { flat, interpolated, lightMap } display = Display::lightMap;
-    int lightMapPoints = 8;
+    int lightMapPoints = 60000;
     double exposure = 0; ///< stops
     int bounce = 2, fromPatch = -1, toPatch = -1;
     friend bool operator==(const RadiosityParams&, const RadiosityParams&) = default;

@@ -11,7 +11,7 @@ namespace shadowlab::radiosity {
 namespace {
 
 // Of the budget, what the faces of curved meshes may take at most: the flat ones have to be cut as well.
-constexpr double kShareOfFaces = 0.5;
+constexpr double kShareOfFaces = 0.6;
 
 } // namespace
 
@@ -29,11 +29,8 @@ bool Room::advance(std::chrono::steady_clock::time_point deadline) {
             phase_ = Phase::lookAround;
             break;
         case Phase::lookAround:
-            nextPatch_ = trace::parallelUntil(deadline, nextPatch_, patches_.size(), [&](std::size_t i) {
-                const Seen seen = lookAround(tracer_, sides_, patches_[i]);
-                surroundings_[i] = seen.nothing;
-                inside_[i] = seen.insides;
-            });
+            nextPatch_ =
+                trace::parallelUntil(deadline, nextPatch_, patches_.size(), [&](std::size_t i) { lookAround(i); });
             if (nextPatch_ < patches_.size()) return false;
             leaveOutCovered();
             phase_ = Phase::done;
@@ -84,6 +81,30 @@ double Room::cutWithinBudget() {
     }
 }
 
+void Room::lookAround(std::size_t patch) {
+    const Seen seen = radiosity::lookAround(tracer_, sides_, patches_[patch]);
+    surroundings_[patch] = seen.nothing;
+    inside_[patch] = seen.insides;
+}
+
+std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements) {
+    Refined cut = refined(patches_, refinements, levels_);
+    const std::vector<double> before = std::move(surroundings_);
+    patches_ = std::move(cut.patches);
+    levels_ = std::move(cut.level);
+    surroundings_.assign(patches_.size(), 0.0);
+    inside_.assign(patches_.size(), 0.0);
+    trace::parallelFor(patches_.size(), [&](std::size_t i) {
+        if (cut.from[i] == Refined::kNew)
+            lookAround(i);
+        else
+            surroundings_[i] = before[cut.from[i]];
+    });
+    allPatches_.erase(allPatches_.begin(), allPatches_.end() - static_cast<std::ptrdiff_t>(loosePatches_));
+    allPatches_.insert(allPatches_.begin(), patches_.begin(), patches_.end());
+    return std::move(cut.from);
+}
+
 void Room::leaveOutCovered() {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
@@ -95,7 +116,9 @@ void Room::leaveOutCovered() {
     coveredPatches_ = patches_.size() - kept;
     patches_.resize(kept);
     surroundings_.resize(kept);
+    loosePatches_ = allPatches_.size();
     allPatches_.insert(allPatches_.begin(), patches_.begin(), patches_.end());
+    levels_.assign(patches_.size(), 0);
 }
 
 } // namespace shadowlab::radiosity

@@ -4,10 +4,12 @@
 #pragma once
 #include <chrono>
 #include <optional>
+#include <span>
 
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "techniques/radiosity/occlusion.h"
 #include "techniques/radiosity/patches.h"
+#include "techniques/radiosity/refinement.h"
 #include "techniques/radiosity/sides.h"
 #include "techniques/radiosity/simplified_scene.h"
 
@@ -46,6 +48,11 @@ public:
     [[nodiscard]] const std::vector<double>& surroundings() const { return surroundings_; }
     /// How many patches were left out because something stands on them.
     [[nodiscard]] std::size_t coveredPatches() const { return coveredPatches_; }
+    /// Of each of patches(), how often it was cut in refinement.
+    [[nodiscard]] const std::vector<std::uint8_t>& levels() const { return levels_; }
+    /// Cuts some of the patches finer; the others stay. Returns of each patch its number before, or Refined::kNew.
+    std::vector<std::uint32_t> refine(std::span<const Refinement> refinements);
+
     [[nodiscard]] const Occlusion& occlusion() const { return *occlusion_; }
 
     [[nodiscard]] const Face& faceOf(const Patch& patch) const { return sides_.faces.all[patch.face]; }
@@ -57,6 +64,7 @@ public:
     }
 
 private:
+    void lookAround(std::size_t patch);
     enum class Phase { simplify, cut, lookAround, done };
     void simplify();
     void cut();
@@ -77,7 +85,8 @@ private:
     trace::SceneTracer tracer_;
     std::size_t nextPatch_ = 0;
     std::vector<double> surroundings_, inside_; ///< of each patch, the shares of what it sees
-    std::size_t coveredPatches_ = 0;
+    std::size_t coveredPatches_ = 0, loosePatches_ = 0;
+    std::vector<std::uint8_t> levels_;
 };
 
 } // namespace shadowlab::radiosity

@@ -57,15 +57,23 @@ std::vector<dvec3> asValues(const Showing& showing, std::span<const double> numb
 }
 
 void publishPatches(const Showing& showing) {
+    // A light step of viridis for each time that a patch was cut again.
     static const std::vector<KeyEntry> key = {{look::linearFromSrgb8(0xB8, 0xB8, 0xB4), "patch, cut to size"},
+                                              {look::colorAt(look::viridis(), 0.3), "cut again once"},
+                                              {look::colorAt(look::viridis(), 0.5), "twice"},
+                                              {look::colorAt(look::viridis(), 0.7), "three times"},
+                                              {look::colorAt(look::viridis(), 0.95), "more often"},
                                               {look::kNoSurface, "border of a patch"}};
+    const bool isRefined = showing.kept.isRefined();
     std::vector<dvec3> colors(showing.sources.size(), dvec3(key[0].colorLinear));
+    for (std::size_t i = 0; i < showing.kept.room().levels().size(); ++i)
+        colors[i] = dvec3(key[std::min<std::size_t>(showing.kept.room().levels()[i], 4)].colorLinear);
     showing.frame.drawStage("patches", kNoLight, GL_RGBA16F,
                             [&] {
                                 const auto uploaded = SurfacePicture::upload(cellValues(showing.kept.cells(), colors));
-                                showing.picture.drawOutlines(showing.frame, uploaded, key[1].colorLinear);
+                                showing.picture.drawOutlines(showing.frame, uploaded, key.back().colorLinear);
                             },
-                            {.unit = "", .key = key});
+                            {.unit = "", .key = isRefined ? key : std::vector<KeyEntry>{key.front(), key.back()}});
 }
 
 /// Whose form factors are looked at: the one asked for, or the one that sends the most light.
@@ -116,7 +124,7 @@ void publishVisibility(const Showing& showing, int light, const LightMap* map) {
         const LightMap::Values seen = map->seenArea(cells, light);
         const std::vector<dvec3> nothing(showing.sources.size(), dvec3(0)); // all of it is in the map
         const auto uploaded = SurfacePicture::upload(cellValues(cells, nothing, seen.atBlends));
-        const auto lattices = SurfacePicture::upload(map->boxes(), seen.atPoints, map->side());
+        const auto lattices = SurfacePicture::upload(map->lattices(), seen.atPoints);
         showing.frame.drawStage("visibility", light, GL_RG32F,
                                 [&] { showing.picture.drawVisibility(showing.frame, uploaded, lattices, light); });
         return;
@@ -148,7 +156,7 @@ void Showing::draw(const LightMap& map) const {
     for (std::size_t i = 0; i < atBlends.size(); ++i)
         atBlends[i] += direct.atBlends[i];
     picture.drawRadiance(frame, SurfacePicture::upload(cellValues(kept.cells(), indirect, atBlends)),
-                         SurfacePicture::upload(map.boxes(), direct.atPoints, map.side()));
+                         SurfacePicture::upload(map.lattices(), direct.atPoints));
 }
 
 void publishStages(const Showing& showing, const LightMap* map) {

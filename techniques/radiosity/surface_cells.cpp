@@ -9,6 +9,13 @@ namespace shadowlab::radiosity {
 
 namespace {
 
+// What lies nowhere farther from a plane than this share of its size lies in it: simplified vertices are floats, found by solving
+// small systems of equations.
+constexpr double kOnePlane = 1e-5;
+
+// 2.5 degrees, as far as kOffPlane bends a triangle of a cell's size.
+constexpr double kSamePlaneCosine = 0.999;
+
 class CellMaker {
 public:
     CellMaker(const scene::Scene& drawn, const Room& room) : drawn_(drawn), room_(room), patches_(room.allPatches()) {
@@ -17,6 +24,7 @@ public:
     }
 
     SurfaceCells make() {
+        findPlanes();
         for (std::uint32_t i = 0; i < patches_.size(); ++i)
             addCell(i);
         plantTrees();
@@ -30,22 +38,31 @@ public:
     }
 
 private:
-    const FaceFrame& frame(std::uint32_t side) const { return frames_[side]; }
+    [[nodiscard]] const FaceFrame& frame(std::uint32_t side) const { return planes_[planeOfSide_[side] / 2].frame; }
 
-    /// Fronts and backs of a triangle share (u, v): those of its front.
-    void makeFrames() {
-        const Sides& sides = room_.sides();
-        frames_.resize(sides.faces.all.size());
-        for (std::size_t side = 0; side < frames_.size(); ++side)
-            frames_[side] = frameOf(sides.faces.all[side].polygon);
-        for (std::size_t t = 0; t < sides.backOfTriangle.size(); ++t) {
-            const std::uint32_t front = sides.faces.ofTriangle[t], back = sides.backOfTriangle[t];
-            if (front != kNoFace && back != kNoFace) frames_[back] = frames_[front];
+    /// Planes of each object, their coordinates shared by all faces in them, from both sides.
+    void findPlanes() {
+        const std::vector<Face>& all = room_.sides().faces.all;
+        std::vector<std::vector<std::uint32_t>> ofObject(drawn_.objects.size());
+        for (const Face& side : all) {
+            std::vector<std::uint32_t>& known = ofObject[side.object];
+            const double tolerance = kOnePlane * sizeOf(side.polygon);
+            const auto found = std::ranges::find_if(known, [&](std::uint32_t p) {
+                const Plane &plane = planes_[p].plane, turned{plane.point, -plane.normal};
+                return isBehind(plane, side.polygon, tolerance) && isBehind(turned, side.polygon, tolerance);
+            });
+            const bool isNew = found == known.end();
+            const auto plane = isNew ? static_cast<std::uint32_t>(planes_.size()) : *found;
+            if (isNew) {
+                known.push_back(plane);
+                planes_.push_back({side.plane, frameOf(side.polygon)});
+            }
+            const bool isTurned = glm::dot(planes_[plane].plane.normal, side.plane.normal) < 0;
+            planeOfSide_.push_back(2 * plane + (isTurned ? 1 : 0));
         }
     }
 
     void addCell(std::uint32_t patch) {
-        if (frames_.empty()) makeFrames();
         const FaceFrame& to = frame(patches_[patch].face);
         const std::uint32_t first = borders().first[patch], end = borders().first[patch + 1];
         cells_.cells.emplace_back(patch, cells_.borders.size(), end - first, patch + 1);
@@ -64,19 +81,19 @@ private:
     }
 
     void plantTrees() {
-        const std::size_t sides = room_.sides().faces.all.size();
-        roots_.assign(sides, SurfaceCells::kNone);
-        for (std::size_t first = 0, end = 0; first < patches_.size(); first = end) {
-            const std::uint32_t side = patches_[first].face;
-            std::vector<FlatPolygon> polygons;
-            for (; end < patches_.size() && patches_[end].face == side; ++end) {
-                FlatPolygon& flat = polygons.emplace_back();
-                flat.number = static_cast<std::uint32_t>(end);
-                for (const dvec3& corner : patches_[end].polygon.corners())
-                    flat.corners.push_back(frame(side).place(corner));
-            }
-            roots_[side] = addTree(tree_, polygons, kTouching * sizeOf(room_.sides().faces.all[side].polygon));
+        std::vector<std::vector<FlatPolygon>> inPlane(2 * planes_.size());
+        std::vector<double> touching(inPlane.size(), 0.0);
+        for (std::uint32_t p = 0; p < patches_.size(); ++p) {
+            const std::uint32_t side = patches_[p].face, plane = planeOfSide_[side];
+            FlatPolygon& flat = inPlane[plane].emplace_back();
+            flat.number = p;
+            for (const dvec3& corner : patches_[p].polygon.corners())
+                flat.corners.push_back(frame(side).place(corner));
+            touching[plane] = std::max(touching[plane], kTouching * sizeOf(room_.sides().faces.all[side].polygon));
         }
+        for (std::size_t plane = 0; plane < inPlane.size(); ++plane)
+            roots_.push_back(inPlane[plane].empty() ? SurfaceCells::kNone
+                                                    : addTree(tree_, inPlane[plane], touching[plane]));
     }
 
     void addObject(std::size_t number) {
@@ -102,6 +119,12 @@ private:
                 for (int i = 0; i < 3; ++i)
                     polygon.add(transformPoint(worldFromMesh, dvec3(mesh.positionsMesh[mesh.triangles[t][i]])) -
                                 room_.world().originWorld);
+                if (const auto plane = planeOf(polygon, places[t])) {
+                    addPlaces(planes_[*plane / 2].frame, worldFromMesh);
+                    cells_.roots.back().x = roots_[*plane];
+                    cells_.roots.back().y = roots_[*plane ^ 1];
+                    continue;
+                }
                 const FaceFrame own = frameOf(polygon);
                 addPlaces(own, worldFromMesh);
                 cells_.roots.back().x = blendedCell({polygon, own, number, mesh.triangles[t], false}, places[t]);
@@ -110,7 +133,24 @@ private:
         }
     }
     [[nodiscard]] std::uint32_t rootOf(std::uint32_t side) const {
-        return side == kNoFace ? SurfaceCells::kNone : roots_[side];
+        return side == kNoFace ? SurfaceCells::kNone : roots_[planeOfSide_[side]];
+    }
+
+    /// The plane of the simplified mesh in which the triangle lies, if there is one: of its front.
+    [[nodiscard]] std::optional<std::uint32_t> planeOf(const Polygon& triangle,
+                                                       const std::array<SurfacePlace, 3>& places) const {
+        std::optional<std::uint32_t> plane;
+        if (sizeOf(triangle) < room_.simple().cellMetres) return plane; // its corners know enough
+        const dvec3 normal = glm::normalize(areaVector(triangle));
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::uint32_t side = room_.sides().faces.ofTriangle[places[i].triangle];
+            if (side == kNoFace || (plane && *plane != planeOfSide_[side])) return std::nullopt;
+            plane = planeOfSide_[side];
+            if (glm::dot(room_.sides().faces.all[side].plane.normal, normal) < kSamePlaneCosine) return std::nullopt;
+            if (std::abs(planes_[*plane / 2].plane.height(triangle[i])) > kOffPlane * room_.simple().cellMetres)
+                return std::nullopt;
+        }
+        return plane;
     }
 
     void addPlaces(const FaceFrame& to, const dmat4& worldFromMesh) {
@@ -173,7 +213,7 @@ private:
         const trace::Triangle& t = room_.world().triangles[place.triangle];
         const dvec3 weights(place.weights[0], place.weights[1], place.weights[2]);
         const dvec2 at = frame(side).place(weights.x * t.a + weights.y * t.b + weights.z * t.c);
-        return blendIn(find(tree_, roots_[side], at), at);
+        return blendIn(find(tree_, rootOf(side), at), at);
     }
 
     /// In which triangle of the patch's fan the place lies, and how near to its corners.
@@ -208,8 +248,13 @@ private:
     const std::vector<Patch>& patches_;
     SurfaceCells cells_;
     PatchTree tree_;
-    std::vector<FaceFrame> frames_;    ///< of sides
-    std::vector<std::uint32_t> roots_; ///< of sides
+    struct ObjectPlane {
+        Plane plane;
+        FaceFrame frame;
+    };
+    std::vector<ObjectPlane> planes_;
+    std::vector<std::uint32_t> planeOfSide_; ///< twice the plane; one more: turned the other way
+    std::vector<std::uint32_t> roots_;       ///< by the same numbers
     std::size_t firstBlend_ = 0;
     std::map<std::pair<std::uint32_t, bool>, std::uint32_t> vertexNumbers_; ///< of one object: by vertex and side
 };

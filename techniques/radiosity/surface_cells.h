@@ -1,9 +1,9 @@
 // Where on the scene's surfaces is which patch? For pictures: triangles of the scene as it is drawn, each with a way from a
 // point on it to the patch, and to the patch's corners.
 //
-// Every triangle has coordinates (u, v) in metres in its own plane. Those of a flat face share them, and a tree of lines
-// (patch_tree.h) finds the patch. Triangles of a mesh that was simplified are cells of their own: their corners lie somewhere on the simplified
-// mesh, and have the values of those places.
+// Every triangle has coordinates (u, v) in metres in its own plane. Those of an object that lie in one plane share them, and a tree
+// of lines (patch_tree.h) finds the patch. Of a mesh that was simplified, large triangles that lie in a plane of the simplified mesh are
+// found in the same way; the others are cells of their own, whose corners have the values of their places on the simplified mesh.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -25,6 +25,10 @@ struct FaceFrame {
 };
 /// u lies along its first edge. Seen from the front of the triangle, u and v are right-handed.
 FaceFrame frameOf(const Polygon& polygon);
+
+/// A large triangle of a mesh that was simplified lies in a plane of the simplified mesh if it is nowhere farther off than this
+/// share of a cell: the rounding of a table's edges takes the corners of its top a little off.
+constexpr double kOffPlane = 0.02;
 
 /// As a shader reads them (shaders/radiosity/cell.glsl).
 struct SurfaceCells {

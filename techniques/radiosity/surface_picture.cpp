@@ -31,10 +31,9 @@ SurfacePicture::Values SurfacePicture::upload(const CellValues& values) {
             gl::BufferTexture(atLeastOne(values.ofBorders), "radiosity: values of borders")};
 }
 
-SurfacePicture::Lattices SurfacePicture::upload(const std::vector<vec4>& boxes, const std::vector<vec4>& values,
-                                                int side) {
-    return {gl::BufferTexture(atLeastOne(boxes), "radiosity: lattices"),
-            gl::BufferTexture(atLeastOne(values), "radiosity: light map"), side};
+SurfacePicture::Lattices SurfacePicture::upload(const std::vector<vec4>& lattices, const std::vector<vec4>& atPoints) {
+    return {gl::BufferTexture(atLeastOne(lattices), "radiosity: lattices"),
+            gl::BufferTexture(atLeastOne(atPoints), "radiosity: light map")};
 }
 
 void SurfacePicture::draw(const Frame& frame, const gl::Program& program, const Values& values, bool interpolates,
@@ -66,11 +65,10 @@ void SurfacePicture::drawRadiance(const Frame& frame, const Values& values, bool
 
 void SurfacePicture::bind(const Lattices& map, const gl::Program& program) {
     constexpr int kFirst = gl::kFirstFreeUnit + 8; // after what draw() binds
-    map.boxes.bind(kFirst);
+    map.table.bind(kFirst);
     map.values.bind(kFirst + 1);
-    program.set("latticeBoxes", kFirst);
+    program.set("lattices", kFirst);
     program.set("latticeValues", kFirst + 1);
-    program.set("latticeSide", map.side);
 }
 
 void SurfacePicture::drawRadiance(const Frame& frame, const Values& values, const Lattices& map) const {

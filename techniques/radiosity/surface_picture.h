@@ -20,10 +20,9 @@ public:
     static Values upload(const CellValues& values);
     /// A light map there (light_map.h).
     struct Lattices {
-        gl::BufferTexture boxes, values;
-        int side = 0;
+        gl::BufferTexture table, values;
     };
-    static Lattices upload(const std::vector<vec4>& boxes, const std::vector<vec4>& values, int side);
+    static Lattices upload(const std::vector<vec4>& lattices, const std::vector<vec4>& atPoints);
 
     // Into what is bound, on the surfaces that the depth buffer has. Each clears the stencil.
 

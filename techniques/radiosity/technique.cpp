@@ -47,7 +47,8 @@ public:
         const Deadline deadline = std::max(frame.deadline(), std::chrono::steady_clock::now() + kLeastWork);
         const bool isSolved = solveOn(static_cast<std::size_t>(params_.stepsPerPicture), deadline);
         const bool isMapped =
-            !wantsLightMap(frame) || lightMap_.advance(frame.snapshot(), kept_, params_.lightMapPoints, deadline);
+            !wantsLightMap(frame) ||
+            lightMap_.advance(frame.snapshot(), kept_, static_cast<std::size_t>(params_.lightMapPoints), deadline);
         const Showing showing{frame, kept_, sources_, balance_, picture_, params_};
         frame.pass(passInfo(kPasses, "patches"), [&] { clear(frame); });
         frame.pass(passInfo(kPasses, "form-factors"), [&] { clear(frame); });

@@ -17,6 +17,12 @@ namespace {
 // A cell's three numbers in one: 21 bits each.
 constexpr int kBits = 21;
 
+// A vertex that is no cell's: with this bit, its own number.
+constexpr std::uint64_t kOwn = std::uint64_t{1} << 63;
+
+// A square of a cell's side makes about two triangles.
+constexpr double kTrianglesOfCell = 2;
+
 // A direction in which the planes of a cell say less than this share of what they say in another tells noise (Lindstrom's value).
 constexpr double kSingular = 1e-3;
 
@@ -112,6 +118,7 @@ VertexClusters::VertexClusters(const scene::Object& object) : mesh_(*object.mesh
     }
     for (std::uint32_t part = 0; part < mesh_.parts.size(); ++part)
         parts_.resize(parts_.size() + mesh_.parts[part].triangleCount, part);
+    findPieces();
     const scene::MeshTopology topology = scene::buildTopology(mesh_);
     for (const scene::Edge& edge : topology.edges) {
         const std::span uses(topology.uses.data() + edge.firstUse, edge.useCount);
@@ -120,6 +127,40 @@ VertexClusters::VertexClusters(const scene::Object& object) : mesh_(*object.mesh
         if (isOnePart && uses.size() > 1) continue;
         for (const scene::EdgeUse& use : uses)
             borders_.push_back({edge.a, edge.b, use.triangle});
+    }
+}
+
+void VertexClusters::findPieces() {
+    std::vector<std::uint32_t> byPlace(positions_.size());
+    std::iota(byPlace.begin(), byPlace.end(), 0u);
+    const auto place = [&](std::uint32_t v) {
+        const vec3& p = mesh_.positionsMesh[v];
+        return std::array{p.x, p.y, p.z};
+    };
+    std::ranges::stable_sort(byPlace, {}, place);
+    placeOfVertex_.resize(byPlace.size());
+    for (std::size_t i = 0; i < byPlace.size(); ++i)
+        placeOfVertex_[byPlace[i]] =
+            i > 0 && place(byPlace[i]) == place(byPlace[i - 1]) ? placeOfVertex_[byPlace[i - 1]] : byPlace[i];
+    // Trees of vertices that hang together; the root is always the smallest number.
+    pieceOfVertex_ = placeOfVertex_;
+    const auto rootOf = [&](std::uint32_t v) {
+        while (pieceOfVertex_[v] != v)
+            v = pieceOfVertex_[v] = pieceOfVertex_[pieceOfVertex_[v]];
+        return v;
+    };
+    for (const uvec3& t : mesh_.triangles)
+        for (const std::uint32_t other : {t.y, t.z}) {
+            const auto [least, most] = std::minmax({rootOf(t.x), rootOf(other)});
+            pieceOfVertex_[most] = least;
+        }
+    for (std::uint32_t v = 0; v < pieceOfVertex_.size(); ++v)
+        pieceOfVertex_[v] = rootOf(v);
+    pieces_.resize(positions_.size());
+    for (const uvec3& t : mesh_.triangles) {
+        Piece& piece = pieces_[pieceOfVertex_[t.x]];
+        piece.area += 0.5 * glm::length(areaVector(positions_, t));
+        ++piece.triangles;
     }
 }
 
@@ -133,7 +174,13 @@ std::vector<std::uint64_t> VertexClusters::cellsOf(double cell) const {
     const dvec3 origin = latticeOrigin(cell), last = glm::max(glm::ceil((upper_ - lower_) / cell), 1.0) - 1.0;
     std::vector<std::uint64_t> cells;
     cells.reserve(positions_.size());
-    for (const dvec3& position : positions_) {
+    for (std::size_t v = 0; v < positions_.size(); ++v) {
+        const Piece& piece = pieces_[pieceOfVertex_[v]];
+        if (static_cast<double>(piece.triangles) <= kTrianglesOfCell * piece.area / (cell * cell)) {
+            cells.push_back(kOwn | placeOfVertex_[v]);
+            continue;
+        }
+        const dvec3& position = positions_[v];
         const dvec3 place = glm::clamp(glm::floor((position - origin) / cell), dvec3(0.0), last);
         cells.push_back((static_cast<std::uint64_t>(place.x) << 2 * kBits) |
                         (static_cast<std::uint64_t>(place.y) << kBits) | static_cast<std::uint64_t>(place.z));
@@ -178,6 +225,10 @@ void VertexClusters::placeVertices(ClusteredMesh& mesh, std::span<const std::uin
     constexpr std::uint64_t kMask = (std::uint64_t{1} << kBits) - 1;
     constexpr double kRounded = 1e-6; // a corner of the surface may be one of the lattice, too
     for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (cells[i] & kOwn) {
+            mesh.positions.push_back(positions_[cells[i] & ~kOwn]);
+            continue;
+        }
         const dvec3 place(static_cast<double>(cells[i] >> 2 * kBits), static_cast<double>(cells[i] >> kBits & kMask),
                           static_cast<double>(cells[i] & kMask));
         mesh.positions.push_back(

@@ -4,7 +4,9 @@
 // sum of squared distances to the planes of the triangles that end there is least, each counted by the square of its area: on edges
 // and corners of the surface, if it has any, and on average as much before the surface as behind. P. Lindstrom, "Out-of-Core
 // Simplification of Large Polygonal Models", SIGGRAPH 2000; vertex clustering goes back to J. Rossignac and P. Borrel, 1993. Where
-// the mesh, or one of its parts, ends, there is one more plane through the edge, across the triangle, so that outlines stay.
+// the mesh, or one of its parts, ends, there is one more plane through the edge, across the triangle, so that outlines stay. Pieces of
+// the mesh that hang together and have no more triangles than cells would leave of their area stay as they are: the top of a
+// table, thinner than a cell, would vanish.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
@@ -43,6 +45,7 @@ private:
     struct Border {
         std::uint32_t from, to, triangle;
     };
+    void findPieces();
     [[nodiscard]] std::vector<std::uint64_t> cellsOf(double cell) const;
     [[nodiscard]] dvec3 latticeOrigin(double cell) const;
     void placeVertices(ClusteredMesh& mesh, std::span<const std::uint64_t> cells, double cell) const;
@@ -51,6 +54,13 @@ private:
     std::vector<dvec3> positions_; ///< metres
     std::vector<std::uint32_t> parts_;
     std::vector<Border> borders_;
+    std::vector<std::uint32_t> placeOfVertex_; ///< the first vertex in the same place
+    std::vector<std::uint32_t> pieceOfVertex_; ///< the first vertex of the piece of the mesh that it belongs to
+    struct Piece {
+        double area = 0; ///< m^2
+        std::size_t triangles = 0;
+    };
+    std::vector<Piece> pieces_;     ///< by that vertex
     dvec3 lower_{0.0}, upper_{0.0}; ///< of the box around them
 };
 
