@@ -40,6 +40,7 @@ TEST_F(DistributedTest, SlicesGiveTheSameBytesAsOneRun) {
     for (const std::vector<std::string>& settings :
          {std::vector<std::string>{"samples=3"}, {"samples=2", "soft-shadows=analytic"}, {}, {"structure=none"}}) {
         Drawing whole(builtIn("billiards"), settings), sliced(builtIn("billiards"), settings);
+        if (settings.size() > 1) whole.view.size = sliced.view.size = kSize / 3; // closed forms take their time
         EXPECT_TRUE(whole.session.render(whole.slots[0], whole.view).converged);
         int slices = 0;
         bool converged = false;
@@ -56,7 +57,7 @@ TEST_F(DistributedTest, SlicesGiveTheSameBytesAsOneRun) {
         EXPECT_TRUE(converged);
         EXPECT_GT(slices, 2);
         const std::vector<vec4> expected = whole.texels(), found = sliced.texels();
-        EXPECT_GT(std::ranges::count_if(expected, [](const vec4& v) { return v.r > 0.01f; }), 1000);
+        EXPECT_GT(std::ranges::count_if(expected, [](const vec4& v) { return v.r > 0.01f; }), 100);
         EXPECT_EQ(found, expected);
     }
 }
