@@ -182,7 +182,7 @@ def every_technique(program):
     columns = count if count <= 3 else math.ceil(math.sqrt(count))
     rows = math.ceil(count / columns)
     # However many there are, the picture stays as wide as a page and within LARGEST_PICTURE.
-    layout, cell = ("side", (480, 360)) if rows == 1 else ("grid", (1080 // columns, 1080 // columns * 9 // 16))
+    layout, cell = ("side", (480, 360)) if rows == 1 else ("grid", (960 // columns, 960 // columns * 9 // 16))
     ids = ",".join(t["id"] for t in program.techniques)
     return f"-t {ids} --layout {layout} --size {columns * cell[0]}x{rows * cell[1]}"
 
