@@ -10,6 +10,9 @@ namespace shadowlab::radiosity {
 
 namespace {
 
+// Of what a patch under a thing sees, so much is the thing's inside; a ray or two of those that begin at its very edge may slip past.
+constexpr double kCovered = 0.95;
+
 // Of the budget, what the faces of curved meshes may take at most: the flat ones have to be cut as well.
 constexpr double kShareOfFaces = 0.6;
 
@@ -108,7 +111,7 @@ std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements)
 void Room::leaveOutCovered() {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
-        if (inside_[i] == 1) continue;
+        if (surroundings_[i] == 0 && inside_[i] > kCovered) continue;
         patches_[kept] = patches_[i];
         surroundings_[kept] = surroundings_[i];
         ++kept;
