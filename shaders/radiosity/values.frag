@@ -34,7 +34,8 @@ void main() {
     float distanceSquared;
     vec3 toLightView = towardLight(positionView, distanceSquared);
     bool gate = eyeSideFacesLight() && lightShinesTo(toLightView);
-    result = vec4(!gate ? 0.0 : receivesShadow == 0 ? 1.0 : number == kNoCell ? 0.0 : value.r, 1.0, 0.0, 1.0);
+    result = vec4(!gate ? 0.0 : receivesShadow == 0 ? 1.0 : number == kNoCell ? 0.0 : clamp(value.r, 0.0, 1.0), 1.0, 0.0,
+                  1.0); // at a rim it is carried on from within, and may go beyond
 #else
     result = vec4(value.r, number == kNoCell ? 0.0 : 1.0, 0.0, 1.0);
 #endif
