@@ -31,7 +31,7 @@ void describeProbe(CLI::App& command) {
                    "Examples:\n"
                    "  shadowlab probe still-life --pixel 640,360\n"
                    "  shadowlab probe mirror-and-glass --pixel 500,420 -t ray-traced --diagram tree.svg\n"
-                   "  shadowlab probe cornell-room --pixel 640,600 --partner 300,400 -t radiosity --diagram pair.svg\n"
+                   "  shadowlab probe cornell-room --pixel 500,690 --partner 300,400 -t radiosity --diagram pair.svg\n"
                    "  shadowlab probe still-life --pixel 640,360 -t shadow-map --set shadow-map.resolution=512 --json");
 }
 

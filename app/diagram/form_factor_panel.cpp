@@ -121,7 +121,9 @@ private:
         const dvec2 from = onSheet(surfaces_[0].centre), to = onSheet(surfaces_[1].centre);
         svg.line(from, to, kThick);
         labels_.avoid(from, to);
-        if (view_.distanceShare < 1) svg.breakMark(glm::mix(from, to, 0.5), to - from, kThick);
+        if (view_.distanceShare == 1) return;
+        svg.breakMark(glm::mix(from, to, 0.5), to - from, kThick);
+        labels_.avoid({glm::mix(from, to, 0.5) - 16.0, dvec2(32)});
     }
 
     /// The arc from the normal to r, in the plane of both, as that plane is seen.

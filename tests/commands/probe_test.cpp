@@ -146,10 +146,10 @@ TEST_F(ProbeTest, DiagramIsWrittenWholeAndTheSameEachTime) {
     EXPECT_EQ(fileContent(folder.path() / "tree.svg"), first);
 }
 
-// Two walls of a corner, one square metre each: whatever the patches are, facts, JSON and drawing have to agree.
+// Whatever the patches are: places, angles and form factors have to agree with one another.
 TEST_F(ProbeTest, ASecondPixelSaysWhichTwoPatchesAreAskedAbout) {
     const auto asked = [&](std::vector<std::string> more) {
-        std::vector<std::string> words{"cornell-room",        "--pixel", "640,640", "-t", "radiosity", "--set",
+        std::vector<std::string> words{"cornell-room",        "--pixel", "500,690", "-t", "radiosity", "--set",
                                        "radiosity.patches=60"};
         words.insert(words.end(), more.begin(), more.end());
         return probed(words);
@@ -189,7 +189,7 @@ TEST_F(ProbeTest, ASecondPixelSaysWhichTwoPatchesAreAskedAbout) {
 }
 
 TEST_F(ProbeTest, OfTheSamePatchTwiceThereIsNoPairAndOthersTakeNoNoticeOfASecondPixel) {
-    const Json same = probed({"cornell-room", "--pixel", "640,640", "--partner", "640,640", "-t", "radiosity", "--set",
+    const Json same = probed({"cornell-room", "--pixel", "500,690", "--partner", "500,690", "-t", "radiosity", "--set",
                               "radiosity.patches=60"});
     EXPECT_TRUE(same.at("exchange").at("k").is_null());
     EXPECT_TRUE(value(same, "k: the other patch").get<std::string>().starts_with("none"));
@@ -202,7 +202,7 @@ TEST_F(ProbeTest, OfTheSamePatchTwiceThereIsNoPairAndOthersTakeNoNoticeOfASecond
 }
 
 TEST_F(ProbeTest, RadiositysDiagramIsThatOfTwoSurfaces) {
-    const std::vector<std::string> words{"probe",     "cornell-room", "--pixel",   "640,640", "--partner",
+    const std::vector<std::string> words{"probe",     "cornell-room", "--pixel",   "500,690", "--partner",
                                          "300,400",   "-t",           "radiosity", "--set",   "radiosity.patches=60",
                                          "--diagram", "pair.svg"};
     succeed(words);
