@@ -1,7 +1,8 @@
-// What a technique knows about one pixel: facts to print, rays and vectors to draw in the scene, and where it follows rays
-// that split, their tree.
+// What a technique knows about one pixel: facts to print, rays and vectors to draw in the scene; where it follows rays
+// that split, their tree; where patches send each other light, two of them.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,11 +48,29 @@ struct Probe {
         dvec3 intensity{0.0};
         dvec3 normalWorld{0.0}; ///< N where it ends, on the side that it came from
     };
+    /// A flat piece of a surface that sends light out in all directions, as a Lambertian one does.
+    struct Patch {
+        std::string object;              ///< of which it is a piece
+        std::vector<dvec3> cornersWorld; ///< counter-clockwise seen from the front
+        dvec3 centreWorld, normalWorld;  ///< its centroid; the front's side, unit
+        double area = 0;                 ///< m^2
+        dvec3 emission{0.0};             ///< E, W/m^2
+        dvec3 reflectance{0.0};          ///< rho, 0..1
+        dvec3 radiosity{0.0};            ///< B, W/m^2
+    };
+    /// The pixel's patch j, and another one that it exchanges light with.
+    struct Exchange {
+        Patch j;
+        std::optional<Patch> k{};
+        double formFactorJk = 0; ///< the share of what leaves j that reaches k, with what stands in between
+        double formFactorKj = 0;
+    };
     std::vector<Fact> facts;
     std::vector<Segment> geometry;
     std::vector<Node> tree;
-    std::vector<Vector> vectors;     ///< at the end of the eye ray
-    std::vector<SceneShape> visited; ///< what of the technique's own structures the eye ray passes through
+    std::vector<Vector> vectors;        ///< at the end of the eye ray
+    std::optional<Exchange> exchange{}; ///< of a technique in which patches send each other light
+    std::vector<SceneShape> visited;    ///< what of the technique's own structures the eye ray passes through
 };
 
 /// Six digits, without regard to the locale, and without a sign where there is nothing.

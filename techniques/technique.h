@@ -53,6 +53,7 @@ struct StageInfo {
     std::string_view id, caption;
     StageKind kind = StageKind::radiance;
     bool perLight = false;
+    bool followsPicked = false; ///< it is about View::picked, where there is one
 };
 
 /// One colour and what it stands for.
@@ -82,6 +83,8 @@ struct View {
     std::uint32_t seed = 0;
     /// Somebody wants to know about this one: shapes() leaves out what stands for all pixels where probe() tells of one.
     std::optional<ivec2> picked{};
+    /// A second one, for techniques in which two places have to do with one another; all others take no notice.
+    std::optional<ivec2> partner{};
 };
 
 /// The part of the picture that is drawn: the view's region, or all of it where it has none.

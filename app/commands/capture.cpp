@@ -146,7 +146,11 @@ private:
             FrameRequest request;
             request.timePasses = !options_.stats.empty();
             const std::optional<session::StageChoice>& stage = stages_[i];
-            if (stage && stage->key.id == "outside") view.picked = pickedIn(view.size);
+            view.picked = view.partner = std::nullopt;
+            if (stage && session::followsPicked(*slot.info, stage->key.id)) {
+                view.picked = within("--pixel", options_.pixel, cells[i].pictureSize);
+                view.partner = within("--partner", options_.partner, cells[i].pictureSize);
+            }
             if (stage && stage->isPass) request.stopAfter = stage->key;
             if (stage && !stage->isPass) request.stages = session::neededFor(stage->key);
             const session::RenderedFrame rendered = session_->render(slot, view, request);
@@ -210,12 +214,14 @@ private:
         return *font_;
     }
 
-    /// The pixel that was asked for, of a picture of that size: each of several is smaller than the whole.
-    [[nodiscard]] std::optional<ivec2> pickedIn(ivec2 size) const {
-        if (options_.pixel && (options_.pixel->x >= size.x || options_.pixel->y >= size.y))
-            throw Error(ExitStatus::usage, "--pixel: each technique's picture has " + std::to_string(size.x) + " x " +
+    /// A pixel that was asked for, of a picture of that size: each of several is smaller than the whole. Of its samples, the
+    /// one in the middle.
+    [[nodiscard]] std::optional<ivec2> within(const std::string& option, std::optional<ivec2> pixel, ivec2 size) const {
+        if (!pixel) return {};
+        if (pixel->x >= size.x || pixel->y >= size.y)
+            throw Error(ExitStatus::usage, option + ": each technique's picture has " + std::to_string(size.x) + " x " +
                                                std::to_string(size.y) + " pixels; choose one within");
-        return options_.pixel;
+        return *pixel * options_.supersample + options_.supersample / 2;
     }
 
     /// The second camera that was asked for, its other properties those of the scene's.

@@ -10,6 +10,7 @@
 #include "app/session/derived_stages.h"
 #include "app/session/document.h"
 #include "techniques/foundation/error.h"
+#include "techniques/registry.h"
 
 namespace shadowlab::commands {
 
@@ -83,17 +84,19 @@ std::array<double, 6> outsideFor(const GivenOptions& given, const std::vector<st
     return numbers;
 }
 
-/// A pixel that the window has picked, or whose rays are seen from outside.
-ivec2 pickedFor(const GivenOptions& given, const CaptureOptions& options) {
-    const bool outside =
-        std::ranges::any_of(options.stages, [](const std::string& stage) { return stage.starts_with("outside"); });
-    if (!outside && !options.ui)
-        refuseUsage("--pixel: only the stage outside and the window show the rays of a pixel; add --stage outside or "
-                    "--ui, or ask `shadowlab probe`");
-    return pixelFrom("--pixel", given.text("--pixel"), options.size);
-}
-
 std::string stageId(const std::string& stage) { return stage.substr(0, stage.find('@')); }
+
+/// A pixel that the window has picked, or that a stage is about.
+ivec2 pickedFor(const std::string& option, const GivenOptions& given, const CaptureOptions& options) {
+    bool isUsed = options.ui;
+    for (std::size_t i = 0; i < options.stages.size(); ++i)
+        isUsed = isUsed || session::followsPicked(findTechnique(options.techniques[i]), stageId(options.stages[i]));
+    if (!isUsed)
+        refuseUsage(option +
+                    ": only the window and stages about one pixel, as outside and radiosity's form-factors, show "
+                    "it; add --stage outside or --ui, or ask `shadowlab probe`");
+    return pixelFrom(option, given.text(option), options.size);
+}
 
 int rowFor(const GivenOptions& given, const std::vector<std::string>& stages, ivec2 size) {
     if (std::ranges::find(stages, "scanline", stageId) == stages.end())
@@ -146,7 +149,12 @@ void describeCapture(CLI::App& command) {
     add("--outside", "X,Y,Z,X,Y,Z",
         "where the second camera of the stage outside stands, and where it looks (default: a good place)");
     add("--pixel", "X,Y",
-        "the pixel whose rays the stage outside shows, in place of a few of all; with --ui the one that is picked");
+        "the pixel whose rays the stage outside shows, in place of a few of all, or whose patch radiosity's "
+        "form-factors "
+        "are of; with --ui the one that is picked");
+    add("--partner", "X,Y",
+        "a second pixel beside --pixel, whose patch radiosity shows with the first one's; other techniques take no "
+        "notice");
     add("--size", "WxH", "width and height of the whole picture in pixels (default 1280x720)");
     add("--supersample", "N",
         "average N x N samples a pixel in linear light (default 1; never for stages about visibility)");
@@ -198,7 +206,12 @@ CaptureOptions captureOptions(const CLI::App& command) {
         }))
         options.supersample = 1;
     if (given.has("--outside")) options.outside = outsideFor(given, options.stages);
-    if (given.has("--pixel")) options.pixel = pickedFor(given, options);
+    if (given.has("--pixel")) options.pixel = pickedFor("--pixel", given, options);
+    if (given.has("--partner")) {
+        if (!options.pixel)
+            refuseUsage("--partner: it is the second of two pixels; add the first one with --pixel X,Y");
+        options.partner = pickedFor("--partner", given, options);
+    }
     if (given.has("--row")) options.row = rowFor(given, options.stages, options.size);
     options.settings = given.texts("--set");
     options.light = given.text("--light");

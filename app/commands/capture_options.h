@@ -37,6 +37,7 @@ struct CaptureOptions {
     std::optional<int> row;                       ///< of stage `scanline`
     std::optional<std::array<double, 6>> outside; ///< position and target of the second camera; none: a good place
     std::optional<ivec2> pixel;                   ///< whose rays are shown; none: a few of all
+    std::optional<ivec2> partner;                 ///< a second one beside it
     ivec2 size{1280, 720};
     int supersample = 1;
     std::vector<std::string> settings; ///< [SLOT:]ID.PARAM=VALUE

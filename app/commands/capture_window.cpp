@@ -84,11 +84,15 @@ int captureWindow(const CaptureOptions& options) {
         screen.frame(kFrameSeconds); // type is measured in it, and from that follows how large the pictures are
         const std::vector<session::PlacedPane> panes = desk.bench.placed(screen.pictureSize());
         const ivec2 shown = panes.empty() ? ivec2(0) : panes.front().cell.pictureSize;
-        if (options.pixel->x >= shown.x || options.pixel->y >= shown.y)
-            throw Error(ExitStatus::usage, "--pixel: in a window of this size a picture has " +
-                                               std::to_string(shown.x) + " x " + std::to_string(shown.y) +
-                                               " pixels; choose one within");
-        desk.bench.pick((dvec2(*options.pixel) + 0.5) / dvec2(shown));
+        const auto placeOf = [&](const std::string& option, ivec2 pixel) {
+            if (pixel.x >= shown.x || pixel.y >= shown.y)
+                throw Error(ExitStatus::usage, option + ": in a window of this size a picture has " +
+                                                   std::to_string(shown.x) + " x " + std::to_string(shown.y) +
+                                                   " pixels; choose one within");
+            return (dvec2(pixel) + 0.5) / dvec2(shown);
+        };
+        desk.bench.pick(placeOf("--pixel", *options.pixel));
+        if (options.partner) desk.bench.pickPartner(placeOf("--partner", *options.partner));
     }
     for (int frame = 0; frame < motion.frames; ++frame) {
         const session::Moment moment = session::momentAt(motion, scene, frame, desk.bench.document().scene);

@@ -16,11 +16,13 @@ namespace shadowlab::commands {
 namespace {
 
 std::string diagramOf(const ProbedPixel& probed, const scene::Snapshot& scene) {
-    if (probed.probe.tree.empty())
-        throw Error(ExitStatus::usage, probed.probe.geometry.empty()
-                                           ? "--diagram: the pixel shows the background; choose another"
-                                           : "--diagram: " + probed.technique +
-                                                 " follows no rays; ask a technique that does, as -t ray-traced");
+    if (!diagram::canDraw(probed.probe))
+        throw Error(ExitStatus::usage,
+                    probed.probe.geometry.empty()
+                        ? "--diagram: the pixel shows the background; choose another"
+                        : "--diagram: " + probed.technique +
+                              " has no rays or patches to draw there; ask a technique that has, as -t "
+                              "ray-traced or -t radiosity");
     const image::Font font(session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
     return diagram::pixelDiagram(probed.probe, *scene, font);
 }
@@ -39,9 +41,15 @@ int probe(const ProbeOptions& options) {
     View view;
     view.camera = scene->camera;
     view.size = options.size;
-    const ProbedPixel probed{
-        scene->name,  options.technique, light < 0 ? "" : scene->lights[static_cast<std::size_t>(light)].name,
-        options.size, options.pixel,     slots.front().technique->probe(scene, view, options.pixel, light)};
+    view.picked = options.pixel;
+    view.partner = options.partner;
+    const ProbedPixel probed{scene->name,
+                             options.technique,
+                             light < 0 ? "" : scene->lights[static_cast<std::size_t>(light)].name,
+                             options.size,
+                             options.pixel,
+                             options.partner,
+                             slots.front().technique->probe(scene, view, options.pixel, light)};
     if (!options.diagram.empty()) image::writeWhole(options.diagram, diagramOf(probed, scene));
     for (const std::string& remark : scene->notes)
         note(remark);

@@ -14,17 +14,24 @@ void describeProbe(CLI::App& command) {
     };
     add("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh");
     add("--pixel", "X,Y", "column and row of the pixel, counted from 0 at the upper left corner");
+    add("--partner", "X,Y",
+        "a second pixel: radiosity tells what its patch and the first one's send each other; other techniques take no "
+        "notice");
     add("-t,--technique", "ID", "the technique that is asked (`list techniques`; default shadow-volume-zfail)");
     add("--size", "WxH", "width and height in pixels of the picture that the pixel belongs to (default 1280x720)");
     add("--set", "ID.PARAM=VALUE", "a parameter (`list parameters`); may be repeated");
     add("--light", "NAME", "the light that is asked about (default: the first)");
     command.add_flag("--json")->description("one JSON object instead of lines");
-    add("--diagram", "OUT.svg", "draws the pixel's rays, their tree, and the vectors where the first of them ends");
+    add("--diagram", "OUT.svg",
+        "of ray tracing: draws the pixel's rays, their tree, and the vectors where the first of them ends; of "
+        "radiosity: "
+        "two patches with the angles of their form factor, and the light that the pixel's one sends out");
     add("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     command.footer("Needs no graphics card.\n"
                    "Examples:\n"
                    "  shadowlab probe still-life --pixel 640,360\n"
                    "  shadowlab probe mirror-and-glass --pixel 500,420 -t ray-traced --diagram tree.svg\n"
+                   "  shadowlab probe cornell-room --pixel 500,690 --partner 300,400 -t radiosity --diagram pair.svg\n"
                    "  shadowlab probe still-life --pixel 640,360 -t shadow-map --set shadow-map.resolution=512 --json");
 }
 
@@ -35,6 +42,7 @@ ProbeOptions probeOptions(const CLI::App& command) {
     options.scene = given.required("SCENE", example);
     options.size = sizeFrom("--size", given.text("--size", "1280x720"), kLongestSide);
     options.pixel = pixelFrom("--pixel", given.required("--pixel", example), options.size);
+    if (given.has("--partner")) options.partner = pixelFrom("--partner", given.text("--partner"), options.size);
     const std::vector<std::string> techniques =
         given.has("--technique") ? splitAtCommas(given.texts("--technique")) : std::vector{options.technique};
     if (techniques.size() != 1) refuseUsage("-t: one technique is asked at a time; write it alone");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace shadowlab::commands {
 
 struct ProbeOptions {
     std::string scene;
-    ivec2 pixel{0}; ///< column and row, from the upper left corner
+    ivec2 pixel{0};               ///< column and row, from the upper left corner
+    std::optional<ivec2> partner; ///< a second one
     std::string technique = "shadow-volume-zfail";
     ivec2 size{1280, 720};
     std::vector<std::string> settings; ///< [SLOT:]ID.PARAM=VALUE

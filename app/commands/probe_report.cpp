@@ -71,6 +71,30 @@ const char* nameOf(Probe::Role role) {
     return "";
 }
 
+Json patchJson(const Probe::Patch& patch) {
+    Json corners = Json::array();
+    for (const dvec3& corner : patch.cornersWorld)
+        corners.push_back(vector(corner));
+    return {{"object", patch.object},
+            {"corners", corners},
+            {"centre", vector(patch.centreWorld)},
+            {"normal", vector(patch.normalWorld)},
+            {"area", patch.area},
+            {"emission", vector(patch.emission)},
+            {"reflectance", vector(patch.reflectance)},
+            {"radiosity", vector(patch.radiosity)}};
+}
+
+Json exchangeJson(const Probe& probe) {
+    if (!probe.exchange) return {};
+    Json json{{"j", patchJson(probe.exchange->j)}, {"k", Json()}, {"F_jk", Json()}, {"F_kj", Json()}};
+    if (!probe.exchange->k) return json;
+    json["k"] = patchJson(*probe.exchange->k);
+    json["F_jk"] = probe.exchange->formFactorJk;
+    json["F_kj"] = probe.exchange->formFactorKj;
+    return json;
+}
+
 Json orNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 } // namespace
@@ -109,10 +133,12 @@ std::string probeJson(const ProbedPixel& probed) {
                     {"light", orNull(probed.light)},
                     {"size", {probed.size.x, probed.size.y}},
                     {"pixel", {probed.pixel.x, probed.pixel.y}},
+                    {"partner", probed.partner ? Json{probed.partner->x, probed.partner->y} : Json()},
                     {"facts", factsJson(probed.probe.facts)},
                     {"vectors", vectors},
                     {"rays", rays},
-                    {"tree", tree}};
+                    {"tree", tree},
+                    {"exchange", exchangeJson(probed.probe)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,4 +1,4 @@
-// The three panels of a pixel's drawing.
+// The panels of a pixel's drawing.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "app/diagram/labels.h"
@@ -9,6 +9,9 @@ namespace shadowlab::diagram {
 
 // A sheet is as wide as a slide; its type is 1/45 of a slide's height, which is read from the last row.
 constexpr double kSheetWidth = 1920, kText = 24, kHeading = 30;
+
+/// "0.0412", "1.3·10⁻⁶": four digits, those of the power of ten raised.
+std::string fourDigits(double value);
 
 /// Colour of a ray on white paper.
 Stroke strokeOf(Probe::Role role);
@@ -28,5 +31,17 @@ double treeHeight(const Probe& probe, const ShownTree& shown);
 
 /// The vectors u, V, N, R, T, L, H at the first surface.
 void drawVectors(Svg& svg, const Box& area, const Probe& probe, const image::Font& font);
+
+/// "Form factor": the surfaces j and k as they lie in space, with their normals, the line r between their centres and the angles
+/// at its ends, and beside them what share of one's light reaches the other. There must be a k.
+void drawFormFactor(Svg& svg, const Box& area, const Probe::Exchange& exchange, const image::Font& font);
+
+/// The numbers of it, a column of lines.
+void writeFormFactor(Svg& svg, const Box& area, const Probe::Exchange& exchange, const image::Font& font);
+
+/// "Radiosity of a Lambertian reflector": how much light the pixel's surface sends in which direction, and what it is made of.
+/// `eyeWorld`: whose direction is shown where k lies in none that light is sent in.
+void drawReflector(Svg& svg, const Box& area, const Probe::Exchange& exchange, const dvec3& eyeWorld,
+                   const image::Font& font);
 
 } // namespace shadowlab::diagram

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/diagram/pixel_diagram.h"
 
+#include <array>
+#include <charconv>
+#include <cmath>
+
 #include "app/diagram/panels.h"
 #include "techniques/foundation/look.h"
 
@@ -9,6 +13,40 @@ namespace shadowlab::diagram {
 namespace {
 
 constexpr double kUpperHeight = 760, kPathsWidth = 1090, kBorder = 24;
+constexpr double kPairHeight = 660, kReflectorHeight = 420; ///< a slide in all
+
+const Stroke kRule{"#bfbfbf", 2, false};
+
+std::string drawTreePanels(const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+    const ShownTree shown = shownTree(probe);
+    const double height = kUpperHeight + treeHeight(probe, shown) + kBorder;
+    Svg svg({kSheetWidth, height});
+    drawPaths(svg, {{kBorder, kBorder}, {kPathsWidth - 2 * kBorder, kUpperHeight - 2 * kBorder}}, probe, shown, scene,
+              font);
+    drawVectors(
+        svg, {{kPathsWidth + kBorder, kBorder}, {kSheetWidth - kPathsWidth - 2 * kBorder, kUpperHeight - 2 * kBorder}},
+        probe, font);
+    drawTree(svg, {{kBorder, kUpperHeight}, {kSheetWidth - 2 * kBorder, height - kUpperHeight - kBorder}}, probe, shown,
+             font);
+    svg.line({kPathsWidth, kBorder}, {kPathsWidth, kUpperHeight - kBorder}, kRule);
+    svg.line({kBorder, kUpperHeight - kBorder / 2}, {kSheetWidth - kBorder, kUpperHeight - kBorder / 2}, kRule);
+    return svg.document("Paths of pixel rays, the ray-tracing tree, and the vectors at its first surface");
+}
+
+std::string drawPatchPanels(const Probe& probe, const image::Font& font) {
+    const double upper = probe.exchange->k ? kPairHeight : 0, height = upper + kReflectorHeight;
+    Svg svg({kSheetWidth, height});
+    const double width = kSheetWidth - 2 * kBorder;
+    if (probe.exchange->k) {
+        drawFormFactor(svg, {{kBorder, kBorder}, {width, upper - 2 * kBorder}}, *probe.exchange, font);
+        svg.line({kBorder, upper - kBorder / 2}, {kSheetWidth - kBorder, upper - kBorder / 2}, kRule);
+    }
+    drawReflector(svg, {{kBorder, upper + kBorder / 2}, {width, height - upper - kBorder}}, *probe.exchange,
+                  probe.geometry.front().fromWorld, font);
+    return svg.document(probe.exchange->k
+                            ? "The form factor of two surfaces, and the radiosity of a Lambertian reflector"
+                            : "The radiosity of a Lambertian reflector");
+}
 
 } // namespace
 
@@ -38,21 +76,27 @@ std::string percent(double share) {
     return text.substr(0, text.find('.') + (rounded < 10 ? 2 : 0)) + " %";
 }
 
+std::string fourDigits(double value) {
+    std::array<char, 32> text{};
+    const auto [end, error] =
+        std::to_chars(text.data(), text.data() + text.size(), value + 0.0, std::chars_format::general, 4); // no "-0"
+    std::string digits = error == std::errc{} ? std::string(text.data(), end) : "?";
+    if (digits.starts_with('-')) digits = "\u2212" + digits.substr(1);
+    const std::size_t power = digits.find('e');
+    if (power == std::string::npos) return digits;
+    static constexpr std::array kRaised{"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                        "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    std::string raised = digits[power + 1] == '-' ? "\u207b" : "";
+    for (std::size_t i = power + 2; i < digits.size(); ++i)
+        if (digits[i] != '0' || i + 1 == digits.size() || digits[i - 1] != digits[power + 1])
+            raised += kRaised[static_cast<std::size_t>(digits[i] - '0')];
+    return digits.substr(0, power) + "\u00b710" + raised;
+}
+
+bool canDraw(const Probe& probe) { return !probe.tree.empty() || probe.exchange; }
+
 std::string pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font) {
-    const ShownTree shown = shownTree(probe);
-    const double height = kUpperHeight + treeHeight(probe, shown) + kBorder;
-    Svg svg({kSheetWidth, height});
-    drawPaths(svg, {{kBorder, kBorder}, {kPathsWidth - 2 * kBorder, kUpperHeight - 2 * kBorder}}, probe, shown, scene,
-              font);
-    drawVectors(
-        svg, {{kPathsWidth + kBorder, kBorder}, {kSheetWidth - kPathsWidth - 2 * kBorder, kUpperHeight - 2 * kBorder}},
-        probe, font);
-    drawTree(svg, {{kBorder, kUpperHeight}, {kSheetWidth - 2 * kBorder, height - kUpperHeight - kBorder}}, probe, shown,
-             font);
-    svg.line({kPathsWidth, kBorder}, {kPathsWidth, kUpperHeight - kBorder}, {"#bfbfbf", 2, false});
-    svg.line({kBorder, kUpperHeight - kBorder / 2}, {kSheetWidth - kBorder, kUpperHeight - kBorder / 2},
-             {"#bfbfbf", 2, false});
-    return svg.document("Paths of pixel rays, the ray-tracing tree, and the vectors at its first surface");
+    return probe.exchange ? drawPatchPanels(probe, font) : drawTreePanels(probe, scene, font);
 }
 
 } // namespace shadowlab::diagram

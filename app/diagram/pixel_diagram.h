@@ -1,5 +1,6 @@
-// The lecture's drawings of a pixel ray, made from a pixel of a scene: the paths of its rays, their tree, and the vectors
-// where the first of them ends.
+// The lectures' drawings of a pixel, made from a pixel of a scene. Where rays are followed: their paths, their tree, and the
+// vectors where the first of them ends. Where patches send each other light: the angles of a form factor, and the directions
+// that a Lambertian reflector sends its light in.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
@@ -10,8 +11,11 @@
 
 namespace shadowlab::diagram {
 
-/// One SVG document with three panels. The probe must have a tree whose first ray meets a surface. `font` is the one that
-/// the document names, DejaVu Sans: labels are placed by its measures. Same input, same bytes.
+/// Has the probe a tree or patches? Else there is nothing to draw.
+bool canDraw(const Probe& probe);
+
+/// One SVG document of panels, those that the probe has something for: canDraw() must hold, and the first ray of a tree meet a
+/// surface. `font` is the one that the document names, DejaVu Sans: labels are placed by its measures. Same input, same bytes.
 std::string pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font);
 
 } // namespace shadowlab::diagram

@@ -81,6 +81,15 @@ void Svg::segments(std::span<const dvec2> points, const Stroke& stroke) {
     body_ += "\"" + attributes(stroke) + "/>\n";
 }
 
+void Svg::path(std::span<const dvec2> points, bool isClosed, const std::string& fill, const Stroke& stroke) {
+    if (points.size() < 2) return;
+    body_ += "<path d=\"M";
+    for (std::size_t i = 0; i < points.size(); ++i)
+        body_ += (i ? "L" : "") + pair(points[i]);
+    body_ += std::string(isClosed ? "Z\"" : "\"") + (fill.empty() ? "" : " fill=\"" + fill + "\"") +
+             attributes(stroke) + "/>\n";
+}
+
 void Svg::circle(dvec2 centre, double radius, const std::string& fill, const Stroke& stroke) {
     body_ += "<circle" + attribute("cx", centre.x) + attribute("cy", centre.y) + attribute("r", radius) + " fill=\"" +
              fill + "\"" + attributes(stroke) + "/>\n";

@@ -36,6 +36,8 @@ public:
     void arrow(dvec2 from, dvec2 to, const Stroke& stroke, double share = 1);
     /// All in one path: two points for each segment.
     void segments(std::span<const dvec2> points, const Stroke& stroke);
+    /// One line through all points. `fill`: empty for none.
+    void path(std::span<const dvec2> points, bool isClosed, const std::string& fill, const Stroke& stroke);
     void circle(dvec2 centre, double radius, const std::string& fill, const Stroke& stroke);
     void rectangle(dvec2 corner, dvec2 size, const std::string& fill, const Stroke& stroke, double rounding = 0);
     /// One line, its foot at `place`. A white rim keeps it legible on lines.

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 
+#include "app/session/derived_stages.h"
 #include "app/session/stepping.h"
 
 namespace shadowlab::session {
@@ -22,6 +23,8 @@ bool isPlain(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
            std::string_view("-_./=:,@+").find(c) != std::string_view::npos;
 }
+
+std::string pixelText(ivec2 pixel) { return std::to_string(pixel.x) + "," + std::to_string(pixel.y); }
 
 /// What the pane shows, as `--stage` has it: for a step the stage that shows what the pass wrote, if there is one.
 std::string stageWord(const Document& document, const PaneState& state) {
@@ -61,21 +64,25 @@ std::vector<std::string> captureWords(const Document& document, const std::files
         "-t",      techniques,         "--size", std::to_string(size.x) + "x" + std::to_string(size.y)};
     if (!single) words.insert(words.end(), {"--layout", std::string(layoutName(document.layout))});
     if (document.layout == Layout::split) words.insert(words.end(), {"--split", exactText(document.split)});
-    bool outside = false;
-    for (int i = 0; i < count; ++i)
-        outside = outside ||
-                  document.panes[static_cast<std::size_t>(single ? document.active : i)].stage.starts_with("outside");
+    bool outside = false, isAboutPicked = false;
+    for (int i = 0; i < count; ++i) {
+        const PaneState& state = document.panes[static_cast<std::size_t>(single ? document.active : i)];
+        outside = outside || state.stage.starts_with("outside");
+        isAboutPicked = isAboutPicked || followsPicked(findTechnique(state.technique),
+                                                       std::string_view(state.stage).substr(0, state.stage.find('@')));
+    }
     if (outside) {
         std::string place;
         for (const dvec3& point : {document.outsideCamera.positionWorld, document.outsideCamera.targetWorld})
             for (int axis = 0; axis < 3; ++axis)
                 place += (place.empty() ? "" : ",") + exactText(point[axis]);
         words.insert(words.end(), {"--outside=" + place});
-        if (document.picked) {
-            const ivec2 shown = layoutCells(document.layout, count, size, document.split).front().pictureSize;
-            const ivec2 pixel = pixelAt(*document.picked, shown);
-            words.insert(words.end(), {"--pixel", std::to_string(pixel.x) + "," + std::to_string(pixel.y)});
-        }
+    }
+    if (isAboutPicked) {
+        const ivec2 shown = layoutCells(document.layout, count, size, document.split).front().pictureSize;
+        for (const auto& [option, place] :
+             {std::pair("--pixel", document.picked), std::pair("--partner", document.partner)})
+            if (place) words.insert(words.end(), {option, pixelText(pixelAt(*place, shown))});
     }
     const auto& lights = document.scene->lights;
     if (document.light > 0 && document.light < static_cast<int>(lights.size()))

@@ -18,7 +18,8 @@ namespace {
 const StageInfo kMeshEdges{"mesh-edges", "Edges where meshes are open, or no surface at all", StageKind::swatches,
                            false};
 const StageInfo kShadowOutline{"shadow-outline", "Where the shadows really end", StageKind::swatches, true};
-const StageInfo kOutside{"outside", "Seen from outside: eye, light, and what is between", StageKind::swatches, true};
+const StageInfo kOutside{"outside", "Seen from outside: eye, light, and what is between", StageKind::swatches, true,
+                         true};
 
 /// Of techniques that publish their visibility.
 const StageInfo kDerived[] = {
@@ -56,6 +57,11 @@ std::vector<StageInfo> stagesOf(const TechniqueInfo& info) {
 bool isDerived(std::string_view stage) {
     return stage == kShadowOutline.id || stage == kMeshEdges.id || stage == kOutside.id ||
            std::ranges::find(kDerived, stage, &StageInfo::id) != std::end(kDerived);
+}
+
+bool followsPicked(const TechniqueInfo& info, std::string_view stage) {
+    return std::ranges::any_of(stagesOf(info),
+                               [&](const StageInfo& one) { return one.followsPicked && one.id == stage; });
 }
 
 std::vector<StageKey> neededFor(const StageKey& stage) {

@@ -17,6 +17,9 @@ std::vector<StageInfo> stagesOf(const TechniqueInfo& info);
 /// Is it one that the session makes?
 bool isDerived(std::string_view stage);
 
+/// Is it about View::picked, where there is one?
+bool followsPicked(const TechniqueInfo& info, std::string_view stage);
+
 /// What a technique has to publish so that the stage can be shown.
 std::vector<StageKey> neededFor(const StageKey& stage);
 

@@ -20,10 +20,11 @@ struct Document {
     scene::Camera camera;
     scene::Camera outsideCamera; ///< the second camera, which looks on from outside
     Layout layout = Layout::split;
-    double split = 0.5;          ///< share of the width that the left pane has
-    std::optional<dvec2> picked; ///< a pixel that is asked about, as shares of a picture's width and height
-    int light = 0;               ///< the light that stages and errors are about
-    int active = 0;              ///< the pane that keys and panels are about
+    double split = 0.5;           ///< share of the width that the left pane has
+    std::optional<dvec2> picked;  ///< a pixel that is asked about, as shares of a picture's width and height
+    std::optional<dvec2> partner; ///< a second one beside it, never alone
+    int light = 0;                ///< the light that stages and errors are about
+    int active = 0;               ///< the pane that keys and panels are about
     std::array<PaneState, kPanes> panes;
     friend bool operator==(const Document&, const Document&) = default;
 };

@@ -83,7 +83,8 @@ std::optional<Stage> OutsideView::render(Session& session, Slot& slot, const Vie
 }
 
 void OutsideView::updateShapes(const Session& session, Slot& slot, const View& eye, int light) {
-    ShapesOf wanted{slot.info, slot.technique.get(), {}, session.snapshot(), eye.camera, eye.size, eye.picked, light};
+    ShapesOf wanted{slot.info,  slot.technique.get(), {},   session.snapshot(), eye.camera, eye.size,
+                    eye.picked, eye.partner,          light};
     for (const params::Param& param : slot.params)
         wanted.values.push_back(param.get());
     if (wanted == madeFor_) return;

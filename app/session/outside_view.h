@@ -30,7 +30,7 @@ private:
         scene::Snapshot snapshot;
         scene::Camera eye;
         ivec2 eyeSize{0};
-        std::optional<ivec2> picked;
+        std::optional<ivec2> picked, partner;
         int light = kNoLight;
         friend bool operator==(const ShapesOf&, const ShapesOf&) = default;
     };

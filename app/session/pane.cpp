@@ -41,12 +41,15 @@ const Values& PaneState::values() const {
 
 bool operator==(const PaneRequest& a, const PaneRequest& b) {
     const bool outside = a.state.stage.starts_with("outside");
+    const bool isAboutPicked =
+        !a.state.technique.empty() && followsPicked(findTechnique(a.state.technique),
+                                                    std::string_view(a.state.stage).substr(0, a.state.stage.find('@')));
     return a.state.technique == b.state.technique && a.state.stage == b.state.stage &&
            a.state.values() == b.state.values() && a.snapshot == b.snapshot && a.view.camera == b.view.camera &&
            a.view.size == b.view.size && a.view.region.corner == b.view.region.corner &&
            a.view.region.size == b.view.region.size && a.light == b.light &&
-           (!outside ||
-            (a.view.picked == b.view.picked && a.outsideCamera == b.outsideCamera && a.outsideSize == b.outsideSize));
+           (!outside || (a.outsideCamera == b.outsideCamera && a.outsideSize == b.outsideSize)) &&
+           (!isAboutPicked || (a.view.picked == b.view.picked && a.view.partner == b.view.partner));
 }
 
 Slot& Pane::slotFor(const PaneState& state) {

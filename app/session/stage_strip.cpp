@@ -23,6 +23,8 @@ bool StageStrip::update(Session& session, const PictureEncoder& encoder, const P
     request.state.stage.clear();
     request.view.size = size * kFiner;
     request.view.region = {};
+    request.view.picked.reset(); // a pixel of a larger picture
+    request.view.partner.reset();
     if (request == drawnFor_) return false;
     drawnFor_ = request;
     thumbnails_.clear();

@@ -72,6 +72,7 @@ PaneRequest Workbench::requestFor(const PlacedPane& placed, int draft) const {
     request.outsideSize = glm::max(ivec2(1), (ivec2(cell.width, cell.height) + draft - 1) / draft);
     request.light = document_.light;
     if (document_.picked) request.view.picked = pixelAt(*document_.picked, request.view.size);
+    if (document_.partner) request.view.partner = pixelAt(*document_.partner, request.view.size);
     return request;
 }
 
@@ -105,7 +106,8 @@ bool Workbench::askAboutPixel(const PaneRequest& request, Pane& pane) {
         pickedPixel_ = {};
         return false;
     }
-    if (request == before && request.view.picked == before.view.picked) return false;
+    if (request == before && request.view.picked == before.view.picked && request.view.partner == before.view.partner)
+        return false;
     if (!isAtRest() && !isNewlyPicked_ && pickedPixel_.tookMs > kMostAskingMs) return false;
     const auto begin = std::chrono::steady_clock::now();
     std::optional<Probe> probe = pane.probe(request.view);
@@ -120,6 +122,16 @@ void Workbench::pick(const dvec2& place) {
     document_.picked = glm::clamp(place, dvec2(0), dvec2(1));
     isNewlyPicked_ = true;
     pickedPixel_ = {};
+}
+
+void Workbench::pickPartner(const dvec2& place) {
+    if (!document_.picked) return pick(place);
+    document_.partner = glm::clamp(place, dvec2(0), dvec2(1));
+}
+
+void Workbench::unpick() {
+    document_.picked.reset();
+    document_.partner.reset();
 }
 
 void Workbench::chooseDraft(double tookMs) {
@@ -181,6 +193,7 @@ void Workbench::show(Document document) {
         document.camera = document_.camera;
         document.outsideCamera = document_.outsideCamera;
         document.picked = document_.picked;
+        document.partner = document_.partner;
     }
     document_ = std::move(document);
     shown_ = document_.scene;
@@ -201,7 +214,7 @@ void Workbench::showScene(scene::Snapshot scene, std::string sceneName) {
     document_.camera = scene->camera;
     document_.outsideCamera = outsideCameraOf(*scene, scene->camera);
     document_.light = 0;
-    document_.picked.reset();
+    unpick();
     document_.scene = std::move(scene);
     document_.sceneName = std::move(sceneName);
     // A stage of a light that this scene does not have is no stage of it.

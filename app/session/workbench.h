@@ -86,7 +86,11 @@ public:
     /// Asks about the pixel at that share of a picture's width and height. Nothing is known of the background: then no
     /// pixel is picked any more.
     void pick(const dvec2& place);
-    void unpick() { document_.picked.reset(); }
+    /// A second pixel, for techniques in which two places have to do with one another. Without a first one it is the first.
+    void pickPartner(const dvec2& place);
+    /// Of both; of the second alone.
+    void unpick();
+    void unpickPartner() { document_.partner.reset(); }
     void activate(int pane);
 
     /// Another scene in place of this one; layout, techniques and settings stay.
@@ -121,7 +125,7 @@ private:
     int draft_ = 1;
     bool draftHelps_ = true, draftIsNew_ = false;
     std::optional<std::chrono::steady_clock::time_point> begun_; ///< the last frame, if something was drawn in it
-    double drawnShare_ = 1; ///< of the pictures of the last frame
+    double drawnShare_ = 1;                                      ///< of the pictures of the last frame
     double fullMs_ = 0, draftMs_ = 0; ///< what frames take, on average: those in full, and those of the present draft
     std::vector<int> answering_;
 };

@@ -102,7 +102,7 @@ void nextLayout(Desk& desk, int by) {
     const int now = static_cast<int>(desk.bench.document().layout);
     chooseLayout(desk, static_cast<Layout>((now + by + kCount) % kCount));
 }
-/// Out of what lies nearest: the list of keys, messages of faults, what is selected, a picked pixel, a stage.
+/// Out of what lies nearest: the list of keys, messages of faults, what is selected, picked pixels, a stage.
 void leave(Desk& desk) {
     if (desk.shown.keys)
         desk.shown.keys = false;
@@ -110,6 +110,8 @@ void leave(Desk& desk) {
         return;
     else if (desk.selection.kind != session::Selection::Kind::none)
         desk.selection = {};
+    else if (desk.bench.document().partner)
+        desk.bench.unpickPartner();
     else if (desk.bench.document().picked)
         desk.bench.unpick();
     else if (!desk.bench.activeState().stage.empty())
@@ -177,6 +179,8 @@ const Action kActions[] = {
      false, [](Desk& d) { toggleStage(d, "outside"); }},
     {"pick", "Steps and stages", "X", "picks the pixel under the mouse: all that is known about it", GLFW_KEY_X, false,
      false, false, [](Desk& d) { d.requests.pick = true; }},
+    {"pick-partner", "Steps and stages", "Shift+X", "picks a second pixel: what radiosity's patches there exchange",
+     GLFW_KEY_X, false, true, false, [](Desk& d) { d.requests.pickPartner = true; }},
     {"next-light", "Steps and stages", "L", "stages and errors are about the next light", GLFW_KEY_L, false, false,
      false, nextLight},
 

@@ -29,8 +29,8 @@ struct Shown {
 struct Requests {
     bool quit = false, screenshot = false, saveScene = false, fullScreen = false, reloadShaders = false;
     bool focusPanel = false;
-    bool pick = false; ///< the pixel under the mouse
-    std::string scene; ///< to be loaded
+    bool pick = false, pickPartner = false; ///< the pixel under the mouse, as the first or the second
+    std::string scene;                      ///< to be loaded
 };
 
 /// A key that went down, or is held long enough to repeat. Letters are those on the keyboard's own layout.

@@ -35,9 +35,10 @@ std::vector<KeyRow> keyRows() {
     return rows;
 }
 
-constexpr std::array<std::array<const char*, 2>, 7> kMouse = {{{"left", "orbits; drags handles and the split line"},
+constexpr std::array<std::array<const char*, 2>, 8> kMouse = {{{"left", "orbits; drags handles and the split line"},
                                                                {"Shift+left", "pans; lifts a handle"},
                                                                {"Ctrl+left", "picks a pixel, as X does"},
+                                                               {"Shift+Ctrl+left", "picks a second one"},
                                                                {"middle", "pans"},
                                                                {"right", "looks around; with W A S D E Q flies"},
                                                                {"wheel", "nearer, farther"},

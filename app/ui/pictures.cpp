@@ -24,6 +24,7 @@ constexpr float kHalfSplitLine = 2;   ///< pixels
 constexpr float kLineGrip = 0.6f;     ///< em to either side of the split line that take hold of it
 constexpr double kOrbitDegrees = 200, kTurnHeadDegrees = 90; ///< for a drag over the whole height of the picture
 constexpr double kWheelFactor = 0.88;
+constexpr ImU32 kPartnerRing = IM_COL32(0x56, 0xB4, 0xE9, 0xFF); ///< look::kPatchK, as kAccent is look::kPatchJ
 
 float splitLineX(const Desk& desk, const Area& area) {
     return std::round(static_cast<float>(area.corner.x) +
@@ -118,21 +119,26 @@ std::string noteOf(const Desk& desk, const session::Pane& pane) {
                : "";
 }
 
-/// A ring with four strokes around the picked pixel: none of them covers it.
-void drawPicked(ImDrawList& list, const Desk& desk, const ShownPane& shown, const Theme& theme) {
-    const std::optional<dvec2>& picked = desk.bench.document().picked;
-    if (!picked || !desk.bench.pane(shown.pane).showsTheEyesView()) return;
-    const ImVec2 at(shown.pictureCorner.x + static_cast<float>(picked->x) * shown.pictureSize.x,
-                    shown.pictureCorner.y + static_cast<float>(picked->y) * shown.pictureSize.y);
-    const float radius = theme.em * 0.55f;
+/// A ring with four strokes around a pixel: none of them covers it.
+void drawRing(ImDrawList& list, const ShownPane& shown, const dvec2& picked, ImU32 ring, float radius) {
+    const ImVec2 at(shown.pictureCorner.x + static_cast<float>(picked.x) * shown.pictureSize.x,
+                    shown.pictureCorner.y + static_cast<float>(picked.y) * shown.pictureSize.y);
     for (const bool rim : {true, false}) {
-        const ImU32 color = rim ? IM_COL32(16, 16, 18, 255) : kAccent;
+        const ImU32 color = rim ? IM_COL32(16, 16, 18, 255) : ring;
         const float width = rim ? 5.0f : 2.5f;
         list.AddCircle(at, radius, color, 0, width);
         for (const ImVec2& way : {ImVec2(1, 0), ImVec2(-1, 0), ImVec2(0, 1), ImVec2(0, -1)})
             list.AddLine({at.x + way.x * radius, at.y + way.y * radius},
                          {at.x + 1.7f * way.x * radius, at.y + 1.7f * way.y * radius}, color, width);
     }
+}
+
+/// Around the picked pixels, each in a colour and a size of its own: both are seen where they are one.
+void drawPicked(ImDrawList& list, const Desk& desk, const ShownPane& shown, const Theme& theme) {
+    if (!desk.bench.pane(shown.pane).showsTheEyesView()) return;
+    const session::Document& document = desk.bench.document();
+    if (document.partner) drawRing(list, shown, *document.partner, kPartnerRing, 0.8f * theme.em);
+    if (document.picked) drawRing(list, shown, *document.picked, kAccent, 0.55f * theme.em);
 }
 
 void drawPane(ImDrawList& list, Desk& desk, const session::LiveErrors& errors, ShownPane& shown, const Theme& theme) {
@@ -168,13 +174,17 @@ void drawPane(ImDrawList& list, Desk& desk, const session::LiveErrors& errors, S
 }
 
 /// The pixel of what the eye sees there, and its pane.
-void pickPixel(Desk& desk, const std::vector<ShownPane>& panes, ImVec2 place) {
+void pickPixel(Desk& desk, const std::vector<ShownPane>& panes, ImVec2 place, bool asPartner) {
     for (const ShownPane& shown : panes) {
         if (!shown.area.contains(place) || !desk.bench.pane(shown.pane).showsTheEyesView()) continue;
         desk.bench.activate(shown.pane);
         // The middle of the pixel: its edge may be rounded to either side.
-        desk.bench.pick((dvec2(place.x, place.y) + 0.5 - dvec2(shown.pictureCorner.x, shown.pictureCorner.y)) /
-                        dvec2(shown.pictureSize.x, shown.pictureSize.y));
+        const dvec2 share = (dvec2(place.x, place.y) + 0.5 - dvec2(shown.pictureCorner.x, shown.pictureCorner.y)) /
+                            dvec2(shown.pictureSize.x, shown.pictureSize.y);
+        if (asPartner)
+            desk.bench.pickPartner(share);
+        else
+            desk.bench.pick(share);
     }
 }
 
@@ -248,9 +258,10 @@ bool handleMouse(Desk& desk, const std::vector<ShownPane>& panes, const Area& ar
     const bool onLine = over && hasSplitLine(desk) && std::abs(place.x - lineX) <= kLineGrip * theme.em;
     if (onLine) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
 
-    if (std::exchange(desk.requests.pick, false)) pickPixel(desk, panes, io.MousePos);
+    if (std::exchange(desk.requests.pick, false)) pickPixel(desk, panes, io.MousePos, false);
+    if (std::exchange(desk.requests.pickPartner, false)) pickPixel(desk, panes, io.MousePos, true);
     const bool picks = over && desk.drag == Drag::none && io.KeyCtrl && ImGui::IsMouseClicked(0);
-    if (picks) pickPixel(desk, panes, place);
+    if (picks) pickPixel(desk, panes, place, io.KeyShift);
     if (over && !picks && desk.drag == Drag::none &&
         (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2))) {
         desk.drag = onLine && ImGui::IsMouseClicked(0) ? Drag::splitLine : Drag::camera;

@@ -64,6 +64,9 @@ std::string stateReport(Desk& desk, const Screen& screen) {
                                                               : std::string();
     const session::PickedPixel& picked = desk.bench.pickedPixel();
     json["picked"] = nullptr;
+    json["partner"] = nullptr;
+    if (picked.askedFor.view.partner)
+        json["partner"] = {picked.askedFor.view.partner->x, picked.askedFor.view.partner->y};
     if (picked.askedFor.view.picked)
         json["picked"] = {{"pixel", {picked.askedFor.view.picked->x, picked.askedFor.view.picked->y}},
                           {"technique", picked.askedFor.state.technique},

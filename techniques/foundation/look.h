@@ -51,6 +51,10 @@ inline const vec3 kRefractionRay = linearFromSrgb8(0xE6, 0x9F, 0x00);
 inline const vec3 kVisited = linearFromSrgb8(0xB0, 0xB0, 0xB0); ///< cells and volumes on a ray's way
 inline const vec3 kLightFrustum = linearFromSrgb8(0xE6, 0x9F, 0x00);
 
+// The two patches of a form factor: j, which the pixel shows, and k.
+inline const vec3 kPatchJ = linearFromSrgb8(0xE6, 0x9F, 0x00);
+inline const vec3 kPatchK = linearFromSrgb8(0x56, 0xB4, 0xE9);
+
 /// The maps of one light: cascades from the eye outward, or those along +x -x +y -y +z -z.
 inline const std::array<vec3, 6> kLayers = {linearFromSrgb8(0xD5, 0x5E, 0x00), linearFromSrgb8(0x00, 0x9E, 0x73),
                                             linearFromSrgb8(0xCC, 0x79, 0xA7), linearFromSrgb8(0x00, 0x72, 0xB2),

@@ -45,7 +45,7 @@ inline constexpr PassInfo kPasses[] = {
 
 inline constexpr StageInfo kStages[] = {
     {"patches", "The patches, coloured by why they were cut", StageKind::swatches, false},
-    {"form-factors", "Form factors of one patch: what share of its light goes where", StageKind::scalar, false},
+    {"form-factors", "Form factors of one patch: what share of its light goes where", StageKind::scalar, false, true},
     {"matrix", "All form factors as a matrix, and its row sums", StageKind::swatches, false},
     {"row-sums", "Sum of each patch's form factors: 1 in a closed room", StageKind::scalar, false},
     {"surroundings", "Share of each patch's view in which there is no surface", StageKind::scalar, false},

@@ -63,11 +63,14 @@ params::ParamList describe(RadiosityParams& p) {
         params::real("exposure", p.exposure, -10, 10, "stops", "Twice as bright for each."),
         params::integer("bounce", p.bounce, 0, 1000, "",
                         "Which reflection stage `bounce` shows: light that was reflected so many times."),
-        params::integer("from-patch", p.fromPatch, -1, kMostPatches, "",
-                        "Whose form factors the stage of that name shows; -1: of the picked pixel's patch, or of the "
-                        "patch that sends the most light."),
-        params::integer("to-patch", p.toPatch, -1, kMostPatches, "",
-                        "The other patch of the pair that a probe tells of; -1: the one that gives it the most light."),
+        params::integer(
+            "from-patch", p.fromPatch, -1, kMostPatches, "",
+            "Whose form factors the stage of that name shows while no pixel is picked; -1: of the patch that "
+            "sends the most light."),
+        params::integer(
+            "to-patch", p.toPatch, -1, kMostPatches, "",
+            "The other patch of the pair that a probe tells of while no second pixel is picked; -1: the one "
+            "that gives it the most light."),
     };
 }
 

@@ -5,6 +5,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "techniques/exact_judge.h"
 #include "techniques/foundation/look.h"
 
 namespace shadowlab::radiosity {
@@ -13,24 +14,46 @@ namespace {
 
 double degrees(double cosine) { return glm::degrees(std::acos(glm::clamp(cosine, -1.0, 1.0))); }
 
-SceneShape outline(const Patch& patch, const dvec3& originWorld, std::string label, const vec3& colorLinear) {
+Probe::Patch asProbed(const KeptRoom& kept, const Sources& sources, const LightBalance& balance, std::uint32_t j) {
+    const Patch& patch = kept.room().allPatches()[j];
+    const dvec3& originWorld = kept.room().world().originWorld;
+    Probe::Patch probed;
+    probed.object = kept.room().objectOf(patch).name;
+    for (const dvec3& corner : patch.polygon.corners())
+        probed.cornersWorld.push_back(originWorld + corner);
+    probed.centreWorld = originWorld + patch.centre;
+    probed.normalWorld = patch.normal;
+    probed.area = patch.area;
+    probed.emission = sources.emission[j];
+    probed.reflectance = sources.reflectance[j];
+    probed.radiosity = balance.radiosity()[j];
+    return probed;
+}
+
+/// Its rim, and its normal, as long as the patch is wide.
+SceneShape outline(const Probe::Patch& patch, std::string label, const vec3& colorLinear) {
     SceneShape shape{std::move(label), colorLinear, SceneShape::Kind::lines, {}};
-    for (std::size_t i = 0; i < patch.polygon.count(); ++i)
-        for (const dvec3& corner : {patch.polygon[i], patch.polygon[(i + 1) % patch.polygon.count()]})
-            shape.pointsWorld.push_back(originWorld + corner);
+    for (std::size_t i = 0; i < patch.cornersWorld.size(); ++i)
+        for (const std::size_t corner : {i, (i + 1) % patch.cornersWorld.size()})
+            shape.pointsWorld.push_back(patch.cornersWorld[corner]);
+    const dvec3 tipWorld = patch.centreWorld + std::sqrt(patch.area) * patch.normalWorld;
+    shape.pointsWorld.insert(shape.pointsWorld.end(), {patch.centreWorld, tipWorld});
     return shape;
 }
 
 /// The lecture's figure of two surfaces, in numbers.
-void describePair(const KeptRoom& kept, const LightBalance& balance, std::uint32_t j, std::uint32_t k, Probe& probe) {
-    const PreparedExchange& exchange = kept.exchange();
-    const Patch &from = kept.room().patches()[j], &to = kept.room().patches()[k];
-    const dvec3 way = to.centre - from.centre, origin = kept.room().world().originWorld;
+void describePair(const KeptRoom& kept, const Sources& sources, const LightBalance& balance, std::uint32_t j,
+                  std::uint32_t k, Probe& probe) {
+    const Probe::Patch& from = probe.exchange->j;
+    const Probe::Patch& to = probe.exchange->k.emplace(asProbed(kept, sources, balance, k));
+    const dvec3 way = to.centreWorld - from.centreWorld;
     const double r = glm::length(way);
-    const double cosJ = glm::dot(from.normal, way) / r, cosK = -glm::dot(to.normal, way) / r;
-    const double exchanged = exchange.matrix(j, k);
+    const double cosJ = glm::dot(from.normalWorld, way) / r, cosK = -glm::dot(to.normalWorld, way) / r;
+    const double exchanged = kept.exchange().matrix(j, k);
+    probe.exchange->formFactorJk = exchanged / from.area;
+    probe.exchange->formFactorKj = exchanged / to.area;
     probe.facts.push_back(probeCount("k: the other patch", k));
-    probe.facts.push_back({"of", kept.room().objectOf(to).name, ""});
+    probe.facts.push_back({"of", to.object, ""});
     probe.facts.push_back(probeFact("dA_k", to.area, "m^2"));
     probe.facts.push_back(probeFact("r", r, "m"));
     probe.facts.push_back(probeFact("phi_j", degrees(cosJ), "degrees"));
@@ -40,17 +63,19 @@ void describePair(const KeptRoom& kept, const LightBalance& balance, std::uint32
     probe.facts.push_back(probeFact("cos phi_j cos phi_k dA_k / (pi r^2)",
                                     std::max(0.0, cosJ) * std::max(0.0, cosK) * to.area / (glm::pi<double>() * r * r)));
     probe.facts.push_back(probeFact("irradiance of j by k", exchanged / from.area * balance.radiosity()[k], "W/m^2"));
-    probe.geometry.push_back({"r", origin + from.centre, origin + to.centre, Probe::Role::arriving});
-    probe.geometry.push_back(
-        {"N_j", origin + from.centre, origin + from.centre + 0.3 * r * from.normal, Probe::Role::reflection});
-    probe.geometry.push_back(
-        {"N_k", origin + to.centre, origin + to.centre + 0.3 * r * to.normal, Probe::Role::refraction});
-    probe.visited.push_back(outline(to, origin, "patch k", look::kRefractionRay));
+    probe.visited.push_back(
+        {"r, between their centres", look::kEqualDepth, SceneShape::Kind::lines, {from.centreWorld, to.centreWorld}});
+    probe.visited.push_back(outline(to, "patch k and its normal", look::kPatchK));
 }
 
 } // namespace
 
-std::optional<std::uint32_t> patchSeen(const KeptRoom& kept, const scene::Scene& scene, const trace::EyeHit& hit) {
+std::optional<std::uint32_t> patchSeen(const KeptRoom& kept, const scene::Snapshot& snapshot, const View& view,
+                                       ivec2 pixel) {
+    const auto seen = exactJudge(snapshot)->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
+    if (!seen) return std::nullopt;
+    const scene::Scene& scene = *snapshot;
+    const trace::EyeHit& hit = *seen;
     const scene::Mesh& mesh = *scene.objects[hit.object].mesh;
     const dmat4 worldFromMesh = scene::worldFromMesh(scene.objects[hit.object]);
     std::array<dvec3, 3> corners{}, cornersWorld{};
@@ -99,7 +124,8 @@ void describePatch(const KeptRoom& kept, const Sources& sources, const LightBala
     probe.facts.push_back(probeFact("radiant energy in a second", radiosity * patch.area, "J"));
     probe.facts.push_back(probeFact("I = B / pi, intensity", radiosity / glm::pi<double>(), "W/(m^2 sr)"));
     if (light >= 0) probe.facts.push_back(probeFact("visible share of the light", kept.light(light).seenArea[j]));
-    probe.visited.push_back(outline(patch, kept.room().world().originWorld, "patch j", look::kReflectionRay));
+    probe.exchange = {asProbed(kept, sources, balance, j)};
+    probe.visited.push_back(outline(probe.exchange->j, "patch j and its normal", look::kPatchJ));
     if (j >= exchanging) {
         probe.facts.push_back({"form factors", "none: nothing lies before it", ""});
         return;
@@ -109,7 +135,7 @@ void describePatch(const KeptRoom& kept, const Sources& sources, const LightBala
         const dvec3 bound = balance.solver()->errorBound().largest;
         probe.facts.push_back(probeFact("error of B by solving, at most", bound, "W/m^2"));
     }
-    if (partner && *partner != j && *partner < exchanging) describePair(kept, balance, j, *partner, probe);
+    if (partner && *partner != j && *partner < exchanging) describePair(kept, sources, balance, j, *partner, probe);
 }
 
 } // namespace shadowlab::radiosity

@@ -8,8 +8,9 @@
 
 namespace shadowlab::radiosity {
 
-/// The patch that is seen where an eye ray ends; nothing where there is none. Loose patches have the numbers after the others.
-std::optional<std::uint32_t> patchSeen(const KeptRoom& kept, const scene::Scene& scene, const trace::EyeHit& hit);
+/// The patch that a pixel's centre shows; nothing where there is none. Loose patches have the numbers after the others.
+std::optional<std::uint32_t> patchSeen(const KeptRoom& kept, const scene::Snapshot& snapshot, const View& view,
+                                       ivec2 pixel);
 
 /// The one that gives most of the light that patch j gets from others; nothing if none gives any.
 std::optional<std::uint32_t> brightestGiver(const KeptRoom& kept, const LightBalance& balance, std::uint32_t j);

@@ -8,6 +8,7 @@
 
 #include "techniques/foundation/look.h"
 #include "techniques/radiosity/matrix_picture.h"
+#include "techniques/radiosity/probe.h"
 
 namespace shadowlab::radiosity {
 
@@ -76,9 +77,12 @@ void publishPatches(const Showing& showing) {
                             {.unit = "", .key = isRefined ? key : std::vector<KeyEntry>{key.front(), key.back()}});
 }
 
-/// Whose form factors are looked at: the one asked for, or the one that sends the most light.
+/// Whose form factors are looked at: the picked pixel's, the one asked for, or the one that sends the most light.
 std::size_t lookedAt(const Showing& showing) {
     const std::size_t count = showing.kept.room().patches().size();
+    const View& view = showing.frame.view();
+    if (view.picked)
+        if (const auto seen = patchSeen(showing.kept, showing.frame.snapshot(), view, *view.picked)) return *seen;
     if (showing.params.fromPatch >= 0 && static_cast<std::size_t>(showing.params.fromPatch) < count)
         return static_cast<std::size_t>(showing.params.fromPatch);
     std::size_t best = 0;
@@ -97,8 +101,7 @@ void publishFormFactors(const Showing& showing) {
     const std::size_t count = showing.kept.room().patches().size();
     std::vector<double> shares(count, 0.0);
     double most = 0;
-    if (count > 0) {
-        const std::size_t from = lookedAt(showing);
+    if (const std::size_t from = count > 0 ? lookedAt(showing) : 0; from < count) { // nothing lies before the others
         for (std::size_t j = 0; j < count; ++j)
             shares[j] = 100 * showing.kept.exchange().matrix(from, j) / showing.kept.exchange().areas[from];
         most = *std::ranges::max_element(shares);

@@ -108,6 +108,9 @@ private:
         return true;
     }
 
+    [[nodiscard]] std::optional<std::uint32_t> partnerOf(std::uint32_t patch, const scene::Snapshot& snapshot,
+                                                         const View& view) const;
+
     void restartWhereNew(const scene::Snapshot& snapshot) {
         const Made made{kept_.version(),   snapshot->revisions, params_.solver,
                         params_.tolerance, params_.steps,       params_.surroundings};
@@ -182,25 +185,31 @@ private:
 Probe Radiosity::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
     Probe probe = Technique::probe(snapshot, view, pixel, light);
     prepare(snapshot, Deadline::max());
-    const auto hit = exactJudge(snapshot)->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
-    if (!hit) return probe;
+    if (!exactJudge(snapshot)->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size)) return probe;
     if (!kept_.hasFormFactors()) {
         probe.facts.push_back({"form factors", "not drawn yet", ""});
         return probe;
     }
     restartWhereNew(snapshot);
     if (params_.stepsPerPicture == 0) solveOn(0, Deadline::max());
-    const auto patch = patchSeen(kept_, *snapshot, *hit);
+    const auto patch = patchSeen(kept_, snapshot, view, pixel);
     if (!patch) {
         probe.facts.push_back({"patch", "none: a light, or the inside of a closed body", ""});
         return probe;
     }
-    const std::optional<std::uint32_t> partner = params_.toPatch >= 0 ? static_cast<std::uint32_t>(params_.toPatch)
-                                                 : *patch < kept_.room().patches().size()
-                                                     ? brightestGiver(kept_, balance_, *patch)
-                                                     : std::nullopt;
-    describePatch(kept_, sources_, balance_, *patch, light, partner, probe);
+    describePatch(kept_, sources_, balance_, *patch, light, partnerOf(*patch, snapshot, view), probe);
+    if (view.partner && !probe.exchange->k)
+        probe.facts.push_back(
+            {"k: the other patch", "none: the second pixel shows no other patch to exchange light with", ""});
     return probe;
+}
+
+/// The patch that the second pixel shows; without one, what the parameter says.
+std::optional<std::uint32_t> Radiosity::partnerOf(std::uint32_t patch, const scene::Snapshot& snapshot,
+                                                  const View& view) const {
+    if (view.partner) return patchSeen(kept_, snapshot, view, *view.partner);
+    if (params_.toPatch >= 0) return static_cast<std::uint32_t>(params_.toPatch);
+    return patch < kept_.room().patches().size() ? brightestGiver(kept_, balance_, patch) : std::nullopt;
 }
 
 std::string Radiosity::remark(const scene::MeshReport& report, const scene::Mesh& mesh) const {

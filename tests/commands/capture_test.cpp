@@ -60,6 +60,32 @@ TEST_F(CaptureTest, APixelsRaysSeenFromOutside) {
                   2, {"--pixel", "32 x 48"});
 }
 
+TEST_F(CaptureTest, FormFactorsAreThoseOfThePixelsPatch) {
+    const auto with = [&](Words more) {
+        Words words{"-t", "radiosity", "--set", "radiosity.patches=20", "--stage", "form-factors"};
+        words.insert(words.end(), more.begin(), more.end());
+        return picture(words);
+    };
+    // Lower left and right of the floor, around the box.
+    const std::string brightest = with({}), left = with({"--pixel", "4,40"}), right = with({"--pixel", "60,40"});
+    EXPECT_NE(left, right);
+    EXPECT_TRUE(left != brightest || right != brightest);
+    EXPECT_EQ(left, with({"--pixel", "4,40"}));
+    EXPECT_EQ(left, with({"--pixel", "4,40", "--set", "radiosity.from-patch=3"}))
+        << "the pixel comes before the parameter";
+}
+
+TEST_F(CaptureTest, ASecondPixelIsSeenFromOutsideInRadiosityAlone) {
+    const auto with = [&](const char* technique, bool hasPartner) {
+        Words words{"-t", technique, "--stage", "outside", "--pixel", "32,30"};
+        if (hasPartner) words.insert(words.end(), {"--partner", "4,40"});
+        if (std::string_view(technique) == "radiosity") words.insert(words.end(), {"--set", "radiosity.patches=20"});
+        return picture(words);
+    };
+    EXPECT_NE(with("radiosity", true), with("radiosity", false));
+    EXPECT_EQ(with("ray-traced", true), with("ray-traced", false));
+}
+
 TEST_F(CaptureTest, ACommaLocaleChangesNothing) {
     const std::string expected = picture({"-t", "shadow-map", "--set", "shadow-map.slope-bias=1.5"});
     // A locale of our own making where the system has none; without the tool the variable alone is tried.

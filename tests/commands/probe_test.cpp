@@ -1,5 +1,7 @@
 // `probe`: what it says of a pixel as text and as JSON, the tree's numbers against sums made here, the diagram, refusals.
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "techniques/registry.h"
@@ -144,6 +146,73 @@ TEST_F(ProbeTest, DiagramIsWrittenWholeAndTheSameEachTime) {
     EXPECT_EQ(fileContent(folder.path() / "tree.svg"), first);
 }
 
+// Whatever the patches are: places, angles and form factors have to agree with one another.
+TEST_F(ProbeTest, ASecondPixelSaysWhichTwoPatchesAreAskedAbout) {
+    const auto asked = [&](std::vector<std::string> more) {
+        std::vector<std::string> words{"cornell-room",        "--pixel", "500,690", "-t", "radiosity", "--set",
+                                       "radiosity.patches=60"};
+        words.insert(words.end(), more.begin(), more.end());
+        return probed(words);
+    };
+    const Json red = asked({"--partner", "300,400"}), green = asked({"--partner", "980,400"}), alone = asked({});
+    EXPECT_EQ(red.at("partner"), Json({300, 400}));
+    EXPECT_TRUE(alone.at("partner").is_null());
+    EXPECT_EQ(value(red, "of"), "left wall");
+    EXPECT_EQ(value(green, "of"), "right wall");
+    int compared = 0;
+    for (const Json& one : {red, green, alone}) {
+        const Json &j = one.at("exchange").at("j"), &k = one.at("exchange").at("k");
+        EXPECT_EQ(j.at("object"), "floor");
+        EXPECT_EQ(k.at("object"), value(one, "of"));
+        const dvec3 way = vector(k.at("centre")) - vector(j.at("centre"));
+        const double r = glm::length(way);
+        EXPECT_NEAR(value(one, "r").get<double>(), r, 1e-12);
+        const double cosJ = glm::dot(vector(j.at("normal")), way) / r,
+                     cosK = -glm::dot(vector(k.at("normal")), way) / r;
+        EXPECT_NEAR(value(one, "phi_j").get<double>(), glm::degrees(std::acos(cosJ)), 1e-6);
+        EXPECT_NEAR(value(one, "phi_k").get<double>(), glm::degrees(std::acos(cosK)), 1e-6);
+        EXPECT_NEAR(value(one, "cos phi_j cos phi_k dA_k / (pi r^2)").get<double>(),
+                    cosJ * cosK * k.at("area").get<double>() / (3.14159265358979 * r * r), 1e-12);
+        const double jk = one.at("exchange").at("F_jk"), kj = one.at("exchange").at("F_kj");
+        EXPECT_GT(jk, 0);
+        EXPECT_NEAR(jk * j.at("area").get<double>(), kj * k.at("area").get<double>(), 1e-15) << "reciprocity";
+        EXPECT_EQ(value(one, "F_jk"), jk);
+        ++compared;
+    }
+    EXPECT_EQ(compared, 3);
+    // The parameter says it where no second pixel does.
+    const std::uint32_t k = value(red, "k: the other patch");
+    const Json byNumber = asked({"--set", "radiosity.to-patch=" + std::to_string(k)});
+    EXPECT_EQ(byNumber.at("exchange"), red.at("exchange"));
+    EXPECT_EQ(asked({"--partner", "980,400", "--set", "radiosity.to-patch=" + std::to_string(k)}).at("exchange"),
+              green.at("exchange"));
+}
+
+TEST_F(ProbeTest, OfTheSamePatchTwiceThereIsNoPairAndOthersTakeNoNoticeOfASecondPixel) {
+    const Json same = probed({"cornell-room", "--pixel", "500,690", "--partner", "500,690", "-t", "radiosity", "--set",
+                              "radiosity.patches=60"});
+    EXPECT_TRUE(same.at("exchange").at("k").is_null());
+    EXPECT_TRUE(value(same, "k: the other patch").get<std::string>().starts_with("none"));
+    Json with = probed({"box.json", "--pixel", "640,400", "--partner", "600,500", "-t", "ray-traced"});
+    const Json without = probed({"box.json", "--pixel", "640,400", "-t", "ray-traced"});
+    EXPECT_EQ(with.at("partner"), Json({600, 500}));
+    with["partner"] = nullptr;
+    EXPECT_EQ(with, without);
+    EXPECT_TRUE(without.at("exchange").is_null());
+}
+
+TEST_F(ProbeTest, RadiositysDiagramIsThatOfTwoSurfaces) {
+    const std::vector<std::string> words{"probe",     "cornell-room", "--pixel",   "500,690", "--partner",
+                                         "300,400",   "-t",           "radiosity", "--set",   "radiosity.patches=60",
+                                         "--diagram", "pair.svg"};
+    succeed(words);
+    const std::string first = fileContent(folder.path() / "pair.svg");
+    for (const char* part : {"<?xml", ">floor<", ">left wall<", "Lambertian reflector", "Form factor"})
+        EXPECT_NE(first.find(part), std::string::npos) << part;
+    succeed(words, {.environment = {{"SHADOWLAB_THREADS", "1"}}});
+    EXPECT_EQ(fileContent(folder.path() / "pair.svg"), first);
+}
+
 TEST_F(ProbeTest, Refusals) {
     expectRefused({"probe", "box.json"}, 2, {"--pixel"});
     expectRefused({"probe", "box.json", "--pixel", "1280,10"}, 2, {"1280,10", "outside", "1279"});
@@ -151,6 +220,9 @@ TEST_F(ProbeTest, Refusals) {
     expectRefused({"probe", "box.json", "--pixel", "8,8", "--size", "8x8"}, 2, {"outside", "0 to 7"});
     for (const char* pixel : {"10", "10,", "a,b", "10,20,30", "10x20", "1.5,2"})
         expectRefused({"probe", "box.json", "--pixel", pixel}, 2, {"--pixel", "320,180"});
+    expectRefused({"probe", "box.json", "--pixel", "1,1", "--partner", "1280,10"}, 2, {"--partner", "outside", "1279"});
+    expectRefused({"probe", "box.json", "--pixel", "1,1", "--partner", "10"}, 2, {"--partner", "320,180"});
+    expectRefused({"probe", "box.json", "--partner", "1,1"}, 2, {"--pixel"});
     expectRefused({"probe", "box.json", "--pixel", "1,1", "-t", "shadow-mop"}, 2, {"shadow-map"});
     expectRefused({"probe", "box.json", "--pixel", "1,1", "-t", "planar,ray-traced"}, 2, {"one technique"});
     expectRefused({"probe", "box.json", "--pixel", "1,1", "--light", "kee"}, 2, {"key"});
@@ -168,6 +240,12 @@ TEST_F(ProbeTest, Refusals) {
     expectRefused({"probe", "box.json", "--pixel", "0,0", "-t", "ray-traced", "--diagram", "tree.svg"}, 2,
                   {"background"});
     expectRefused({"capture", "box.json", "-o", "a.png", "--pixel", "1,1"}, 2, {"--stage outside"});
+    expectRefused({"capture", "box.json", "-o", "a.png", "-t", "radiosity", "--stage", "row-sums", "--pixel", "1,1"}, 2,
+                  {"--pixel", "form-factors"});
+    expectRefused({"capture", "box.json", "-o", "a.png", "--stage", "outside", "--partner", "1,1"}, 2,
+                  {"--partner", "--pixel X,Y"});
+    expectRefused({"capture", "box.json", "-o", "a.png", "--stage", "outside", "--pixel", "1,1", "--partner", "1,720"},
+                  2, {"--partner", "outside"});
 }
 
 TEST_F(ProbeTest, WithoutLightsThereIsStillASurface) {

@@ -5,22 +5,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <regex>
+#include <iostream>
 
 #include "app/diagram/drawing_plane.h"
-#include "app/diagram/labels.h"
 #include "app/diagram/shown_tree.h"
 #include "app/session/assets.h"
 #include "app/session/session.h"
 #include "techniques/foundation/scene/load.h"
+#include "tests/diagram/written.h"
 
 namespace shadowlab::diagram {
 namespace {
-
-const image::Font& font() {
-    static const image::Font font(session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
-    return font;
-}
 
 struct Asked {
     scene::Snapshot scene;
@@ -45,29 +40,9 @@ int count(const std::string& text, const std::string& what) {
     return found;
 }
 
-/// All that is written, without the rims.
-struct Written {
-    std::string text;
-    Box box;
-};
-std::vector<Written> written(const std::string& svg) {
-    static const std::regex kText(
-        R"re(<text x="([-0-9.]+)" y="([-0-9.]+)" font-size="([0-9.]+)" text-anchor="(\w+)"[^>]* fill=[^>]*>([^<]*)</text>)re");
-    std::vector<Written> all;
-    for (auto it = std::sregex_iterator(svg.begin(), svg.end(), kText); it != std::sregex_iterator(); ++it) {
-        const double em = std::stod((*it)[3]);
-        const dvec2 size = textSize(font(), (*it)[5].str(), em);
-        dvec2 corner(std::stod((*it)[1]), std::stod((*it)[2]) - 0.8 * em);
-        if ((*it)[4] == "middle") corner.x -= size.x / 2;
-        if ((*it)[4] == "end") corner.x -= size.x;
-        all.push_back({(*it)[5], {corner, {size.x, 0.75 * em}}}); // the letters, without the air around them
-    }
-    return all;
-}
-
 TEST(PixelDiagramTest, HasEverySurfaceRayAndVector) {
     const Asked asked = ask("mirror-and-glass", {500, 420});
-    const std::string svg = pixelDiagram(asked.probe, *asked.scene, font());
+    const std::string svg = pixelDiagram(asked.probe, *asked.scene, testFont());
     const ShownTree shown = shownTree(asked.probe);
     const std::vector<Written> all = written(svg);
     const auto times = [&](const std::string& text) { return std::ranges::count(all, text, &Written::text); };
@@ -114,7 +89,7 @@ TEST(PixelDiagramTest, LabelsAreReadableAndCoverNoOther) {
             for (int y = looked.first.y; y < looked.end.y; y += looked.step.y) {
                 const Asked asked = ask(looked.scene, {x, y}, "12", "0");
                 if (asked.probe.tree.empty()) continue;
-                const std::string svg = pixelDiagram(asked.probe, *asked.scene, font());
+                const std::string svg = pixelDiagram(asked.probe, *asked.scene, testFont());
                 ++drawings;
                 if (shownTree(asked.probe).leftOut > 0) {
                     ++limited;
@@ -185,7 +160,7 @@ TEST(DrawingPlaneTest, CutPassesTheFirstSurface) {
 
 TEST(LabelsTest, FindAFreePlaceOrSayThatThereIsNone) {
     Svg svg({200, 100});
-    Labels labels(font(), {{0, 0}, {200, 100}});
+    Labels labels(testFont(), {{0, 0}, {200, 100}});
     int placed = 0;
     while (placed < 100 && labels.place(svg, {100, 50}, "label", {.size = 24}))
         ++placed;

@@ -119,6 +119,25 @@ TEST(CaptureWords, NameAPickedPixelWhereItsRaysAreSeen) {
     EXPECT_EQ(pixelAt({1, 1}, {100, 40}), ivec2(99, 39));
 }
 
+TEST(CaptureWords, NameBothPickedPixelsWhereAStageIsAboutThem) {
+    Document document = someDocument();
+    document.layout = Layout::single;
+    document.active = 0;
+    document.picked = dvec2(0.255, 0.75);
+    document.partner = dvec2(0.5, 0.1);
+    document.panes[0].technique = "radiosity";
+    const auto line = [&] { return asCommandLine(captureWords(document, "s.json", "o.png", {100, 40})); };
+    EXPECT_EQ(line().find("--p"), std::string::npos) << line();
+    document.panes[0].stage = "row-sums"; // of all patches
+    EXPECT_EQ(line().find("--p"), std::string::npos) << line();
+    for (const char* stage : {"form-factors", "outside", "outside@the sun"}) {
+        document.panes[0].stage = stage;
+        EXPECT_NE(line().find(" --pixel 25,30 --partner 50,4 "), std::string::npos) << line();
+    }
+    document.partner.reset();
+    EXPECT_EQ(line().find("--partner"), std::string::npos) << line();
+}
+
 TEST(WindowMemory, ComesBackAndABrokenFileIsAsNone) {
     const scene::TempFolder folder;
     const auto file = folder.path() / "deep" / "window.json";

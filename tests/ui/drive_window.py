@@ -12,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 
+from picked_pixels import picking
 from window_driver import TIMEOUT, Display, Window, check, pane
 
 DEBIAN_PYTHON = "/usr/bin/python3"  # the one that has the package python3-xlib, whatever else is first in the PATH
@@ -110,6 +111,10 @@ def every_key(window, program):
     press("strip", changed("shown", "strip"))
     press("pick", changed("picked"))  # the mouse lies over the floor
     check(w.state["picked"]["facts"] >= 4, "nothing is known about the pixel", w.state)
+    press("leave", changed("picked"))
+    press("pick-partner", changed("picked"))  # without a first pixel it is the first
+    press("pick-partner", changed("partner"))
+    press("leave", changed("partner"))
     press("leave", changed("picked"))
     check(w.state["picture"] == finished, "a pixel that was let go leaves something", w.state)
     press("next-light")
@@ -270,46 +275,6 @@ def mouse(window):
     w.close()
 
 
-def picking(window):
-    """Ctrl and a click ask about a pixel: the panel tells, and the camera's way, a parameter or a technique changes what."""
-    w = window
-    x, y = PLACE
-
-    def click(place, what, expected):
-        w.hand("mousemove", *place)
-        w.wait(f"the mouse before {what}", lambda s: s["mouse"] == list(place) and s["settled"])
-        w.hand("keydown", "ctrl", "click", 1, "keyup", "ctrl")
-        return w.wait(what, lambda s: expected(s) and s["settled"])
-
-    before = w.state
-    first = click((x, y), "a picked pixel", lambda s: s["picked"])
-    check(first["camera"] == before["camera"] and first["selection"] == before["selection"], "it moved or chose something", first)
-    check(first["picture"] != before["picture"], "nobody sees which pixel was picked", first)
-    check(first["picked"]["pixel"][0] == x and 0 < first["picked"]["pixel"][1] < y, f"at {PLACE} lies {first['picked']}", first)
-    check(first["picked"]["technique"] == pane(first)["technique"], "another technique was asked", first)
-    second = click((x + 30, y - 20), "another pixel", lambda s: s["picked"] != first["picked"])
-    check([a - b for a, b in zip(second["picked"]["pixel"], first["picked"]["pixel"])] == [30, -20], "another pixel was picked", second)
-    w.key("3", "technique-3")
-    w.wait("the other technique's facts", lambda s: s["picked"]["technique"] == pane(s)["technique"] and s["settled"])
-    for number in range(1, 10):
-        w.key(str(number), f"technique-{number}")
-        if pane(w.state)["technique"] == "ray-traced":
-            break
-    traced = w.wait("rays", lambda s: s["picked"]["technique"] == "ray-traced" and s["settled"])
-    check(traced["picked"]["rays"] >= 1 + len(traced["lights"]), f"technique {number} follows {traced['picked']['rays']} rays", traced)
-    w.key("o", "outside")
-    rays = w.state["picture"]
-    w.key("Escape", "leave")
-    check(w.state["picked"] is None and pane(w.state)["stage"] == "outside", "Escape takes more than the pixel, or less", w.state)
-    check(w.state["picture"] != rays, "from outside all pixels look like the one that was picked", w.state)
-    w.key("Escape", "leave")
-    check(pane(w.state)["stage"] == "", "the stage stays", w.state)
-    # The background has nothing to tell.
-    click((x, y), "a pixel again", lambda s: s["picked"])
-    click((x, SKY), "the background", lambda s: s["picked"] is None)
-    w.close()
-
-
 def rough_days(window, folder):
     """Many resizes, a broken scene: no fault stays, and no GL object is lost."""
     w = window
@@ -378,7 +343,7 @@ def main():
         window = Window(program, display, folder, "mirror-and-glass", *small[1:])
         window.hand("mousemove", *PLACE)
         window.key("i", "panel")
-        picking(window)
+        picking(window, PLACE, SKY)
         window = Window(program, display, folder, *small)
         rough_days(window, folder)
         window = Window(program, display, folder, *small)
