@@ -64,10 +64,10 @@ TEST_F(CaptureTest, FormFactorsAreThoseOfThePixelsPatch) {
     const auto with = [&](Words more) {
         Words words{"-t", "radiosity", "--set", "radiosity.patches=20", "--stage", "form-factors"};
         words.insert(words.end(), more.begin(), more.end());
-        return picture(words);
+        return pixels(words).rgba; // its texts name the options
     };
     // Lower left and right of the floor, around the box.
-    const std::string brightest = with({}), left = with({"--pixel", "4,40"}), right = with({"--pixel", "60,40"});
+    const auto brightest = with({}), left = with({"--pixel", "4,40"}), right = with({"--pixel", "60,40"});
     EXPECT_NE(left, right);
     EXPECT_TRUE(left != brightest || right != brightest);
     EXPECT_EQ(left, with({"--pixel", "4,40"}));
@@ -80,7 +80,7 @@ TEST_F(CaptureTest, ASecondPixelIsSeenFromOutsideInRadiosityAlone) {
         Words words{"-t", technique, "--stage", "outside", "--pixel", "32,30"};
         if (hasPartner) words.insert(words.end(), {"--partner", "4,40"});
         if (std::string_view(technique) == "radiosity") words.insert(words.end(), {"--set", "radiosity.patches=20"});
-        return picture(words);
+        return pixels(words).rgba; // its texts name the options
     };
     EXPECT_NE(with("radiosity", true), with("radiosity", false));
     EXPECT_EQ(with("ray-traced", true), with("ray-traced", false));

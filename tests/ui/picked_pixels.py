@@ -47,6 +47,8 @@ def picking(window, place, sky):
 def second_pixel(window, x, y):
     """Shift+X, or Shift, Ctrl and a click, pick one beside the first, which it never is without; Escape lets go of it first."""
     w = window
+    w.hand("mousemove", x, y)
+    w.wait("the mouse before a first pixel", lambda s: s["mouse"] == [x, y] and s["settled"])
     w.key("shift+x", "pick-partner")
     w.wait("a first pixel", lambda s: s["picked"] and s["settled"])
     check(w.state["partner"] is None, "a second pixel without a first", w.state)
