@@ -11,8 +11,6 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-constexpr std::uint32_t kNoFace = ~std::uint32_t{0};
-
 // A quad is flat when its fourth corner lies in the plane of the others to within this share of its size: vertices are floats,
 // turned by a matrix in double.
 constexpr double kFlat = 1e-7;

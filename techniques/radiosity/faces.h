@@ -12,6 +12,8 @@
 
 namespace shadowlab::radiosity {
 
+constexpr std::uint32_t kNoFace = ~std::uint32_t{0};
+
 struct Face {
     Polygon polygon; ///< centred space (world_triangles.h), counter-clockwise seen from the front
     Plane plane;     ///< that it lies in

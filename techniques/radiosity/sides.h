@@ -10,8 +10,6 @@
 
 namespace shadowlab::radiosity {
 
-constexpr std::uint32_t kNoFace = ~std::uint32_t{0};
-
 struct Sides {
     /// `all` holds sides, each a face of its own that is seen from its front: first those that exchange light, then those that do
     /// not. `ofTriangle`: the side that is the triangle's front, or kNoFace.
