@@ -35,6 +35,8 @@ std::optional<Polygon> quadOf(const trace::Triangle& first, int edge, const trac
     return quad;
 }
 
+bool isQuad(const Face& face) { return face.triangles[0] != face.triangles[1]; }
+
 /// The longest edge of a triangle is the diagonal where a rectangle was cut: it is tried first.
 std::array<int, 3> edgesByLength(const trace::Triangle& t) {
     std::array<int, 3> edges = {0, 1, 2};
@@ -63,7 +65,7 @@ Faces facesOf(const scene::Scene& scene, const trace::WorldTriangles& world) {
             };
             return std::pair(place(edge), place(edge + 1));
         };
-        std::map<std::pair<std::array<float, 3>, std::array<float, 3>>, std::pair<std::uint32_t, int>> edges;
+        std::multimap<std::pair<std::array<float, 3>, std::array<float, 3>>, std::pair<std::uint32_t, int>> edges;
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
             for (int edge = 0; edge < 3; ++edge)
                 edges.emplace(key(t, edge), std::pair(t, edge));
@@ -73,15 +75,16 @@ Faces facesOf(const scene::Scene& scene, const trace::WorldTriangles& world) {
             Face face{{triangle.a, triangle.b, triangle.c}, {}, {first + t, first + t}, o, materials[t]};
             for (const int edge : edgesByLength(triangle)) {
                 const auto [from, to] = key(t, edge);
-                const auto other = edges.find({to, from});
-                if (other == edges.end()) continue;
-                const auto [u, otherEdge] = other->second;
-                if (u == t || faces.ofTriangle[first + u] != kNoFace || materials[u] != materials[t]) continue;
-                const auto quad = quadOf(triangle, edge, world.triangles[first + u], (otherEdge + 2) % 3);
-                if (!quad) continue;
-                face.polygon = *quad;
-                face.triangles[1] = first + u;
-                break;
+                const auto [begin, end] = edges.equal_range({to, from}); // several where skins have fallen together
+                for (auto other = begin; other != end && !isQuad(face); ++other) {
+                    const auto [u, otherEdge] = other->second;
+                    if (u == t || faces.ofTriangle[first + u] != kNoFace || materials[u] != materials[t]) continue;
+                    const auto quad = quadOf(triangle, edge, world.triangles[first + u], (otherEdge + 2) % 3);
+                    if (!quad) continue;
+                    face.polygon = *quad;
+                    face.triangles[1] = first + u;
+                }
+                if (isQuad(face)) break;
             }
             const auto number = static_cast<std::uint32_t>(faces.all.size());
             for (const std::uint32_t part : face.triangles)

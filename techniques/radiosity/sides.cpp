@@ -2,6 +2,9 @@
 #include "techniques/radiosity/sides.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
 
 namespace shadowlab::radiosity {
 
@@ -41,6 +44,28 @@ std::vector<bool> openObjects(const scene::Scene& scene, const trace::WorldTrian
     return open;
 }
 
+/// Of each face the one of the same object that lies in the same place and faces the other way, or kNoFace: where a thin sheet was
+/// simplified, its two skins have fallen together.
+std::vector<std::uint32_t> opposites(const Faces& faces) {
+    using Corner = std::array<double, 3>;
+    std::map<std::pair<std::uint32_t, std::vector<Corner>>, std::uint32_t> alone; ///< by object and sorted corners
+    std::vector<std::uint32_t> opposite(faces.all.size(), kNoFace);
+    for (std::uint32_t number = 0; number < faces.all.size(); ++number) {
+        const Face& face = faces.all[number];
+        std::vector<Corner> corners;
+        for (const dvec3& corner : face.polygon.corners())
+            corners.push_back({corner.x, corner.y, corner.z});
+        std::ranges::sort(corners);
+        const auto [entry, isNew] = alone.try_emplace({face.object, std::move(corners)}, number);
+        const std::uint32_t other = entry->second;
+        if (isNew || glm::dot(face.plane.normal, faces.all[other].plane.normal) > 0) continue;
+        opposite[number] = other;
+        opposite[other] = number;
+        alone.erase(entry);
+    }
+    return opposite;
+}
+
 /// Does any face reach before this side?
 bool seesAnything(const Face& side, const Faces& plain) {
     return std::ranges::any_of(plain.all, [&](const Face& other) {
@@ -67,11 +92,14 @@ Sides sidesOf(const scene::Scene& scene, const trace::WorldTriangles& world, con
                 static_cast<std::uint32_t>(sides.faces.all.size());
         sides.faces.all.push_back(side);
     };
+    const std::vector<std::uint32_t> opposite = opposites(plain);
     // Fronts and backs by turns would be as right; like this, the numbers of fronts are those of their faces in most scenes.
     for (const bool isBack : {false, true})
-        for (const Face& face : plain.all) {
+        for (std::size_t number = 0; number < plain.all.size(); ++number) {
+            const Face& face = plain.all[number];
             // Of a body that its matrix turns inside out the outside is the back.
             if (!open[face.object] && isBack != scene::isMirrored(scene.objects[face.object])) continue;
+            if (open[face.object] && isBack && opposite[number] != kNoFace) continue; // the other's front, see below
             const Face side = isBack ? turned(face) : face;
             if (seesAnything(side, plain))
                 add(side, isBack);
@@ -81,6 +109,12 @@ Sides sidesOf(const scene::Scene& scene, const trace::WorldTriangles& world, con
     sides.exchanging = sides.faces.all.size();
     for (const auto& [side, isBack] : loose)
         add(side, isBack);
+    for (std::size_t number = 0; number < plain.all.size(); ++number) {
+        if (!open[plain.all[number].object] || opposite[number] == kNoFace) continue;
+        const std::uint32_t back = sides.faces.ofTriangle[plain.all[opposite[number]].triangles[0]];
+        for (const std::uint32_t triangle : plain.all[number].triangles)
+            sides.backOfTriangle[triangle] = back;
+    }
     return sides;
 }
 

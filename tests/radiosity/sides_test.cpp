@@ -43,6 +43,30 @@ TEST(Sides, OfAClosedBodyTheInsideCountsOnlyWithALightInIt) {
     EXPECT_EQ(sidesIn(scene, {false, false}).faces.all.size(), 2u + 12u) << "light gets in";
 }
 
+// The two skins of a thin sheet that have fallen together: each has one side that counts, and the other's front is its back.
+// Taken twice, every patch would see all others in the place of two, and rows would sum to 2.
+TEST(Sides, SkinsThatHaveFallenTogetherCountOnce) {
+    scene::Scene scene = floorScene();
+    scene::Mesh sheet = scene::makeQuad({1, 1});
+    const std::vector<uvec3> above = sheet.triangles;
+    for (const uvec3& t : above)
+        sheet.triangles.emplace_back(t.x, t.z, t.y);
+    sheet.parts.front().triangleCount *= 2;
+    addObject(scene, std::move(sheet), translation({0, 2, 0}));
+    const Sides sides = sidesIn(scene, {false, false});
+    EXPECT_EQ(sides.faces.all.size(), 2u + 2u);
+    int compared = 0;
+    for (std::size_t t = 2; t < 6; ++t) {
+        const std::uint32_t front = sides.faces.ofTriangle[t], back = sides.backOfTriangle[t];
+        ASSERT_NE(front, kNoFace);
+        ASSERT_NE(back, kNoFace);
+        EXPECT_EQ(sides.faces.all[front].plane.normal, -sides.faces.all[back].plane.normal);
+        EXPECT_NE(std::ranges::find(sides.faces.ofTriangle, back), sides.faces.ofTriangle.end()) << "a front";
+        ++compared;
+    }
+    EXPECT_EQ(compared, 4);
+}
+
 TEST(Sides, PatchesUnderABoxAreLeftOut) {
     scene::Scene scene = floorScene();
     addObject(scene, scene::makeBox({2, 1, 2}), translation({0, 0.5, 0}));
