@@ -7,6 +7,7 @@
 
 #include "techniques/foundation/scene/shapes.h"
 #include "techniques/foundation/trace/parallel.h"
+#include "techniques/radiosity/inside_out.h"
 
 namespace shadowlab::radiosity {
 
@@ -149,6 +150,8 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces
     answer.trianglesAfter = simplified(step);
     answer.cellMetres = heavy.front().cell(step);
 
+    for (Heavy& one : heavy)
+        if (one.coarse && one.object.mesh->outward) turnRightSideOut(*one.coarse, scene::isMirrored(one.object));
     for (const Heavy& one : heavy)
         if (one.coarse)
             changed->objects[one.number].mesh = std::make_shared<const scene::Mesh>(meshOf(one.object, *one.coarse));
