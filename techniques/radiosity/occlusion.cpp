@@ -13,14 +13,17 @@ namespace {
 /// Where a line that goes through the polygon's plane meets it: inside? The edges count as inside.
 bool isPierced(const Polygon& polygon, const dvec3& from, const dvec3& to) {
     const dvec3 way = to - from;
-    int left = 0, right = 0;
-    for (std::size_t i = 0; i < polygon.count(); ++i) {
-        const dvec3 a = polygon[i] - from, b = polygon[(i + 1) % polygon.count()] - from;
+    bool isLeft = false, isRight = false; // of some edge
+    dvec3 a = polygon[polygon.count() - 1] - from;
+    for (const dvec3& corner : polygon.corners()) {
+        const dvec3 b = corner - from;
         const double side = glm::dot(way, glm::cross(a, b));
-        left += side > 0;
-        right += side < 0;
+        isLeft |= side > 0;
+        isRight |= side < 0;
+        if (isLeft && isRight) return false;
+        a = b;
     }
-    return left == 0 || right == 0;
+    return true;
 }
 
 /// What is nearer touches: by the size of all that lies between the two boxes.
@@ -86,11 +89,25 @@ bool Occlusion::hideAll(const Blockers& blockers, const Polygon& a, const Polygo
     });
 }
 
-bool Occlusion::hide(const Blockers& blockers, const dvec3& fromCentred, const dvec3& toCentred) const {
-    return std::ranges::any_of(blockers, [&](std::uint32_t number) {
-        const Face& face = faces_.all[number];
-        const double from = face.plane.height(fromCentred), to = face.plane.height(toCentred);
-        return ((from > 0 && to < 0) || (from < 0 && to > 0)) && isPierced(face.polygon, fromCentred, toCentred);
+Occlusion::Outline Occlusion::outlineOf(const Face& face) {
+    constexpr double kRounded = 1 + 1e-9;
+    Outline outline{face.plane, centroid(face.polygon), 0};
+    for (const dvec3& corner : face.polygon.corners()) {
+        const dvec3 off = corner - outline.centre;
+        outline.squaredRadius = std::max(outline.squaredRadius, kRounded * glm::dot(off, off));
+    }
+    return outline;
+}
+
+Blockers::const_iterator Occlusion::hider(const Blockers& blockers, const dvec3& fromCentred,
+                                          const dvec3& toCentred) const {
+    return std::ranges::find_if(blockers, [&](std::uint32_t number) {
+        const Outline& outline = outlines_[number];
+        const double from = outline.plane.height(fromCentred), to = outline.plane.height(toCentred);
+        if (!((from > 0 && to < 0) || (from < 0 && to > 0))) return false;
+        const dvec3 off = fromCentred + from / (from - to) * (toCentred - fromCentred) - outline.centre;
+        return glm::dot(off, off) <= outline.squaredRadius &&
+               isPierced(faces_.all[number].polygon, fromCentred, toCentred);
     });
 }
 

@@ -21,7 +21,10 @@ class Occlusion {
 public:
     /// Both must live as long. `casts`: of each triangle of the scene, 1 or 0: does it block light?
     Occlusion(const Faces& faces, const trace::Bvh& bvh, std::vector<std::uint8_t> casts)
-        : faces_(faces), bvh_(bvh), casts_(std::move(casts)) {}
+        : faces_(faces), bvh_(bvh), casts_(std::move(casts)) {
+        for (const Face& face : faces.all)
+            outlines_.push_back(outlineOf(face));
+    }
 
     /// What may stand between the two, each without what lies behind the other. Of pieces of polygons whose blockers are known
     /// only these are looked at.
@@ -31,8 +34,12 @@ public:
     [[nodiscard]] Blockers betweenHull(const Polygon& a, const Polygon& hull, const Blockers* known = nullptr) const;
     /// Does one of the faces hide all of the one from all of the other? Either may be a hull.
     [[nodiscard]] bool hideAll(const Blockers& blockers, const Polygon& a, const Polygon& b) const;
-    /// Does one of the faces stand between the two points?
-    [[nodiscard]] bool hide(const Blockers& blockers, const dvec3& fromCentred, const dvec3& toCentred) const;
+    /// The first in the list that stands between the two points; its end: none does.
+    [[nodiscard]] Blockers::const_iterator hider(const Blockers& blockers, const dvec3& fromCentred,
+                                                 const dvec3& toCentred) const;
+    [[nodiscard]] bool hide(const Blockers& blockers, const dvec3& fromCentred, const dvec3& toCentred) const {
+        return hider(blockers, fromCentred, toCentred) != blockers.end();
+    }
 
 private:
     [[nodiscard]] Blockers inShaft(const trace::Shaft& shaft, const Blockers* known) const;
@@ -40,6 +47,14 @@ private:
     const Faces& faces_;
     const trace::Bvh& bvh_;
     std::vector<std::uint8_t> casts_;
+    /// Of each face, side by side in memory, what tells of most lines that they miss it.
+    struct Outline {
+        Plane plane;
+        dvec3 centre{0.0};
+        double squaredRadius = 0; ///< of a sphere around it, m^2
+    };
+    static Outline outlineOf(const Face& face);
+    std::vector<Outline> outlines_;
 };
 
 } // namespace shadowlab::radiosity

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "techniques/radiosity/even_places.h"
 
@@ -30,7 +31,7 @@ VisibleExchange visibleExchange(const Patch& a, const Patch& b, const Occlusion&
                                 double linesInAll) {
     using Kind = VisibleExchange::Kind;
     if (isBehind(a.plane(), b.polygon, 0) || isBehind(b.plane(), a.polygon, 0)) return {};
-    const Blockers blockers = known.empty() ? known : occlusion.between(a.polygon, b.polygon, &known);
+    Blockers blockers = known.empty() ? known : occlusion.between(a.polygon, b.polygon, &known);
     if (!blockers.empty() && occlusion.hideAll(blockers, a.polygon, b.polygon)) return {Kind::hidden, 0, 0};
     const Exchange whole = unoccludedExchange(a.polygon, b.polygon, blockers.empty() ? kWhole : kInPart);
     if (whole.area <= 0) return {};
@@ -44,7 +45,13 @@ VisibleExchange visibleExchange(const Patch& a, const Patch& b, const Occlusion&
         const double weight = from.weight * to.weight * kernel(a, b, from.point, to.point);
         all += weight;
         squares += weight * weight;
-        if (weight > 0 && !occlusion.hide(blockers, from.point, to.point)) free += weight;
+        if (!(weight > 0)) continue;
+        const auto hider = occlusion.hider(blockers, from.point, to.point);
+        if (hider == blockers.end())
+            free += weight;
+        else
+            std::swap(blockers[static_cast<std::size_t>(hider - blockers.begin())],
+                      blockers.front()); // the next line may meet it, too
     }
     if (!(all > 0)) return {Kind::partial, 0, whole.area};
     const double seen = free / all;
