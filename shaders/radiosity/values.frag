@@ -1,6 +1,6 @@
 #version 330 core
-// The value that the patch of a pixel has: its radiosity, or any other number of each patch, as one value for all of the patch
-// or interpolated between its corners.
+// The value that the patch of a pixel has, as one value for all of the patch or interpolated between its corners: its radiosity
+// or what arrives there, shown as the light that the eye receives; or any other number.
 #include "material.glsl"
 #include "light.glsl"
 #include "facing.glsl"
@@ -9,6 +9,7 @@
 in vec3 positionOnMesh;
 in vec3 positionView;
 uniform int interpolates;
+uniform float exposureFactor;
 uniform int receivesShadow;
 uniform int emitsFromFrontOnly; // a rect light's surface is dark on its back
 out vec4 result;
@@ -26,10 +27,16 @@ void main() {
 #ifdef LIGHT_MAP
     if (number != kNoCell) value += lightMapValue(cell, place);
 #endif
-#if defined(RADIANCE)
+#if defined(RADIOSITY) || defined(IRRADIANCE)
     // What is no patch shines by itself or not at all: lights, and what nobody sees.
-    bool emits = emitsFromFrontOnly == 0 || gl_FrontFacing;
-    result = vec4(number == kNoCell ? (emits ? emission : vec3(0.0)) : value.rgb, 1.0);
+    vec3 ownRadiance = emitsFromFrontOnly == 0 || gl_FrontFacing ? emission : vec3(0.0);
+#ifdef RADIOSITY
+    vec3 radiance = number == kNoCell ? ownRadiance : value.rgb / kPi; // of a Lambertian reflector
+#else
+    // The pixel's own material reflects: on a coarser mesh that stands for this one, it may be another.
+    vec3 radiance = ownRadiance + diffuse / kPi * value.rgb;
+#endif
+    result = vec4(exposureFactor * radiance, 1.0);
 #elif defined(VISIBILITY)
     float distanceSquared;
     vec3 toLightView = towardLight(positionView, distanceSquared);

@@ -90,6 +90,21 @@ std::vector<dvec3> LightBalance::irradiance() const {
     return arriving;
 }
 
+std::vector<dvec3> LightBalance::irradianceShown() const {
+    std::vector<dvec3> shown(radiosity_.size()), gathered; // the latter only if it is needed
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        for (int color = 0; color < 3; ++color) {
+            const double reflectance = sources_->reflectance[i][color];
+            if (reflectance > 0) {
+                shown[i][color] = std::max(0.0, radiosity_[i][color] - sources_->emission[i][color]) / reflectance;
+            } else {
+                if (gathered.empty()) gathered = irradiance();
+                shown[i][color] = gathered[i][color];
+            }
+        }
+    return shown;
+}
+
 std::vector<dvec3> LightBalance::bounce(std::size_t k) const {
     std::vector<dvec3> now = sources_->emission;
     Problem own = problem();

@@ -56,6 +56,9 @@ public:
     [[nodiscard]] const std::vector<dvec3>& radiosity() const { return radiosity_; }
     /// H_i of every patch, what arrives from lights, from outside and from the radiosities so far, W/m^2.
     [[nodiscard]] std::vector<dvec3> irradiance() const;
+    /// What would have to arrive for radiosity() to leave: (B_i - E_i) / rho_i, in a solved room H_i. Where nothing is reflected that
+    /// does not say, and it is irradiance().
+    [[nodiscard]] std::vector<dvec3> irradianceShown() const;
     /// B_k: what was reflected exactly k times.
     [[nodiscard]] std::vector<dvec3> bounce(std::size_t k) const;
     /// What was received and not yet sent on, W/m^2: E + rho H - B.

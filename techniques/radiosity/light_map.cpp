@@ -137,15 +137,12 @@ dvec3 LightMap::arrivingAt(std::size_t point) const {
     return sum;
 }
 
-LightMap::Values LightMap::radiance(const SurfaceCells& cells, const Sources& sources, double factor) const {
-    const auto of = [&](std::size_t patch, std::size_t point) {
-        return factor * (sources.emission[patch] + sources.reflectance[patch] * arrivingAt(point));
-    };
+LightMap::Values LightMap::irradiance(const SurfaceCells& cells) const {
     Values values;
     for (std::size_t i = 0; i < firstVertex_; ++i)
-        values.atPoints.emplace_back(vec3(of(points_[i].patch, i)), 1.0f);
+        values.atPoints.emplace_back(vec3(arrivingAt(i)), 1.0f);
     for (const SurfaceCells::Blend& blend : cells.blends)
-        values.atBlends.push_back(of(blend.patch, firstVertex_ + blend.vertex));
+        values.atBlends.push_back(arrivingAt(firstVertex_ + blend.vertex));
     return values;
 }
 

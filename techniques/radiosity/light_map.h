@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "techniques/radiosity/kept_room.h"
-#include "techniques/radiosity/light_balance.h"
 
 namespace shadowlab::radiosity {
 
@@ -31,8 +30,8 @@ public:
         std::vector<vec4> atPoints;
         std::vector<dvec3> atBlends;
     };
-    /// `factor` times what is emitted and what of direct light is reflected.
-    [[nodiscard]] Values radiance(const SurfaceCells& cells, const Sources& sources, double factor) const;
+    /// The irradiance by all lights, W/m^2.
+    [[nodiscard]] Values irradiance(const SurfaceCells& cells) const;
     /// The share of a light's area that is seen.
     [[nodiscard]] Values seenArea(const SurfaceCells& cells, int light) const;
 

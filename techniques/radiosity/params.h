@@ -1,6 +1,8 @@
 // The knobs of radiosity.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cmath>
+
 #include "techniques/foundation/params/param.h"
 #include "techniques/radiosity/room.h"
 #include "techniques/radiosity/solvers.h"
@@ -27,6 +29,7 @@ struct RadiosityParams {
     enum class Display { flat, interpolated, lightMap } display = Display::lightMap;
     int lightMapPoints = 60000;
     double exposure = 0; ///< stops
+    [[nodiscard]] double exposureFactor() const { return std::exp2(exposure); }
     int bounce = 2, fromPatch = -1, toPatch = -1;
     friend bool operator==(const RadiosityParams&, const RadiosityParams&) = default;
 };

@@ -14,27 +14,20 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-/// The radiance of a Lambertian surface of that radiosity, as the exposure shows it.
-double radiancePerRadiosity(const RadiosityParams& params) { return std::exp2(params.exposure) / glm::pi<double>(); }
-
-std::vector<dvec3> times(double factor, std::span<const dvec3> values) {
-    std::vector<dvec3> all(values.begin(), values.end());
-    for (dvec3& value : all)
-        value *= factor;
-    return all;
-}
-
 double luminance(const dvec3& rgb) { return glm::dot(rgb, dvec3(0.2126, 0.7152, 0.0722)); } // of sRGB's primaries
 
-void publishRadiance(const Showing& showing, std::string_view stage, std::span<const dvec3> radiosity,
-                     bool interpolates) {
+void publishRadiance(const Showing& showing, std::string_view stage, const std::function<void()>& draw) {
     if (showing.frame.wants(stage))
         showing.frame.drawStage(stage, kNoLight, GL_RGBA16F, [&] {
             const vec3& background = showing.frame.scene().background;
             glClearColor(background.r, background.g, background.b, 1);
             glClear(GL_COLOR_BUFFER_BIT);
-            showing.draw(radiosity, interpolates);
+            draw();
         });
+}
+void publishRadiance(const Showing& showing, std::string_view stage, std::span<const dvec3> radiosity,
+                     bool interpolates) {
+    publishRadiance(showing, stage, [&] { showing.draw(radiosity, interpolates); });
 }
 
 void publishScalar(const Showing& showing, std::string_view stage, const std::vector<dvec3>& values,
@@ -144,23 +137,25 @@ void publishVisibility(const Showing& showing, int light, const LightMap* map) {
 } // namespace
 
 void Showing::draw(std::span<const dvec3> radiosity, bool interpolates) const {
-    const std::vector<dvec3> radiance = times(radiancePerRadiosity(params), radiosity);
-    picture.drawRadiance(frame, SurfacePicture::upload(cellValues(kept.cells(), radiance)), interpolates);
+    picture.drawRadiosity(frame, SurfacePicture::upload(cellValues(kept.cells(), radiosity)), interpolates,
+                          params.exposureFactor());
 }
 
-ShownRadiosity Showing::shown(const LightMap* map) const {
-    const double factor = radiancePerRadiosity(params);
-    const std::vector<dvec3> all = times(factor, balance.radiosity());
-    if (!map) return {SurfacePicture::upload(cellValues(kept.cells(), all)), std::nullopt};
+void Showing::drawSmooth(const ShownLight& shown) const {
+    picture.drawReflected(frame, shown.values, shown.map ? &*shown.map : nullptr, params.exposureFactor());
+}
+
+ShownLight Showing::shown(const LightMap* map) const {
+    std::vector<dvec3> arriving = balance.irradianceShown();
+    if (!map) return {SurfacePicture::upload(cellValues(kept.cells(), arriving)), std::nullopt};
     // What came by way of other patches, or from outside, changes slowly: it is interpolated. The rest is in the map.
-    std::vector<dvec3> indirect = all;
-    for (std::size_t i = 0; i < indirect.size(); ++i)
-        indirect[i] -= factor * (sources.emission[i] + sources.reflectance[i] * sources.fromLights[i]);
-    const LightMap::Values direct = map->radiance(kept.cells(), sources, factor);
-    std::vector<dvec3> atBlends = blended(kept.cells(), indirect);
+    for (std::size_t i = 0; i < arriving.size(); ++i)
+        arriving[i] -= sources.fromLights[i];
+    const LightMap::Values direct = map->irradiance(kept.cells());
+    std::vector<dvec3> atBlends = blended(kept.cells(), arriving);
     for (std::size_t i = 0; i < atBlends.size(); ++i)
         atBlends[i] += direct.atBlends[i];
-    return {SurfacePicture::upload(cellValues(kept.cells(), indirect, atBlends)),
+    return {SurfacePicture::upload(cellValues(kept.cells(), arriving, atBlends)),
             SurfacePicture::upload(map->lattices(), direct.atPoints)};
 }
 
@@ -192,7 +187,7 @@ void publishStages(const Showing& showing, const LightMap* map) {
     }
     if (frame.wants("residual")) publishResidual(showing);
     publishRadiance(showing, "radiosity", showing.balance.radiosity(), false);
-    publishRadiance(showing, "interpolated", showing.balance.radiosity(), true);
+    publishRadiance(showing, "interpolated", [&] { showing.drawSmooth(showing.shown(nullptr)); });
     for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
         if (frame.wants("visibility", light)) publishVisibility(showing, light, map);
 }

@@ -13,8 +13,8 @@
 
 namespace shadowlab::radiosity {
 
-/// On the graphics card.
-struct ShownRadiosity {
+/// What arrives everywhere, on the graphics card: irradiance.
+struct ShownLight {
     SurfacePicture::Values values;
     std::optional<SurfacePicture::Lattices> map;
 };
@@ -30,8 +30,10 @@ struct Showing {
 
     /// Radiosities of all patches, into what is bound.
     void draw(std::span<const dvec3> radiosity, bool interpolates) const;
-    /// What the finished picture is drawn with: the radiosity there is; `map`: with direct light from there, or nullptr.
-    [[nodiscard]] ShownRadiosity shown(const LightMap* map) const;
+    /// What arrives, reflected by every pixel's own material.
+    void drawSmooth(const ShownLight& shown) const;
+    /// What the finished picture is drawn with: the irradiance there is; `map`: with direct light from there, or nullptr.
+    [[nodiscard]] ShownLight shown(const LightMap* map) const;
 };
 
 /// What is wanted of the stages. `map`: what direct light is shown by, or nullptr.

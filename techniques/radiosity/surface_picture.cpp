@@ -59,8 +59,10 @@ void SurfacePicture::draw(const Frame& frame, const gl::Program& program, const 
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());
 }
 
-void SurfacePicture::drawRadiance(const Frame& frame, const Values& values, bool interpolates) const {
-    draw(frame, radiance_, values, interpolates);
+void SurfacePicture::drawRadiosity(const Frame& frame, const Values& radiosity, bool interpolates,
+                                   double exposureFactor) const {
+    draw(frame, radiosity_, radiosity, interpolates,
+         [&] { radiosity_.set("exposureFactor", static_cast<float>(exposureFactor)); });
 }
 
 void SurfacePicture::bind(const Lattices& map, const gl::Program& program) {
@@ -71,8 +73,13 @@ void SurfacePicture::bind(const Lattices& map, const gl::Program& program) {
     program.set("latticeValues", kFirst + 1);
 }
 
-void SurfacePicture::drawRadiance(const Frame& frame, const Values& values, const Lattices& map) const {
-    draw(frame, lightMap_, values, true, [&] { bind(map, lightMap_); });
+void SurfacePicture::drawReflected(const Frame& frame, const Values& irradiance, const Lattices* map,
+                                   double exposureFactor) const {
+    const gl::Program& program = map ? reflectedWithMap_ : reflected_;
+    draw(frame, program, irradiance, true, [&] {
+        program.set("exposureFactor", static_cast<float>(exposureFactor));
+        if (map) bind(*map, program);
+    });
 }
 
 void SurfacePicture::drawScalar(const Frame& frame, const Values& values, bool interpolates) const {

@@ -26,10 +26,10 @@ public:
 
     // Into what is bound, on the surfaces that the depth buffer has. Each clears the stencil.
 
-    /// Linear RGB; what is no patch shows its emission.
-    void drawRadiance(const Frame& frame, const Values& values, bool interpolates) const;
-    /// The same, interpolated, and to it what the map has there.
-    void drawRadiance(const Frame& frame, const Values& values, const Lattices& map) const;
+    /// What the eye receives, linear RGB, by the radiosity of each patch; what is no patch shows its emission.
+    void drawRadiosity(const Frame& frame, const Values& radiosity, bool interpolates, double exposureFactor) const;
+    /// The same by the irradiance, interpolated, and reflected by each pixel's own material. `map`: what else arrives, or nullptr.
+    void drawReflected(const Frame& frame, const Values& irradiance, const Lattices* map, double exposureFactor) const;
     /// Red: the value's red; green: 1 where there is a patch.
     void drawScalar(const Frame& frame, const Values& values, bool interpolates) const;
     /// Red: the value's red where the side that is seen faces the light; green: 1 where there is a surface.
@@ -44,8 +44,9 @@ private:
               const std::function<void()>& setUniforms = {}) const;
 
     gl::BufferTexture places_, roots_, lines_, branches_, table_, borders_;
-    gl::Program radiance_{"radiosity/surface.vert", "radiosity/values.frag", {"RADIANCE"}};
-    gl::Program lightMap_{"radiosity/surface.vert", "radiosity/values.frag", {"RADIANCE", "LIGHT_MAP"}};
+    gl::Program radiosity_{"radiosity/surface.vert", "radiosity/values.frag", {"RADIOSITY"}};
+    gl::Program reflected_{"radiosity/surface.vert", "radiosity/values.frag", {"IRRADIANCE"}};
+    gl::Program reflectedWithMap_{"radiosity/surface.vert", "radiosity/values.frag", {"IRRADIANCE", "LIGHT_MAP"}};
     gl::Program scalar_{"radiosity/surface.vert", "radiosity/values.frag"};
     gl::Program visibility_{"radiosity/surface.vert", "radiosity/values.frag", {"VISIBILITY"}};
     gl::Program visibilityMap_{"radiosity/surface.vert", "radiosity/values.frag", {"VISIBILITY", "LIGHT_MAP"}};

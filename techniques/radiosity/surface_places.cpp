@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <span>
-#include <utility>
 
 #include "techniques/foundation/trace/parallel.h"
 
@@ -48,52 +47,36 @@ NearestPlace nearestPlace(const dvec3& p, const std::array<dvec3, 3>& corners) {
     return nearest;
 }
 
-/// Which coarse triangles of a part are near a cluster: those that end there, and those that share a corner with one of these.
+/// Which coarse triangles are near a cluster: those that end there, and those that share a corner with one of these.
 class Surroundings {
 public:
-    Surroundings(const ClusteredMesh& coarse, const scene::Mesh& original, const VertexClusters& clusters);
-    [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t part, std::uint32_t cluster) const {
-        return triangles_.at({part, cluster});
-    }
+    Surroundings(const ClusteredMesh& coarse, const scene::Mesh& original);
+    [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t cluster) const { return triangles_.at(cluster); }
 
 private:
-    /// A part of the mesh in a cell.
-    using Key = std::pair<std::uint32_t, std::uint32_t>;
-    std::map<Key, std::vector<std::uint32_t>> triangles_;
+    std::map<std::uint32_t, std::vector<std::uint32_t>> triangles_; ///< by cluster
 };
 
-Surroundings::Surroundings(const ClusteredMesh& coarse, const scene::Mesh& original, const VertexClusters& clusters) {
-    std::vector<bool> isLeft(original.parts.size(), false);
-    for (const std::uint32_t part : coarse.parts)
-        isLeft[part] = true;
-    constexpr std::uint32_t kAnyPart = ~std::uint32_t{0}; // for those of which nothing is left
-    std::map<Key, std::vector<std::uint32_t>> ending;
+Surroundings::Surroundings(const ClusteredMesh& coarse, const scene::Mesh& original) {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> ending;
     for (std::uint32_t t = 0; t < coarse.triangles.size(); ++t)
         for (int corner = 0; corner < 3; ++corner)
-            for (const std::uint32_t part : {coarse.parts[t], kAnyPart})
-                ending[{part, coarse.triangles[t][corner]}].push_back(t);
-    const auto nearest = [&](const Key& key) {
-        Key best = key;
-        double least = std::numeric_limits<double>::infinity();
-        for (auto place = ending.lower_bound({key.first, 0}); place != ending.end() && place->first.first == key.first;
-             ++place) {
-            const double distance = glm::distance(coarse.positions[place->first.second], coarse.positions[key.second]);
-            if (distance < least) best = place->first;
-            least = std::min(least, distance);
-        }
-        return best;
+            ending[coarse.triangles[t][corner]].push_back(t);
+    const auto nearest = [&](std::uint32_t cluster) {
+        return std::ranges::min_element(ending, {}, [&](const auto& place) {
+            return glm::distance(coarse.positions[place.first], coarse.positions[cluster]);
+        });
     };
-    for (std::size_t t = 0; t < original.triangles.size(); ++t)
+    for (const uvec3& t : original.triangles)
         for (int corner = 0; corner < 3; ++corner) {
-            const Key asked(clusters.partOf(t), coarse.clusterOfVertex[original.triangles[t][corner]]);
-            const auto [entry, isNew] = triangles_.try_emplace(asked);
+            const std::uint32_t cluster = coarse.clusterOfVertex[t[corner]];
+            const auto [entry, isNew] = triangles_.try_emplace(cluster);
             if (!isNew) continue;
-            Key key(isLeft[asked.first] ? asked.first : kAnyPart, asked.second);
-            if (!ending.contains(key)) key = nearest(key);
+            const auto here = ending.find(cluster);
             std::vector<std::uint32_t>& found = entry->second;
-            for (const std::uint32_t first : ending.at(key))
+            for (const std::uint32_t first : (here == ending.end() ? nearest(cluster) : here)->second)
                 for (int other = 0; other < 3; ++other) {
-                    const auto& more = ending.at({key.first, coarse.triangles[first][other]});
+                    const auto& more = ending.at(coarse.triangles[first][other]);
                     found.insert(found.end(), more.begin(), more.end());
                 }
             std::ranges::sort(found);
@@ -106,28 +89,33 @@ struct CoarseTriangle {
     std::array<dvec3, 3> corners;
     dvec3 normal{0.0}, middle{0.0};
     double radius = 0; ///< about the middle
+    std::uint32_t part = 0;
 };
 
 std::vector<CoarseTriangle> trianglesOf(const ClusteredMesh& coarse) {
     std::vector<CoarseTriangle> triangles;
-    for (const uvec3& t : coarse.triangles) {
+    for (std::size_t i = 0; i < coarse.triangles.size(); ++i) {
+        const uvec3& t = coarse.triangles[i];
         const dvec3 &a = coarse.positions[t.x], &b = coarse.positions[t.y], &c = coarse.positions[t.z];
         const dvec3 middle = (a + b + c) / 3.0;
         const double radius = std::max({glm::distance(a, middle), glm::distance(b, middle), glm::distance(c, middle)});
-        triangles.push_back({{a, b, c}, glm::normalize(glm::cross(b - a, c - a)), middle, radius});
+        triangles.push_back({{a, b, c}, glm::normalize(glm::cross(b - a, c - a)), middle, radius, coarse.parts[i]});
     }
     return triangles;
 }
 
-/// The best place for a corner that has been found so far: on a triangle that faces the same way before one that stands across,
-/// on that before one that faces the other way, and the nearest of these.
+/// The best place for a corner that has been found so far: on a triangle that faces the same way and is of the same part before
+/// one of another part, on that before one that stands across, on that before one that faces the other way, and the nearest of these.
 class Best {
 public:
-    Best(const dvec3& position, const dvec3& normal) : position_(position), normal_(normal) {}
-    [[nodiscard]] bool isSameWay() const { return rank_ == 2; }
+    Best(const dvec3& position, const dvec3& normal, std::uint32_t part)
+        : position_(position), normal_(normal), part_(part) {}
+    [[nodiscard]] bool isSameWay() const { return rank_ >= kSameWayRank; }
     void offer(std::uint32_t number, const CoarseTriangle& triangle) {
         const double facing = glm::dot(normal_, triangle.normal);
-        const int rank = facing > kSameWay ? 2 : facing < -kSameWay ? 0 : 1;
+        const int rank = facing < -kSameWay  ? 0
+                         : facing < kSameWay ? 1
+                                             : kSameWayRank + (triangle.part == part_ ? 1 : 0);
         if (rank < rank_) return;
         const double atLeast = glm::distance(position_, triangle.middle) - triangle.radius;
         if (rank == rank_ && atLeast > 0 && atLeast * atLeast > place_.squaredDistance) return;
@@ -143,8 +131,9 @@ public:
     }
 
 private:
+    static constexpr int kSameWayRank = 2;
     const dvec3 &position_, &normal_;
-    std::uint32_t number_ = 0;
+    std::uint32_t part_, number_ = 0;
     int rank_ = -1;
     NearestPlace place_;
 };
@@ -153,7 +142,7 @@ private:
 
 std::vector<std::array<SurfacePlace, 3>> cornerPlaces(const scene::Mesh& original, const VertexClusters& clusters,
                                                       const ClusteredMesh& coarse, std::uint32_t firstTriangle) {
-    const Surroundings surroundings(coarse, original, clusters);
+    const Surroundings surroundings(coarse, original);
     const std::vector<CoarseTriangle> triangles = trianglesOf(coarse);
     const std::vector<dvec3>& positions = clusters.positions();
     std::vector<std::array<SurfacePlace, 3>> places(original.triangles.size());
@@ -164,13 +153,13 @@ std::vector<std::array<SurfacePlace, 3>> cornerPlaces(const scene::Mesh& origina
         const double length = glm::length(vector);
         const dvec3 normal = length > 0 ? vector / length : dvec3(0.0);
         for (int corner = 0; corner < 3; ++corner) {
-            Best best(positions[corners[corner]], normal);
+            Best best(positions[corners[corner]], normal, clusters.partOf(t));
             for (int tried = 0; tried < 3 && !best.isSameWay();
-                 ++tried) { // its own cell, then those of the other corners
-                const std::uint32_t cluster = coarse.clusterOfVertex[corners[(corner + tried) % 3]];
-                for (const std::uint32_t near : surroundings.of(clusters.partOf(t), cluster))
+                 ++tried) // its own cell, then those of the other corners
+                for (const std::uint32_t near : surroundings.of(coarse.clusterOfVertex[corners[(corner + tried) % 3]]))
                     best.offer(near, triangles[near]);
-            }
+            for (std::uint32_t any = 0; any < triangles.size() && !best.isSameWay(); ++any)
+                best.offer(any, triangles[any]);
             places[t][static_cast<std::size_t>(corner)] = best.place(firstTriangle);
         }
     };

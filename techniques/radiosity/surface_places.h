@@ -17,8 +17,8 @@ struct SurfacePlace {
 };
 
 /// The three corners of every original triangle: for each the nearest place on the coarse triangles that end in its cell, or share
-/// a corner with one that does, are of the same part and face the same way. Where the cell has none of that part, on those of the
-/// nearest that has; where none faces the same way, on one that does not. `coarse` has at least one triangle, and `firstTriangle`
+/// a corner with one that does, and face the same way; if it can be on one of the same part. Where none faces the same way, on any
+/// of the mesh that does, and where there is none, on one that does not. `coarse` has at least one triangle, and `firstTriangle`
 /// is the number of its first.
 std::vector<std::array<SurfacePlace, 3>> cornerPlaces(const scene::Mesh& original, const VertexClusters& clusters,
                                                       const ClusteredMesh& coarse, std::uint32_t firstTriangle);

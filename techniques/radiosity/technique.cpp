@@ -153,13 +153,10 @@ private:
     }
     /// What is shown stays on the graphics card while only the eye moves.
     void drawSmooth(const Showing& showing, const LightMap* map) {
-        const ShownOf shownOf{balance_.version(), map ? lightMap_.version() : 0, params_.exposure};
+        const ShownOf shownOf{balance_.version(), map ? lightMap_.version() : 0};
         if (!shown_ || shownOf_ != shownOf) shown_ = showing.shown(map);
         shownOf_ = shownOf;
-        if (shown_->map)
-            picture_.drawRadiance(showing.frame, shown_->values, *shown_->map);
-        else
-            picture_.drawRadiance(showing.frame, shown_->values, true);
+        showing.drawSmooth(*shown_);
     }
 
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
@@ -175,11 +172,10 @@ private:
     std::uint64_t uploadedRoom_ = 0;
     struct ShownOf {
         std::uint64_t solution = 0, map = 0;
-        double exposure = 0;
         friend bool operator==(const ShownOf&, const ShownOf&) = default;
     };
     ShownOf shownOf_;
-    std::optional<ShownRadiosity> shown_;
+    std::optional<ShownLight> shown_;
 };
 
 Probe Radiosity::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {

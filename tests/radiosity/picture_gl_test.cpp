@@ -127,6 +127,61 @@ TEST_F(RadiosityPictureTest, APatchLooksAlikeFromEverywhere) {
         EXPECT_EQ(one, seen[0]); // B = pi I, in whatever direction
 }
 
+// A chessboard of many small squares under an even sky: too many for patches of their own, so coarser triangles of the one colour
+// or the other stand for it. Each pixel reflects by its own colour all the same; shown with the patches' colours, most of the
+// squares would melt together.
+TEST_F(RadiosityPictureTest, EachPixelReflectsByItsOwnMaterial) {
+    constexpr int kSquares = 20;
+    scene::Scene scene;
+    scene.background = vec3(0.5f);
+    scene.materials.resize(2);
+    scene.materials[0].diffuse = vec3(0.8f);
+    scene.materials[1].diffuse = vec3(0.1f, 0.2f, 0.0f);
+    scene::Mesh board;
+    std::vector<uvec3> ofPart[2];
+    for (int y = 0; y < kSquares; ++y)
+        for (int x = 0; x < kSquares; ++x) {
+            const auto first = static_cast<std::uint32_t>(board.positionsMesh.size());
+            for (const ivec2 corner : {ivec2(0, 0), ivec2(1, 0), ivec2(1, 1), ivec2(0, 1)})
+                board.positionsMesh.emplace_back(x + corner.x - kSquares / 2, y + corner.y - kSquares / 2, 0);
+            ofPart[(x + y) % 2].emplace_back(first, first + 1, first + 2);
+            ofPart[(x + y) % 2].emplace_back(first, first + 2, first + 3);
+        }
+    board.normalsMesh.assign(board.positionsMesh.size(), vec3(0, 0, 1));
+    for (const auto& triangles : ofPart) {
+        board.parts.push_back({"", static_cast<std::uint32_t>(board.triangles.size()),
+                               static_cast<std::uint32_t>(triangles.size()), false});
+        board.triangles.insert(board.triangles.end(), triangles.begin(), triangles.end());
+    }
+    testing::addObject(scene, std::move(board), dmat4(1));
+    scene.objects[0].partMaterials = {0, 1};
+    scene.camera.positionWorld = {0, 0, 12};
+    scene.camera.targetWorld = {0, 0, 0};
+    scene.camera.fovYDegrees = 60;
+    for (const char* display : {"display=interpolated", "display=light-map", "display=flat"}) {
+        Drawing drawing(testing::snapshot(scene), {"patches=100", display}, "radiosity", {97, 97});
+        const std::vector<vec4> texels = drawing.texels();
+        const double metresOfPixel = 2 * 12 * std::tan(glm::radians(30.0)) / 97;
+        int compared[2] = {0, 0}, wrong = 0;
+        for (int y = 0; y < 97; ++y)
+            for (int x = 0; x < 97; ++x) {
+                const dvec2 at = metresOfPixel * dvec2(x - 48, 48 - y) + kSquares / 2.0, square = glm::floor(at);
+                const dvec2 within = glm::abs(at - square - 0.5);
+                if (std::max(within.x, within.y) > 0.45) continue; // a pixel may show two squares
+                const int part = static_cast<int>(square.x + square.y) % 2;
+                const vec3 expected = scene.materials[static_cast<std::size_t>(part)].diffuse * 0.5f;
+                const vec3 off = glm::abs(vec3(texels[static_cast<std::size_t>(97 * y + x)]) - expected);
+                wrong += std::max({off.r, off.g, off.b}) > 1e-3f; // half floats have 11 bits
+                ++compared[part];
+            }
+        EXPECT_GT(std::min(compared[0], compared[1]), 2000);
+        if (display == std::string("display=flat"))
+            EXPECT_GT(wrong, 1000) << "patches have one colour each";
+        else
+            EXPECT_EQ(wrong, 0) << display;
+    }
+}
+
 TEST_F(RadiosityPictureTest, AnEyeThatMovesSolvesNothingAgain) {
     Drawing drawing(builtIn("cornell-room"),
                     {"solver=shooting", "steps-per-picture=1", "tolerance=1e-9", "patches=100"});
