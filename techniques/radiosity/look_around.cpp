@@ -23,9 +23,10 @@ std::array<dvec3, 2> tangents(const dvec3& normal) {
 
 } // namespace
 
-Seen lookAround(const trace::SceneTracer& tracer, const Sides& sides, const Patch& patch) {
+Seen lookAround(const trace::SceneTracer& tracer, const Sides& sides, const Patch& patch, double foldMetres) {
     const auto [tangent, bitangent] = tangents(patch.normal);
-    int nothing = 0, insides = 0;
+    const std::uint32_t object = sides.faces.all[patch.face].object;
+    int nothing = 0, insides = 0, folds = 0;
     for (int i = 0; i < kRays; ++i) {
         const auto x = evenly(i, kRays);
         // Off the surface by as little as what touches may be off.
@@ -36,12 +37,16 @@ Seen lookAround(const trace::SceneTracer& tracer, const Sides& sides, const Patc
         const dvec3 direction = radius * (std::cos(angle) * tangent + std::sin(angle) * bitangent) +
                                 std::sqrt(std::max(0.0, 1 - x[2])) * patch.normal;
         const trace::SurfacePoint met = tracer.nextPoint(from, trace::kNoPrimitive, direction);
-        if (!met)
+        if (!met) {
             ++nothing;
-        else if (!met.eyeOnFront && sides.backOfTriangle[met.primitive] == kNoFace)
-            ++insides;
+            continue;
+        }
+        insides += !met.eyeOnFront && sides.backOfTriangle[met.primitive] == kNoFace;
+        folds += tracer.world().objects[met.primitive] == object &&
+                 glm::distance(tracer.positionCentred(met), from) < foldMetres;
     }
-    return {static_cast<double>(nothing) / kRays, static_cast<double>(insides) / kRays};
+    const auto share = [](int rays) { return static_cast<double>(rays) / kRays; };
+    return {share(nothing), share(insides), share(folds)};
 }
 
 } // namespace shadowlab::radiosity

@@ -15,9 +15,11 @@ namespace shadowlab::radiosity {
 struct Seen {
     double nothing = 0; ///< goes away and meets no surface
     double insides = 0; ///< meets a side that takes no part: the inside of a closed body
+    double folds = 0;   ///< meets its own object, nearer than asked for
 };
 
 /// The rays are the same for the same patch. Exactly 0 and 1 where all rays agree, else within some hundredths.
-Seen lookAround(const trace::SceneTracer& tracer, const Sides& sides, const Patch& patch);
+/// `foldMetres`: how near its own object is where a coarser mesh has folded onto itself; 0: nowhere.
+Seen lookAround(const trace::SceneTracer& tracer, const Sides& sides, const Patch& patch, double foldMetres);
 
 } // namespace shadowlab::radiosity

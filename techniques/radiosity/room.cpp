@@ -13,6 +13,10 @@ namespace {
 // Of what a patch under a thing sees, so much is the thing's inside; a ray or two of those that begin at its very edge may slip past.
 constexpr double kCovered = 0.95;
 
+// Of a mesh that was made coarser, what lies nearer than this share of a cell's side has come that near by it: two walls, two leaves.
+// Patches that see as good as nothing else are in a fold that the true mesh does not have.
+constexpr double kFold = 0.5;
+
 // Of the budget, what the faces of curved meshes may take at most: the flat ones have to be cut as well.
 constexpr double kShareOfFaces = 0.6;
 
@@ -68,6 +72,7 @@ void Room::cut() {
         patch.face += static_cast<std::uint32_t>(sides_.exchanging);
     surroundings_.resize(patches_.size());
     inside_.resize(patches_.size());
+    folded_.resize(patches_.size());
 }
 
 double Room::cutWithinBudget() {
@@ -85,9 +90,12 @@ double Room::cutWithinBudget() {
 }
 
 void Room::lookAround(std::size_t patch) {
-    const Seen seen = radiosity::lookAround(tracer_, sides_, patches_[patch]);
+    const bool isCoarse = !simple_->cornersOfObject[faceOf(patches_[patch]).object].empty();
+    const Seen seen =
+        radiosity::lookAround(tracer_, sides_, patches_[patch], isCoarse ? kFold * simple_->cellMetres : 0);
     surroundings_[patch] = seen.nothing;
     inside_[patch] = seen.insides;
+    folded_[patch] = seen.folds;
 }
 
 std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements) {
@@ -97,6 +105,7 @@ std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements)
     levels_ = std::move(cut.level);
     surroundings_.assign(patches_.size(), 0.0);
     inside_.assign(patches_.size(), 0.0);
+    folded_.assign(patches_.size(), 0.0);
     trace::parallelFor(patches_.size(), [&](std::size_t i) {
         if (cut.from[i] == Refined::kNew)
             lookAround(i);
@@ -111,12 +120,18 @@ std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements)
 void Room::leaveOutCovered() {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
-        if (surroundings_[i] == 0 && inside_[i] > kCovered) continue;
+        if (surroundings_[i] == 0 && inside_[i] > kCovered) {
+            ++coveredPatches_;
+            continue;
+        }
+        if (settings_.leavesOutFolds && surroundings_[i] == 0 && folded_[i] > kCovered) {
+            ++foldedPatches_;
+            continue;
+        }
         patches_[kept] = patches_[i];
         surroundings_[kept] = surroundings_[i];
         ++kept;
     }
-    coveredPatches_ = patches_.size() - kept;
     patches_.resize(kept);
     surroundings_.resize(kept);
     loosePatches_ = allPatches_.size();

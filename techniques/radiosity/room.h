@@ -19,6 +19,7 @@ struct RoomSettings {
     std::size_t patches = 0;       ///< the budget; scenes of more faces have more patches, too
     bool cutsAtContacts = true;    ///< false: light leaks under what stands on a patch (teaching)
     std::vector<bool> lightWithin; ///< of each object: is there a light within its box?
+    bool leavesOutFolds = true;    ///< false: patches in folds of coarser meshes stay, and stay dark (tests)
     friend bool operator==(const RoomSettings&, const RoomSettings&) = default;
 };
 
@@ -48,6 +49,8 @@ public:
     [[nodiscard]] const std::vector<double>& surroundings() const { return surroundings_; }
     /// How many patches were left out because something stands on them.
     [[nodiscard]] std::size_t coveredPatches() const { return coveredPatches_; }
+    /// And how many because they lie in a fold that a mesh got when it was made coarser.
+    [[nodiscard]] std::size_t foldedPatches() const { return foldedPatches_; }
     /// Of each of patches(), how often it was cut in refinement.
     [[nodiscard]] const std::vector<std::uint8_t>& levels() const { return levels_; }
     /// Cuts some of the patches finer; the others stay. Returns of each patch its number before, or Refined::kNew.
@@ -84,8 +87,8 @@ private:
     std::optional<Occlusion> occlusion_;
     trace::SceneTracer tracer_;
     std::size_t nextPatch_ = 0;
-    std::vector<double> surroundings_, inside_; ///< of each patch, the shares of what it sees
-    std::size_t coveredPatches_ = 0, loosePatches_ = 0;
+    std::vector<double> surroundings_, inside_, folded_; ///< of each patch, the shares of what it sees
+    std::size_t coveredPatches_ = 0, foldedPatches_ = 0, loosePatches_ = 0;
     std::vector<std::uint8_t> levels_;
 };
 

@@ -183,7 +183,7 @@ Probe Radiosity::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     prepare(snapshot, Deadline::max());
     if (!exactJudge(snapshot)->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size)) return probe;
     if (!kept_.hasFormFactors()) {
-        probe.facts.push_back({"form factors", "not drawn yet", ""});
+        probe.facts.push_back({"form factors", "drawn with the first picture; known without one with form-factors=analytic", ""});
         return probe;
     }
     restartWhereNew(snapshot);

@@ -23,6 +23,11 @@ void tellOfRoom(Frame& frame, const Room& room, int budget) {
     if (room.coveredPatches() > 0)
         frame.note("covered", std::to_string(room.coveredPatches()) + " patches left out: something stands on them",
                    look::kLit);
+    if (room.foldedPatches() > 0)
+        frame.note("folded",
+                   std::to_string(room.foldedPatches()) +
+                       " patches left out: coarser meshes fold onto themselves there",
+                   look::kLit);
 }
 
 void tellOfFormFactors(Frame& frame, const PreparedExchange& exchange) {
