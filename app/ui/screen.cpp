@@ -100,7 +100,8 @@ bool Screen::frame(double seconds) {
     const bool drawn = desk_.bench.update(area.size, std::chrono::steady_clock::now() + patience_);
     if (drawn && !timed) drawn_ = clock_;
     const bool judged = errors_.update(desk_.bench, area.size, clock_);
-    if (!errors_.failure().empty()) complain("errors cannot be found: " + errors_.failure());
+    if (const std::string failure = errors_.takeFailure(); !failure.empty())
+        complain("errors cannot be found: " + failure);
     const bool small = updateStrip();
     busy_ = drawn || moved || judged || small || !ran_.empty() || !desk_.bench.isAtRest();
     settled_ = !busy_ && errors_.isDone();
