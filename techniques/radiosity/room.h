@@ -7,6 +7,7 @@
 #include <span>
 
 #include "techniques/foundation/trace/scene_tracer.h"
+#include "techniques/radiosity/closed_bodies.h"
 #include "techniques/radiosity/occlusion.h"
 #include "techniques/radiosity/patches.h"
 #include "techniques/radiosity/refinement.h"
@@ -85,9 +86,10 @@ private:
     std::vector<Patch> patches_, allPatches_;
     std::optional<trace::Bvh> bvh_;
     std::optional<Occlusion> occlusion_;
+    std::optional<ClosedBodies> bodies_;
     trace::SceneTracer tracer_;
     std::size_t nextPatch_ = 0;
-    std::vector<double> surroundings_, inside_, folded_; ///< of each patch, the shares of what it sees
+    std::vector<double> surroundings_, inBodies_, folded_; ///< of each patch, shares of what leaves it
     std::size_t coveredPatches_ = 0, foldedPatches_ = 0, loosePatches_ = 0;
     std::vector<std::uint8_t> levels_;
 };
