@@ -17,7 +17,8 @@ namespace {
 constexpr image::Color8 kGround{16, 16, 18, 255}, kText{245, 245, 245, 255}, kQuiet{178, 178, 182, 255};
 constexpr image::Color8 kFrame{0xE6, 0x9F, 0x00, 255}, kFrameEdge{16, 16, 18, 255};
 // Type sizes as shares of the figure's height; 1/45 is read from the last row of a lecture hall.
-constexpr double kTitleShare = 1.0 / 22, kSentenceShare = 1.0 / 32, kSettingShare = 1.0 / 42, kLabelShare = 1.0 / 36;
+constexpr double kTitleShare = 1.0 / 20, kSettingShare = 1.0 / 42, kLabelShare = 1.0 / 36;
+constexpr std::array kSentenceShares = {1.0 / 22, 1.0 / 25, 1.0 / 28, 1.0 / 32}; ///< the first that leaves the pictures whole
 constexpr int kLeastPicture = 120; ///< pixels: narrower ones show nothing
 
 /// The picture of a state, with titles and legends like those of any capture.
@@ -124,8 +125,8 @@ void drawBoxOutline(image::Image& figure, ivec2 corner, ivec2 size, int width, i
     fillRect(figure, corner.x + size.x - width, corner.y, width, size.y, color);
 }
 
-/// Frames what to look at, and names it where there is room: above the box, else below it, else in it.
-void drawLook(image::Image& picture, const std::vector<LookBox>& look, const image::Font& font, double em) {
+/// Frames what to look at. Where the artefact is, it is named: above the box, else below it, else in it, as there is room.
+void drawLook(image::Image& picture, const std::vector<LookBox>& look, bool named, const image::Font& font, double em) {
     const ivec2 size(picture.width, picture.height);
     const int line = std::max(2, size.y / 160);
     for (const LookBox& share : look) {
@@ -133,6 +134,7 @@ void drawLook(image::Image& picture, const std::vector<LookBox>& look, const ima
         const ivec2 corner(glm::round(box.corner * dvec2(size))), extent(glm::round(box.size * dvec2(size)));
         drawBoxOutline(picture, corner - line / 2 - 1, extent + 2 * (line / 2 + 1), line + 2, kFrameEdge);
         drawBoxOutline(picture, corner - line / 2, extent + 2 * (line / 2), line, kFrame);
+        if (!named) continue;
         const Plate plate = titlePlate(share.label, font, em, size.x / 2);
         int y = corner.y - line - plate.height;
         if (y < 0) y = corner.y + extent.y + line;
@@ -148,6 +150,12 @@ std::string settingsLine(const LessonState& state) {
         line += (line.empty() ? "" : ",  ") + setting;
     return line;
 }
+
+/// What stands below one picture.
+struct Column {
+    Lines heading, sentence, settings;
+    [[nodiscard]] int height() const { return heading.height() + sentence.height() + settings.height(); }
+};
 
 } // namespace
 
@@ -165,21 +173,24 @@ image::Image lessonFigure(const Lesson& lesson, const ShownStates& states, ivec2
     const int pad = std::max(4, size.y / 60);
     const int columnWidth = (size.x - (columns + 1) * pad) / columns;
     const Lines title = laidOut(lesson.text.title, bold, size.y * kTitleShare, size.x - 2 * pad);
-    struct Column {
-        Lines heading, sentence, settings;
-        [[nodiscard]] int height() const { return heading.height() + sentence.height() + settings.height(); }
-    };
-    std::vector<Column> texts;
-    int textHeight = 0;
-    for (const std::size_t state : states) {
-        texts.push_back({laidOut(stateTitle(state), bold, size.y * kSentenceShare, columnWidth),
-                         laidOut(sentenceOf(lesson, state), font, size.y * kSentenceShare, columnWidth),
-                         laidOut(settingsLine(lesson.states[state]), font, size.y * kSettingShare, columnWidth)});
-        textHeight = std::max(textHeight, texts.back().height());
-    }
     const int top = title.height() + 2 * pad;
-    const int room = size.y - top - textHeight - 3 * pad;
-    const int pictureHeight = std::min(room, static_cast<int>(std::lround(columnWidth / kLessonAspect)));
+    const int wholeHeight = static_cast<int>(std::lround(columnWidth / kLessonAspect));
+    std::vector<Column> texts;
+    int room = 0;
+    for (const double share : kSentenceShares) {
+        texts.clear();
+        int textHeight = 0;
+        for (const std::size_t state : states) {
+            const LessonState& shown = lesson.states[state];
+            texts.push_back({laidOut(stateTitle(state), bold, size.y * share, columnWidth),
+                             laidOut(sentenceOf(lesson, state), font, size.y * share, columnWidth - pad),
+                             laidOut(settingsLine(shown), font, size.y * kSettingShare, columnWidth)});
+            textHeight = std::max(textHeight, texts.back().height());
+        }
+        room = size.y - top - textHeight - 2 * pad;
+        if (room >= wholeHeight) break;
+    }
+    const int pictureHeight = std::min(room, wholeHeight);
     const ivec2 pictureSize(std::min(columnWidth, static_cast<int>(std::lround(pictureHeight * kLessonAspect))),
                             pictureHeight);
     if (pictureSize.x < kLeastPicture)
@@ -188,14 +199,13 @@ image::Image lessonFigure(const Lesson& lesson, const ShownStates& states, ivec2
 
     image::Image figure(size.x, size.y, kGround);
     drawLines(figure, title, bold, pad, pad, kText);
-    const int slack = std::max(0, (room - pictureHeight) / 2); // the figure's middle stays filled in any shape
     for (int i = 0; i < columns; ++i) {
         const auto column = static_cast<std::size_t>(i);
         const int x = pad + i * (columnWidth + pad);
         image::Image picture = StatePicture(lesson.states[states[column]], pictureSize, font).draw();
-        drawLook(picture, lesson.look, font, std::max(10.0, size.y * kLabelShare));
-        blit(figure, x + (columnWidth - pictureSize.x) / 2, top + slack, picture);
-        int y = top + slack + pictureHeight + pad;
+        drawLook(picture, lesson.look, states[column] == 0, font, std::max(10.0, size.y * kLabelShare));
+        blit(figure, x + (columnWidth - pictureSize.x) / 2, top, picture);
+        int y = top + pictureHeight + pad;
         y = drawLines(figure, texts[column].heading, bold, x, y, kFrame);
         y = drawLines(figure, texts[column].sentence, font, x, y, kText);
         drawLines(figure, texts[column].settings, font, x, y, kQuiet);

@@ -10,6 +10,7 @@
 #include "app/session/measurement.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/nearest_names.h"
+#include "techniques/foundation/scene/message_text.h"
 
 namespace shadowlab::session {
 
@@ -96,10 +97,10 @@ private:
     Value judged(const Expectation& expected) {
         const Drawn& frame = drawn(expected.slot);
         if (!frame.visibility)
-            throw Error(ExitStatus::badInput, lesson_.text.file.string() + ": '" + expected.quantity +
-                                                  "' is about visibility, of which " +
-                                                  state_.slots[static_cast<std::size_t>(expected.slot)].technique +
-                                                  " says nothing for one light; choose another quantity");
+            throw Error(ExitStatus::badInput,
+                        scene::shownPath(lesson_.text.file) + ": '" + expected.quantity + "' is about a light, and " +
+                            state_.slots[static_cast<std::size_t>(expected.slot)].technique +
+                            " says nothing of one here; choose another quantity");
         const measure::Truth& truth =
             session_.truth(view_, session_.truthFor(slots_[static_cast<std::size_t>(expected.slot)], state_.light));
         const std::vector<measure::BoundaryEdge> boundary = measure::trueBoundary(truth);
@@ -186,14 +187,15 @@ private:
         } else {
             Slot& slot = slots_[static_cast<std::size_t>(expected.slot)];
             const Probe probe =
-                slot.technique->probe(state_.scene, view_, pixelAt(expected.pixel, view_.size), state_.light);
+                slot.technique->probe(state_.scene, view_, pixelAt(expected.pixel, view_.size),
+                                      state_.scene->lights.empty() ? kNoLight : state_.light);
             for (const Probe::Fact& fact : probe.facts) {
                 if (fact.label == expected.fact && !fact.numbers.empty())
                     return {std::ranges::max(fact.numbers), 1};
                 known.push_back(fact.label);
             }
         }
-        throw Error(ExitStatus::badInput, lesson_.text.file.string() + ": no " + expected.quantity + " is called '" +
+        throw Error(ExitStatus::badInput, scene::shownPath(lesson_.text.file) + ": no " + expected.quantity + " is called '" +
                                               expected.fact + "'; " + suggestion(expected.fact, known));
     }
 
