@@ -267,6 +267,8 @@ private:
             if (quantity.of == LessonQuantity::Of::reference) expected.reference = reference(keys);
             if (quantity.of == LessonQuantity::Of::motion && lesson.motion.frames == 1)
                 keys.fail("quantity", "is about several frames; write a \"motion\"");
+            if (expected.quantity == "crawl" && lesson.motion.orbitLightDegrees)
+                keys.fail("quantity", "is about an eye that moves alone; leave out orbitLightDegrees");
             for (const char* key : {"reference", "label", "pixel"})
                 if (keys.find(key) && (std::string_view(key) == "reference" ? !expected.reference : !isFact))
                     keys.fail(key, "has nothing to do with " + scene::inQuotes(expected.quantity) + "; leave it out");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "app/measure/crawl.h"
 #include "app/measure/slot_errors.h"
 #include "app/session/lesson_quantities.h"
 #include "app/session/measurement.h"
@@ -52,7 +53,7 @@ public:
         const auto found = std::ranges::find(kLessonQuantities, expected.quantity, &LessonQuantity::id);
         switch (found->of) {
         case LessonQuantity::Of::visibility: return judged(expected);
-        case LessonQuantity::Of::motion: return flips(expected);
+        case LessonQuantity::Of::motion: return motion(expected);
         case LessonQuantity::Of::picture: return level(expected);
         case LessonQuantity::Of::reference: return againstReference(expected);
         case LessonQuantity::Of::fact: return fact(expected);
@@ -127,19 +128,40 @@ private:
         return {static_cast<double>(lit + dark), judged};
     }
 
-    Value flips(const Expectation& expected) {
+    Value motion(const Expectation& expected) {
+        if (expected.quantity == "crawl") return crawl(expected);
         std::vector<Slot> slots = slotsOf({state_.slots[static_cast<std::size_t>(expected.slot)]});
         Session session(state_.scene);
         Measurement measurement(session, slots, state_.light, lesson_.size);
-        for (int frame = 0; frame < lesson_.motion.frames; ++frame) {
-            Moment moment = momentAt(lesson_.motion, base(), frame);
-            measurement.addFrame(moment);
-        }
+        for (int frame = 0; frame < lesson_.motion.frames; ++frame)
+            measurement.addFrame(momentAt(lesson_.motion, base(), frame));
         const std::optional<double> rate = measurement.results()[0].excessFlipRate;
         return {rate.value_or(0), rate ? lesson_.motion.frames - 1 : 0};
     }
+
+    Value crawl(const Expectation& expected) {
+        Slot slot = std::move(slotsOf({state_.slots[static_cast<std::size_t>(expected.slot)]}).front());
+        trace::SceneTracer tracer;
+        tracer.advance(state_.scene, Deadline::max());
+        measure::Crawl crawl;
+        for (int frame = 0; frame < lesson_.motion.frames; ++frame) {
+            View view = view_;
+            view.camera = momentAt(lesson_.motion, base(), frame).camera;
+            const RenderedFrame rendered = session_.render(slot, view, {.stages = {{"visibility", state_.light}}});
+            const VisibilityImage visibility = readVisibility(findStage(rendered, {"visibility", state_.light}));
+            const measure::Truth truth = session_.truthAtCentres(view, session_.truthFor(slot, state_.light));
+            std::vector<std::uint8_t> lit(truth.visibility.size()), truthLit(truth.visibility.size());
+            for (std::size_t i = 0; i < lit.size(); ++i) {
+                lit[i] = visibility.greyAlpha[2 * i] > 127 ? 1 : 0;
+                truthLit[i] = truth.visibility[i] == trace::Visibility::lit ? 1 : 0;
+            }
+            crawl.addFrame(tracer, view.camera, view.size, std::move(lit), std::move(truthLit));
+        }
+        return {crawl.percent().value_or(0), crawl.followed()};
+    }
+
     /// The scene with the state's camera as its own: motions begin there.
-    scene::Snapshot base() const {
+    [[nodiscard]] scene::Snapshot base() const {
         scene::Scene scene = *state_.scene;
         scene.camera = state_.camera;
         return std::make_shared<const scene::Scene>(std::move(scene));

@@ -25,6 +25,8 @@ constexpr LessonQuantity kLessonQuantities[] = {
     {"rmse", LessonQuantity::Of::visibility, "", "of visibility, 0 to 1"},
     {"flips", LessonQuantity::Of::motion, "per pixel of boundary and frame",
      "pixels that change from one frame to the next although the truth does not"},
+    {"crawl", LessonQuantity::Of::motion, "% of points",
+     "points of surfaces, followed from frame to frame while the eye moves, whose light changes although the truth does not"},
     {"meanLevel", LessonQuantity::Of::picture, "of 255",
      "the mean of the picture as it is shown; in the box, if there is one"},
     {"levelDeviation", LessonQuantity::Of::picture, "of 255",

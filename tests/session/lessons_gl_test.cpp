@@ -10,6 +10,7 @@
 #include "app/session/lesson.h"
 #include "app/session/lesson_figure.h"
 #include "app/session/lesson_measure.h"
+#include "techniques/foundation/error.h"
 #include "tests/support/gl_fixture.h"
 
 namespace shadowlab::session {
