@@ -39,7 +39,7 @@ int inspect(const InspectOptions& options);
 struct DemoOptions {
     std::string scene = "still-life";
     std::string lesson; ///< to begin with; empty: none
-    ivec2 size{0}; ///< of the window; zero: what it was the last time
+    ivec2 size{0};      ///< of the window; zero: what it was the last time
     bool presenter = false, keepSettings = true, report = false;
     std::vector<std::filesystem::path> allowed;
 };

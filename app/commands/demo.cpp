@@ -33,8 +33,8 @@ int demo(const DemoOptions& options) {
         LessonOptions picture;
         picture.lesson = options.lesson;
         picture.allowed = options.allowed;
-        picture.output = std::filesystem::current_path() /
-                         (std::filesystem::path(options.lesson).stem().string() + "-lesson.png");
+        picture.output =
+            std::filesystem::current_path() / (std::filesystem::path(options.lesson).stem().string() + "-lesson.png");
         const int status = lesson(picture);
         print(picture.output.string() + "\n");
         note("there is no display for a window; this picture was written instead");

@@ -49,7 +49,8 @@ std::string table(const Lesson& lesson, const std::vector<MeasuredExpectation>& 
         const Expectation& expected = lesson.expectations[i];
         const auto [before, after] = measured[i].values;
         rows.push_back({nameOf(lesson, expected), shortNumber(before), expected.before.text(), shortNumber(after),
-                        expected.after.text(), session::holdsAsExpected({measured[i]}) ? "as expected" : "NOT as expected"});
+                        expected.after.text(),
+                        session::holdsAsExpected({measured[i]}) ? "as expected" : "NOT as expected"});
     }
     return lesson.text.title + ", " + std::to_string(lesson.size.x) + " x " + std::to_string(lesson.size.y) +
            " pixels\n\n" + aligned(rows);

@@ -16,8 +16,8 @@ void describeLesson(CLI::App& command) {
     add("-o,--output", "OUT.png", "draws it: pictures, title, sentences, and what to look at");
     add("--state", "STATE", "what to draw: before, after or both, side by side (default both)");
     add("--size", "WxH", "width and height of the picture in pixels (default 1600x900)");
-    command.add_flag("--measure")->description(
-        "prints what is measured before and after beside what it has to be (without -o the default)");
+    command.add_flag("--measure")
+        ->description("prints what is measured before and after beside what it has to be (without -o the default)");
     command.add_flag("--json")->description("the numbers as one JSON object instead of a table");
     add("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
     add("--allow", "DIR", "a further folder that the lesson's scene may take meshes from; may be repeated");

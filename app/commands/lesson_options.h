@@ -16,7 +16,7 @@ namespace shadowlab::commands {
 
 struct LessonOptions {
     std::string lesson;
-    std::filesystem::path output;       ///< empty: no picture
+    std::filesystem::path output;          ///< empty: no picture
     std::vector<std::size_t> states{0, 1}; ///< which to draw: before, after
     ivec2 size{1600, 900};
     bool measure = false, json = false;

@@ -12,6 +12,7 @@
 #include "app/session/assets.h"
 #include "app/session/derived_stages.h"
 #include "app/session/lesson.h"
+#include "app/session/lesson_quantities.h"
 #include "app/session/path.h"
 #include "app/ui/actions.h"
 #include "techniques/foundation/error.h"
@@ -93,6 +94,13 @@ Table lessonsTable() {
     Table table{{"name", "title", "happens", "mends"}, {}};
     for (const session::LessonText& lesson : session::builtInLessons(session::assetsRoot()))
         table.rows.push_back({lesson.name, lesson.title, lesson.happens, lesson.mends});
+    return table;
+}
+
+Table quantitiesTable() {
+    Table table{{"quantity", "unit", "help"}, {}};
+    for (const session::LessonQuantity& quantity : session::lessonQuantities())
+        table.rows.push_back({std::string(quantity.id), std::string(quantity.unit), std::string(quantity.help)});
     return table;
 }
 
@@ -194,6 +202,7 @@ int list(const ListOptions& options) {
         {"scenes", scenesTable},
         {"decks", [] { return filesTable("decks"); }},
         {"lessons", lessonsTable},
+        {"quantities", quantitiesTable},
         {"backends", backendsTable},
         {"keys", keysTable},
         {"limits", limitsTable}};

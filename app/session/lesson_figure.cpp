@@ -18,8 +18,9 @@ constexpr image::Color8 kGround{16, 16, 18, 255}, kText{245, 245, 245, 255}, kQu
 constexpr image::Color8 kFrame{0xE6, 0x9F, 0x00, 255}, kFrameEdge{16, 16, 18, 255};
 // Type sizes as shares of the figure's height; 1/45 is read from the last row of a lecture hall.
 constexpr double kTitleShare = 1.0 / 20, kSettingShare = 1.0 / 42, kLabelShare = 1.0 / 36;
-constexpr std::array kSentenceShares = {1.0 / 22, 1.0 / 25, 1.0 / 28, 1.0 / 32}; ///< the first that leaves the pictures whole
-constexpr int kLeastPicture = 120; ///< pixels: narrower ones show nothing
+constexpr std::array kSentenceShares = {1.0 / 22, 1.0 / 25, 1.0 / 28,
+                                        1.0 / 32}; ///< the first that leaves the pictures whole
+constexpr int kLeastPicture = 120;                 ///< pixels: narrower ones show nothing
 
 /// The picture of a state, with titles and legends like those of any capture.
 class StatePicture {
@@ -159,9 +160,7 @@ struct Column {
 
 } // namespace
 
-std::string stateTitle(std::size_t state) {
-    return state == 0 ? "1 of 2: the artefact" : "2 of 2: the mend";
-}
+std::string stateTitle(std::size_t state) { return state == 0 ? "1 of 2: the artefact" : "2 of 2: the mend"; }
 
 const std::string& sentenceOf(const Lesson& lesson, std::size_t state) {
     return state == 0 ? lesson.text.happens : lesson.text.mends;

@@ -57,10 +57,10 @@ std::vector<std::pair<std::string, std::size_t>> texts(const JsonObject& object,
     return texts;
 }
 
-int oneOf(const JsonObject& object, std::string_view key, const std::string& text, const std::vector<std::string>& known) {
+int oneOf(const JsonObject& object, std::string_view key, const std::string& text,
+          const std::vector<std::string>& known) {
     const auto found = std::ranges::find(known, text);
-    if (found == known.end())
-        object.fail(key, "is " + scene::inQuotes(text) + "; " + suggestion(text, known));
+    if (found == known.end()) object.fail(key, "is " + scene::inQuotes(text) + "; " + suggestion(text, known));
     return static_cast<int>(found - known.begin());
 }
 
@@ -98,12 +98,14 @@ private:
         if (!top_.find("size")) return;
         const dvec2 size = top_.pair("size", Range::between(kSmallestSide, kLargestSide));
         lesson.size = ivec2(size);
-        if (dvec2(lesson.size) != size) top_.fail("size", "is pixels, and these are whole; write for example [320, 180]");
+        if (dvec2(lesson.size) != size)
+            top_.fail("size", "is pixels, and these are whole; write for example [320, 180]");
     }
 
     LessonState state(const char* name, const scene::LoadOptions& options) {
         const JsonObject own(document_, top_.require(name, R"({"set": ["shadow-map.bias-mode=none"]})"),
-                             "\"" + std::string(name) + "\"", {"scene", "camera", "lights", "layout", "slots", "stage", "set"});
+                             "\"" + std::string(name) + "\"",
+                             {"scene", "camera", "lights", "layout", "slots", "stage", "set"});
         LessonState state;
         loadScene(own.find("scene") ? own : top_, options, state);
         state.camera = state.scene->camera;
@@ -125,8 +127,9 @@ private:
             oneOf(layoutOf, "layout", layoutOf.text("layout", state.slots.size() == 1 ? "single" : "side"), layouts));
         const int shown = state.layout == Layout::grid ? kPanes : shownPanes(state.layout);
         if (static_cast<int>(state.slots.size()) != shown)
-            layoutOf.fail("layout", "shows " + scene::counted(static_cast<std::uint64_t>(shown), "technique") + ", and " +
-                                        std::to_string(state.slots.size()) + " are under \"slots\"; write as many");
+            layoutOf.fail("layout", "shows " + scene::counted(static_cast<std::uint64_t>(shown), "technique") +
+                                        ", and " + std::to_string(state.slots.size()) +
+                                        " are under \"slots\"; write as many");
         readSettings(own, state);
         return state;
     }
@@ -161,9 +164,8 @@ private:
             PaneState pane;
             pane.technique = slot.text("technique");
             pane.stage = slot.text("stage", "");
-            const TechniqueInfo& info =
-                saidAt(document_, slot.require("technique", "\"shadow-map\"").offset,
-                       [&]() -> const TechniqueInfo& { return findTechnique(pane.technique); });
+            const TechniqueInfo& info = saidAt(document_, slot.require("technique", "\"shadow-map\"").offset,
+                                               [&]() -> const TechniqueInfo& { return findTechnique(pane.technique); });
             // The state's own stage is that of all slots.
             const JsonObject& stageOf = own.find("stage") ? own : slot;
             if (own.find("stage")) pane.stage = own.text("stage");
@@ -208,7 +210,8 @@ private:
         const JsonObject motion(document_, *value, "the motion", {"frames", "orbitLightDegrees", "orbitCameraDegrees"});
         lesson.motion.frames = motion.integer("frames", 2, kMostLessonFrames);
         const Range turn = Range::between(-3600, 3600);
-        if (motion.find("orbitLightDegrees")) lesson.motion.orbitLightDegrees = motion.number("orbitLightDegrees", turn);
+        if (motion.find("orbitLightDegrees"))
+            lesson.motion.orbitLightDegrees = motion.number("orbitLightDegrees", turn);
         if (motion.find("orbitCameraDegrees"))
             lesson.motion.orbitCameraDegrees = motion.number("orbitCameraDegrees", turn);
         if (!lesson.motion.orbitLightDegrees && !lesson.motion.orbitCameraDegrees)
@@ -219,17 +222,18 @@ private:
         for (const JsonValue& value : top_.array("look")) {
             const JsonObject look(document_, value, "box " + std::to_string(lesson.look.size() + 1), {"box", "label"});
             const JsonValue& numbers = look.require("box", "[0.4, 0.4, 0.2, 0.2]");
-            const std::string mend =
-                "is not four numbers; write [left, top, width, height] in shares of the picture, as [0.4, 0.4, 0.2, 0.2]";
+            const std::string mend = "is not four numbers; write [left, top, width, height] in shares of the picture, "
+                                     "as [0.4, 0.4, 0.2, 0.2]";
             if (numbers.kind != JsonValue::Kind::array || numbers.items.size() != 4) look.fail("box", mend);
             std::array<double, 4> box{};
             for (std::size_t i = 0; i < box.size(); ++i) {
                 if (numbers.items[i].kind != JsonValue::Kind::number) look.fail("box", mend);
                 box[i] = numbers.items[i].number;
             }
-            const bool inside = box[0] >= 0 && box[1] >= 0 && box[2] > 0 && box[3] > 0 && box[0] + box[2] <= 1 &&
-                                box[1] + box[3] <= 1;
-            if (!inside) look.fail("box", "reaches beyond the picture, or is empty; its numbers are shares, from 0 to 1");
+            const bool inside =
+                box[0] >= 0 && box[1] >= 0 && box[2] > 0 && box[3] > 0 && box[0] + box[2] <= 1 && box[1] + box[3] <= 1;
+            if (!inside)
+                look.fail("box", "reaches beyond the picture, or is empty; its numbers are shares, from 0 to 1");
             lesson.look.push_back({{box[0], box[1]}, {box[2], box[3]}, shortText(look, "label", kLongestLabel)});
         }
         if (lesson.look.empty()) top_.fail("look", R"(is missing or empty; write [{"box": [...], "label": "..."}])");
@@ -303,7 +307,8 @@ private:
         const JsonObject keys(document_, *value, "the question", {"text", "kind", "choices", "right"});
         Question question;
         question.text = shortText(keys, "text", kLongestSentence);
-        question.kind = static_cast<Question::Kind>(oneOf(keys, "kind", keys.text("kind", "choice"), {"choice", "mark"}));
+        question.kind =
+            static_cast<Question::Kind>(oneOf(keys, "kind", keys.text("kind", "choice"), {"choice", "mark"}));
         for (const auto& [choice, offset] : texts(keys, "choices"))
             question.choices.push_back(choice);
         if (question.kind == Question::Kind::mark) {

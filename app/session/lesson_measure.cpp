@@ -83,7 +83,8 @@ private:
     Drawn draw(Slot& slot) {
         FrameRequest request;
         for (const char* stage : {"visibility", "texel-size"})
-            if (publishes(slot, stage) && !state_.scene->lights.empty()) request.stages.push_back({stage, state_.light});
+            if (publishes(slot, stage) && !state_.scene->lights.empty())
+                request.stages.push_back({stage, state_.light});
         Drawn drawn;
         drawn.rendered = session_.render(slot, view_, request);
         drawn.picture = encoder_.encode(slot.target.color, state_.scene->exposure);
@@ -98,10 +99,10 @@ private:
     Value judged(const Expectation& expected) {
         const Drawn& frame = drawn(expected.slot);
         if (!frame.visibility)
-            throw Error(ExitStatus::badInput,
-                        scene::shownPath(lesson_.text.file) + ": '" + expected.quantity + "' is about a light, and " +
-                            state_.slots[static_cast<std::size_t>(expected.slot)].technique +
-                            " says nothing of one here; choose another quantity");
+            throw Error(ExitStatus::badInput, scene::shownPath(lesson_.text.file) + ": '" + expected.quantity +
+                                                  "' is about a light, and " +
+                                                  state_.slots[static_cast<std::size_t>(expected.slot)].technique +
+                                                  " says nothing of one here; choose another quantity");
         const measure::Truth& truth =
             session_.truth(view_, session_.truthFor(slots_[static_cast<std::size_t>(expected.slot)], state_.light));
         const std::vector<measure::BoundaryEdge> boundary = measure::trueBoundary(truth);
@@ -208,17 +209,16 @@ private:
             }
         } else {
             Slot& slot = slots_[static_cast<std::size_t>(expected.slot)];
-            const Probe probe =
-                slot.technique->probe(state_.scene, view_, pixelAt(expected.pixel, view_.size),
-                                      state_.scene->lights.empty() ? kNoLight : state_.light);
+            const Probe probe = slot.technique->probe(state_.scene, view_, pixelAt(expected.pixel, view_.size),
+                                                      state_.scene->lights.empty() ? kNoLight : state_.light);
             for (const Probe::Fact& fact : probe.facts) {
-                if (fact.label == expected.fact && !fact.numbers.empty())
-                    return {std::ranges::max(fact.numbers), 1};
+                if (fact.label == expected.fact && !fact.numbers.empty()) return {std::ranges::max(fact.numbers), 1};
                 known.push_back(fact.label);
             }
         }
-        throw Error(ExitStatus::badInput, scene::shownPath(lesson_.text.file) + ": no " + expected.quantity + " is called '" +
-                                              expected.fact + "'; " + suggestion(expected.fact, known));
+        throw Error(ExitStatus::badInput, scene::shownPath(lesson_.text.file) + ": no " + expected.quantity +
+                                              " is called '" + expected.fact + "'; " +
+                                              suggestion(expected.fact, known));
     }
 
     const Lesson& lesson_;

@@ -26,7 +26,8 @@ constexpr LessonQuantity kLessonQuantities[] = {
     {"flips", LessonQuantity::Of::motion, "per pixel of boundary and frame",
      "pixels that change from one frame to the next although the truth does not"},
     {"crawl", LessonQuantity::Of::motion, "% of points",
-     "points of surfaces, followed from frame to frame while the eye moves, whose light changes although the truth does not"},
+     "points of surfaces, followed from frame to frame while the eye moves, whose light changes although the truth "
+     "does not"},
     {"meanLevel", LessonQuantity::Of::picture, "of 255",
      "the mean of the picture as it is shown; in the box, if there is one"},
     {"levelDeviation", LessonQuantity::Of::picture, "of 255",
@@ -35,7 +36,8 @@ constexpr LessonQuantity kLessonQuantities[] = {
      "how far the picture is from that of the reference (root mean square); in the box, if there is one"},
     {"differing", LessonQuantity::Of::reference, "pixels",
      "pixels of the picture that are not the same bytes as those of the reference; in the box, if there is one"},
-    {"fact", LessonQuantity::Of::fact, "", "the number that a probe of the pixel has under that label, the largest of several"},
+    {"fact", LessonQuantity::Of::fact, "",
+     "the number that a probe of the pixel has under that label, the largest of several"},
     {"counter", LessonQuantity::Of::fact, "", "what the technique counted under that name"},
 };
 

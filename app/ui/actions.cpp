@@ -269,8 +269,8 @@ const Action kActions[] = {
     {"reset-settings", "Window", "R", "the technique's own settings", GLFW_KEY_R, false, false, false, resetSettings},
     {"reload-shaders", "Window", "F5", "compiles all shaders anew", GLFW_KEY_F5, false, false, false,
      [](Desk& d) { d.requests.reloadShaders = true; }},
-    {"leave", "Window", "Esc", "out of the list, messages, the selection, the picked pixel, the lesson, the stage", GLFW_KEY_ESCAPE,
-     false, false, false, leave},
+    {"leave", "Window", "Esc", "out of the list, messages, the selection, the picked pixel, the lesson, the stage",
+     GLFW_KEY_ESCAPE, false, false, false, leave},
     {"quit", "Window", "Ctrl+Q", "ends the program", GLFW_KEY_Q, true, false, false,
      [](Desk& d) { d.requests.quit = true; }},
 };

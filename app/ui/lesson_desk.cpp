@@ -48,9 +48,9 @@ void show(Desk& desk, LessonStep step) {
             animation.lights = motion.orbitLightDegrees.has_value();
             animation.camera = motion.orbitCameraDegrees.has_value();
             animation.objects = false;
-            animation.speed = std::clamp(std::abs(degrees) / motion.frames * kShownFramesPerSecond /
-                                             session::kTurnDegreesPerSecond,
-                                         session::kSlowest, session::kFastest);
+            animation.speed =
+                std::clamp(std::abs(degrees) / motion.frames * kShownFramesPerSecond / session::kTurnDegreesPerSecond,
+                           session::kSlowest, session::kFastest);
         });
     if (step == LessonStep::question) {
         on.chosen.reset();

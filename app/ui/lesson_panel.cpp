@@ -115,7 +115,8 @@ float lessonPanelHeight(const Desk& desk, const Theme& theme, float width) {
     for (const LessonStep step : stepsOf(*desk.lesson.now)) {
         float height = 0;
         for (const std::string& line : linesOf(desk.lesson, step))
-            height += heightOf(step == LessonStep::reveal ? theme.heading : theme.text, line, room) + style.ItemSpacing.y;
+            height +=
+                heightOf(step == LessonStep::reveal ? theme.heading : theme.text, line, room) + style.ItemSpacing.y;
         highest = std::max(highest, height);
     }
     const float title = std::max(ImGui::GetFrameHeight(), theme.heading->FontSize);
@@ -141,7 +142,8 @@ void lessonPanel(Desk& desk, const Area& area, const Theme& theme) {
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", stepTitle(desk.lesson).c_str());
     ImGui::PopFont();
     ImGui::SameLine();
-    const float hintX = static_cast<float>(area.size.x) - ImGui::CalcTextSize(kHint).x - ImGui::GetStyle().WindowPadding.x;
+    const float hintX =
+        static_cast<float>(area.size.x) - ImGui::CalcTextSize(kHint).x - ImGui::GetStyle().WindowPadding.x;
     if (hintX > ImGui::GetCursorPosX()) {
         ImGui::SetCursorPosX(hintX);
         ImGui::TextDisabled("%s", kHint);

@@ -212,7 +212,8 @@ void timesPart(const Desk& desk) {
 /// What the technique found in the scene, with the colours that its stages give it.
 void foundPart(const Desk& desk) {
     const session::RenderedFrame& frame = desk.bench.pane(desk.bench.document().active).rendered();
-    if (frame.result.notes.empty() || !ImGui::CollapsingHeader("Found in the scene", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    if (frame.result.notes.empty() || !ImGui::CollapsingHeader("Found in the scene", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
     for (const Note& note : frame.result.notes) {
         const float side = ImGui::GetTextLineHeight();
         const ImVec2 at = ImGui::GetCursorScreenPos();

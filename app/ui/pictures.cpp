@@ -163,7 +163,8 @@ void drawPane(ImDrawList& list, Desk& desk, const session::LiveErrors& errors, S
             drawFitted(list, texture, shown.area);
         legend = true;
     }
-    if (!desk.lesson.isOn()) drawGizmos(list, desk, shown, theme); // under the plates: a title has to be read, a handle can be moved
+    if (!desk.lesson.isOn())
+        drawGizmos(list, desk, shown, theme); // under the plates: a title has to be read, a handle can be moved
     drawPicked(list, desk, shown, theme);
     if (legend) shown.legendSize = drawLegend(list, pane.picture(), false, shown.area.corner, shown.area.size, theme);
     const bool active = shown.pane == document.active && document.layout != Layout::single;

@@ -75,8 +75,7 @@ std::string stateReport(Desk& desk, const Screen& screen) {
     json["lesson"] = nullptr;
     if (desk.lesson.now) {
         constexpr const char* kSteps[] = {"question", "reveal", "artefact", "mend"};
-        json["lesson"] = {{"name", desk.lesson.now->text.name},
-                          {"step", kSteps[static_cast<int>(desk.lesson.step)]}};
+        json["lesson"] = {{"name", desk.lesson.now->text.name}, {"step", kSteps[static_cast<int>(desk.lesson.step)]}};
         if (desk.lesson.score)
             json["lesson"]["score"] = {desk.lesson.score->paintedRight(), desk.lesson.score->shadowFound()};
     }

@@ -52,7 +52,8 @@ TEST(Lesson, StatesShareWhatStandsAboveThem) {
 }
 
 TEST(Lesson, BoxesKeepTheirPlaceOnThingsInPicturesOfOtherShapes) {
-    const LookBox box = inPictureOf(8.0 / 9, {{0.4, 0.2}, {0.2, 0.5}, ""}); // half as wide: what is seen is twice as wide
+    const LookBox box =
+        inPictureOf(8.0 / 9, {{0.4, 0.2}, {0.2, 0.5}, ""}); // half as wide: what is seen is twice as wide
     EXPECT_NEAR(box.corner.x, 0.3, 1e-12);
     EXPECT_NEAR(box.size.x, 0.4, 1e-12);
     EXPECT_EQ(box.corner.y, 0.2);
@@ -73,9 +74,9 @@ TEST(Lesson, EveryFaultIsToldWithItsPlace) {
         {R"("slots": [{"technique": "shadow-map"}])", R"("slots": [])", "x.json:4:12: ", "missing or empty"},
         {R"("shadow-map.resolution=512")", R"("shadow-map.resolution=5")", "x.json:5:11: ", "64..32768"},
         {R"("shadow-map.bias-mode=none")", R"("planar.once=false")", "x.json:6:22: ", "no slot"},
-        {R"("set": [], )", R"("set": [7], )", "x.json:7:20: ", "quotes"},
+        {R"("set": [], )", R"("set": [7], )", "x.json:7:21: ", "quotes"},
         {R"("visibility@key")", R"("visibility@kez")", "x.json:7:33: ", "key"},
-        {R"({"name": "key")", R"({"name": "kez")", "x.json:7:70: ", "no such light"},
+        {R"({"name": "key")", R"({"name": "kez")", "x.json:7:71: ", "no such light"},
         {R"([0.1, 0.2, 0.3, 0.4])", R"([0.1, 0.2, 0.3, 0.9])", "x.json:9:20: ", "beyond the picture"},
         {R"([0.1, 0.2, 0.3, 0.4])", R"([0.1, 0.2, 0.3])", "x.json:9:20: ", "four numbers"},
         {R"("falseShadow")", R"("falseShade")", "x.json:10:27: ", "falseShadow"},

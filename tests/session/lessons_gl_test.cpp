@@ -40,10 +40,10 @@ TEST_F(LessonsTest, TheArtefactIsThereAndTheMendMendsIt) {
         for (std::size_t i = 0; i < measured.size(); ++i) {
             const Expectation& expected = lesson.expectations[i];
             const std::string what = lesson.text.name + ", " + expected.quantity;
-            EXPECT_TRUE(measured[i].holds[0]) << what << " before: " << measured[i].values[0] << ", has to be "
-                                              << expected.before.text();
-            EXPECT_TRUE(measured[i].holds[1]) << what << " after: " << measured[i].values[1] << ", has to be "
-                                              << expected.after.text();
+            EXPECT_TRUE(measured[i].holds[0])
+                << what << " before: " << measured[i].values[0] << ", has to be " << expected.before.text();
+            EXPECT_TRUE(measured[i].holds[1])
+                << what << " after: " << measured[i].values[1] << ", has to be " << expected.after.text();
             EXPECT_GT(measured[i].compared[0], 0) << what << ": nothing was compared";
             EXPECT_GT(measured[i].compared[1], 0) << what << ": nothing was compared";
             // The checker itself: what holds of one state must not hold of the other.

@@ -17,10 +17,10 @@ measure::Truth halfShadow() {
     truth.size = kPredictionSize;
     for (int y = 0; y < truth.size.y; ++y)
         for (int x = 0; x < truth.size.x; ++x) {
-            truth.visibility.push_back(y == truth.size.y - 1      ? Visibility::background
-                                       : x < truth.size.x / 2     ? Visibility::shadowed
+            truth.visibility.push_back(y == truth.size.y - 1    ? Visibility::noSurface
+                                       : x < truth.size.x / 2   ? Visibility::shadowed
                                        : x >= truth.size.x - 10 ? Visibility::turnedAway
-                                                                  : Visibility::lit);
+                                                                : Visibility::lit);
             truth.ties.push_back(0);
         }
     return truth;
