@@ -75,6 +75,7 @@ int captureWindow(const CaptureOptions& options) {
     desk.live = false;
     desk.scenes = scene::builtInScenes(session::assetsRoot());
     if (options.presenter) ui::togglePresenter(desk);
+    desk.lesson.all = session::builtInLessons(session::assetsRoot());
     desk.shown.keys = options.keys;
     desk.shown.coarse = false;
     ui::Screen screen(desk, session::assetsRoot() / "fonts" / "DejaVuSans.ttf");

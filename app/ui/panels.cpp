@@ -8,6 +8,7 @@
 #include "app/session/derived_stages.h"
 #include "app/session/stepping.h"
 #include "app/ui/error_panel.h"
+#include "app/ui/lesson_panel.h"
 #include "app/ui/parameter_panel.h"
 #include "app/ui/pixel_panel.h"
 #include "techniques/registry.h"
@@ -211,7 +212,8 @@ void timesPart(const Desk& desk) {
 /// What the technique found in the scene, with the colours that its stages give it.
 void foundPart(const Desk& desk) {
     const session::RenderedFrame& frame = desk.bench.pane(desk.bench.document().active).rendered();
-    if (frame.result.notes.empty() || !ImGui::CollapsingHeader("Found in the scene", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    if (frame.result.notes.empty() || !ImGui::CollapsingHeader("Found in the scene", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
     for (const Note& note : frame.result.notes) {
         const float side = ImGui::GetTextLineHeight();
         const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -277,6 +279,7 @@ void sidePanel(Desk& desk, const session::LiveErrors& errors, const Area& area, 
     techniquePart(desk);
     stagePart(desk);
     pixelPanel(desk);
+    lessonList(desk);
     if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) parameterPanel(desk, theme);
     if (ImGui::CollapsingHeader("Errors", ImGuiTreeNodeFlags_DefaultOpen)) {
         errorTable(desk, errors);
