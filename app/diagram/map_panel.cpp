@@ -114,15 +114,17 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
     column.heading("Texel " + std::to_string(map.texel.x) + ", " + std::to_string(map.texel.y) + " of map " +
                    map.layerName);
     column.row("a texel is " + fourDigits(map.texelMetres) + " m wide at the point");
-    if (map.stored >= 1)
+    // What is compared differs from what it stands for by a little: told is the difference, which four digits would hide.
+    if (map.stored >= 1) {
         column.row("d: nothing is stored", kStored);
-    else
-        column.row("d = " + fourDigits(map.storedMetres) + " m, stored; the surface is at " +
-                       fourDigits(map.firstMetres) + " m",
-                   kStored);
-    column.row("z = " + fourDigits(map.comparedMetres) + " m, compared; the point is at " +
-                   fourDigits(map.pointMetres) + " m",
-               kCompared);
+    } else {
+        column.row("d: the surface is at " + fourDigits(map.firstMetres) + " m", kStored);
+        if (map.stored != map.first)
+            column.row("stored " + fourDigits(map.storedMetres - map.firstMetres) + " m farther, by its slope",
+                       kStored);
+    }
+    column.row("z: the point is at " + fourDigits(map.pointMetres) + " m", kCompared);
+    column.row("compared " + fourDigits(map.pointMetres - map.comparedMetres) + " m nearer: the bias", kCompared);
     column.row(map.compared <= map.stored ? "d < z is not true: the comparison says lit"
                                           : "d < z: the comparison says in shadow");
     const auto lit = std::ranges::count(map.taps, true, &MapProbe::Tap::isLit);

@@ -84,16 +84,33 @@ std::vector<Interval> shadowsOn(const PlaneCut& plane, const SectionSheet& sheet
     return joined;
 }
 
+/// The parts of the line on which there is a surface: what lies in the receiver's plane.
+std::vector<Interval> surfacesOn(const PlaneCut& plane, const SectionSheet& sheet, const Probe& probe,
+                                 const scene::Scene& scene) {
+    const LightSection& section = sheet.section();
+    const double least = std::max(probe.plane->contact, 1e-6 / sheet.scale());
+    std::vector<Interval> all;
+    const std::vector<dvec2> points = cut(scene, {section.originWorld, section.rightWorld, section.upWorld});
+    for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
+        if (std::abs(plane.height(points[i])) > least || std::abs(plane.height(points[i + 1])) > least) continue;
+        const double a = glm::dot(points[i], plane.along), b = glm::dot(points[i + 1], plane.along);
+        all.push_back({std::min(a, b), std::max(a, b)});
+    }
+    return all;
+}
+
 void drawShadows(Svg& svg, Labels& labels, const SectionSheet& sheet, const PlaneCut& plane,
-                 std::span<const Interval> shadows) {
+                 std::span<const Interval> shadows, std::span<const Interval> surfaces) {
     const Interval* nearest = nullptr;
     const auto away = [](const Interval& one) { return one.from > 0 ? one.from : one.to < 0 ? -one.to : 0.0; };
     svg.beginClip(sheet.area().corner, sheet.area().size);
     const double reach = 2 * glm::length(sheet.metres().size);
     svg.line(sheet(-reach * plane.along), sheet(reach * plane.along), {"#a6a6a6", 2.5, false});
     for (const Interval& one : shadows) {
-        svg.line(sheet(std::max(one.from, -reach) * plane.along), sheet(std::min(one.to, reach) * plane.along),
-                 {kShadow, 11, false});
+        for (const Interval& surface : surfaces) {
+            const double from = std::max(one.from, surface.from), to = std::min(one.to, surface.to);
+            if (from < to) svg.line(sheet(from * plane.along), sheet(to * plane.along), {kShadow, 11, false});
+        }
         if (!nearest || away(one) < away(*nearest)) nearest = &one;
     }
     if (nearest)
@@ -195,7 +212,12 @@ void drawPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Scene
     const PlaneCut plane = cutOf(probe);
     Labels labels(font, field);
     sheet.drawScene(svg);
-    drawShadows(svg, labels, sheet, plane, shadowsOn(plane, sheet, probe, scene));
+    drawShadows(svg, labels, sheet, plane, shadowsOn(plane, sheet, probe, scene),
+                surfacesOn(plane, sheet, probe, scene));
+    const dvec2 point = sheet(dvec2(0.0));
+    const dvec2 eyeEnd = sheet.shows(sheet.eye()) ? sheet(sheet.eye()) : sheet.border(dvec2(0.0), sheet.eye());
+    svg.line(eyeEnd, point, {"#1a1a1a", 3, false});
+    labels.avoid(eyeEnd, point);
     drawCovers(svg, labels, sheet, probe);
     drawNormal(svg, labels, sheet, plane);
     sheet.drawPoint(svg, labels);

@@ -137,14 +137,12 @@ void drawCrossings(Svg& svg, Labels& labels, const SectionSheet& sheet, const Vo
 }
 
 std::string rowOf(const Crossing& crossing, std::size_t number) {
-    const std::string of =
-        crossing.part == VolumeProbe::Part::side
-            ? "side, edge " + std::to_string(crossing.of[0]) + "\u2013" + std::to_string(crossing.of[1])
-        : crossing.part == VolumeProbe::Part::topCap ? "front cap, triangle " + std::to_string(crossing.of[0])
-                                                     : "back cap, triangle " + std::to_string(crossing.of[0]);
+    const std::string of = crossing.part == VolumeProbe::Part::side
+                               ? "side " + std::to_string(crossing.of[0]) + "\u2013" + std::to_string(crossing.of[1])
+                               : (crossing.part == VolumeProbe::Part::topCap ? "front cap " : "back cap ") +
+                                     std::to_string(crossing.of[0]);
     return std::to_string(number) + ": " + signed_(crossing.sign) + " " + crossing.object + ", " + of + ", " +
-           (std::isinf(crossing.distance) ? "at infinity" : fourDigits(crossing.distance) + " m") +
-           (crossing.beyond ? ", beyond" : "");
+           (std::isinf(crossing.distance) ? "at infinity" : fourDigits(crossing.distance) + " m");
 }
 
 void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Font& font) {
@@ -166,7 +164,10 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
         if (fact.label == "decision" || fact.label == "truth" || fact.label == "error")
             column.row(fact.label + ": " + fact.value, "#1a1a1a", fact.label == "error");
     column.heading("Faces on the line");
-    if (volume.crossings.empty()) column.row("none");
+    if (volume.crossings.empty())
+        column.row("none");
+    else
+        column.row("sides by their edge, caps by their triangle", "#595959");
     std::size_t number = 0;
     for (const Crossing& crossing : volume.crossings) {
         ++number;
@@ -174,6 +175,9 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
             column.row("and " + std::to_string(volume.crossings.size() - number + 1) + " more");
             break;
         }
+        const bool isFirstBeyond = crossing.beyond && (number == 1 || !volume.crossings[number - 2].beyond);
+        if (number == 1 && !crossing.beyond) column.row("before the point:");
+        if (isFirstBeyond) column.row("beyond the point:");
         column.row(rowOf(crossing, number), colorOf(crossing.sign));
         if (!crossing.uncounted.empty()) column.row("   not counted: " + crossing.uncounted);
     }

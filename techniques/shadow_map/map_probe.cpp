@@ -147,7 +147,8 @@ void addCells(MapProbe& probe, const ComparedPoint& point, const LightSection& s
             const ComparedPlace there =
                 comparison.placeOf(maps.lightRelative(uv, onPlane), maps.cornersLightRelative());
             one.rays[end] = section.of(point.maps.parallel ? maps.world(uv, 0) : point.maps.originWorld);
-            one.stored[end] = section.of(maps.world(uv, depth.stored));
+            // What stands before the map's near plane is stored as if it stood in it; it is drawn where it stands.
+            one.stored[end] = section.of(maps.world(uv, depth.clamped < 0 ? depth.clamped : depth.stored));
             one.compared[end] = section.of(maps.world(there.uv, comparison.referenceDepth(there, dvec2(0.0))));
         }
         return one;
