@@ -133,7 +133,7 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
                    " comparisons say lit");
     for (const Probe::Fact& fact : probe.facts)
         if (fact.label == "decision" || fact.label == "truth" || fact.label == "error" || fact.label == "who decides")
-            column.row(fact.label + ": " + fact.value, "#1a1a1a", fact.label == "error");
+            column.row(fact.label + ": " + fact.value, fact.label == "error" ? "#a04000" : "#1a1a1a");
 }
 
 } // namespace

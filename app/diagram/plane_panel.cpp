@@ -107,11 +107,14 @@ void drawShadows(Svg& svg, Labels& labels, const SectionSheet& sheet, const Plan
     const double reach = 2 * glm::length(sheet.metres().size);
     svg.line(sheet(-reach * plane.along), sheet(reach * plane.along), {"#a6a6a6", 2.5, false});
     for (const Interval& one : shadows) {
+        bool falls = false; // on a surface, and not only on the plane's extension
         for (const Interval& surface : surfaces) {
             const double from = std::max(one.from, surface.from), to = std::min(one.to, surface.to);
-            if (from < to) svg.line(sheet(from * plane.along), sheet(to * plane.along), {kShadow, 11, false});
+            if (!(from < to)) continue;
+            falls = true;
+            svg.line(sheet(from * plane.along), sheet(to * plane.along), {kShadow, 11, false});
         }
-        if (!nearest || away(one) < away(*nearest)) nearest = &one;
+        if (falls && (!nearest || away(one) < away(*nearest))) nearest = &one;
     }
     if (nearest)
         for (const auto& [place, end] :
@@ -135,12 +138,15 @@ void drawCovers(Svg& svg, Labels& labels, const SectionSheet& sheet, const Probe
     const Stroke stroke{colorText(shadowed ? look::kOccluded : look::kEqualDepth), 4, false};
     svg.arrow(end, point, stroke, 0.5);
     labels.avoid(end, point);
-    std::size_t number = 0;
+    constexpr double kApart = 12; // pixels: nearer, two faces that touch would be marked twice
+    std::vector<dvec2> marked;
     for (const Cover& cover : probe.plane->covers) {
         if (std::abs(cover.height) <= probe.plane->contact) continue; // the plane itself
-        const dvec2 place = sheet.section().of(cover.placeWorld);
-        if (++number > 8 || !sheet.shows(place)) continue;
-        const dvec2 at = sheet(place);
+        const dvec2 place = sheet.section().of(cover.placeWorld), at = sheet(place);
+        const bool isMarked =
+            std::ranges::any_of(marked, [&](const dvec2& other) { return glm::length(other - at) < kApart; });
+        if (isMarked || marked.size() == 8 || !sheet.shows(place)) continue;
+        marked.push_back(at);
         svg.circle(at, 8, cover.casts ? colorText(look::kOccluded) : "#ffffff", {colorText(look::kOccluded), 3, false});
         labels.avoid({at - 9.0, dvec2(18)});
         const bool first =
@@ -167,8 +173,9 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
     TextColumn column(svg, area, font);
     column.heading("Receiver plane N\u00b7P + D = 0");
     const dvec4& p = plane.planeWorld;
-    column.row("N = (" + fourDigits(p.x) + ", " + fourDigits(p.y) + ", " + fourDigits(p.z) +
-               "), D = " + fourDigits(p.w) + " m");
+    const auto shown = [](double value) { return fourDigits(std::round(value * 1e6) / 1e6); }; // floats have no more
+    column.row("N = (" + fourDigits(p.x) + ", " + fourDigits(p.y) + ", " + fourDigits(p.z) + "), D = " + shown(p.w) +
+               " m");
     const dvec4& l = plane.lightWorld;
     column.row("P_L = (" + fourDigits(l.x) + ", " + fourDigits(l.y) + ", " + fourDigits(l.z) + ", " + fourDigits(l.w) +
                ")");
@@ -176,8 +183,10 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
     column.heading("On the light's line");
     column.row("w' = (N\u00b7P_L + D) \u2212 (N\u00b7P + D), over N\u00b7P_L + D");
     bool any = false;
-    std::size_t left = plane.covers.size();
-    for (const Cover& cover : plane.covers) {
+    std::vector<Cover> covers = plane.covers; // what casts comes first
+    std::ranges::stable_partition(covers, &Cover::casts);
+    std::size_t left = covers.size();
+    for (const Cover& cover : covers) {
         --left;
         if (std::abs(cover.height) <= plane.contact) continue;
         any = true;
@@ -186,15 +195,18 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
             break;
         }
         column.row("triangle " + std::to_string(cover.triangle) + " of " + cover.object +
-                       ": N\u00b7P + D = " + fourDigits(cover.height) + " m, w' = " + fourDigits(cover.weight) +
-                       (cover.casts ? ": casts" : ": " + cover.why),
+                       ": N\u00b7P + D = " + fourDigits(cover.height) + " m, w' = " + fourDigits(cover.weight) + ": " +
+                       (cover.casts         ? "it casts the shadow"
+                        : cover.weight <= 0 ? "beyond the light"
+                        : cover.height < 0  ? "below the plane"
+                                            : "a hole"),
                    cover.casts ? "#a04000" : "#1a1a1a");
     }
     if (!any) column.row("no caster");
     column.heading("This technique");
     for (const Probe::Fact& fact : probe.facts)
         if (fact.label == "decision" || fact.label == "truth" || fact.label == "error")
-            column.row(fact.label + ": " + fact.value, "#1a1a1a", fact.label == "error");
+            column.row(fact.label + ": " + fact.value, fact.label == "error" ? "#a04000" : "#1a1a1a");
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include "app/diagram/panels.h"
 #include "techniques/foundation/look.h"
+#include "techniques/foundation/scene/outside_camera.h"
 
 namespace shadowlab::diagram {
 
@@ -44,30 +45,29 @@ SectionSheet::SectionSheet(const Probe& probe, const scene::Scene& scene, const 
     findPlaces(probe);
     // The point is the origin, so lengths are distances from it.
     const double eyeAway = glm::length(eye_), lightAway = light_.isDirection ? 0 : glm::length(light_.at);
-    double others = 0;
-    for (const dvec2& place : places)
-        others = std::max(others, glm::length(place));
-    if (others == 0) others = lightAway > 0 ? std::min(eyeAway, lightAway) : eyeAway;
+    const scene::Bounds things = scene::thingsBounds(scene);
+    const double size = things.isEmpty() ? 0 : glm::length(things.upperWorld - things.lowerWorld);
     std::vector<dvec2> all{dvec2(0.0)};
+    const bool showsLight = !light_.isDirection && lightAway <= kFarTimes * std::max(size, eyeAway);
+    const bool showsEye = eyeAway <= kFarTimes * std::max(size, showsLight ? lightAway : 0);
+    if (showsEye) all.push_back(eye_);
+    if (showsLight) all.push_back(light_.at);
+    const double reach = showsEye ? eyeAway : showsLight ? lightAway : size;
     for (const dvec2& place : places)
-        if (glm::length(place) <= kFarTimes * std::max(eyeAway, lightAway)) all.push_back(place);
-    if (eyeAway <= kFarTimes * std::max(others, lightAway)) all.push_back(eye_);
-    if (!light_.isDirection && lightAway <= kFarTimes * std::max(others, eyeAway)) all.push_back(light_.at);
+        if (glm::length(place) <= kFarTimes * reach) all.push_back(place);
     // Some of a way toward what is far away or nowhere, and behind the point, where the line goes on.
-    double size = 0;
-    for (const dvec2& place : all)
-        size = std::max(size, glm::length(place));
-    if (size == 0) size = eyeAway;
-    all.push_back(0.45 * size * light_.toward(dvec2(0.0)));
-    all.push_back(0.3 * size * glm::normalize(eye_));
-    all.push_back(-0.2 * size * glm::normalize(eye_));
+    all.push_back(0.45 * reach * light_.toward(dvec2(0.0)));
+    all.push_back(0.3 * reach * glm::normalize(eye_));
+    all.push_back(-0.2 * reach * glm::normalize(eye_));
     fit(all);
 }
 
 SectionSheet::SectionSheet(const Probe& probe, const scene::Scene& scene, const Box& area, double reach)
     : scene_(scene), area_(area) {
     findPlaces(probe);
-    fit({dvec2(-reach), dvec2(reach)});
+    // As wide as that; what the area has less of height is cut off.
+    const dvec2 shown = reach * glm::min(dvec2(1.0), area.size / area.size.x);
+    fit({-shown, shown});
 }
 
 void SectionSheet::fit(const std::vector<dvec2>& places) {
@@ -190,12 +190,12 @@ void TextColumn::heading(const std::string& text) {
 
 bool TextColumn::hasRoom(int lines) const { return y_ + lines * kRow <= area_.size.y; }
 
-bool TextColumn::row(const std::string& text, const std::string& color, bool isBold) {
+bool TextColumn::row(const std::string& text, const std::string& color) {
     const std::vector<std::string> lines = font_.wrap(text, kText, static_cast<int>(area_.size.x));
     if (!hasRoom(static_cast<int>(lines.size()))) return false;
     for (const std::string& line : lines) {
         y_ += kRow;
-        svg_.text(area_.corner + dvec2(0, y_), line, {.size = kText, .isBold = isBold, .color = color});
+        svg_.text(area_.corner + dvec2(0, y_), line, {.size = kText, .color = color});
     }
     return true;
 }

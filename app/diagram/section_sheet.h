@@ -67,7 +67,7 @@ public:
     TextColumn(Svg& svg, const Box& area, const image::Font& font) : svg_(svg), area_(area), font_(font) {}
     void heading(const std::string& text);
     /// False where there is no room any more.
-    bool row(const std::string& text, const std::string& color = "#1a1a1a", bool isBold = false);
+    bool row(const std::string& text, const std::string& color = "#1a1a1a");
     [[nodiscard]] bool hasRoom(int lines) const;
 
 private:

@@ -148,9 +148,7 @@ std::string rowOf(const Crossing& crossing, std::size_t number) {
 void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Font& font) {
     const VolumeProbe& volume = *probe.volume;
     TextColumn column(svg, area, font);
-    const auto verdict = [](int count) {
-        return std::to_string(count) + (count == 0 ? ", illuminated" : ", in shadow");
-    };
+    const auto verdict = [](int count) { return signed_(count) + (count == 0 ? ", illuminated" : ", in shadow"); };
     column.heading("Z-pass: eye to point");
     column.row("n_f = " + std::to_string(volume.frontsBefore) + ", n_b = " + std::to_string(volume.backsBefore) +
                ": n_f \u2212 n_b = " + verdict(volume.frontsBefore - volume.backsBefore));
@@ -162,7 +160,7 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
     column.row("count " + signed_(volume.count) + ", stencil " + std::to_string(volume.stencil));
     for (const Probe::Fact& fact : probe.facts)
         if (fact.label == "decision" || fact.label == "truth" || fact.label == "error")
-            column.row(fact.label + ": " + fact.value, "#1a1a1a", fact.label == "error");
+            column.row(fact.label + ": " + fact.value, fact.label == "error" ? "#a04000" : "#1a1a1a");
     column.heading("Faces on the line");
     if (volume.crossings.empty())
         column.row("none");

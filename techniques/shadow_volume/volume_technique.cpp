@@ -260,6 +260,9 @@ std::vector<SceneShape> VolumeTechnique::shapes(const scene::Snapshot& snapshot,
     const std::vector<const CasterVolume*> casters = usefulCasters(light);
     std::vector<SceneShape> shapes =
         volumeShapes(*snapshot, view, light, casters, failRule().caps && showsCaps(), shownVolume());
+    // Of a picked pixel the faces that its line crosses are told by the probe; all others would hide them.
+    if (view.picked)
+        std::erase_if(shapes, [](const SceneShape& shape) { return shape.kind == SceneShape::Kind::faces; });
     if (showsWays())
         addWays(shapes, casters,
                 [&](const CasterVolume& caster) { return wayOf(*snapshot, view.camera.positionWorld, caster, light); });
