@@ -73,6 +73,7 @@ class Program:
         self.techniques = [t for t in self.list("techniques") if (ROOT / t["folder"] / "technique.cpp").is_file()]
         self.parameters = self.list("parameters")
         self.stages = self.list("stages")
+        self.source = self.list("source")  # fails where an anchor is missing or stands in two places
 
     def list(self, what):
         try:
@@ -91,6 +92,14 @@ class Program:
 
     def passes_of(self, technique):
         return [s for s in self.stages if s["technique"] == technique and s["stage"].startswith("pass:")]
+
+    def source_of(self, technique, stage):
+        """Where a pass is done, as links. No line numbers: they change with every line above them, the anchors do not."""
+        files = {}
+        for s in self.source:
+            if s["technique"] == technique and "pass:" + s["pass"] == stage:
+                files.setdefault(s["file"], []).append(s["anchor"])
+        return ", ".join(f"[{Path(file).name}](../{file}) {' '.join(map(code, anchors))}" for file, anchors in files.items())
 
     def parameters_of(self, technique):
         return [p for p in self.parameters if p["parameter"].rpartition(".")[0] == technique]
@@ -120,9 +129,10 @@ def parameters_table(program, technique):
 def passes_table(program, technique):
     passes = program.passes_of(technique)
     more = [(key, title) for key, title in (("why", "why"), ("pseudocode", "in the lecture"), ("glState", "state")) if any(p.get(key) for p in passes)]
-    rows = [(code(p["stage"]), p["caption"] + (", for each light" if p["perLight"] else ""), *(p.get(key, "") for key, _ in more))
+    rows = [(code(p["stage"]), p["caption"] + (", for each light" if p["perLight"] else ""), *(p.get(key, "") for key, _ in more),
+             program.source_of(technique, p["stage"]))
             for p in passes]
-    return table(("pass", "what it does", *(title for _, title in more)), rows)
+    return table(("pass", "what it does", *(title for _, title in more), "source"), rows)
 
 
 def stages_table(program, technique):
@@ -163,7 +173,7 @@ def quantities_table(program):
 
 def pages_list(program):
     ids = {t["id"] for t in program.techniques}
-    first = ["tour", "conventions", "measuring", "pixel", "outside", "scene_format", "adding_a_technique"]
+    first = ["tour", "conventions", "measuring", "pixel", "outside", "source", "sequences", "scene_format", "adding_a_technique"]
     names = [p.stem for p in DOCS.glob("*.md") if p.stem not in ids and p.stem != "README"]
     lines = []
     for name in sorted(names, key=lambda n: (first.index(n) if n in first else len(first), n)):

@@ -25,6 +25,7 @@ bool lightShinesTo(vec3 toLightView) {
 }
 
 // Irradiance on a surface with that normal; zero for a light behind it.
+// [anchor: irradiance]
 vec3 irradiance(vec3 normalView, vec3 toLightView, float distanceSquared) {
     float falloff = max(dot(normalView, toLightView), 0.0) / distanceSquared;
     float cosAtLight = dot(-toLightView, lightDirectionView);

@@ -6,6 +6,7 @@ uniform vec3 ambient;
 uniform int emitsFromFrontOnly; // a rect light's surface is dark on its back
 out vec4 radiance;
 
+// [anchor: lights-off]
 void main() {
     cutHoles();
     bool emits = emitsFromFrontOnly == 0 || gl_FrontFacing;

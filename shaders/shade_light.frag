@@ -9,6 +9,7 @@ uniform int receivesShadow;
 out vec4 result;
 #include "shadow_visibility.glsl"
 
+// [anchor: shade-light]
 void main() {
     float distanceSquared;
     vec3 toLightView = towardLight(positionView, distanceSquared);

@@ -4,6 +4,7 @@
 uniform int triangleBase; // scene-wide index of the first triangle of this draw call
 out uint triangle;
 
+// [anchor: triangle-number]
 void main() {
     cutHoles();
     triangle = uint(triangleBase + gl_PrimitiveID);

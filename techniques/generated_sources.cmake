@@ -1,4 +1,4 @@
-# The two generated sources: the shaders as C++ strings, and the list of techniques. Functions, because a test builds both
+# The generated sources: the shaders and what is shown of the C++ as strings, and the list of techniques. Functions, because a test builds both
 # again with one more technique to show that adding one edits nothing.
 
 # embed_shaders(OUTPUT ROOT...): every shader below the roots, named relative to its root.
@@ -35,4 +35,20 @@ function(technique_list output sources_variable)
   endforeach()
   configure_file(${CMAKE_SOURCE_DIR}/techniques/technique_list.cpp.in ${output} @ONLY)
   set(${sources_variable} ${all_sources} PARENT_SCOPE)
+endfunction()
+
+# embed_sources(OUTPUT ROOT...): of the techniques below the roots every C++ file that has an anchor (techniques/source_text.h),
+# named relative to its root.
+function(embed_sources output)
+  set(files "")
+  foreach(root IN LISTS ARGN)
+    file(GLOB_RECURSE found CONFIGURE_DEPENDS ${root}/techniques/*.h ${root}/techniques/*.cpp)
+    list(APPEND files ${found})
+  endforeach()
+  add_custom_command(
+    OUTPUT ${output}
+    COMMAND ${CMAKE_COMMAND} "-DOUTPUT=${output}" "-DROOTS=${ARGN}" "-DFILES=${files}" -P
+            ${CMAKE_SOURCE_DIR}/techniques/embed_sources.cmake
+    DEPENDS ${files} ${CMAKE_SOURCE_DIR}/techniques/embed_sources.cmake
+    COMMENT "Embedding the sources that have anchors" VERBATIM)
 endfunction()

@@ -30,6 +30,11 @@ class Frame;
 
 constexpr int kNoLight = -1;
 
+/// Lines of a text, counted from 1, the last one included; {0, 0}: none.
+struct LineRange {
+    int first = 0, last = 0;
+};
+
 /// One step of an algorithm, in the words a teacher would use. `perLight`: it is done once for each light.
 struct PassInfo {
     std::string_view id, title, why, glState;
@@ -38,6 +43,17 @@ struct PassInfo {
     std::string_view shownBy = {};
     /// The same step as a lecture writes it, in lines; empty: it has none.
     std::string_view pseudocode = {};
+    /// The lines of TechniqueInfo::pseudocode that this step carries out.
+    LineRange pseudocodeLines = {};
+    /// What it computes, as it would stand on a blackboard, in lines; empty: nothing that needs one.
+    std::string_view formula = {};
+    /// Where it is in the source: names of anchors (techniques/source_text.h), with blanks between, the most telling first.
+    std::string_view anchors = {};
+};
+
+/// A name that stands in formulas, pseudocode or source, and the fact of a probe that is its value at a picked pixel.
+struct NamedValue {
+    std::string_view name, fact;
 };
 
 /// What a stage's texture holds, and so how it is shown.
@@ -135,6 +151,8 @@ struct TechniqueInfo {
     std::vector<scene::LightType> lightTypes; ///< served (area lights may be served as points)
     std::vector<PassInfo> passes;
     std::vector<StageInfo> stages;
+    std::string_view pseudocode = {}; ///< the whole algorithm as a lecture writes it, in lines; empty: it has none
+    std::vector<NamedValue> values{}; ///< of what its steps' formulas and source lines are about
     std::unique_ptr<Technique> (*make)() = nullptr;
 };
 

@@ -12,10 +12,13 @@
 #include "app/session/assets.h"
 #include "app/session/derived_stages.h"
 #include "app/session/difference_panel.h"
+#include "app/session/film_encoder.h"
 #include "app/session/motion.h"
 #include "app/session/picture.h"
 #include "app/session/session.h"
 #include "app/session/settings.h"
+#include "app/session/step_captions.h"
+#include "app/session/stepping.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/png.h"
@@ -43,9 +46,9 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
 class Capture {
 public:
     explicit Capture(const CaptureOptions& options)
-        : options_(options),
-          exactVisibility_(options.techniques.size() == 1 && !options.stages.empty() &&
-                           options.stages[0].substr(0, options.stages[0].find('@')) == "visibility") {}
+        : options_(options), exactVisibility_(options.techniques.size() == 1 && !options.stages.empty() &&
+                                              options.stages[0].substr(0, options.stages[0].find('@')) == "visibility"),
+          size_(options.size) {}
 
     int run() {
         for (const std::string& id : options_.techniques)
@@ -67,11 +70,17 @@ public:
         session_ = std::make_unique<session::Session>(base_);
         encoder_ = std::make_unique<session::PictureEncoder>();
         stats_ = std::make_unique<CaptureStats>(*base_, options_, *context_, slots_);
+        if (isFilm(options_)) film_ = session::makeFilm(options_.output, options_.time, stats_->pngText());
+        if (options_.steps) {
+            renderSteps();
+            return 0;
+        }
         for (int frame = 0; frame < motion_.frames; ++frame) {
             context::throwIfInterrupted();
             renderFrame(frame);
         }
         context::throwIfInterrupted();
+        if (film_) film_->finish();
         if (!options_.stats.empty()) image::writeWhole(options_.stats, stats_->json());
         return 0;
     }
@@ -88,6 +97,7 @@ private:
         const std::filesystem::path& path = options_.motion.path;
         if (!path.empty() && sameFile(picture, path)) refuse("-o", picture, "the path that is read");
         image::probeWritable(picture);
+        if (session::isMp4(picture)) session::requireFfmpeg(picture);
         if (options_.stats.empty()) return;
         if (sameFile(options_.stats, input)) refuse("--stats", options_.stats, "the scene that is read");
         if (!path.empty() && sameFile(options_.stats, path)) refuse("--stats", options_.stats, "the path that is read");
@@ -123,6 +133,29 @@ private:
                                                    "; choose a smaller --size or --supersample");
     }
 
+    /// One picture after another: of each step what it shows in the window, and its title below.
+    void renderSteps() {
+        const session::Moment moment = session::momentAt(motion_, base_, 0, session_->snapshot());
+        session_->setScene(moment.snapshot);
+        View view;
+        view.camera = moment.camera;
+        view.size = options_.size;
+        const std::vector<StageKey> passes = session_->render(slots_[0], view, {}).result.passes;
+        if (options_.labels) captions_.emplace(*slots_[0].info, passes, *base_, font(), options_.size);
+        if (captions_) size_.y -= captions_->height();
+        if (size_.y < 2 * options_.size.y / 3)
+            throw Error(ExitStatus::usage,
+                        "--size: no room for the titles of the steps below the picture; choose a larger "
+                        "size, or --labels false");
+        for (step_ = 0; step_ < passes.size(); ++step_) {
+            context::throwIfInterrupted();
+            const int light = base_->lights.empty() ? kNoLight : std::max(defaultLight_, 0);
+            stages_[0] = session::shownInStep({passes[step_], true}, *slots_[0].info, light);
+            renderFrame(0);
+        }
+        film_->finish();
+    }
+
     void renderFrame(int frame) {
         const session::Moment moment = session::momentAt(motion_, base_, frame, session_->snapshot());
         session_->setScene(moment.snapshot);
@@ -130,7 +163,7 @@ private:
         view.camera = moment.camera;
 
         std::vector<session::Cell> cells =
-            session::layoutCells(options_.layout, static_cast<int>(slots_.size()), options_.size, options_.split);
+            session::layoutCells(options_.layout, static_cast<int>(slots_.size()), size_, options_.split);
         const std::filesystem::path path = numbered(options_.output, frame);
         if (options_.layout == session::Layout::diff) {
             view.size = cells[0].pictureSize;
@@ -176,12 +209,14 @@ private:
                      const std::vector<session::Panel>& panels) {
         const bool needsFont = std::ranges::any_of(
             panels, [](const session::Panel& p) { return !p.title.empty() || session::hasLegend(p); });
-        const session::Figure figure =
-            session::composeFigure(cells, panels, options_.size, needsFont ? &font() : nullptr);
+        const session::Figure figure = session::composeFigure(cells, panels, size_, needsFont ? &font() : nullptr);
         if (frame == 0)
             for (const std::string& remark : figure.notes)
                 note(remark);
-        image::writeWhole(path, image::encodePng(figure.picture, {.opaque = true, .text = stats_->pngText()}));
+        if (film_)
+            film_->add(captions_ ? captions_->below(figure.picture, step_) : figure.picture);
+        else
+            image::writeWhole(path, image::encodePng(figure.picture, {.opaque = true, .text = stats_->pngText()}));
     }
 
     /// Both techniques' answers for one light, and one picture of what is wrong with either.
@@ -279,7 +314,11 @@ private:
     std::vector<session::Slot> slots_;
     std::vector<std::optional<session::StageChoice>> stages_; ///< one for each slot
     std::unique_ptr<CaptureStats> stats_;
+    ivec2 size_;                          ///< of the picture, without what stands below it
+    std::unique_ptr<session::Film> film_; ///< none: a file for each picture
     std::unique_ptr<image::Font> font_;
+    std::optional<session::StepCaptions> captions_; ///< of steps, and the one that is drawn now
+    std::size_t step_ = 0;
 };
 
 } // namespace

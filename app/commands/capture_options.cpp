@@ -110,6 +110,47 @@ int rowFor(const GivenOptions& given, const std::vector<std::string>& stages, iv
     return row;
 }
 
+/// Refuses what cannot be in one file with others.
+void checkFilm(const GivenOptions& given, const CaptureOptions& options) {
+    const std::string film = options.steps ? "--steps" : "--animate";
+    if (options.steps && options.animate)
+        refuseUsage("--steps goes through the steps of one moment, --animate through moments; give one of them");
+    if (!options.stats.empty()) refuseUsage("--stats: not with " + film + "; leave one of them out");
+    if (options.animate) {
+        if (options.motion.frames.value_or(1) == 1 && options.motion.path.empty())
+            refuseUsage("--animate: one frame is no animation; add --frames N");
+        if (!options.ui && options.techniques.size() == 1 && stageId(options.stages[0]) == "visibility")
+            refuseUsage("--animate: the visibility image holds measured shares, not colours; write its frames to "
+                        "name_####.png, or choose another stage");
+        return;
+    }
+    if (options.techniques.size() > 1)
+        refuseUsage("--steps: " + std::to_string(options.techniques.size()) +
+                    " techniques are given with -t, and each has steps of its own; give one");
+    if (!options.stages[0].empty()) refuseUsage("--steps: every step has a picture of its own; leave --stage out");
+    if (options.motion.frames || options.motion.orbitLightDegrees || options.motion.orbitCameraDegrees ||
+        !options.motion.path.empty())
+        refuseUsage(
+            "--steps: all steps are of one moment; leave --frames, --orbit-light, --orbit-camera and --path out");
+}
+
+/// How long a step, or a frame, stays.
+image::FrameTime timeFor(const GivenOptions& given, const CaptureOptions& options) {
+    constexpr int kMostRate = 120;
+    constexpr double kLeastSeconds = 0.01, kMostSeconds = 60; // in milliseconds a number of 16 bits
+    if (given.has("--hold") && !options.steps) refuseUsage("--hold: only steps are held; add --steps");
+    if (given.has("--fps") && !options.animate) refuseUsage("--fps: only an animation has a rate; add --animate");
+    if (options.animate)
+        return {1, static_cast<std::uint16_t>(countFrom("--fps", given.text("--fps", "25"), kMostRate))};
+    const std::string text = given.text("--hold", "2");
+    double seconds = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+    if (error != std::errc{} || end != text.data() + text.size() ||
+        !(seconds >= kLeastSeconds && seconds <= kMostSeconds))
+        refuseUsage("--hold: '" + text + "' is no time that a step can stay; write seconds from 0.01 to 60, as 2.5");
+    return {static_cast<std::uint16_t>(std::lround(seconds * 1000)), 1000};
+}
+
 } // namespace
 
 std::filesystem::path numbered(const std::filesystem::path& pattern, int frame) {
@@ -125,9 +166,9 @@ std::filesystem::path numbered(const std::filesystem::path& pattern, int frame) 
 }
 
 void requirePlaceForNumbers(const CaptureOptions& options, int frames) {
-    if (frames > 1 && options.output.filename().string().find('#') == std::string::npos)
+    if (frames > 1 && !isFilm(options) && options.output.filename().string().find('#') == std::string::npos)
         refuseUsage("-o: '" + options.output.string() + "' has no place for the numbers of " + std::to_string(frames) +
-                    " frames; write for example name_####.png");
+                    " frames; write for example name_####.png, or add --animate");
 }
 
 void describeCapture(CLI::App& command) {
@@ -135,7 +176,10 @@ void describeCapture(CLI::App& command) {
         addOption(command, names, value, help);
     };
     add("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh");
-    add("-o,--output", "OUT.png", "the picture; for several frames with #### in place of the number");
+    add("-o,--output", "OUT.png",
+        "the picture; for several frames with #### in place of the number; with --steps or --animate an animated PNG, "
+        "or a "
+        "film if it ends in .mp4");
     add("-t,--technique", "ID[,ID...]", "techniques, one a slot (`list techniques`; default shadow-volume-zfail)");
     add("--layout", "LAYOUT",
         "single, side, split, grid, or diff: where two differ and who is right (default: single for one technique, "
@@ -164,14 +208,24 @@ void describeCapture(CLI::App& command) {
     command.add_flag("--ui")->description("the window with all its widgets around the pictures, as `demo` shows it");
     command.add_flag("--presenter")->description("with --ui: large type and high contrast");
     command.add_flag("--keys")->description("with --ui: the list of all keys over it");
+    add("--source", "true|false",
+        "with --ui: formula, pseudocode and source of the step that --stage pass:ID shows, beside its picture (default "
+        "false)");
     add("--stats", "FILE.json", "writes times in milliseconds, counters and settings");
     describeMotion(command);
+    command.add_flag("--animate")->description("all frames in one file, an animated PNG or an MP4 film");
+    add("--fps", "N", "with --animate: frames a second (default 25)");
+    command.add_flag("--steps")->description(
+        "all steps of the technique in one file, an animated PNG or an MP4 film, each with its title below");
+    add("--hold", "SECONDS", "with --steps: how long each stays (default 2)");
     add("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     command.footer(
         "Examples:\n"
         "  shadowlab capture still-life -o still-life.png\n"
         "  shadowlab capture bunny.obj -t shadow-map,shadow-volume-zfail --set shadow-map.resolution=256 -o both.png\n"
-        "  shadowlab capture still-life --frames 90 --orbit-light 360 -o frames/turn_####.png");
+        "  shadowlab capture still-life --frames 90 --orbit-light 360 -o frames/turn_####.png\n"
+        "  shadowlab capture still-life -t shadow-map --steps --hold 3 -o steps.png\n"
+        "  shadowlab capture still-life --frames 90 --orbit-light 360 --animate -o turn.mp4");
 }
 
 CaptureOptions captureOptions(const CLI::App& command) {
@@ -180,7 +234,12 @@ CaptureOptions captureOptions(const CLI::App& command) {
     CaptureOptions options;
     options.scene = given.required("SCENE", example);
     options.output = given.required("--output", example);
-    requireEnding("-o", options.output, ".png");
+    options.steps = command.count("--steps") > 0;
+    options.animate = command.count("--animate") > 0;
+    if (!isFilm(options) && session::isMp4(options.output))
+        refuseUsage("-o: '" + options.output.string() +
+                    "' is a film, and this is one picture; add --steps, or --frames N and --animate, or write a .png");
+    if (!session::isMp4(options.output)) requireEnding("-o", options.output, ".png");
     if (given.has("--technique")) options.techniques = splitAtCommas(given.texts("--technique"));
     options.layout = layoutFor(given, options.techniques.size());
     options.labels = booleanFrom("--labels", given.text("--labels", "true"));
@@ -192,8 +251,12 @@ CaptureOptions captureOptions(const CLI::App& command) {
     options.ui = command.count("--ui") > 0;
     options.presenter = command.count("--presenter") > 0;
     options.keys = command.count("--keys") > 0;
-    if (!options.ui && (options.presenter || options.keys))
-        refuseUsage(std::string(options.presenter ? "--presenter" : "--keys") + ": only the window has it; add --ui");
+    options.source = booleanFrom("--source", given.text("--source", "false"));
+    if (!options.ui && (options.presenter || options.keys || options.source))
+        refuseUsage(std::string(options.presenter ? "--presenter"
+                                : options.keys    ? "--keys"
+                                                  : "--source") +
+                    ": only the window has it; add --ui");
     if (options.ui && options.techniques.size() > session::kPanes)
         refuseUsage("--ui: the window has " + std::to_string(session::kPanes) + " panes, " +
                     std::to_string(options.techniques.size()) + " techniques are given with -t; leave some out");
@@ -219,6 +282,8 @@ CaptureOptions captureOptions(const CLI::App& command) {
     options.stats = given.text("--stats");
     if (!options.stats.empty()) requireEnding("--stats", options.stats, ".json");
     options.motion = motionOptions(given);
+    if (isFilm(options)) checkFilm(given, options);
+    options.time = timeFor(given, options);
     for (const std::string& folder : given.texts("--allow"))
         options.allowed.emplace_back(folder);
     requirePlaceForNumbers(options, options.motion.frames.value_or(1));

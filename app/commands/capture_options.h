@@ -10,6 +10,7 @@
 #include "app/commands/motion_options.h"
 #include "app/context/context.h"
 #include "app/session/figure.h"
+#include "app/session/film.h"
 #include "techniques/foundation/math/types.h"
 
 namespace CLI {
@@ -32,6 +33,7 @@ struct CaptureOptions {
     bool ui = false;                              ///< the window with its widgets, not the pictures alone
     bool presenter = false;                       ///< its large type
     bool keys = false;                            ///< its list of keys
+    bool source = false;                          ///< its text of the step: formula, pseudocode, source
     std::vector<std::string> stages;              ///< one for each technique; empty: the picture
     double split = 0.5;                           ///< share of the width that the left one of two bands has
     std::optional<int> row;                       ///< of stage `scanline`
@@ -45,6 +47,9 @@ struct CaptureOptions {
     context::Backend backend = context::Backend::automatic;
     std::filesystem::path stats; ///< empty: none
     MotionOptions motion;
+    bool steps = false;    ///< all steps of the technique, one after another, in one file
+    bool animate = false;  ///< all frames in one file
+    image::FrameTime time; ///< how long each step, or frame, stays
     std::vector<std::filesystem::path> allowed;
 };
 
@@ -56,6 +61,9 @@ CaptureOptions captureOptions(const CLI::App& command);
 
 /// `name_####.png` with the hashes replaced by the frame's number, counted from 1, padded with zeros to their width.
 std::filesystem::path numbered(const std::filesystem::path& pattern, int frame);
+
+/// Is the output one file in which several pictures follow each other?
+inline bool isFilm(const CaptureOptions& options) { return options.steps || options.animate; }
 
 /// Throws Error (usage) when several pictures would have one name.
 void requirePlaceForNumbers(const CaptureOptions& options, int frames);

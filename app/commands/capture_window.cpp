@@ -9,6 +9,7 @@
 #include "app/session/assets.h"
 #include "app/session/motion.h"
 #include "app/session/settings.h"
+#include "app/session/stepping.h"
 #include "app/ui/screen.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
@@ -77,6 +78,7 @@ int captureWindow(const CaptureOptions& options) {
     if (options.presenter) ui::togglePresenter(desk);
     desk.lesson.all = session::builtInLessons(session::assetsRoot());
     desk.shown.keys = options.keys;
+    if (options.source) ui::toggleSource(desk);
     desk.shown.coarse = false;
     ui::Screen screen(desk, session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
     screen.fit(options.size, 1);
@@ -95,15 +97,30 @@ int captureWindow(const CaptureOptions& options) {
         desk.bench.pick(placeOf("--pixel", *options.pixel));
         if (options.partner) desk.bench.pickPartner(placeOf("--partner", *options.partner));
     }
-    for (int frame = 0; frame < motion.frames; ++frame) {
+    std::unique_ptr<session::Film> film;
+    if (isFilm(options)) film = session::makeFilm(options.output, options.time, {});
+    const auto write = [&](int frame) {
+        settle(screen);
+        const image::Image picture = session::PictureEncoder::read(screen.picture());
+        if (film)
+            film->add(picture);
+        else
+            image::writeWhole(numbered(options.output, frame), image::encodePng(picture, {.opaque = true, .text = {}}));
+    };
+    if (options.steps) {
+        settle(screen); // which passes run is known when they have run
+        for (const StageKey& pass : std::vector(desk.bench.pane(0).passes())) {
+            ui::chooseStage(desk, session::passStage(pass, *scene));
+            write(0);
+        }
+    }
+    for (int frame = 0; frame < motion.frames && !options.steps; ++frame) {
         const session::Moment moment = session::momentAt(motion, scene, frame, desk.bench.document().scene);
         desk.bench.changeScene("", [&](const scene::Snapshot&) { return moment.snapshot; });
         desk.bench.setCamera(moment.camera);
-        settle(screen);
-        image::writeWhole(
-            numbered(options.output, frame),
-            image::encodePng(session::PictureEncoder::read(screen.picture()), {.opaque = true, .text = {}}));
+        write(frame);
     }
+    if (film) film->finish();
     for (const ui::Message& message : screen.messages())
         if (message.fault) note(message.text);
     return 0;

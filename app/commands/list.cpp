@@ -19,6 +19,7 @@
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/load.h"
 #include "techniques/registry.h"
+#include "techniques/source_text.h"
 
 namespace shadowlab::commands {
 
@@ -77,6 +78,21 @@ Table stagesTable() {
                                   std::string(pass.title), std::string(pass.why), inOneLine(pass.pseudocode),
                                   std::string(pass.glState), "false"});
     }
+    return table;
+}
+
+/// Where in the source each step is: every anchor of every pass.
+Table sourceTable() {
+    Table table{{"technique", "pass", "file", "lines", "anchor", "onlyIf"}, {}};
+    const SourceText source = SourceText::read();
+    for (const RegisteredTechnique& technique : registeredTechniques())
+        for (const PassInfo& pass : technique.info->passes)
+            for (const AnchorUse& use : anchorsOf(pass)) {
+                const Snippet& snippet = source.at(use.anchor);
+                table.rows.push_back({std::string(technique.info->id), std::string(pass.id), snippet.file,
+                                      std::to_string(snippet.lines.first) + "-" + std::to_string(snippet.lines.last),
+                                      use.anchor, use.parameter.empty() ? "" : use.parameter + "=" + use.value});
+            }
     return table;
 }
 
@@ -199,6 +215,7 @@ int list(const ListOptions& options) {
         {"techniques", techniquesTable},
         {"parameters", parametersTable},
         {"stages", stagesTable},
+        {"source", sourceTable},
         {"scenes", scenesTable},
         {"decks", [] { return filesTable("decks"); }},
         {"lessons", lessonsTable},

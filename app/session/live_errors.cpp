@@ -85,7 +85,7 @@ bool LiveErrors::update(Workbench& bench, ivec2 areaSize, double seconds) {
             lastSubmit_ = seconds;
             if (exact) exactFor_ = requestsOf(bench, placed);
         }
-    } else if (seconds - restSince_ >= kRest && exactFor_.empty()) {
+    } else if (seconds - restSince_ >= kRest && (exactFor_.empty() || requestsOf(bench, placed) != exactFor_)) {
         done_ = true; // nothing on show can be judged
     }
     try {

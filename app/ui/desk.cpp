@@ -78,6 +78,16 @@ void togglePresenter(Desk& desk) {
         desk.shown.panel = desk.panelOnDesk;
 }
 
+void toggleSource(Desk& desk) {
+    desk.shown.source = !desk.shown.source;
+    bool& panel =
+        desk.shown.presenter ? desk.panelOnDesk : desk.shown.panel; // there the settings have made way already
+    if (desk.shown.source)
+        desk.panelBesideSource = std::exchange(panel, false);
+    else
+        panel = panel || desk.panelBesideSource;
+}
+
 void resetCamera(Desk& desk) {
     if (looksFromOutside(desk))
         desk.bench.resetOutsideCamera();

@@ -14,9 +14,10 @@ namespace shadowlab::ui {
 
 /// What the window shows beside the pictures.
 struct Shown {
-    bool keys = false;  ///< the list of all keys
-    bool panel = true;  ///< settings
-    bool strip = false; ///< stages as small pictures
+    bool keys = false;   ///< the list of all keys
+    bool panel = true;   ///< settings
+    bool strip = false;  ///< stages as small pictures
+    bool source = false; ///< the step at hand as text: formula, pseudocode, source
     bool magnifier = false;
     bool blink = false; ///< the first two panes take turns in one place
     bool presenter = false;
@@ -30,6 +31,7 @@ struct Shown {
 struct Requests {
     bool quit = false, screenshot = false, saveScene = false, fullScreen = false, reloadShaders = false;
     bool focusPanel = false;
+    int scrollSource = 0;                   ///< half pages of the step's text: on for more than zero, else back
     bool pick = false, pickPartner = false; ///< the pixel under the mouse, as the first or the second
     std::string scene;                      ///< to be loaded
 };
@@ -64,8 +66,9 @@ struct Desk {
     int dragPart = -1, dragPane = 0; ///< of the handle that is held: an axis, or -1 for its disc; and where
     std::vector<std::string> scenes; ///< built-in ones
     bool live = true; ///< hands are at it. Else: no times, which are never the same twice, and exact errors at once
-    bool panelOnDesk = true;   ///< whether the settings come back after presenter mode
-    bool panelHasKeys = false; ///< the arrows walk through the settings, and not around the scene
+    bool panelOnDesk = true;       ///< whether the settings come back after presenter mode
+    bool panelBesideSource = true; ///< whether they come back after the source was on show
+    bool panelHasKeys = false;     ///< the arrows walk through the settings, and not around the scene
 
     // Where the mouse went down since the last frame: a quick hand is elsewhere by the time the frame is drawn. And where
     // it was when what it holds was last moved. Pixels of the window.
@@ -89,6 +92,8 @@ void selectNext(Desk& desk, int by);
 void resetSettings(Desk& desk);
 /// Large type leaves less room: the settings make way for it, and come back with it gone.
 void togglePresenter(Desk& desk);
+/// Formula, pseudocode and source of the step need room, too.
+void toggleSource(Desk& desk);
 void resetCamera(Desk& desk);
 /// Which of the two cameras the active pane looks through, and hands move.
 bool looksFromOutside(const Desk& desk);

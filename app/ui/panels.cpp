@@ -26,12 +26,6 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-bool beginIn(const char* name, const Area& area, ImGuiWindowFlags flags = 0) {
-    ImGui::SetNextWindowPos({static_cast<float>(area.corner.x), static_cast<float>(area.corner.y)});
-    ImGui::SetNextWindowSize({static_cast<float>(area.size.x), static_cast<float>(area.size.y)});
-    return ImGui::Begin(name, nullptr, kFixed | flags);
-}
-
 void hint(const char* text) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
 }
@@ -93,6 +87,7 @@ std::vector<BarButton> barButtons(const Desk& desk) {
         {"Stages", desk.shown.strip, "all stages as small pictures (T)",
          [](Desk& d) { d.shown.strip = !d.shown.strip; }},
         {"Step", isStepping(desk), "the algorithm step by step (PageDown, PageUp)", [](Desk& d) { step(d, 1); }},
+        {"Source", desk.shown.source, "formula, pseudocode and source of the step (Y)", toggleSource},
         {"Lens", desk.shown.magnifier, "magnifier (M)", [](Desk& d) { d.shown.magnifier = !d.shown.magnifier; }},
         {"Outside", stage == "outside", "the second camera, which looks on from outside (O)",
          [](Desk& d) { chooseStage(d, d.bench.activeState().stage == "outside" ? "" : "outside"); }},
@@ -228,6 +223,12 @@ void foundPart(const Desk& desk) {
 
 } // namespace
 
+bool beginIn(const char* name, const Area& area, ImGuiWindowFlags flags) {
+    ImGui::SetNextWindowPos({static_cast<float>(area.corner.x), static_cast<float>(area.corner.y)});
+    ImGui::SetNextWindowSize({static_cast<float>(area.size.x), static_cast<float>(area.size.y)});
+    return ImGui::Begin(name, nullptr, kFixed | flags);
+}
+
 float topBarHeight(const Desk& desk, const Theme& theme, float width) {
     const ImGuiStyle& style = ImGui::GetStyle();
     float x = 2 * style.WindowPadding.x + kSceneComboEm * theme.em;
@@ -328,7 +329,8 @@ float stepPanelHeight(const Desk& desk, const Theme& theme, float width) {
     float highest = 0;
     for (const PassInfo& pass : info.passes)
         highest = std::max(highest, std::max(ImGui::GetFrameHeight(), lines(theme.heading, titleRoom, pass.title)) +
-                                        lines(theme.text, room, pass.why) + lines(theme.text, room, pass.pseudocode) +
+                                        lines(theme.text, room, pass.why) +
+                                        (desk.shown.source ? 0 : lines(theme.text, room, pass.pseudocode)) +
                                         lines(theme.text, room, "GL state: " + std::string(pass.glState)));
     return std::ceil(highest + 2 * style.WindowPadding.y + 4 * style.ItemSpacing.y);
 }
@@ -365,7 +367,7 @@ void stepPanel(Desk& desk, const Area& area, const Theme& theme) {
     ImGui::TextWrapped("%s", std::string(pass.title).c_str());
     ImGui::PopFont();
     ImGui::TextWrapped("%s", std::string(pass.why).c_str());
-    if (!pass.pseudocode.empty()) {
+    if (!pass.pseudocode.empty() && !desk.shown.source) { // beside the picture it is said already
         ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
         ImGui::TextWrapped("%s", std::string(pass.pseudocode).c_str());
         ImGui::PopStyleColor();

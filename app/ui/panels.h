@@ -7,6 +7,9 @@
 
 namespace shadowlab::ui {
 
+/// Begins an ImGui window that fills the area and stays there; ImGui::End() ends it. True while anything of it is seen.
+bool beginIn(const char* name, const Area& area, ImGuiWindowFlags flags = 0);
+
 // Each draws its window into the area it is given.
 void topBar(Desk& desk, const Area& area, const Theme& theme);
 void sidePanel(Desk& desk, const session::LiveErrors& errors, const Area& area, const Theme& theme);

@@ -62,11 +62,15 @@ void Screen::fit(ivec2 windowPixels, float contentScale) {
 Area Screen::pictureArea() const {
     const auto top = static_cast<int>(topBarHeight(desk_, theme_, static_cast<float>(size_.x)));
     const int right = desk_.shown.panel ? static_cast<int>(panelWidth(theme_, size_.x)) : 0;
-    const int width = std::max(0, size_.x - right);
+    const int width = std::max(0, size_.x - right - sourceWidth());
     const auto bottom = static_cast<int>(stepPanelHeight(desk_, theme_, static_cast<float>(width)) +
                                          lessonPanelHeight(desk_, theme_, static_cast<float>(width)) +
                                          (desk_.shown.strip ? stripHeight(theme_) : 0));
     return {{0, top}, glm::max(ivec2(0), ivec2(width, size_.y - top - bottom))};
+}
+
+int Screen::sourceWidth() const {
+    return static_cast<int>(SourcePanel::width(desk_, theme_, static_cast<float>(size_.x)));
 }
 
 bool Screen::frame(double seconds) {
@@ -143,8 +147,10 @@ void Screen::drawWidgets() {
     const Area pictures = pictureArea();
     const int top = pictures.corner.y;
     topBar(desk_, {{0, 0}, {size_.x, top}}, theme_);
+    const int besidePictures = pictures.size.x + sourceWidth();
+    if (desk_.shown.source) source_.draw(desk_, {{pictures.size.x, top}, {sourceWidth(), size_.y - top}}, theme_);
     if (desk_.shown.panel)
-        sidePanel(desk_, errors_, {{pictures.size.x, top}, {size_.x - pictures.size.x, size_.y - top}}, theme_);
+        sidePanel(desk_, errors_, {{besidePictures, top}, {size_.x - besidePictures, size_.y - top}}, theme_);
     int below = pictures.corner.y + pictures.size.y;
     if (desk_.lesson.isOn()) {
         const auto height = static_cast<int>(lessonPanelHeight(desk_, theme_, static_cast<float>(pictures.size.x)));

@@ -11,6 +11,7 @@
 #include "app/session/stage_strip.h"
 #include "app/ui/desk.h"
 #include "app/ui/pictures.h"
+#include "app/ui/source_panel.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_renderer.h"
 
@@ -46,6 +47,8 @@ public:
     /// Would the next frame look just like this one, if no hand moves and no time goes by?
     [[nodiscard]] bool isSettled() const { return settled_; }
     [[nodiscard]] const session::LiveErrors& errors() const { return errors_; }
+    /// The step as text, as it was shown last.
+    [[nodiscard]] const session::StepSource& stepSource() const { return source_.shown(); }
     [[nodiscard]] const std::vector<ShownPane>& shownPanes() const { return panes_; }
     /// The ids of the actions that keys have run in the last frame.
     [[nodiscard]] const std::vector<std::string>& ran() const { return ran_; }
@@ -60,6 +63,7 @@ private:
     void drawMessages(const Area& pictures);
     void drawWidgets();
     [[nodiscard]] Area pictureArea() const;
+    [[nodiscard]] int sourceWidth() const;
     /// Small pictures wait until nothing moves: they must not slow down what does.
     bool updateStrip();
 
@@ -72,6 +76,7 @@ private:
     std::unique_ptr<WidgetRenderer> renderer_;
     Theme theme_;
     session::StageStrip strip_;
+    SourcePanel source_;
     image::Font labels_; ///< for numbers inside of pictures
     session::LiveErrors errors_;
     gl::Texture2D picture_;

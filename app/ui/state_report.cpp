@@ -85,9 +85,11 @@ std::string stateReport(Desk& desk, const Screen& screen) {
                      {"objects", desk.bench.animation().objects}};
     json["speed"] = desk.bench.animation().speed;
     const Shown& shown = desk.shown;
-    json["shown"] = {{"keys", shown.keys},           {"panel", shown.panel},   {"strip", shown.strip},
-                     {"magnifier", shown.magnifier}, {"blink", shown.blink},   {"presenter", shown.presenter},
-                     {"handles", shown.handles},     {"coarse", shown.coarse}, {"panelHasKeys", desk.panelHasKeys}};
+    json["shown"] = {{"keys", shown.keys},           {"panel", shown.panel},
+                     {"strip", shown.strip},         {"source", shown.source},
+                     {"magnifier", shown.magnifier}, {"blink", shown.blink},
+                     {"presenter", shown.presenter}, {"handles", shown.handles},
+                     {"coarse", shown.coarse},       {"panelHasKeys", desk.panelHasKeys}};
     json["canUndo"] = desk.bench.history().canUndo();
     json["canRedo"] = desk.bench.history().canRedo();
     json["draft"] = desk.bench.draft();

@@ -59,13 +59,19 @@ Theme applyTheme(float em, bool presenter, const std::filesystem::path& fontFile
     Theme theme;
     theme.em = em;
     theme.presenter = presenter;
-    const std::string path = fontFile.string();
-    if (!std::filesystem::exists(fontFile))
-        throw Error(ExitStatus::badInput, path + ": the font is missing; restore the assets folder");
-    theme.text = io.Fonts->AddFontFromFileTTF(path.c_str(), em, nullptr, kLetters);
-    theme.heading = io.Fonts->AddFontFromFileTTF(path.c_str(), std::round(em * 1.25f), nullptr, kLetters);
-    if (!theme.text || !theme.heading)
-        throw Error(ExitStatus::badInput, path + ": is no font that can be read; restore the assets folder");
+    const auto load = [&](const std::filesystem::path& file, float size) {
+        if (!std::filesystem::exists(file))
+            throw Error(ExitStatus::badInput, file.string() + ": the font is missing; restore the assets folder");
+        ImFont* const font = io.Fonts->AddFontFromFileTTF(file.string().c_str(), size, nullptr, kLetters);
+        if (!font)
+            throw Error(ExitStatus::badInput,
+                        file.string() + ": is no font that can be read; restore the assets folder");
+        return font;
+    };
+    theme.text = load(fontFile, em);
+    theme.heading = load(fontFile, std::round(em * 1.25f));
+    // Its letters look larger than those of the text, and lines of source are long.
+    theme.code = load(fontFile.parent_path() / "DejaVuSansMono.ttf", std::round(em * 0.88f));
     io.FontDefault = theme.text;
 
     ImGuiStyle& style = ImGui::GetStyle();

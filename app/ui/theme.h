@@ -14,14 +14,15 @@ struct Theme {
     bool presenter = false; ///< large type, high contrast, for the last row of a lecture hall
     ImFont* text = nullptr;
     ImFont* heading = nullptr;
+    ImFont* code = nullptr; ///< every letter as wide as every other
 };
 
 /// The type size for a window of that height on a screen of that scale (1: 96 dots an inch). Presenter mode: at least 1/32
 /// of the height, which is read from the last row.
 float typeSize(ivec2 windowPixels, float contentScale, bool presenter);
 
-/// Loads the fonts at that size and sets colours and distances. The fonts have to be uploaded afterwards.
-/// Throws Error (badInput) when the font file cannot be read.
+/// Loads the fonts at that size and sets colours and distances. The fonts have to be uploaded afterwards. `fontFile` is that of
+/// texts; beside it lies DejaVuSansMono.ttf, for source. Throws Error (badInput) when one of them cannot be read.
 Theme applyTheme(float em, bool presenter, const std::filesystem::path& fontFile);
 
 /// A linear colour as ImGui takes it.

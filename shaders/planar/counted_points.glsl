@@ -2,6 +2,7 @@
 uniform sampler2D shadowsOfPoints; // how many do
 uniform float lightPoints;
 
+// [anchor: share-of-points]
 float shadowVisibility() {
     return 1.0 - texelFetch(shadowsOfPoints, ivec2(gl_FragCoord.xy), 0).r / lightPoints;
 }

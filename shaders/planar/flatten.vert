@@ -13,6 +13,7 @@ uniform mat4 viewFromMeshFlattened;
 uniform mat4 clipFromView;
 #endif
 
+// [anchor: flatten]
 void main() {
     vec4 homogeneousMesh = vec4(positionMesh, 1.0);
 #ifdef DIVIDE

@@ -28,6 +28,7 @@ void main() {
     if (number != kNoCell) value += lightMapValue(cell, place);
 #endif
 #if defined(RADIOSITY) || defined(IRRADIANCE)
+    // [anchor: radiosity-shown]
     // What is no patch shines by itself or not at all: lights, and what nobody sees.
     vec3 ownRadiance = emitsFromFrontOnly == 0 || gl_FrontFacing ? emission : vec3(0.0);
 #ifdef RADIOSITY

@@ -61,6 +61,7 @@ float decideBehind(uint first, uint own, MapPlace place, vec2 texel, ivec3 addre
     return end.inside < certain ? kAskRay : shadowedBeyond(end.depth, address, certain);
 }
 
+// [anchor: decide-by-map]
 float decide(int layer) {
     MapPlace place = mapPlaceIn(layer);
     vec2 texel = place.uv * resolution;

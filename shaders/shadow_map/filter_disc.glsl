@@ -6,6 +6,7 @@ uniform int samples;
 uniform float discRadius; // texels
 #include "shadow_map/sample_points.glsl"
 
+// [anchor: compare-disc]
 float filteredVisibility(MapPlace place) {
     vec2 chance = noiseAt(place);
     float lit = 0.0;

@@ -18,6 +18,7 @@ float meanOfFour(MapPlace place) {
     return largest + log(dot(weights, exp(v - largest)));
 }
 
+// [anchor: compare-esm]
 float filteredVisibility(MapPlace place) {
     if (isOutside(place)) return 1.0;
     float exponent = esmExponent * (0.5 * receiverMomentDepth(place) + 0.5);

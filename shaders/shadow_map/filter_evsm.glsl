@@ -8,6 +8,7 @@ uniform vec2 evsmExponents;
 uniform int evsmMoments;
 uniform float leastDeviation; // of depths from -1 to 1
 
+// [anchor: compare-evsm]
 float filteredVisibility(MapPlace place) {
     if (isOutside(place)) return 1.0;
     float z = receiverMomentDepth(place);

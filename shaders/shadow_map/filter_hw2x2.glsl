@@ -3,6 +3,7 @@
 // Maps", 1987, is the idea; the weights make the edge of a shadow a ramp one texel wide, without steps.
 uniform sampler2DArrayShadow shadowMap;
 
+// [anchor: compare-hw2x2]
 float filteredVisibility(MapPlace place) {
     // All four are compared with one depth: the least of those that they should be compared with.
     vec2 toCentre = (floor(place.uv * resolution - 0.5) + 0.5) / resolution - place.uv; // of the lower left one

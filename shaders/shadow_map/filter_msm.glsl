@@ -30,6 +30,7 @@ float hamburgerVisibility(vec4 m, float d) {
     return clamp(weightOfPoint, 0.0, 1.0);
 }
 
+// [anchor: compare-msm]
 float filteredVisibility(MapPlace place) {
     if (isOutside(place)) return 1.0;
     // Rounding may leave moments that no depths have. A little of the moments of three depths at once, -1, 0 and 1, mends it.

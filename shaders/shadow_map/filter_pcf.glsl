@@ -8,6 +8,7 @@ uniform int pcfRadius;
 // comparisons; between two, of two. So (r + 1) x (r + 1) lookups do for (2 r + 1) x (2 r + 1) texels: pairs of columns
 // and rows, and a single one at the end. The counts are whole, and rounding makes them exactly so.
 // After Sigg and Hadwiger, "Fast Third-Order Texture Filtering", GPU Gems 2, 2005.
+// [anchor: compare-pcf-pairs]
 float filteredVisibility(MapPlace place) {
     float depth = referenceDepth(place, vec2(0.0)), lit = 0.0;
     vec2 firstTexel = floor(place.uv * resolution) - float(pcfRadius); // of the square, at its lower left
@@ -22,6 +23,7 @@ float filteredVisibility(MapPlace place) {
 }
 #else
 // Each texel is compared with the depth of the receiver's plane over there, so each needs a lookup of its own.
+// [anchor: compare-pcf]
 float filteredVisibility(MapPlace place) {
     float lit = 0.0;
     for (int dy = -pcfRadius; dy <= pcfRadius; ++dy)

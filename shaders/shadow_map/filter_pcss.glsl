@@ -84,6 +84,7 @@ BlockerSearch searchBlockers(MapPlace place, LightShape light, vec2 chance) {
     return BlockerSearch(receiver, sum / max(found, 1.0), found);
 }
 
+// [anchor: compare-pcss]
 float filteredVisibility(MapPlace place) {
     vec2 chance = noiseAt(place);
     LightShape light = lightShape(place.layer);

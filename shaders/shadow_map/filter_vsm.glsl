@@ -6,6 +6,7 @@
 #include "shadow_map/chebyshev.glsl"
 uniform float leastDeviation; // of depths from -1 to 1
 
+// [anchor: compare-vsm]
 float filteredVisibility(MapPlace place) {
     if (isOutside(place)) return 1.0;
     float share = largestShareBeyond(receiverMomentDepth(place), momentsAt(place).xy, leastDeviation * leastDeviation);

@@ -55,6 +55,7 @@ float texelMetres(vec4 lightClip, int layer) {
 
 #include "shadow_map/bias.glsl"
 
+// [anchor: map-place]
 MapPlace mapPlaceIn(int layer) {
     vec4 lightClip = biasedClip(lightClipIn(layer), layer) * pullScale + pullClip[layer];
     vec3 lightNdc = lightClip.xyz / lightClip.w;

@@ -7,6 +7,7 @@ uniform sampler2DArray shadowMap;
 uniform int layer, blurRadius;
 out vec4 result;
 
+// [anchor: moments-of-a-row]
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
     int side = textureSize(shadowMap, 0).x;

@@ -3,6 +3,7 @@
 uniform int rejectBehind;
 #include "shadow_map/filter.glsl"
 
+// [anchor: map-visibility]
 float visibilityIn(int layer) {
     MapPlace place = mapPlaceIn(layer);
     if (place.behind && rejectBehind == 1) return 1.0;

@@ -10,6 +10,7 @@ uniform vec4 endMesh;           // dot(xyz, v) + w = 0 on the plane where the vo
 uniform float distance;         // metres, where there is no plane; 0: the volume ends at infinity
 uniform mat3 worldFromMeshAxes; // for the length of `distance` in the mesh
 
+// [anchor: extrude]
 void main() {
     vec3 awayMesh = positionMesh * lightMesh.w - lightMesh.xyz;
     vec4 farMesh = vec4(awayMesh, 0.0);

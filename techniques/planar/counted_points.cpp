@@ -80,6 +80,7 @@ void Planar::countOnePoint(const Frame& frame, const dvec3& pointWorld, const gl
     frame.scissorTo(part);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_STENCIL_TEST);
+    // [anchor: count-marks]
     glStencilMask(kMarkBit);
     glStencilFunc(GL_EQUAL, static_cast<GLint>(kMarkBit), kMarkBit);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);

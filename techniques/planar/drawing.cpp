@@ -45,6 +45,7 @@ void Planar::findHidden(const Frame& frame) {
     listFor(frame);
 }
 
+// [anchor: tag-receivers]
 void Planar::tagReceivers(const Frame& frame, bool everywhere) const {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthMask(GL_FALSE);
@@ -67,6 +68,7 @@ void Planar::drawReceiver(const Frame& frame, const gl::Program& program, const 
     drawRuns(frame.buffers().mesh(one.receiver.object), one.receiver.face->runs);
 }
 
+// [anchor: mark-state]
 void Planar::setPlaneState(const Frame& frame, const LitPlane& plane) const {
     frame.scissorTo(plane.part); // elsewhere another plane may have its number
     const GLint tagAndMark = static_cast<GLint>(kMarkBit) + plane.receiver->tag;
@@ -195,12 +197,14 @@ void Planar::setColor(const gl::Program& program, const LitPlane& plane, const v
     program.cutting().set("color", color);
 }
 
+// [anchor: clear-marks]
 void Planar::clearBits(unsigned bits) {
     glStencilMask(bits);
     glClear(GL_STENCIL_BUFFER_BIT);
     glStencilMask(~0u);
 }
 
+// [anchor: light-unmarked]
 void Planar::drawLit(const Frame& frame, const gl::Program& program, int light) const {
     glStencilMask(kLitBit);
     glStencilFunc(GL_EQUAL, 0, params_.once ? kLitBit | kMarkBit : kLitBit);
@@ -215,6 +219,7 @@ void Planar::drawLit(const Frame& frame, const gl::Program& program, int light) 
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());
 }
 
+// [anchor: darken]
 void Planar::darken(const Frame& frame, int light) const {
     constexpr float kHalf = 0.5f; // what each face leaves of the light
     glEnable(GL_BLEND);

@@ -5,61 +5,9 @@
 #include <chrono>
 #include <map>
 
+#include "techniques/planar/described.h"
+
 namespace shadowlab::planar {
-
-namespace {
-
-const PassInfo kPasses[] = {
-    {"lights-off", "Render the scene with all light sources turned off",
-     "Emission and ambient light are counted once; the depth buffer now holds the visible point of every pixel.",
-     "depth test LESS, depth write on", false},
-    {"tag-receivers", "Write the number of each receiver plane N·P + D = 0 into the stencil",
-     "A shadow on a plane must end where the plane's surface ends, and where something stands before it.",
-     "colour and depth writes off, depth EQUAL, stencil GREATER, REPLACE, write mask 0x3f, scissor where shadows can "
-     "fall",
-     false, "stencil-tags"},
-    {"clear-marks", "Clear the shadow marks",
-     "Each light casts shadows of its own; the numbers of the planes stay. Before the first light there are none.",
-     "stencil write mask 0xc0", true},
-    {"shadows", "Project the casters onto each plane and mark where they fall",
-     "The line from the light P_L through P meets the plane in P', with N·P' + D = 0: P' is in shadow. Only what lies "
-     "between light and plane casts; a mark set twice is still one mark.",
-     "colour and depth writes off, depth test off, clip distances at the light's height and at the plane, "
-     "stencil EQUAL the plane's number, REPLACE, write mask 0x80",
-     true, "shadow-marks",
-     "for each receiver plane (N, D)\n"
-     "  for each vertex P of a caster\n"
-     "    P' = (N·P_L + D) P - (N·P + D) P_L\n"
-     "    w' = (N·P_L + D) - (N·P + D)\n"
-     "  draw its triangles where w' > 0 and N·P + D > 0"},
-    {"count-points", "The same for many points of the light; count their shadows in every pixel",
-     "A light with an area is many points of light. The share of them whose shadows fall on a pixel is "
-     "the share of the light that it does not see. Only with light-samples above 1.",
-     "for each point the marks as before, then one triangle over the picture: stencil EQUAL 0x80, INVERT "
-     "(the mark is gone), blending ONE ONE into a picture of floats",
-     true, "points-in-shadow"},
-    {"light", "Render the scene again with the light turned on, only where there is no mark",
-     "What is not marked is seen by the light; what is no plane can have no mark. Where points were counted, the light "
-     "is as strong as the share of them that is seen.",
-     "depth EQUAL, stencil EQUAL 0 in the bits 0xc0, INVERT with write mask 0x40 (each pixel once), blending ONE ONE",
-     true},
-    {"darken", "Draw the flattened faces in black, half transparent, over the finished picture",
-     "The oldest way, and wrong: faces that overlap darken twice, and the ambient light, which nothing blocks, is "
-     "darkened with the rest. Only with once = false.",
-     "colour writes on, blending SRC_ALPHA ONE_MINUS_SRC_ALPHA with alpha 0.5, tests as for the marks", true},
-};
-
-const StageInfo kStages[] = {
-    {"receiver-planes", "Receiver planes N·P + D = 0", StageKind::radiance, false},
-    {"stencil-tags", "Stencil: the number of the receiver plane", StageKind::swatches, false},
-    {"flattened", "Flattened geometry before clipping, on the plane with the most shadow", StageKind::radiance, true},
-    {"shadow-marks", "Stencil: shadow marks on the receiver planes", StageKind::swatches, true},
-    {"points-in-shadow", "Points of the light whose shadows fall here", StageKind::scalar, true},
-    {"lights-off", "Scene with lights off", StageKind::radiance, false},
-    {"visibility", "Visibility of the light", StageKind::visibility, true},
-};
-
-} // namespace
 
 Progress Planar::prepare(const scene::Snapshot& snapshot, Deadline deadline) {
     while (!receivers_.findNext(snapshot))
@@ -181,6 +129,8 @@ std::span<const TechniqueInfo> techniques() {
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
+        .pseudocode = kProcedure,
+        .values = {{"N·P + D = 0", "receiver plane"}, {"tag", "stencil number"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<Planar>(); },
     }};
     return info;

@@ -21,6 +21,7 @@ std::vector<dvec3> irradiance(const Problem& problem, const std::vector<dvec3>& 
     return gathered(problem.exchange, problem.areas, radiosity);
 }
 
+// [anchor: one-bounce]
 std::vector<dvec3> nextBounce(const Problem& problem, std::span<const dvec3> bounceBefore) {
     std::vector<dvec3> next = gathered(problem.exchange, problem.areas, bounceBefore);
     for (std::size_t i = 0; i < next.size(); ++i)

@@ -5,42 +5,67 @@
 
 namespace shadowlab::radiosity {
 
+/// The lecture's "Basic Radiosity Model".
+inline constexpr std::string_view kModel =
+    "1. The object surfaces must form an enclosed space that has no energy exchange with outside world.\n"
+    "2. Assume each surface is either a Lambertian reflector, a emitter, or a combination of both.\n"
+    "3. Divide each surface into small surface polygons (surface patches)\n"
+    "   and calculate form factors.\n"
+    "4. Solve radiosity equations: B_k = E_k + rho_k * sum over j of F_kj * B_j,\n"
+    "   k = 1, 2, 3, ..., n.";
+
 inline constexpr PassInfo kPasses[] = {
-    {"patches", "Divide each surface into small surface patches",
-     "One radiosity stands for all of a patch. Rectangles and triangles are cut to one size, and where other things "
-     "stand on them; "
-     "meshes of many triangles are simplified first.",
-     "nothing is drawn", false, "patches"},
-    {"form-factors", "Calculate the form factors",
-     "F_jk is the fraction of the radiant energy leaving surface j that reaches surface k. It depends on shapes and "
-     "places "
-     "alone, so it stays when a light moves or changes.",
-     "nothing is drawn", false, "form-factors"},
-    {"emission", "Show what the surfaces emit",
-     "E_k, the energy emission rate per unit area: all the light there is before any of it has arrived.",
-     "depth test LESS, depth write on", false},
-    {"light",
-     "Add what one light brings straight to the patches",
-     "The first shot: a light that is no patch itself shines on every patch that it sees, and each reflects its share "
-     "rho_k.",
-     "depth test EQUAL",
-     true,
-     {},
-     "E_k + rho_k * (irradiance of patch k by the light)"},
-    {"solve",
-     "Solve the radiosity equations",
-     "Every patch sends on what it receives from all others: n equations for the n radiosities, solved step by step "
-     "until the error is "
-     "certainly small.",
-     "depth test EQUAL, one value per patch",
-     false,
-     {},
-     "B_k = E_k + rho_k * sum over j of F_kj * B_j\nfor k = 1, 2, 3, ..., n"},
-    {"display", "Show it from the eye's point of view",
-     "A Lambertian reflector of radiosity B looks alike from everywhere: its intensity is I = B / pi. So the eye may "
-     "move, and nothing has "
-     "to be solved again.",
-     "depth test EQUAL, interpolated between the corners of patches", false},
+    {.id = "patches",
+     .title = "Divide each surface into small surface patches",
+     .why = "One radiosity stands for all of a patch. Rectangles and triangles are cut to one size, and where other "
+            "things stand on them; meshes of many triangles are simplified first.",
+     .glState = "nothing is drawn",
+     .shownBy = "patches",
+     .pseudocodeLines = {3, 3},
+     .anchors = "cut-into-patches"},
+    {.id = "form-factors",
+     .title = "Calculate the form factors",
+     .why = "F_jk is the fraction of the radiant energy leaving surface j that reaches surface k. It depends on shapes "
+            "and places alone, so it stays when a light moves or changes.",
+     .glState = "nothing is drawn",
+     .shownBy = "form-factors",
+     .pseudocodeLines = {4, 4},
+     .formula = "F_jk = 1 / dA_j * integral over both surfaces of cos phi_j cos phi_k / (pi r^2)\n"
+                "dA_j F_jk = dA_k F_kj",
+     .anchors = "form-factor-of-a-point"},
+    {.id = "emission",
+     .title = "Show what the surfaces emit",
+     .why = "E_k, the energy emission rate per unit area: all the light there is before any of it has arrived.",
+     .glState = "depth test LESS, depth write on",
+     .pseudocodeLines = {2, 2},
+     .formula = "B_j = E_j",
+     .anchors = "lights-off"},
+    {.id = "light",
+     .title = "Add what one light brings straight to the patches",
+     .why = "The first shot: a light that is no patch itself shines on every patch that it sees, and each reflects its "
+            "share rho_k.",
+     .glState = "depth test EQUAL",
+     .perLight = true,
+     .pseudocode = "E_k + rho_k * (irradiance of patch k by the light)",
+     .formula = "B_j = E_j + rho_j * (irradiance of patch j by the light)",
+     .anchors = "light-on-a-patch"},
+    {.id = "solve",
+     .title = "Solve the radiosity equations",
+     .why = "Every patch sends on what it receives from all others: n equations for the n radiosities, solved step by "
+            "step until the error is certainly small.",
+     .glState = "depth test EQUAL, one value per patch",
+     .pseudocode = "B_k = E_k + rho_k * sum over j of F_kj * B_j\nfor k = 1, 2, 3, ..., n",
+     .pseudocodeLines = {5, 6},
+     .formula = "B_j = E_j + rho_j * sum over k of F_jk * B_k\n"
+                "residual of j = E_j + rho_j * sum over k of F_jk * B_k - B_j",
+     .anchors = "radiosity-problem one-bounce residual"},
+    {.id = "display",
+     .title = "Show it from the eye's point of view",
+     .why = "A Lambertian reflector of radiosity B looks alike from everywhere: its intensity is I = B / pi. So the "
+            "eye may move, and nothing has to be solved again.",
+     .glState = "depth test EQUAL, interpolated between the corners of patches",
+     .formula = "I = B_j / pi",
+     .anchors = "radiosity-shown"},
 };
 
 inline constexpr StageInfo kStages[] = {

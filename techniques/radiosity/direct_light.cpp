@@ -46,6 +46,7 @@ double DirectLightBuilder::done() const {
     return patches_.empty() ? 1 : static_cast<double>(next_) / static_cast<double>(patches_.size());
 }
 
+// [anchor: light-on-a-patch]
 void DirectLightBuilder::fill(std::size_t i) {
     const Patch& patch = patches_[i];
     const double whole = source_.meanIrradiance(patch);

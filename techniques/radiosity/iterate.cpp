@@ -88,6 +88,7 @@ glm::bvec3 Iterate::wantsFreshResidual() const {
 }
 
 void Iterate::computeResidualAnew() {
+    // [anchor: residual]
     residual_ = reflected(radiosity_);
     largestRadiosity_ = largestResidual_ = dvec3(0);
     for (std::size_t i = 0; i < size(); ++i) {

@@ -30,6 +30,7 @@ Patch patchOf(const Polygon& polygon, std::uint32_t face) {
     return {polygon, vector / area, centroid(polygon), area, face};
 }
 
+// [anchor: cut-into-patches]
 void cutQuad(const Polygon& q, const Cuts& cuts, std::uint32_t face, std::vector<Patch>& patches) {
     const auto at = [&](int i, int j) {
         const double s = static_cast<double>(i) / cuts.u, t = static_cast<double>(j) / cuts.v;

@@ -7,6 +7,7 @@
 
 namespace shadowlab::radiosity {
 
+// [anchor: form-factor-of-a-point]
 double pointFormFactor(const dvec3& position, const dvec3& normal, const Polygon& polygon) {
     if (polygon.isEmpty()) return 0;
     double sum = 0;

@@ -15,6 +15,7 @@
 namespace shadowlab::radiosity {
 
 /// One entry of each vector for every patch. The matrix is not copied: it has to outlive the problem and all its solvers.
+// [anchor: radiosity-problem]
 struct Problem {
     const ExchangeMatrix& exchange; ///< S_ij = A_i F_ij, m^2
     std::vector<double> areas;      ///< A_i, m^2, above 0

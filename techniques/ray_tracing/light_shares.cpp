@@ -76,6 +76,7 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
                 normalsWorld.push_back(
                     surfaces.normalWorld(point, glm::normalize(camera.positionWorld - tracer.positionWorld(point))));
             }
+        // [anchor: area-irradiance]
         std::vector<trace::AreaIrradiance> found(points.size());
         if (!points.empty()) area.irradiances(points, normalsWorld, found);
         for (std::size_t i = 0; i < pixels.size(); ++i) {

@@ -130,6 +130,7 @@ void Picture::shadeLightsOff(const Surfaces& surfaces) {
     });
 }
 
+// [anchor: shade-lit]
 void Picture::shadeLight(const Surfaces& surfaces, int light) {
     const Grid<trace::Visibility>& visibility = visibility_[static_cast<std::size_t>(light)];
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {

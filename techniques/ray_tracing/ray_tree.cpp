@@ -81,6 +81,7 @@ void RayTree::trace(const RayWorld& world, const TreeSettings& settings, const d
     eye.media = aroundEye;
     eye.point = first;
     // Going down: the list grows while it is gone through.
+    // [anchor: tree-grows]
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         if (nodes_[i].end == RayEnd::noTransmission || nodes_[i].end == RayEnd::depth ||
             nodes_[i].end == RayEnd::cutoff)
@@ -174,6 +175,7 @@ void RayTree::splitByOptics(const RayWorld& world, const TreeSettings& settings,
     const Crossing crossing = crossingAt(surfaces, node);
     node.iorHere = crossing.iorHere;
     node.iorBeyond = crossing.iorBeyond;
+    // [anchor: tree-splits]
     const Optics optics = opticsAt(surfaces, node, settings.fresnel);
     const Weights& weights = optics.weights;
     const bool letsThrough = optics.refractedWorld && weights.transmitted > 0;
@@ -227,6 +229,7 @@ TreeNode& RayTree::add(const TreeSettings& settings, std::size_t parent, Branch 
 
 /// Coming up: every node has its children behind it.
 void RayTree::evaluate(const Surfaces& surfaces) {
+    // [anchor: tree-evaluates]
     for (std::size_t i = nodes_.size(); i-- > 0;) {
         TreeNode& node = nodes_[i];
         if (node.point)

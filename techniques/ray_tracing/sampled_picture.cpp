@@ -29,6 +29,7 @@ double luminance(const dvec3& radiance) { return glm::dot(radiance, dvec3(0.2126
 
 } // namespace
 
+// [anchor: eye-sample]
 EyeSample eyeSample(const trace::EyeRays& rays, const SampledSettings& settings, ivec2 pixel,
                     const SampleNumbers& numbers) {
     const dvec2 place = dvec2(pixel) + (settings.antialias ? numbers.pair(Purpose::pixel) : dvec2(0.5));

@@ -53,6 +53,7 @@ bool Surfaces::emitsHere(const trace::SurfacePoint& point) const {
     return !rect || point.eyeOnFront;
 }
 
+// [anchor: shaded-lights-off]
 vec3 Surfaces::lightsOff(const trace::SurfacePoint& point) const {
     return scene().ambient * materialOf(point).diffuse + emitted(point);
 }
@@ -74,6 +75,7 @@ dvec3 Surfaces::geometricNormalWorld(const trace::SurfacePoint& point) const {
     return point.eyeOnFront ? normalWorld : -normalWorld;
 }
 
+// [anchor: shaded-lit]
 dvec3 Surfaces::lit(const trace::SurfacePoint& point, int light, const dvec3& positionWorld, const dvec3& normalWorld,
                     const dvec3& toViewerWorld) const {
     const scene::Light& source = scene().lights[static_cast<std::size_t>(light)];

@@ -316,9 +316,10 @@ Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     const dvec3 u = glm::normalize(rays.through(centre).directionCentred);
     if (light >= 0 && samplesArea(*snapshot, light)) describeArea(surfaces, point, -u, light, probe);
     if (samplingParams_.areMany())
-        probe.facts.push_back({"the picture", "the mean of " + std::to_string(samplingParams_.pattern.count) +
-                                                  " such trees, spread by chance; this one goes through the middle of "
-                                                  "everything, at time 0",
+        probe.facts.push_back({"the picture",
+                               "the mean of " + std::to_string(samplingParams_.pattern.count) +
+                                   " such trees, spread by chance; this one goes through the middle of "
+                                   "everything, at time 0",
                                ""});
     RayTree tree;
     TreeSettings settings = treeSettings();
@@ -343,6 +344,19 @@ std::span<const TechniqueInfo> techniques() {
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
+        .pseudocode = kRayCastingSteps,
+        .values = {{"I_R", "I_R"},
+                   {"I_T", "I_T"},
+                   {"weight of I_R", "weight of I_R"},
+                   {"weight of I_T", "weight of I_T"},
+                   {"attenuation", "attenuation"},
+                   {"own light", "own light"},
+                   {"u", "u"},
+                   {"N", "N"},
+                   {"R", "R"},
+                   {"H", "H"},
+                   {"toViewerWorld", "V"},
+                   {"visibility", "truth"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<RayTraced>(); },
     }};
     return info;

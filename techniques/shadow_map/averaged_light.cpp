@@ -55,6 +55,7 @@ const gl::Texture2D& ShadowMap::averageOverLight(Frame& frame, int light) {
     const float share = 1.0f / static_cast<float>(params_.lightPoints.count);
     const std::vector<scene::Bounds> receivers = receiversInView(scene, frame.view());
     OwnMap own;
+    // [anchor: average-maps]
     for (const dvec3& pointWorld : scene::pointsOfLight(whole, light, params_.lightPoints)) {
         AskedLight asked = this->asked(scene, light);
         asked.light.type = scene::LightType::point;

@@ -89,6 +89,7 @@ bool BucketTest::test(const SeenTriangle& triangle, Bucket& bucket) {
     return true;
 }
 
+// [anchor: samples-in-the-light]
 bool BucketTest::isBlocked(const Bucket& bucket, unsigned sample, const SeenTriangle& triangle, bool certain) {
     ++askedExactly_;
     const trace::SurfacePoint& point = question_.points[bucket.indices[sample]];

@@ -44,6 +44,7 @@ DepthRules depthRules(const ShadowMapParams& params, const FilterParams& filter)
     return rules;
 }
 
+// [anchor: draw-map]
 void DepthPass::draw(const Frame& frame, const LightMaps& maps, int layer, std::span<const std::size_t> casters,
                      const gl::DepthTextureArray& depth, GLenum format, const DepthRules& rules) const {
     glDisable(GL_SCISSOR_TEST); // the map is whole, whatever part of the picture is drawn
@@ -72,6 +73,7 @@ void DepthPass::drawWithIds(const Frame& frame, const LightMaps& maps, int layer
     drawCasters(ids_, frame, maps, layer, casters);
 }
 
+// [anchor: draw-casters]
 void DepthPass::drawCasters(const gl::Program& program, const Frame& frame, const LightMaps& maps, int layer,
                             std::span<const std::size_t> casters) const {
     for (const std::size_t caster : casters) {

@@ -2,70 +2,11 @@
 #include "techniques/shadow_map/technique.h"
 
 #include "techniques/foundation/scene/casters.h"
+#include "techniques/shadow_map/described.h"
 #include "techniques/shadow_map/filter_uniforms.h"
 #include "techniques/shadow_map/frusta.h"
 
 namespace shadowlab::shadow_map {
-
-namespace {
-
-const PassInfo kPasses[] = {
-    {"lights-off", "Render the scene with all light sources turned off",
-     "Emission and ambient light are counted once; the depth buffer now holds the visible point of every pixel.",
-     "depth test LESS, depth write on", false},
-    {"depth", "Render the scene from the light and keep the depth",
-     "The map stores, for every direction from the light, how far the first surface is: all the light ever sees. It "
-     "stays as it is until light, casters or parameters change; the eye may move.",
-     "depth only, depth test LESS, depth clamp, slope-scaled polygon offset", true, "light-depth",
-     "render z-buffer from light's point of view to depth map D\nstore D as texture map d(u,v)"},
-    {"moments", "Turn the depths into what can be averaged, and average it",
-     "An average of depths is no depth of anything. Of their powers, or exponentials, it says how the depths around a "
-     "texel "
-     "are spread, and so at most which share of them is behind the point. Only with filter = vsm, esm, evsm or msm.",
-     "no depth test; two passes over the map, along rows and columns; float colours", true, "moments"},
-    {"samples", "Ask the light for every point that the eye sees",
-     "A map asks the light at the middles of its texels, and the eye at other places: all its faults come from that. "
-     "Here the visible points themselves are put into the light's picture, and every triangle is tested against those "
-     "it covers. Only with alias-free = true.",
-     "none: on the processor, and the answers uploaded", true, "eye-samples"},
-    {"average", "Draw and ask a map from each of many points of the light",
-     "A light with an area puts a point into shadow by degrees: as many as cannot be seen of its own points. Every map "
-     "answers for one of them, and the mean of the answers is the visible share. Only with light-samples above 1.",
-     "each map as in depth; visibility added up with blending CONSTANT_COLOR ONE", true, "visibility"},
-    {"decide", "Decide where the map is certain, and send rays elsewhere",
-     "An edge that touches a texel makes it uncertain: a surface ends there, begins, or passes through another. All "
-     "other texels know which surface is the first; the point is lit if it lies on that. Only with exact = true.",
-     "depth EQUAL; triangle numbers and depths read with texelFetch; undecided pixels read back", true, "traced"},
-    {"light",
-     "Render the scene from the eye and compare",
-     "Transform each point into the light's coordinates; if the map holds something nearer, the point is in shadow.",
-     "depth EQUAL, blending ONE ONE, map sampled with comparison LEQUAL",
-     true,
-     {},
-     "for each rasterized pixel with texture coords (u,v) and transformed distance z(u,v) do\n"
-     "   if d(u,v) < z(u,v) then\n      pixel is shadowed"},
-};
-
-const StageInfo kStages[] = {
-    {"without-shadows", "Image without shadows", StageKind::radiance, false},
-    {"light-view", "Image from the light", StageKind::radiance, true},
-    {"light-depth", "Depth from the light: the shadow map", StageKind::scalar, true},
-    {"depth-on-view", "Light depth d(u,v) projected onto the eye's view", StageKind::scalar, true},
-    {"distance-on-view", "Light distance z(u,v) projected onto the eye's view", StageKind::scalar, true},
-    {"comparison", "Comparison: d(u,v) against z(u,v)", StageKind::swatches, true},
-    {"texel-size", "Aliasing: how many pixels a texel covers", StageKind::scalar, true},
-    {"texel-grid", "The texels as they lie on what the eye sees", StageKind::swatches, true},
-    {"map-layers", "Which map answers: cascades, or those around the light", StageKind::swatches, true},
-    {"moments", "Moments: how much the depths around each texel vary", StageKind::scalar, true},
-    {"blocker-search", "Blocker search: how far before the point its shadow comes from", StageKind::scalar, true},
-    {"penumbra-width", "Penumbra: how wide the shadow's edge is to be", StageKind::scalar, true},
-    {"kernel", "Which texels are asked for one pixel, and their answers", StageKind::swatches, true},
-    {"eye-samples", "Where in the light's picture the eye asks", StageKind::scalar, true},
-    {"traced", "What the map decides for certain, and what rays do", StageKind::swatches, true},
-    {"visibility", "Visibility of the light", StageKind::visibility, true},
-};
-
-} // namespace
 
 Progress ShadowMap::prepare(const scene::Snapshot& snapshot, Deadline deadline) {
     const bool ready = (!params_.exact || exact_.prepare(snapshot, deadline)) &&
@@ -180,6 +121,13 @@ std::span<const TechniqueInfo> techniques() {
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
+        .pseudocode = kProcedure,
+        .values = {{"d(u,v)", "d(u,v): depth at the texel's centre, before any bias"},
+                   {"z(u,v)", "z(u,v): depth of the point itself"},
+                   {"pixel is shadowed", "if d(u,v) < z(u,v) then pixel is shadowed"},
+                   {"(s, t, r)", "(s, t, r) = clip / w / 2 + 1/2"},
+                   {"shadowUv", "(s, t, r) = clip / w / 2 + 1/2"},
+                   {"lightClip", "point in the light's clip space"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ShadowMap>(); },
     }};
     return info;

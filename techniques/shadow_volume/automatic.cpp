@@ -10,29 +10,60 @@ namespace {
 
 const PassInfo kPasses[] = {
     kLightsOffPass,
-    {"clear-stencil", "Clear the stencil buffer", "Each light counts from zero.", "stencil write mask 0xff", true},
-    {"volumes", "Count the volume faces before each visible point, or behind it",
-     "Casters off the line from the eye to the light: front faces add one and back faces take one where they pass the "
-     "depth test. Casters on it, whose volumes the eye may be in: back faces add and front faces take where they fail "
-     "it. What is left is the number of volumes that the point is in.",
-     "colour and depth writes off, depth LESS, depth clamp; stencil depth-pass INCR_WRAP (front) and DECR_WRAP (back), "
-     "then depth-fail INCR_WRAP (back) and DECR_WRAP (front)",
-     true, "stencil"},
-    {"volumes-back", "Render all volume faces that face away from the viewer",
-     "Down by one for each that passes the depth test, of casters off the line from the eye to the light; up by one "
-     "for each that fails it, of the others.",
-     "colour and depth writes off, cull FRONT, depth LESS, depth clamp; stencil depth-pass DECR_WRAP, then depth-fail "
-     "INCR_WRAP",
-     true, "stencil-back"},
-    {"volumes-front", "Render all volume faces that face toward the viewer",
-     "Up by one for each that passes, down by one for each that fails: entered and left, or left and entered.",
-     "colour and depth writes off, cull BACK, depth LESS, depth clamp; stencil depth-pass INCR_WRAP, then depth-fail "
-     "DECR_WRAP",
-     true, "stencil"},
+    {.id = "clear-stencil",
+     .title = "Clear the stencil buffer",
+     .why = "Each light counts from zero.",
+     .glState = "stencil write mask 0xff",
+     .perLight = true,
+     .pseudocodeLines = {2, 2},
+     .formula = "stencil = 0",
+     .anchors = "clear-count"},
+    {.id = "volumes",
+     .title = "Count the volume faces before each visible point, or behind it",
+     .why = "Casters off the line from the eye to the light: front faces add one and back faces take one where they "
+            "pass the depth test. Casters on it, whose volumes the eye may be in: back faces add and front faces take "
+            "where they fail it. What is left is the number of volumes that the point is in.",
+     .glState = "colour and depth writes off, depth LESS, depth clamp; stencil depth-pass INCR_WRAP (front) and "
+                "DECR_WRAP (back), then depth-fail INCR_WRAP (back) and DECR_WRAP (front)",
+     .perLight = true,
+     .shownBy = "stencil",
+     .pseudocodeLines = {3, 5},
+     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+                "stencil = n_f - n_b of the faces before the point, or n_b - n_f of those behind it",
+     .anchors = "way-of-a-caster count-passing count-failing extrude"},
+    {.id = "volumes-back",
+     .title = "Render all volume faces that face away from the viewer",
+     .why = "Down by one for each that passes the depth test, of casters off the line from the eye to the light; up by "
+            "one for each that fails it, of the others.",
+     .glState = "colour and depth writes off, cull FRONT, depth LESS, depth clamp; stencil depth-pass DECR_WRAP, then "
+                "depth-fail INCR_WRAP",
+     .perLight = true,
+     .shownBy = "stencil-back",
+     .pseudocodeLines = {3, 4},
+     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+                "stencil = stencil - 1 before the point, + 1 behind it",
+     .anchors = "way-of-a-caster count-passing count-failing count-one-side extrude"},
+    {.id = "volumes-front",
+     .title = "Render all volume faces that face toward the viewer",
+     .why = "Up by one for each that passes, down by one for each that fails: entered and left, or left and entered.",
+     .glState = "colour and depth writes off, cull BACK, depth LESS, depth clamp; stencil depth-pass INCR_WRAP, then "
+                "depth-fail DECR_WRAP",
+     .perLight = true,
+     .shownBy = "stencil",
+     .pseudocodeLines = {5, 5},
+     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+                "stencil = stencil + 1 before the point, - 1 behind it",
+     .anchors = "way-of-a-caster count-passing count-failing count-one-side extrude"},
     kRepairPass,
-    {"light", "Render the scene again with the light turned on, only where the stencil is zero",
-     "The point is outside every volume, so the light sees it.",
-     "colour writes on, depth EQUAL, stencil EQUAL 0, blending ONE ONE", true},
+    {.id = "light",
+     .title = "Render the scene again with the light turned on, only where the stencil is zero",
+     .why = "The point is outside every volume, so the light sees it.",
+     .glState = "colour writes on, depth EQUAL, stencil EQUAL 0, blending ONE ONE",
+     .perLight = true,
+     .pseudocodeLines = {6, 7},
+     .formula = "illuminated if stencil = 0\n"
+                "L = L + visibility * color * E * (diffuse / pi + specular * (s + 8) / (8 pi) * (n.h)^s)",
+     .anchors = "light-where-zero shade-light"},
 };
 
 const StageInfo kStages[] = {
@@ -65,6 +96,7 @@ Automatic::Automatic()
                        .stageAfterFirst = "stencil-back"},
                       repaired()) {}
 
+// [anchor: way-of-a-caster]
 Way Automatic::wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster, int light) const {
     const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
     const bool unsure = eyeLineMayTouch(caster.bounds, eyeWorld, scene::homogeneousPositionWorld(source)) ||
@@ -84,6 +116,7 @@ TechniqueInfo automaticInfo() {
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
+        .pseudocode = kStencilSteps,
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<Automatic>(); },
     };
 }

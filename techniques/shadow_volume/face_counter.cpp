@@ -21,12 +21,14 @@ FaceCounter::Programs::Programs(const std::string& fragment)
 
 void FaceCounter::countIntoStencil(const Frame& frame, int light, std::span<const CountedVolume> volumes,
                                    const CountRules& rules, const StencilRule& stencil) const {
+    // [anchor: count-passing]
     setStencilFunctions(GL_FRONT, GL_BACK, stencil);
     glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
     glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
     glDepthFunc(GL_LESS);
     drawPassing(frame, light, volumes, rules.pass, forStencil_);
 
+    // [anchor: count-failing]
     setStencilFunctions(GL_BACK, GL_FRONT, stencil);
     glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
     glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);

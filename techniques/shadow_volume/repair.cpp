@@ -145,6 +145,7 @@ Repair decide(const CountedPart& part, const PixelMask& marked, const trace::Sce
             trace::visibilitiesOf(pixels, tracer, rays, part.pictureSize, light);
         std::vector<ivec2> next;
         PixelMask waiting(repair.pixels.size(), 0);
+        // [anchor: decide-with-rays]
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             const ivec2 inPart = pixels[i] - part.corner;
             const bool dark = part.counted[part.index(inPart)] != 0;

@@ -14,14 +14,16 @@ namespace shadowlab::shadow_volume {
 
 // Of each technique that can be mended.
 inline constexpr PassInfo kRepairPass = {
-    "repair",
-    "Decide again, with rays, where the count may be wrong",
-    "Between faces that share an edge the rasteriser leaves a crack now and then: one pixel is counted wrong. Pixels "
-    "that differ from a neighbour, or that a silhouette edge touches, are asked again with a ray from the eye and one "
-    "to the light. Only with repair = true.",
-    "stencil read back; stencil ZERO where it is not, INCR where it is zero, in the pixels to be changed alone",
-    true,
-    "repair"};
+    .id = "repair",
+    .title = "Decide again, with rays, where the count may be wrong",
+    .why = "Between faces that share an edge the rasteriser leaves a crack now and then: one pixel is counted wrong. "
+           "Pixels that differ from a neighbour, or that a silhouette edge touches, are asked again with a ray from "
+           "the eye and one to the light. Only with repair = true.",
+    .glState =
+        "stencil read back; stencil ZERO where it is not, INCR where it is zero, in the pixels to be changed alone",
+    .perLight = true,
+    .shownBy = "repair",
+    .anchors = "decide-with-rays"};
 inline constexpr StageInfo kRepairStage = {"repair", "What rays decided again, and where they changed the picture",
                                            StageKind::swatches, true};
 

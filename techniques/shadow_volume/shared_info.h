@@ -6,9 +6,33 @@
 namespace shadowlab::shadow_volume {
 
 inline constexpr PassInfo kLightsOffPass = {
-    "lights-off", "Render the scene with all light sources turned off",
-    "Emission and ambient light are counted once; the depth buffer now holds the visible point of every pixel.",
-    "depth test LESS, depth write on", false};
+    .id = "lights-off",
+    .title = "Render the scene with all light sources turned off",
+    .why = "Emission and ambient light are counted once; the depth buffer now holds the visible point of every pixel.",
+    .glState = "depth test LESS, depth write on",
+    .pseudocodeLines = {1, 1},
+    .formula = "L = emission + ambient * diffuse",
+    .anchors = "lights-off"};
+
+/// The lecture's "Shadow Volume Using Stencil Buffer"; it counts with depth fail.
+inline constexpr std::string_view kStencilSteps =
+    "1. Render the scene with all light sources turned off.\n"
+    "2. Clear stencil buffer.\n"
+    "3. Turn off depth buffer and color buffer writes.\n"
+    "4. Render all shadow volume faces facing away from the viewer. Increase stencil buffer value by one for each "
+    "point that fails the depth test.\n"
+    "5. Render all shadow volume faces facing towards the viewer. Decrease stencil buffer value by one for each point "
+    "that fails the depth test.\n"
+    "6. Turn on depth buffer and color buffer writes.\n"
+    "7. Render the scene again with light source turned on and only where the stencil buffer value is zero.\n"
+    "8. Repeat 2, 3, 4, 5, 6, 7 for each light source.";
+
+/// The lecture's "Z-Pass Shadow Volume Algorithm".
+inline constexpr std::string_view kZPassSteps =
+    "1. For each point in the scene, connect a line segment from this point to the view point.\n"
+    "2. Count the number of front facing and back facing shadow volume faces this line segment intersects: n_f and "
+    "n_b.\n"
+    "3. If n_f = n_b the point is illuminated, otherwise it is in the shadow.";
 
 inline constexpr StageInfo kFacingStage = {"facing", "Faces by the sign of N·L", StageKind::swatches, true};
 inline constexpr StageInfo kLightsOffStage = {"lights-off", "Scene with lights off", StageKind::radiance, false};

@@ -125,6 +125,7 @@ void VolumeTechnique::clearAndCount(Frame& frame, int light) {
     }
 }
 
+// [anchor: clear-count]
 void VolumeTechnique::clearCount(Frame& frame, int light) {
     frame.pass(
         passInfo(counting_.passes, "clear-stencil"),
@@ -149,6 +150,7 @@ void VolumeTechnique::count(Frame& frame, const CountPass& pass, int light) {
         passInfo(counting_.passes, pass.id),
         [&] {
             glDepthMask(GL_FALSE);
+            // [anchor: count-one-side]
             if (pass.culled != GL_NONE) {
                 glEnable(GL_CULL_FACE);
                 glCullFace(pass.culled);
@@ -179,6 +181,7 @@ void VolumeTechnique::repair(Frame& frame, int light) {
         light);
 }
 
+// [anchor: light-where-zero]
 void VolumeTechnique::drawLit(Frame& frame, const gl::Program& program, int light) const {
     program.use();
     gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);

@@ -9,23 +9,56 @@ namespace {
 
 const PassInfo kPasses[] = {
     kLightsOffPass,
-    {"clear-stencil", "Clear the stencil buffer", "Each light counts from zero.", "stencil write mask 0xff", true},
-    {"volumes", "Count the volume faces behind each visible point",
-     "Back faces add one and front faces take one where they fail the depth test: what is left is not zero inside a "
-     "volume.",
-     "colour and depth writes off, depth LESS, stencil depth-fail INCR_WRAP (back) and DECR_WRAP (front), depth clamp "
-     "for what reaches infinity",
-     true, "stencil"},
-    {"volumes-back", "Render all volume faces that face away from the viewer",
-     "The stencil goes up by one for each point that fails the depth test.",
-     "colour and depth writes off, cull FRONT, depth LESS, stencil depth-fail INCR_WRAP", true, "stencil-back"},
-    {"volumes-front", "Render all volume faces that face toward the viewer",
-     "The stencil goes down by one for each point that fails the depth test: faces in front and behind cancel.",
-     "colour and depth writes off, cull BACK, depth LESS, stencil depth-fail DECR_WRAP", true, "stencil"},
+    {.id = "clear-stencil",
+     .title = "Clear the stencil buffer",
+     .why = "Each light counts from zero.",
+     .glState = "stencil write mask 0xff",
+     .perLight = true,
+     .pseudocodeLines = {2, 2},
+     .formula = "stencil = 0",
+     .anchors = "clear-count"},
+    {.id = "volumes",
+     .title = "Count the volume faces behind each visible point",
+     .why = "Back faces add one and front faces take one where they fail the depth test: what is left is not zero "
+            "inside a volume.",
+     .glState = "colour and depth writes off, depth LESS, stencil depth-fail INCR_WRAP (back) and DECR_WRAP (front), "
+                "depth clamp for what reaches infinity",
+     .perLight = true,
+     .shownBy = "stencil",
+     .pseudocodeLines = {3, 5},
+     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+                "stencil = n_b - n_f, of the faces behind the point",
+     .anchors = "count-failing extrude"},
+    {.id = "volumes-back",
+     .title = "Render all volume faces that face away from the viewer",
+     .why = "The stencil goes up by one for each point that fails the depth test.",
+     .glState = "colour and depth writes off, cull FRONT, depth LESS, stencil depth-fail INCR_WRAP",
+     .perLight = true,
+     .shownBy = "stencil-back",
+     .pseudocodeLines = {3, 4},
+     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+                "stencil = stencil + 1 where a back face fails the depth test: n_b",
+     .anchors = "count-failing count-one-side extrude"},
+    {.id = "volumes-front",
+     .title = "Render all volume faces that face toward the viewer",
+     .why = "The stencil goes down by one for each point that fails the depth test: faces in front and behind cancel.",
+     .glState = "colour and depth writes off, cull BACK, depth LESS, stencil depth-fail DECR_WRAP",
+     .perLight = true,
+     .shownBy = "stencil",
+     .pseudocodeLines = {5, 5},
+     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+                "stencil = stencil - 1 where a front face fails the depth test: n_f",
+     .anchors = "count-failing count-one-side extrude"},
     kRepairPass,
-    {"light", "Render the scene again with the light turned on, only where the stencil is zero",
-     "As many faces entered as left: the point is outside every volume, so the light sees it.",
-     "colour writes on, depth EQUAL, stencil EQUAL 0, blending ONE ONE", true},
+    {.id = "light",
+     .title = "Render the scene again with the light turned on, only where the stencil is zero",
+     .why = "As many faces entered as left: the point is outside every volume, so the light sees it.",
+     .glState = "colour writes on, depth EQUAL, stencil EQUAL 0, blending ONE ONE",
+     .perLight = true,
+     .pseudocodeLines = {6, 7},
+     .formula = "illuminated if stencil = 0, n_f = n_b\n"
+                "L = L + visibility * color * E * (diffuse / pi + specular * (s + 8) / (8 pi) * (n.h)^s)",
+     .anchors = "light-where-zero shade-light"},
 };
 
 const StageInfo kStages[] = {
@@ -81,6 +114,7 @@ TechniqueInfo zfailInfo() {
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
+        .pseudocode = kStencilSteps,
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ZFail>(); },
     };
 }

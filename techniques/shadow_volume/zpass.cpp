@@ -10,24 +10,56 @@ namespace {
 
 const PassInfo kPasses[] = {
     kLightsOffPass,
-    {"clear-stencil", "Clear the stencil buffer",
-     "Each light counts from zero: taken for granted is that the eye is in no volume.", "stencil write mask 0xff",
-     true},
-    {"volumes", "Count the volume faces between the eye and each visible point",
-     "Front faces add one and back faces take one where they pass the depth test: n_f - n_b is not zero inside a "
-     "volume. Wrong where the eye is in a volume, or the near plane cuts one: the face that was entered is never met.",
-     "colour and depth writes off, depth LESS, stencil depth-pass INCR_WRAP (front) and DECR_WRAP (back)", true,
-     "stencil"},
-    {"volumes-front", "Render all volume faces that face toward the viewer",
-     "n_f: the stencil goes up by one for each that passes the depth test, where a volume is entered.",
-     "colour and depth writes off, cull BACK, depth LESS, stencil depth-pass INCR_WRAP", true, "stencil-front"},
-    {"volumes-back", "Render all volume faces that face away from the viewer",
-     "n_b: the stencil goes down by one for each that passes the depth test, where a volume is left.",
-     "colour and depth writes off, cull FRONT, depth LESS, stencil depth-pass DECR_WRAP", true, "stencil"},
+    {.id = "clear-stencil",
+     .title = "Clear the stencil buffer",
+     .why = "Each light counts from zero: taken for granted is that the eye is in no volume.",
+     .glState = "stencil write mask 0xff",
+     .perLight = true,
+     .formula = "stencil = 0, or with eye-correction the volumes that the eye is in",
+     .anchors = "clear-count"},
+    {.id = "volumes",
+     .title = "Count the volume faces between the eye and each visible point",
+     .why = "Front faces add one and back faces take one where they pass the depth test: n_f - n_b is not zero inside "
+            "a volume. Wrong where the eye is in a volume, or the near plane cuts one: the face that was entered is "
+            "never met.",
+     .glState = "colour and depth writes off, depth LESS, stencil depth-pass INCR_WRAP (front) and DECR_WRAP (back)",
+     .perLight = true,
+     .shownBy = "stencil",
+     .pseudocodeLines = {2, 2},
+     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+                "stencil = n_f - n_b, of the faces before the point",
+     .anchors = "count-passing extrude way-by-z-pass[eye-correction=true]"},
+    {.id = "volumes-front",
+     .title = "Render all volume faces that face toward the viewer",
+     .why = "n_f: the stencil goes up by one for each that passes the depth test, where a volume is entered.",
+     .glState = "colour and depth writes off, cull BACK, depth LESS, stencil depth-pass INCR_WRAP",
+     .perLight = true,
+     .shownBy = "stencil-front",
+     .pseudocodeLines = {2, 2},
+     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+                "stencil = stencil + 1 where a front face passes the depth test: n_f",
+     .anchors = "count-passing count-one-side extrude"},
+    {.id = "volumes-back",
+     .title = "Render all volume faces that face away from the viewer",
+     .why = "n_b: the stencil goes down by one for each that passes the depth test, where a volume is left.",
+     .glState = "colour and depth writes off, cull FRONT, depth LESS, stencil depth-pass DECR_WRAP",
+     .perLight = true,
+     .shownBy = "stencil",
+     .pseudocodeLines = {2, 2},
+     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+                "stencil = stencil - 1 where a back face passes the depth test: n_b",
+     .anchors = "count-passing count-one-side extrude"},
     kRepairPass,
-    {"light", "Render the scene again with the light turned on, only where the stencil is zero",
-     "n_f = n_b: the line from the eye to the point left every volume that it entered, so the point is illuminated.",
-     "colour writes on, depth EQUAL, stencil EQUAL 0, blending ONE ONE", true},
+    {.id = "light",
+     .title = "Render the scene again with the light turned on, only where the stencil is zero",
+     .why = "n_f = n_b: the line from the eye to the point left every volume that it entered, so the point is "
+            "illuminated.",
+     .glState = "colour writes on, depth EQUAL, stencil EQUAL 0, blending ONE ONE",
+     .perLight = true,
+     .pseudocodeLines = {3, 3},
+     .formula = "illuminated if stencil = 0, n_f = n_b\n"
+                "L = L + visibility * color * E * (diffuse / pi + specular * (s + 8) / (8 pi) * (n.h)^s)",
+     .anchors = "light-where-zero shade-light"},
 };
 
 const StageInfo kStages[] = {
@@ -67,6 +99,7 @@ Progress ZPass::render(Frame& frame) {
     return VolumeTechnique::render(frame);
 }
 
+// [anchor: way-by-z-pass]
 Way ZPass::wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster, int light) const {
     const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
     // The eye's own count is known for volumes that end at a plane or nowhere.
@@ -96,6 +129,7 @@ TechniqueInfo zpassInfo() {
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
+        .pseudocode = kZPassSteps,
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ZPass>(); },
     };
 }

@@ -11,13 +11,20 @@ namespace shadowlab::unshadowed {
 namespace {
 
 const PassInfo kPasses[] = {
-    {"lights-off", "Render the scene with all light sources turned off",
-     "Emission and ambient light are counted once, however many lights follow; the depth buffer now knows what is "
-     "visible.",
-     "depth test LESS, depth write on", false},
-    {"light", "Add one light",
-     "Only surfaces that face the light receive it: N.L > 0. Nothing asks whether something else is in the way.",
-     "depth test EQUAL, blending ONE ONE, stencil lets each pixel be lit once", true},
+    {.id = "lights-off",
+     .title = "Render the scene with all light sources turned off",
+     .why = "Emission and ambient light are counted once, however many lights follow; the depth buffer now knows what "
+            "is visible.",
+     .glState = "depth test LESS, depth write on",
+     .formula = "L = emission + ambient * diffuse",
+     .anchors = "lights-off"},
+    {.id = "light",
+     .title = "Add one light",
+     .why = "Only surfaces that face the light receive it: N.L > 0. Nothing asks whether something else is in the way.",
+     .glState = "depth test EQUAL, blending ONE ONE, stencil lets each pixel be lit once",
+     .perLight = true,
+     .formula = "L = L + visibility * color * E * (diffuse / pi + specular * (s + 8) / (8 pi) * (n.h)^s)",
+     .anchors = "shade-light irradiance"},
 };
 
 const StageInfo kStages[] = {

@@ -6,8 +6,10 @@
 #include <fstream>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/gl/shader_text.h"
 #include "techniques/foundation/nearest_names.h"
 
 namespace shadowlab::gl {
@@ -15,18 +17,10 @@ namespace shadowlab::gl {
 namespace {
 
 std::string readText(std::string_view name, const std::string& includedFrom) {
-    if (const char* folder = std::getenv("SHADOWLAB_SHADERS")) {
-        if (std::ifstream file(std::string(folder) + "/" + std::string(name), std::ios::binary); file) {
-            std::ostringstream text;
-            text << file.rdbuf();
-            return text.str();
-        }
-    }
+    if (std::optional<std::string> text = shaderText(name)) return std::move(*text);
     std::vector<std::string> known;
-    for (const EmbeddedShader& shader : embeddedShaders()) {
-        if (shader.name == name) return std::string(shader.text);
+    for (const EmbeddedShader& shader : embeddedShaders())
         known.emplace_back(shader.name);
-    }
     throw Error(ExitStatus::badInput, includedFrom + "includes \"" + std::string(name) + "\", which does not exist; " +
                                           suggestion(name, known));
 }
@@ -65,6 +59,19 @@ struct Resolver {
 };
 
 } // namespace
+
+std::optional<std::string> shaderText(std::string_view name) {
+    if (const char* folder = std::getenv("SHADOWLAB_SHADERS")) {
+        if (std::ifstream file(std::string(folder) + "/" + std::string(name), std::ios::binary); file) {
+            std::ostringstream text;
+            text << file.rdbuf();
+            return text.str();
+        }
+    }
+    for (const EmbeddedShader& shader : embeddedShaders())
+        if (shader.name == name) return std::string(shader.text);
+    return std::nullopt;
+}
 
 ShaderSource shaderSource(std::string_view name, std::span<const std::string> defines,
                           std::span<const Substitution> substitutions) {

@@ -181,6 +181,7 @@ std::optional<dvec3> SceneTracer::blockedAtWorld(const SurfacePoint& point, int 
     return world().originWorld + (ray.originCentred + hit.t * ray.directionCentred);
 }
 
+// [anchor: point-sees-light]
 Visibility SceneTracer::visibility(const SurfacePoint& point, int light, ShadowStart start) const {
     if (!point) return Visibility::noSurface;
     if (!facesLight(point, light)) return Visibility::turnedAway;

@@ -1,0 +1,146 @@
+// The text of a step beside its picture: it is there, it is that of the step, and it follows shaders that are saved.
+// SPDX-License-Identifier: MIT
+#include <cstdlib>
+#include <fstream>
+
+#include "app/session/assets.h"
+#include "app/session/stepping.h"
+#include "app/ui/screen.h"
+#include "techniques/foundation/gl/program.h"
+#include "techniques/foundation/scene/load.h"
+#include "techniques/registry.h"
+#include "tests/foundation/scene/scene_files.h"
+#include "tests/support/gl_fixture.h"
+
+namespace shadowlab {
+namespace {
+
+class SourcePanelTest : public testing::GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        const scene::Snapshot scene =
+            scene::loadScene("three-lights", {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+        desk.emplace(session::newDocument(scene, scene->name));
+        desk->live = false;
+        desk->bench.allowDraft(false);
+        ui::chooseLayout(*desk, session::Layout::single);
+        screen.emplace(*desk, session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+        screen->setPatience(std::chrono::hours(1));
+        screen->fit({960, 540}, 1);
+    }
+    void TearDown() override {
+        screen.reset();
+        desk.reset();
+        GlTest::TearDown();
+    }
+    void show(const std::string& technique, const std::string& stage) {
+        ui::chooseTechnique(*desk, technique);
+        ui::chooseStage(*desk, stage);
+        drawn();
+    }
+    std::vector<std::uint8_t> drawn() {
+        for (int frame = 0; frame < 4; ++frame)
+            screen->frame(1.0 / 30);
+        return session::PictureEncoder::read(screen->picture()).rgba;
+    }
+    std::optional<ui::Desk> desk;
+    std::optional<ui::Screen> screen;
+};
+
+TEST_F(SourcePanelTest, EveryStepOfEveryTechniqueShowsItsLines) {
+    ui::toggleSource(*desk);
+    std::size_t steps = 0;
+    for (const RegisteredTechnique& technique : registeredTechniques()) {
+        if (technique.info->id == "radiosity") continue; // its form factors take long, and it draws no other panel
+        show(std::string(technique.info->id), "");
+        for (const StageKey& pass : std::vector(desk->bench.pane(0).passes())) {
+            show(std::string(technique.info->id), session::passStage(pass, *desk->bench.shownScene()));
+            const session::StepSource& step = screen->stepSource();
+            EXPECT_FALSE(step.pieces.empty()) << technique.info->id << " " << pass.id;
+            EXPECT_TRUE(step.faults.empty()) << step.faults.front();
+            EXPECT_TRUE(screen->messages().empty());
+            ++steps;
+        }
+    }
+    EXPECT_GE(steps, 40u);
+}
+
+TEST_F(SourcePanelTest, ThePictureMakesRoomForItAndTheSettingsToo) {
+    show("planar", "pass:shadows");
+    const int before = screen->pictureSize().x;
+    EXPECT_TRUE(desk->shown.panel);
+    ui::toggleSource(*desk);
+    const std::vector<std::uint8_t> withSource = drawn();
+    EXPECT_FALSE(desk->shown.panel);
+    EXPECT_GE(screen->pictureSize().x, 960 / 2) << "the picture keeps half of the window";
+    desk->requests.scrollSource = 1;
+    EXPECT_NE(drawn(), withSource) << "the text goes on";
+    ui::toggleSource(*desk);
+    drawn();
+    EXPECT_TRUE(desk->shown.panel);
+    EXPECT_EQ(screen->pictureSize().x, before);
+    // In presenter mode settings are away, and stay away when the source goes.
+    ui::togglePresenter(*desk);
+    ui::toggleSource(*desk);
+    ui::toggleSource(*desk);
+    EXPECT_FALSE(desk->shown.panel);
+    ui::togglePresenter(*desk);
+    EXPECT_TRUE(desk->shown.panel);
+}
+
+TEST_F(SourcePanelTest, AShaderThatIsSavedIsShownAsItIsNow) {
+    ui::toggleSource(*desk);
+    show("planar", "pass:shadows");
+    const auto line = [&](const std::string& text) {
+        for (const session::SourcePiece& piece : screen->stepSource().pieces)
+            for (const session::StepLine& one : piece.lines)
+                if (one.isCurrent && one.text.find(text) != std::string::npos) return true;
+        return false;
+    };
+    ASSERT_TRUE(line("void main()"));
+    const scene::TempFolder folder;
+    const auto save = [&](const std::string& text) {
+        folder.write("planar/flatten.vert", text);
+        ::setenv("SHADOWLAB_SHADERS", folder.path().c_str(), 1);
+        gl::reloadShaders(); // as the window does when it notices a saved file
+        desk->bench.drawAnew();
+        drawn();
+    };
+    std::ifstream file(std::filesystem::path(SHADOWLAB_SOURCE_DIR) / "shaders/planar/flatten.vert");
+    const std::string real{std::istreambuf_iterator<char>(file), {}};
+    std::string changed = real;
+    changed.insert(changed.find("    passTexcoord();"), "    // a line that somebody has just written\n");
+    save(changed);
+    EXPECT_TRUE(line("a line that somebody has just written"));
+    EXPECT_TRUE(screen->stepSource().faults.empty());
+    changed.erase(changed.find("// [anchor: flatten]"), 20);
+    save(changed);
+    ASSERT_EQ(screen->stepSource().faults.size(), 1u) << "said in the panel; nothing else stops";
+    EXPECT_TRUE(desk->bench.pane(0).failure().empty());
+    ::unsetenv("SHADOWLAB_SHADERS");
+    gl::reloadShaders();
+    drawn();
+    EXPECT_FALSE(line("a line that somebody has just written"));
+}
+
+TEST_F(SourcePanelTest, ValuesOfThePickedPixelStandBesideTheirNames) {
+    ui::toggleSource(*desk);
+    show("shadow-map", "pass:light");
+    const auto values = [&] {
+        std::string all;
+        for (const session::StepLine& line : screen->stepSource().formula)
+            all += line.values;
+        return all;
+    };
+    EXPECT_EQ(values(), "");
+    desk->bench.pick({0.5, 0.75}); // the floor
+    drawn();
+    EXPECT_NE(values().find("z(u,v) = "), std::string::npos) << values();
+    desk->bench.unpick();
+    drawn();
+    EXPECT_EQ(values(), "");
+}
+
+} // namespace
+} // namespace shadowlab
