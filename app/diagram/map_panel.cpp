@@ -111,8 +111,10 @@ void drawDetail(Svg& svg, const Box& area, const Probe& probe, const scene::Scen
 void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Font& font) {
     const MapProbe& map = *probe.map;
     TextColumn column(svg, area, font);
-    column.heading("Texel " + std::to_string(map.texel.x) + ", " + std::to_string(map.texel.y) + " of map " +
-                   map.layerName);
+    const bool isInside = glm::all(glm::greaterThanEqual(map.texel, ivec2(0))) &&
+                          glm::all(glm::lessThan(map.texel, ivec2(map.resolution)));
+    const std::string texel = std::to_string(map.texel.x) + ", " + std::to_string(map.texel.y);
+    column.heading((isInside ? "Texel " + texel + " of map " : "Outside of map ") + map.layerName);
     column.row("a texel is " + fourDigits(map.texelMetres) + " m wide at the point");
     // What is compared differs from what it stands for by a little: told is the difference, which four digits would hide.
     if (map.stored >= 1) {

@@ -55,6 +55,14 @@ SectionSheet::SectionSheet(const Probe& probe, const scene::Scene& scene, const 
     const double reach = showsEye ? eyeAway : showsLight ? lightAway : size;
     for (const dvec2& place : places)
         if (glm::length(place) <= kFarTimes * reach) all.push_back(place);
+    // What stands near by, but not the ground that it stands on.
+    scene::Scene near = scene;
+    std::erase_if(near.objects, [&](const scene::Object& object) {
+        const scene::Bounds box = scene::boundsWorld(object);
+        return !object.castsShadow || glm::length(box.upperWorld - box.lowerWorld) > reach;
+    });
+    for (const dvec2& place : cut(near, {section_.originWorld, section_.rightWorld, section_.upWorld}))
+        if (glm::length(place) <= reach) all.push_back(place);
     // Some of a way toward what is far away or nowhere, and behind the point, where the line goes on.
     all.push_back(0.45 * reach * light_.toward(dvec2(0.0)));
     all.push_back(0.3 * reach * glm::normalize(eye_));

@@ -26,6 +26,24 @@ double apart(ShadowMapParams::DepthFormat format) {
     return format == ShadowMapParams::DepthFormat::fixed16 ? 4.0 / (1 << 16) : 4.0 / (1 << 24);
 }
 
+void findBounds(const std::array<dvec4, 3>& clip, dvec2& lowerNdc, dvec2& upperNdc) {
+    constexpr double kEverywhere = 1e300;
+    lowerNdc = dvec2(kEverywhere);
+    upperNdc = dvec2(-kEverywhere);
+    for (const dvec4& corner : clip) {
+        if (corner.w <= 0) {
+            lowerNdc = dvec2(-kEverywhere);
+            upperNdc = dvec2(kEverywhere);
+            return;
+        }
+        lowerNdc = glm::min(lowerNdc, dvec2(corner) / corner.w);
+        upperNdc = glm::max(upperNdc, dvec2(corner) / corner.w);
+    }
+    constexpr double kRounding = 1e-12; // of a division: the exact test is still to come
+    lowerNdc -= kRounding;
+    upperNdc += kRounding;
+}
+
 } // namespace
 
 TexelDepths::TexelDepths(const Asked& asked) : scene_(asked.scene), params_(asked.params), rules_(asked.rules) {
@@ -48,6 +66,7 @@ TexelDepths::TexelDepths(const Asked& asked) : scene_(asked.scene), params_(aske
                               .object = caster,
                               .triangle = t,
                               .hasHoles = hasHoles};
+            findBounds(triangle.clip, triangle.lowerNdc, triangle.upperNdc);
             const auto row = [&](std::size_t i) {
                 return dvec3(triangle.clip[i].x, triangle.clip[i].y, triangle.clip[i].w);
             };
@@ -107,6 +126,8 @@ TexelDepth TexelDepths::at(const ivec2& asked) const {
     std::vector<double> own; // of all surfaces, those too that are left out, for the second one
     double nearest = 1e300;
     for (const Triangle& triangle : triangles_) {
+        if (glm::any(glm::lessThan(ndc, triangle.lowerNdc)) || glm::any(glm::greaterThan(ndc, triangle.upperNdc)))
+            continue;
         const auto depth = depthOf(triangle, ndc);
         if (!depth) continue;
         own.push_back(glm::clamp(depth->own, 0.0, 1.0));

@@ -40,6 +40,8 @@ public:
 private:
     struct Triangle {
         std::array<dvec4, 3> clip; ///< the light's
+        /// Around its places in the map, in normalised device coordinates; without end where it reaches behind the light.
+        dvec2 lowerNdc{0.0}, upperNdc{0.0};
         std::size_t object = 0;
         std::uint32_t triangle = 0;
         bool isLeftOut = false; ///< a back face that is not drawn: it counts as a second surface alone

@@ -188,6 +188,69 @@ TEST_F(ProbeTest, ASecondPixelSaysWhichTwoPatchesAreAskedAbout) {
               green.at("exchange"));
 }
 
+// What the numbers say has to agree with the decision, and lists with their sums.
+TEST_F(ProbeTest, TellsWhatDecidedOnTheShadow) {
+    int faces = 0, taps = 0, covers = 0, shadowed = 0;
+    for (const char* pixel : {"640,400", "560,470", "700,520", "500,430", "760,450"}) {
+        for (const char* technique : {"shadow-volume-zpass", "shadow-volume-zfail", "shadow-volume"}) {
+            const Json one = probed({"box.json", "--pixel", pixel, "-t", technique});
+            const Json& volume = one.at("volume");
+            if (volume.is_null()) continue; // background
+            int count = volume.at("start"), before = 0, beyond = 0;
+            for (const Json& face : volume.at("faces")) {
+                ++faces;
+                const int sign = face.at("sign");
+                (face.at("beyond").get<bool>() ? beyond : before) += sign;
+                count += face.at("counted").get<int>();
+                EXPECT_EQ(face.at("part") == "side", face.at("triangle").is_null());
+            }
+            EXPECT_EQ(count, volume.at("count").get<int>());
+            EXPECT_EQ(before, volume.at("zPass").at("n_f").get<int>() - volume.at("zPass").at("n_b").get<int>());
+            EXPECT_EQ(-beyond, volume.at("zFail").at("n_b").get<int>() - volume.at("zFail").at("n_f").get<int>());
+            EXPECT_EQ(before + volume.at("eyeIn").get<int>(), -beyond) << "both ways tell of the same point";
+            shadowed += volume.at("stencil") != 0;
+            EXPECT_TRUE(one.at("map").is_null() && one.at("plane").is_null());
+            EXPECT_TRUE(one.at("decision").at("error").is_null());
+        }
+        const Json map = probed({"box.json", "--pixel", pixel, "-t", "shadow-map"});
+        if (!map.at("map").is_null() && !map.at("map").at("taps").empty()) {
+            double share = 0;
+            for (const Json& tap : map.at("map").at("taps")) {
+                ++taps;
+                EXPECT_EQ(tap.at("lit").get<bool>(),
+                          tap.at("compared").get<double>() <= tap.at("stored").get<double>());
+                share += tap.at("lit").get<bool>() ? tap.at("weight").get<double>() : 0;
+            }
+            if (!map.at("decision").at("turnedAway").get<bool>()) {
+                EXPECT_NEAR(share, map.at("decision").at("visibility").get<double>(), 1e-6);
+            }
+        }
+        const Json plane = probed({"box.json", "--pixel", pixel, "-t", "planar"});
+        if (plane.at("plane").is_null()) continue;
+        for (const Json& cover : plane.at("plane").at("covers")) {
+            ++covers;
+            EXPECT_EQ(cover.at("casts").get<bool>(), cover.at("why").is_null());
+        }
+    }
+    EXPECT_GT(faces, 10);
+    EXPECT_GT(taps, 8);
+    EXPECT_GT(covers, 2);
+    EXPECT_GT(shadowed, 0);
+}
+
+TEST_F(ProbeTest, TheFiguresOfTheShadowAreTheSameEachTime) {
+    for (const char* technique : {"planar", "shadow-map", "shadow-volume"}) {
+        const std::vector<std::string> words{"probe", "box.json", "--pixel",   "700,520",
+                                             "-t",    technique,  "--diagram", "shadow.svg"};
+        succeed(words);
+        const std::string first = fileContent(folder.path() / "shadow.svg");
+        EXPECT_TRUE(first.ends_with("</svg>\n")) << technique;
+        EXPECT_NE(first.find("the plane through eye, light and point"), std::string::npos) << technique;
+        succeed(words, {.environment = {{"SHADOWLAB_THREADS", "1"}}});
+        EXPECT_EQ(fileContent(folder.path() / "shadow.svg"), first) << technique;
+    }
+}
+
 TEST_F(ProbeTest, OfTheSamePatchTwiceThereIsNoPairAndOthersTakeNoNoticeOfASecondPixel) {
     const Json same = probed({"cornell-room", "--pixel", "500,690", "--partner", "500,690", "-t", "radiosity", "--set",
                               "radiosity.patches=60"});
