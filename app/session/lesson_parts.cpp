@@ -69,20 +69,22 @@ void readLook(const JsonObject& top, Lesson& lesson) {
 void readQuestion(const JsonObject& top, Lesson& lesson) {
     const JsonValue* value = top.find("question");
     if (!value) return;
-    const JsonObject keys(top.document(), *value, "the question", {"text", "kind", "choices", "right"});
+    const JsonObject keys(top.document(), *value, "the question", {"text", "kind", "choices", "right", "picture"});
     Question question;
     question.text = shortText(keys, "text", kLongestSentence);
     question.kind = static_cast<Question::Kind>(oneOf(keys, "kind", keys.text("kind", "choice"), {"choice", "mark"}));
     for (const auto& [choice, offset] : texts(keys, "choices"))
         question.choices.push_back(choice);
     if (question.kind == Question::Kind::mark) {
-        for (const char* key : {"choices", "right"})
+        for (const char* key : {"choices", "right", "picture"})
             if (keys.find(key)) keys.fail(key, "is there for \"kind\": \"choice\"; leave it out");
     } else {
         constexpr int kMostChoices = 4;
         const auto count = static_cast<int>(question.choices.size());
         if (count < 2 || count > kMostChoices) keys.fail("choices", "are two to four; write as many");
         question.right = keys.integer("right", 1, count) - 1;
+        question.picture =
+            static_cast<std::size_t>(oneOf(keys, "picture", keys.text("picture", "before"), {"before", "after"}));
     }
     lesson.question = std::move(question);
 }

@@ -79,6 +79,15 @@ TEST_F(LessonDeskTest, KeysGoOnAnswerAndLeave) {
     EXPECT_EQ(lab.desk.bench.document(), before);
 }
 
+TEST_F(LessonDeskTest, AQuestionDoesNotShowItsAnswer) {
+    Lab lab;
+    ui::openLesson(lab.desk, "few-stencil-bits");
+    ASSERT_TRUE(lab.desk.lesson.asksChoice());
+    EXPECT_EQ(lab.desk.bench.document().panes, session::documentOf(lab.desk.lesson.now->states[1]).panes);
+    ui::stepLesson(lab.desk, 1);
+    EXPECT_EQ(lab.desk.bench.document().panes, session::documentOf(lab.desk.lesson.now->states[0]).panes);
+}
+
 TEST_F(LessonDeskTest, NothingOfAShadowIsSeenBeforeItIsPredicted) {
     Lab lab;
     ui::openLesson(lab.desk, "too-short");
