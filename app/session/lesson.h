@@ -62,6 +62,7 @@ struct Question {
         mark,   ///< where the shadow will be, painted on the picture without shadows
     };
     Kind kind = Kind::choice;
+    std::size_t picture = 0; ///< of a choice: the state that is shown while it is asked
     std::string text;
     std::vector<std::string> choices; ///< of a choice
     int right = 0;                    ///< index of the right one

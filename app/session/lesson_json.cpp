@@ -3,8 +3,7 @@
 #include <algorithm>
 
 #include "app/session/capture_words.h"
-#include "app/session/lesson.h"
-#include "app/session/lesson_quantities.h"
+#include "app/session/lesson_parts.h"
 #include "app/session/light_changes.h"
 #include "app/session/settings.h"
 #include "techniques/foundation/nearest_names.h"
@@ -20,49 +19,8 @@ using scene::JsonObject;
 using scene::JsonValue;
 using scene::Range;
 
-// What fits below a picture in type that is read from the last row.
-constexpr std::size_t kLongestTitle = 60, kLongestSentence = 260, kLongestLabel = 40;
 constexpr int kSmallestSide = 16, kLargestSide = 2048; ///< of measured pictures, pixels
 constexpr int kMostLessonFrames = 1000;
-
-/// What is said elsewhere about an option of the command line, said about the place in the file.
-template <typename Do>
-auto saidAt(const JsonDocument& document, std::size_t offset, const Do& what) {
-    try {
-        return what();
-    } catch (const Error& error) {
-        std::string message = error.what();
-        if (message.starts_with("--set: ")) message.erase(0, 7);
-        document.fail(offset, message);
-    }
-}
-
-std::string shortText(const JsonObject& object, std::string_view key, std::size_t longest) {
-    std::string text = object.text(key);
-    if (text.empty()) object.fail(key, "is empty; write it, or leave the lesson out");
-    if (text.size() > longest)
-        object.fail(key, "has " + std::to_string(text.size()) + " characters, and " + std::to_string(longest) +
-                             " fit below a picture; make it shorter");
-    return text;
-}
-
-std::vector<std::pair<std::string, std::size_t>> texts(const JsonObject& object, std::string_view key) {
-    std::vector<std::pair<std::string, std::size_t>> texts;
-    for (const JsonValue& value : object.array(key)) {
-        if (value.kind != JsonValue::Kind::string)
-            object.document().fail(value.offset, "each of \"" + std::string(key) + "\" is a text, and this is " +
-                                                     std::string(scene::describe(value.kind)) + "; put it in quotes");
-        texts.emplace_back(value.string, value.offset);
-    }
-    return texts;
-}
-
-int oneOf(const JsonObject& object, std::string_view key, const std::string& text,
-          const std::vector<std::string>& known) {
-    const auto found = std::ranges::find(known, text);
-    if (found == known.end()) object.fail(key, "is " + scene::inQuotes(text) + "; " + suggestion(text, known));
-    return static_cast<int>(found - known.begin());
-}
 
 /// Reads one lesson. The parts that both states share are at the top of the file, their own ones in "before" and "after".
 class LessonReader {
@@ -87,9 +45,9 @@ public:
         lesson.states[0] = state("before", options);
         lesson.states[1] = state("after", options);
         readMotion(lesson);
-        readLook(lesson);
-        readExpectations(lesson);
-        readQuestion(lesson);
+        readLook(top_, lesson);
+        readExpectations(top_, lesson);
+        readQuestion(top_, lesson);
         return lesson;
     }
 
@@ -196,14 +154,6 @@ private:
             state.slots[i].settings = settingsOf(slots[i]);
     }
 
-    static std::map<std::string, Values> settingsOf(const Slot& slot) {
-        std::map<std::string, Values> settings;
-        for (const params::Param& param : slot.params)
-            if (params::valueText(param) != params::initialText(param))
-                settings[std::string(slot.info->id)][param.id] = params::valueText(param);
-        return settings;
-    }
-
     void readMotion(Lesson& lesson) const {
         const JsonValue* value = top_.find("motion");
         if (!value) return;
@@ -216,111 +166,6 @@ private:
             lesson.motion.orbitCameraDegrees = motion.number("orbitCameraDegrees", turn);
         if (!lesson.motion.orbitLightDegrees && !lesson.motion.orbitCameraDegrees)
             motion.fail("frames", "are all alike; write orbitLightDegrees or orbitCameraDegrees");
-    }
-
-    void readLook(Lesson& lesson) const {
-        for (const JsonValue& value : top_.array("look")) {
-            const JsonObject look(document_, value, "box " + std::to_string(lesson.look.size() + 1), {"box", "label"});
-            const JsonValue& numbers = look.require("box", "[0.4, 0.4, 0.2, 0.2]");
-            const std::string mend = "is not four numbers; write [left, top, width, height] in shares of the picture, "
-                                     "as [0.4, 0.4, 0.2, 0.2]";
-            if (numbers.kind != JsonValue::Kind::array || numbers.items.size() != 4) look.fail("box", mend);
-            std::array<double, 4> box{};
-            for (std::size_t i = 0; i < box.size(); ++i) {
-                if (numbers.items[i].kind != JsonValue::Kind::number) look.fail("box", mend);
-                box[i] = numbers.items[i].number;
-            }
-            const bool inside =
-                box[0] >= 0 && box[1] >= 0 && box[2] > 0 && box[3] > 0 && box[0] + box[2] <= 1 && box[1] + box[3] <= 1;
-            if (!inside)
-                look.fail("box", "reaches beyond the picture, or is empty; its numbers are shares, from 0 to 1");
-            lesson.look.push_back({{box[0], box[1]}, {box[2], box[3]}, shortText(look, "label", kLongestLabel)});
-        }
-        if (lesson.look.empty()) top_.fail("look", R"(is missing or empty; write [{"box": [...], "label": "..."}])");
-    }
-
-    static Bound bound(const JsonObject& expectation, const char* state) {
-        const JsonObject keys(expectation.document(), expectation.require(state, R"({"atLeast": 500})"),
-                              "\"" + std::string(state) + "\" of " + expectation.what(), {"atLeast", "atMost"});
-        Bound bound;
-        if (keys.find("atLeast")) bound.atLeast = keys.number("atLeast", Range{});
-        if (keys.find("atMost")) bound.atMost = keys.number("atMost", Range{});
-        if (!bound.atLeast && !bound.atMost)
-            expectation.fail(state, R"(has no bound; write {"atLeast": NUMBER} or {"atMost": NUMBER})");
-        return bound;
-    }
-
-    void readExpectations(Lesson& lesson) {
-        std::vector<std::string> known;
-        for (const LessonQuantity& quantity : lessonQuantities())
-            known.emplace_back(quantity.id);
-        for (const JsonValue& value : top_.array("expect")) {
-            const JsonObject keys(document_, value, "expectation " + std::to_string(lesson.expectations.size() + 1),
-                                  {"quantity", "slot", "look", "reference", "label", "pixel", "before", "after"});
-            Expectation expected;
-            expected.quantity = keys.text("quantity");
-            const LessonQuantity& quantity =
-                kLessonQuantities[static_cast<std::size_t>(oneOf(keys, "quantity", expected.quantity, known))];
-            const auto slots = static_cast<int>(std::min(lesson.states[0].slots.size(), lesson.states[1].slots.size()));
-            expected.slot = keys.integer("slot", 1, slots, 1) - 1;
-            if (keys.find("look"))
-                expected.look = keys.integer("look", 1, std::max(1, static_cast<int>(lesson.look.size()))) - 1;
-            const bool isFact = quantity.of == LessonQuantity::Of::fact;
-            if (isFact) expected.fact = keys.text("label");
-            if (keys.find("pixel")) expected.pixel = keys.pair("pixel", Range::between(0, 1));
-            if (quantity.of == LessonQuantity::Of::reference) expected.reference = reference(keys);
-            if (quantity.of == LessonQuantity::Of::motion && lesson.motion.frames == 1)
-                keys.fail("quantity", "is about several frames; write a \"motion\"");
-            if (expected.quantity == "crawl" && lesson.motion.orbitLightDegrees)
-                keys.fail("quantity", "is about an eye that moves alone; leave out orbitLightDegrees");
-            for (const char* key : {"reference", "label", "pixel"})
-                if (keys.find(key) && (std::string_view(key) == "reference" ? !expected.reference : !isFact))
-                    keys.fail(key, "has nothing to do with " + scene::inQuotes(expected.quantity) + "; leave it out");
-            expected.before = bound(keys, "before");
-            expected.after = bound(keys, "after");
-            lesson.expectations.push_back(std::move(expected));
-        }
-        if (lesson.expectations.empty())
-            top_.fail("expect", "is missing or empty; write what can be measured of the artefact");
-    }
-
-    PaneState reference(const JsonObject& keys) {
-        const JsonObject object(document_, keys.require("reference", R"({"technique": "ray-traced"})"),
-                                "the reference of " + keys.what(), {"technique", "set"});
-        PaneState pane;
-        pane.technique = object.text("technique");
-        saidAt(document_, object.require("technique", "").offset,
-               [&]() -> const TechniqueInfo& { return findTechnique(pane.technique); });
-        std::vector<Slot> slots = slotsOf({pane});
-        for (const auto& [setting, offset] : texts(object, "set"))
-            saidAt(document_, offset, [&] {
-                applySettings(slots, {setting});
-                return 0;
-            });
-        pane.settings = settingsOf(slots[0]);
-        return pane;
-    }
-
-    void readQuestion(Lesson& lesson) const {
-        const JsonValue* value = top_.find("question");
-        if (!value) return;
-        const JsonObject keys(document_, *value, "the question", {"text", "kind", "choices", "right"});
-        Question question;
-        question.text = shortText(keys, "text", kLongestSentence);
-        question.kind =
-            static_cast<Question::Kind>(oneOf(keys, "kind", keys.text("kind", "choice"), {"choice", "mark"}));
-        for (const auto& [choice, offset] : texts(keys, "choices"))
-            question.choices.push_back(choice);
-        if (question.kind == Question::Kind::mark) {
-            for (const char* key : {"choices", "right"})
-                if (keys.find(key)) keys.fail(key, "is there for \"kind\": \"choice\"; leave it out");
-        } else {
-            constexpr int kMostChoices = 4;
-            const auto count = static_cast<int>(question.choices.size());
-            if (count < 2 || count > kMostChoices) keys.fail("choices", "are two to four; write as many");
-            question.right = keys.integer("right", 1, count) - 1;
-        }
-        lesson.question = std::move(question);
     }
 
     const std::filesystem::path& file_;

@@ -119,6 +119,17 @@ def every_key(window, program):
     check(w.state["picture"] == finished, "a pixel that was let go leaves something", w.state)
     press("next-light")
 
+    def lesson(name, step):
+        return lambda b, a: check(a["lesson"] and (a["lesson"]["name"], a["lesson"]["step"]) == (name, step), f"no {step} of {name}", a)
+    before = w.state["panes"]
+    press("lesson-on", lesson("acne", "artefact"))
+    press("lesson-on", lesson("acne", "mend"))
+    press("lesson-on", lesson("peter-panning", "artefact"))
+    press("lesson-back", lesson("acne", "mend"))
+    press("leave", lambda b, a: check(a["lesson"] is None, "the lesson is still on", a))
+    check([p["technique"] for p in w.state["panes"]] == [p["technique"] for p in before], "what was there before has not come back",
+          w.state)
+
     for action in ("left", "right", "up", "down", "pan-left", "pan-right", "lift", "lower", "fly-left", "fly-right",
                    "fly-forward", "fly-back", "nearer", "farther"):
         press(action, changed("camera"))
