@@ -160,6 +160,17 @@ def keys_table(program):
     return table(["where", "keys", "what they do"], [row[:3] for row in rows])
 
 
+def lessons_table(program):
+    rows = [[code(lesson["name"]), lesson["title"], lesson["happens"].replace("|", "\\|"), lesson["mends"].replace("|", "\\|")]
+            for lesson in program.list("lessons")]
+    return table(["lesson", "title", "what is wrong", "what mends it"], rows)
+
+
+def quantities_table(program):
+    rows = [[code(quantity["quantity"]), quantity["unit"], quantity["help"]] for quantity in program.list("quantities")]
+    return table(["quantity", "unit", "what it is"], rows)
+
+
 def pages_list(program):
     ids = {t["id"] for t in program.techniques}
     first = ["tour", "conventions", "measuring", "pixel", "outside", "source", "sequences", "scene_format", "adding_a_technique"]
@@ -178,7 +189,8 @@ def regenerated(program, path, text):
         name, technique = match.group(2), path.stem
         makers = {"techniques": lambda: techniques_table(program, path.parent), "pages": lambda: pages_list(program),
                   "parameters": lambda: parameters_table(program, technique), "passes": lambda: passes_table(program, technique),
-                  "stages": lambda: stages_table(program, technique), "keys": lambda: keys_table(program)}
+                  "stages": lambda: stages_table(program, technique), "keys": lambda: keys_table(program),
+                  "lessons": lambda: lessons_table(program), "quantities": lambda: quantities_table(program)}
         if name not in makers:
             sys.exit(f"generate.py: {path}: there is no generated part '{name}'; there are {', '.join(makers)}")
         return match.group(1) + "\n" + makers[name]() + "\n" + match.group(3)

@@ -24,12 +24,7 @@ void Frame::useNearPlaneOfView() {
 }
 
 void Frame::useFarPlane() {
-    // Just beyond: the deepest corner of any object's box must not be cut off itself.
-    constexpr double kBeyond = 1.001;
-    double far = 2 * camera_.near;
-    for (const scene::Bounds& box : buffers_.bounds())
-        for (int i = 0; i < 8; ++i)
-            far = std::max(far, -kBeyond * transformPoint(eye_.viewFromWorld, box.corner(i)).z);
+    const double far = scene::farDepth(buffers_.bounds(), eye_.viewFromWorld, camera_.near);
     eye_.clipFromView[2][2] = -(far + camera_.near) / (far - camera_.near);
     eye_.clipFromView[3][2] = -2.0 * far * camera_.near / (far - camera_.near);
 }

@@ -1,5 +1,5 @@
 // What a technique knows about one pixel: facts to print, rays and vectors to draw in the scene; where it follows rays
-// that split, their tree; where patches send each other light, two of them.
+// that split, their tree; where patches send each other light, two of them; of a shadow what decided on it (shadow_probe.h).
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -8,6 +8,7 @@
 
 #include "techniques/foundation/math/types.h"
 #include "techniques/scene_shape.h"
+#include "techniques/shadow_probe.h"
 
 namespace shadowlab {
 
@@ -68,9 +69,14 @@ struct Probe {
     std::vector<Fact> facts;
     std::vector<Segment> geometry;
     std::vector<Node> tree;
-    std::vector<Vector> vectors;        ///< at the end of the eye ray
-    std::optional<Exchange> exchange{}; ///< of a technique in which patches send each other light
-    std::vector<SceneShape> visited;    ///< what of the technique's own structures the eye ray passes through
+    std::vector<Vector> vectors;           ///< at the end of the eye ray
+    std::optional<Exchange> exchange{};    ///< of a technique in which patches send each other light
+    std::optional<LightSection> section{}; ///< that the following are drawn in; none without a light
+    std::optional<Decision> decision{};  ///< of a technique that decides on the spot whether a light reaches the pixel
+    std::optional<VolumeProbe> volume{}; ///< of one that counts faces of volumes
+    std::optional<MapProbe> map{};       ///< of one that asks a depth map
+    std::optional<PlaneProbe> plane{};   ///< of one that flattens casters onto planes
+    std::vector<SceneShape> visited;     ///< what of the technique's own structures the eye ray passes through
 };
 
 /// Six digits, without regard to the locale, and without a sign where there is nothing.

@@ -60,6 +60,8 @@ Probe Technique::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
         probe.geometry.push_back({"shadow ray", hit->positionWorld, end,
                                   truth == trace::Visibility::lit ? Probe::Role::arriving : Probe::Role::blocked,
                                   lightWorld.w == 0});
+        probe.section =
+            lightSection(view.camera.positionWorld, hit->positionWorld, lightWorld, hit->geometricNormalWorld);
     }
     return probe;
 }

@@ -76,6 +76,7 @@ int captureWindow(const CaptureOptions& options) {
     desk.live = false;
     desk.scenes = scene::builtInScenes(session::assetsRoot());
     if (options.presenter) ui::togglePresenter(desk);
+    desk.lesson.all = session::builtInLessons(session::assetsRoot());
     desk.shown.keys = options.keys;
     if (options.source) ui::toggleSource(desk);
     desk.shown.coarse = false;

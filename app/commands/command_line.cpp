@@ -80,6 +80,7 @@ DemoOptions demoOptions(const CLI::App& command) {
     const GivenOptions given(command);
     DemoOptions options;
     options.scene = given.text("SCENE", options.scene);
+    options.lesson = given.text("--lesson");
     if (given.has("--size")) options.size = sizeFrom("--size", given.text("--size"), kLongestSide);
     options.presenter = command.count("--presenter") > 0;
     options.keepSettings = booleanFrom("--keep-settings", given.text("--keep-settings", "true"));
@@ -123,6 +124,7 @@ int run(int argc, char** argv) {
         addCommand(app, "demo", "Opens the window: shadow map and shadow volume on one scene (H there lists all keys)");
     addOption(*demoCommand, "SCENE", "",
               "a built-in name (`list scenes`), a .json scene or an .obj mesh (default still-life)");
+    addOption(*demoCommand, "--lesson", "LESSON", "begins with a lesson (`list lessons`, or a .json file); J goes on");
     addOption(*demoCommand, "--size", "WxH", "of the window (default: as it was the last time, at first 1280x720)");
     demoCommand->add_flag("--presenter")->description("large type and high contrast from the start (D in the window)");
     addOption(*demoCommand, "--keep-settings", "true|false",
@@ -131,10 +133,15 @@ int run(int argc, char** argv) {
         ->description("a line of JSON on standard output for every state that is on screen");
     addOption(*demoCommand, "--allow", "DIR", "a further folder that scenes may take meshes from; may be repeated");
 
+    CLI::App* lessonCommand =
+        addCommand(app, "lesson", "An artefact and what mends it: draws a lesson, or measures whether it holds");
+    describeLesson(*lessonCommand);
+
     CLI::App* listCommand = addCommand(
         app, "list", "What there is: techniques, parameters, stages, scenes, keys of the window, backends, limits");
     addOption(*listCommand, "WHAT", "",
-              "techniques, parameters, stages, source, scenes, decks, lessons, backends, keys or limits");
+              "techniques, parameters, stages, source, scenes, decks, lessons, quantities (of lessons), backends, keys "
+              "or limits");
     listCommand->add_flag("--json")->description("one JSON object instead of lines with tabs");
 
     CLI::App* inspectCommand =
@@ -173,6 +180,7 @@ int run(int argc, char** argv) {
     if (captureCommand->parsed()) return capture(captureOptions(*captureCommand));
     if (measureCommand->parsed()) return measure(measureOptions(*measureCommand));
     if (probeCommand->parsed()) return probe(probeOptions(*probeCommand));
+    if (lessonCommand->parsed()) return lesson(lessonOptions(*lessonCommand));
     if (listCommand->parsed())
         return list({GivenOptions(*listCommand).required("WHAT", "for example shadowlab list techniques"),
                      listCommand->count("--json") > 0});

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/commands/capture_options.h"
+#include "app/commands/lesson_options.h"
 #include "app/commands/measure_options.h"
 #include "app/commands/probe_options.h"
 
@@ -18,6 +19,9 @@ int measure(const MeasureOptions& options);
 
 /// Prints what a technique knows about one pixel to standard output.
 int probe(const ProbeOptions& options);
+
+/// Draws a lesson, measures it, or both. Fails (badInput) when what was measured is not as the lesson says.
+int lesson(const LessonOptions& options);
 
 struct ListOptions {
     std::string what;
@@ -34,7 +38,8 @@ int inspect(const InspectOptions& options);
 
 struct DemoOptions {
     std::string scene = "still-life";
-    ivec2 size{0}; ///< of the window; zero: what it was the last time
+    std::string lesson; ///< to begin with; empty: none
+    ivec2 size{0};      ///< of the window; zero: what it was the last time
     bool presenter = false, keepSettings = true, report = false;
     std::vector<std::filesystem::path> allowed;
 };

@@ -29,12 +29,24 @@ int writeComparison(const DemoOptions& options) {
 } // namespace
 
 int demo(const DemoOptions& options) {
+    if (!context::hasDisplay() && !options.lesson.empty()) {
+        LessonOptions picture;
+        picture.lesson = options.lesson;
+        picture.allowed = options.allowed;
+        picture.output =
+            std::filesystem::current_path() / (std::filesystem::path(options.lesson).stem().string() + "-lesson.png");
+        const int status = lesson(picture);
+        print(picture.output.string() + "\n");
+        note("there is no display for a window; this picture was written instead");
+        return status;
+    }
     if (!context::hasDisplay()) {
         const int status = writeComparison(options);
         if (status == 0) note("there is no display for a window; this picture was written instead");
         return status;
     }
     return ui::runWindow({.scene = options.scene,
+                          .lesson = options.lesson,
                           .size = options.size,
                           .presenter = options.presenter,
                           .keepSettings = options.keepSettings,

@@ -11,6 +11,8 @@
 #include "app/commands/messages.h"
 #include "app/session/assets.h"
 #include "app/session/derived_stages.h"
+#include "app/session/lesson.h"
+#include "app/session/lesson_quantities.h"
 #include "app/session/path.h"
 #include "app/ui/actions.h"
 #include "techniques/foundation/error.h"
@@ -101,6 +103,20 @@ Table filesTable(const std::string& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(session::assetsRoot() / folder, ignored))
         if (entry.path().extension() == ".json") table.rows.push_back({entry.path().stem().string()});
     std::ranges::sort(table.rows);
+    return table;
+}
+
+Table lessonsTable() {
+    Table table{{"name", "title", "happens", "mends"}, {}};
+    for (const session::LessonText& lesson : session::builtInLessons(session::assetsRoot()))
+        table.rows.push_back({lesson.name, lesson.title, lesson.happens, lesson.mends});
+    return table;
+}
+
+Table quantitiesTable() {
+    Table table{{"quantity", "unit", "help"}, {}};
+    for (const session::LessonQuantity& quantity : session::lessonQuantities())
+        table.rows.push_back({std::string(quantity.id), std::string(quantity.unit), std::string(quantity.help)});
     return table;
 }
 
@@ -202,7 +218,8 @@ int list(const ListOptions& options) {
         {"source", sourceTable},
         {"scenes", scenesTable},
         {"decks", [] { return filesTable("decks"); }},
-        {"lessons", [] { return filesTable("lessons"); }},
+        {"lessons", lessonsTable},
+        {"quantities", quantitiesTable},
         {"backends", backendsTable},
         {"keys", keysTable},
         {"limits", limitsTable}};

@@ -21,8 +21,8 @@ std::string diagramOf(const ProbedPixel& probed, const scene::Snapshot& scene) {
                     probed.probe.geometry.empty()
                         ? "--diagram: the pixel shows the background; choose another"
                         : "--diagram: " + probed.technique +
-                              " has no rays or patches to draw there; ask a technique that has, as -t "
-                              "ray-traced or -t radiosity");
+                              " has nothing to draw there; ask another technique, as -t shadow-volume or "
+                              "-t ray-traced");
     const image::Font font(session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
     return diagram::pixelDiagram(probed.probe, *scene, font);
 }

@@ -23,13 +23,14 @@ void describeProbe(CLI::App& command) {
     add("--light", "NAME", "the light that is asked about (default: the first)");
     command.add_flag("--json")->description("one JSON object instead of lines");
     add("--diagram", "OUT.svg",
-        "of ray tracing: draws the pixel's rays, their tree, and the vectors where the first of them ends; of "
-        "radiosity: "
-        "two patches with the angles of their form factor, and the light that the pixel's one sends out");
+        "draws the lecture's figure from that pixel: faces of shadow volumes and their counts, texels of a shadow map, "
+        "or a projected shadow, in the plane through eye, light and point; of ray tracing the pixel's rays and their "
+        "tree; of radiosity two patches with the angles of their form factor");
     add("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     command.footer("Needs no graphics card.\n"
                    "Examples:\n"
                    "  shadowlab probe still-life --pixel 640,360\n"
+                   "  shadowlab probe still-life --pixel 700,420 -t shadow-volume --diagram count.svg\n"
                    "  shadowlab probe mirror-and-glass --pixel 500,420 -t ray-traced --diagram tree.svg\n"
                    "  shadowlab probe cornell-room --pixel 500,690 --partner 300,400 -t radiosity --diagram pair.svg\n"
                    "  shadowlab probe still-life --pixel 640,360 -t shadow-map --set shadow-map.resolution=512 --json");

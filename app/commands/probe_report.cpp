@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/commands/shadow_json.h"
 #include "app/commands/text_table.h"
 #include "techniques/foundation/scene/message_text.h"
 
@@ -138,7 +139,11 @@ std::string probeJson(const ProbedPixel& probed) {
                     {"vectors", vectors},
                     {"rays", rays},
                     {"tree", tree},
-                    {"exchange", exchangeJson(probed.probe)}};
+                    {"exchange", exchangeJson(probed.probe)},
+                    {"decision", decisionJson(probed.probe)},
+                    {"volume", volumeJson(probed.probe)},
+                    {"map", mapJson(probed.probe)},
+                    {"plane", planeJson(probed.probe)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

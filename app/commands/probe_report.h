@@ -21,7 +21,7 @@ struct ProbedPixel {
 std::string probeText(const ProbedPixel& probed);
 
 /// One object, with all digits: {"scene", "technique", "light", "size", "pixel", "partner", "facts", "vectors", "rays",
-/// "tree", "exchange"}.
+/// "tree", "exchange", "decision", "volume", "map", "plane"}.
 std::string probeJson(const ProbedPixel& probed);
 
 } // namespace shadowlab::commands

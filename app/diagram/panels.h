@@ -44,4 +44,10 @@ void writeFormFactor(Svg& svg, const Box& area, const Probe::Exchange& exchange,
 void drawReflector(Svg& svg, const Box& area, const Probe::Exchange& exchange, const dvec3& eyeWorld,
                    const image::Font& font);
 
+/// The figures of the techniques of direct light, in the plane through eye, light and point: of shadow volumes, of a shadow map, of
+/// shadows projected onto a plane. hasSection() must hold, and the probe have the part that is named.
+void drawVolume(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font);
+void drawMap(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font);
+void drawPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font);
+
 } // namespace shadowlab::diagram

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/diagram/panels.h"
+#include "app/diagram/section_sheet.h"
 #include "techniques/foundation/look.h"
 
 namespace shadowlab::diagram {
@@ -13,6 +14,7 @@ namespace shadowlab::diagram {
 namespace {
 
 constexpr double kUpperHeight = 760, kPathsWidth = 1090, kBorder = 24;
+constexpr double kSectionHeight = 1080;                     ///< a slide
 constexpr double kPairHeight = 660, kReflectorHeight = 420; ///< a slide in all
 
 const Stroke kRule{"#bfbfbf", 2, false};
@@ -46,6 +48,24 @@ std::string drawPatchPanels(const Probe& probe, const image::Font& font) {
     return svg.document(probe.exchange->k
                             ? "The form factor of two surfaces, and the radiosity of a Lambertian reflector"
                             : "The radiosity of a Lambertian reflector");
+}
+
+std::string drawSection(const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+    Svg svg({kSheetWidth, kSectionHeight});
+    const Box area{dvec2(kBorder), dvec2(kSheetWidth, kSectionHeight) - 2 * kBorder};
+    if (probe.volume) {
+        drawVolume(svg, area, probe, scene, font);
+        return svg.document(
+            "Shadow volumes in the plane through eye, light and point, and the faces that the eye's line crosses");
+    }
+    if (probe.map) {
+        drawMap(svg, area, probe, scene, font);
+        return svg.document(
+            "The shadow map's texels in the plane through eye, light and point, and those beside the point");
+    }
+    drawPlane(svg, area, probe, scene, font);
+    return svg.document(
+        "The light, the caster, and its shadow on the receiver plane, in the plane through eye, light and point");
 }
 
 } // namespace
@@ -93,9 +113,10 @@ std::string fourDigits(double value) {
     return digits.substr(0, power) + "\u00b710" + raised;
 }
 
-bool canDraw(const Probe& probe) { return !probe.tree.empty() || probe.exchange; }
+bool canDraw(const Probe& probe) { return !probe.tree.empty() || probe.exchange || hasSection(probe); }
 
 std::string pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+    if (hasSection(probe)) return drawSection(probe, scene, font);
     return probe.exchange ? drawPatchPanels(probe, font) : drawTreePanels(probe, scene, font);
 }
 

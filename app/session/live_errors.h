@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/session/background_judge.h"
 #include "app/session/history.h"
@@ -54,7 +55,8 @@ public:
     [[nodiscard]] const History& history() const { return history_; }
     /// Is every pane on show judged exactly?
     [[nodiscard]] bool isDone() const { return done_; }
-    [[nodiscard]] const std::string& failure() const { return failure_; }
+    /// Why the last errors could not be found: said once. Empty: nothing new has failed.
+    [[nodiscard]] std::string takeFailure() { return std::exchange(failure_, {}); }
 
 private:
     static constexpr std::size_t kHistory = 600; ///< samples of the plot: about a minute of moving
@@ -85,7 +87,7 @@ private:
     double lastSubmit_ = 0, restSince_ = 0;
     std::size_t turn_ = 0; ///< whose turn it is while something moves
     bool done_ = false;
-    std::string failure_;
+    std::string failure_; ///< not yet taken
 };
 
 } // namespace shadowlab::session

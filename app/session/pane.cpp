@@ -101,6 +101,7 @@ gl::Texture2D textureOf(const image::Image& image) {
 }
 
 const Stage* Pane::visibility(int light) const {
+    if (!isDrawn_) return nullptr;
     const auto found = std::ranges::find(rendered_.result.stages, StageKey{"visibility", light}, &Stage::key);
     return found == rendered_.result.stages.end() ? nullptr : &*found;
 }
@@ -111,6 +112,7 @@ bool Pane::update(Session& session, const PictureEncoder& encoder, const PaneReq
     if (request == drawnFor_ && answered && timed && (converged_ || !failure_.empty())) return false;
     // Asked for before the work: what failed is not tried again until something changes.
     const bool sizeChanged = request.view.size != drawnFor_.view.size;
+    isDrawn_ = isDrawn_ && request == drawnFor_;
     drawnFor_ = request;
     timed_ = work.timePasses;
     failure_ = failureOf([&] { draw(session, encoder, request, work); });
@@ -167,6 +169,7 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     }
     drawn_ = request.state;
     rendered_ = std::move(rendered);
+    isDrawn_ = true;
 }
 
 /// False when the technique was not ready in time.

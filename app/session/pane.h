@@ -103,6 +103,7 @@ private:
     PanePicture picture_;
     RenderedFrame rendered_; ///< of the picture
     PaneRequest drawnFor_;
+    bool isDrawn_ = false; ///< rendered_ is of drawnFor_, and not of what was asked for before
     std::vector<StageKey> passes_;
     PaneState drawn_; ///< of the picture
     std::string failure_;

@@ -1,10 +1,7 @@
 // Reads a path with the readers of the scene file: the same keys, the same ranges, the same words.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <map>
-
+#include "app/session/light_changes.h"
 #include "app/session/path.h"
-#include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/message_text.h"
 #include "techniques/foundation/scene/scene_json.h"
 
@@ -15,34 +12,6 @@ namespace {
 using scene::JsonDocument;
 using scene::JsonObject;
 using scene::JsonValue;
-
-/// The light that `changes` names.
-std::size_t lightNamed(const JsonObject& changes, const std::vector<scene::Light>& lights) {
-    const std::string name = changes.text("name");
-    const auto found = std::ranges::find(lights, name, &scene::Light::name);
-    if (found != lights.end()) return static_cast<std::size_t>(found - lights.begin());
-    std::vector<std::string> known;
-    for (const scene::Light& light : lights)
-        known.push_back(light.name);
-    changes.fail("name", "is " + scene::inQuotes(name) + ", and the scene has no such light; " +
-                             (known.empty() ? "it has no lights" : suggestion(name, known)));
-}
-
-void readLights(const JsonObject& key, std::vector<scene::Light>& lights) {
-    std::map<std::size_t, std::size_t> offsetOfLight;
-    int count = 0;
-    for (const JsonValue& value : key.array("lights")) {
-        const JsonObject changes(key.document(), value, "light " + std::to_string(++count) + " of " + key.what(),
-                                 {"name", "position", "direction", "coneDegrees", "edgeDegrees", "edgeU", "edgeV",
-                                  "radius", "color", "intensity"});
-        const std::size_t light = lightNamed(changes, lights);
-        const auto [earlier, isNew] = offsetOfLight.emplace(light, value.offset);
-        if (!isNew)
-            changes.fail("name", "is " + scene::inQuotes(lights[light].name) + " again, first at " +
-                                     key.document().place(earlier->second) + "; write the light once in a key");
-        lights[light] = scene::readChangedLight(scene::NumberRanges{}, changes, lights[light]);
-    }
-}
 
 /// Half way between unit vectors within a millionth of a radian of opposite, there is nothing but rounding errors.
 bool areOpposite(const dvec3& a, const dvec3& b) { return glm::length(glm::normalize(a) + glm::normalize(b)) < 1e-6; }
@@ -94,7 +63,7 @@ Path parsePath(const std::string& text, const std::filesystem::path& file, const
         if (const JsonValue* camera = key.find("camera"))
             state.camera = scene::readCamera(scene::NumberRanges{}, document, *camera, "the camera of " + key.what(),
                                              state.camera);
-        readLights(key, state.lights);
+        readLightChanges(key, state.lights);
         keys.push_back({frame, state});
         if (keys.size() > 1) checkWay(document, value.offset, keys[keys.size() - 2], keys.back());
     }

@@ -223,6 +223,15 @@ void Workbench::showScene(scene::Snapshot scene, std::string sceneName) {
     shown_ = document_.scene;
 }
 
+void Workbench::showDocument(Document document) {
+    history_.remember(document_, "");
+    animation_.playing = false;
+    animation_.seconds = 0;
+    unpick();
+    document_ = std::move(document);
+    shown_ = document_.scene;
+}
+
 void Workbench::play(bool playing) {
     if (playing == animation_.playing) return;
     if (playing) {

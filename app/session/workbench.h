@@ -96,6 +96,9 @@ public:
     /// Another scene in place of this one; layout, techniques and settings stay.
     void showScene(scene::Snapshot scene, std::string sceneName);
 
+    /// All of it in place of what is there, as a step of a lesson asks for it.
+    void showDocument(Document document);
+
     void play(bool playing);
     void setAnimation(const std::function<void(Animation&)>& edit) { edit(animation_); }
     /// Lets time go by.

@@ -23,6 +23,7 @@ constexpr double kTurnDegrees = 3, kPanShare = 0.04, kZoomFactor = 0.92, kFlySha
                  kSplitShare = 0.02;
 
 void technique(Desk& desk, std::size_t number) {
+    if (desk.lesson.asksChoice()) return answer(desk, static_cast<int>(number));
     const auto all = registeredTechniques();
     if (number < all.size()) chooseTechnique(desk, all[number].info->id);
 }
@@ -114,6 +115,8 @@ void leave(Desk& desk) {
         desk.bench.unpickPartner();
     else if (desk.bench.document().picked)
         desk.bench.unpick();
+    else if (desk.lesson.isOn())
+        leaveLesson(desk);
     else if (!desk.bench.activeState().stage.empty())
         chooseStage(desk, "");
     else
@@ -189,6 +192,11 @@ const Action kActions[] = {
      GLFW_KEY_X, false, true, false, [](Desk& d) { d.requests.pickPartner = true; }},
     {"next-light", "Steps and stages", "L", "stages and errors are about the next light", GLFW_KEY_L, false, false,
      false, nextLight},
+
+    {"lesson-on", "Steps and stages", "J", "lessons: the artefact, its mend, the next lesson", GLFW_KEY_J, false, false,
+     false, [](Desk& d) { stepLesson(d, 1); }},
+    {"lesson-back", "Steps and stages", "Shift+J", "lessons: one step back", GLFW_KEY_J, false, true, false,
+     [](Desk& d) { stepLesson(d, -1); }},
 
     {"left", "Camera, lights and objects", "Left", "around to the left; or moves what is selected", GLFW_KEY_LEFT,
      false, false, true, [](Desk& d) { arrows(d, -1, 0); }},
@@ -267,8 +275,8 @@ const Action kActions[] = {
     {"reset-settings", "Window", "R", "the technique's own settings", GLFW_KEY_R, false, false, false, resetSettings},
     {"reload-shaders", "Window", "F5", "compiles all shaders anew", GLFW_KEY_F5, false, false, false,
      [](Desk& d) { d.requests.reloadShaders = true; }},
-    {"leave", "Window", "Esc", "out of the list, messages, the selection, the picked pixel, the stage", GLFW_KEY_ESCAPE,
-     false, false, false, leave},
+    {"leave", "Window", "Esc", "out of the list, messages, the selection, the picked pixel, the lesson, the stage",
+     GLFW_KEY_ESCAPE, false, false, false, leave},
     {"quit", "Window", "Ctrl+Q", "ends the program", GLFW_KEY_Q, true, false, false,
      [](Desk& d) { d.requests.quit = true; }},
 };

@@ -8,6 +8,7 @@
 #include "app/session/derived_stages.h"
 #include "app/session/stepping.h"
 #include "app/ui/error_panel.h"
+#include "app/ui/lesson_panel.h"
 #include "app/ui/parameter_panel.h"
 #include "app/ui/pixel_panel.h"
 #include "techniques/registry.h"
@@ -279,6 +280,7 @@ void sidePanel(Desk& desk, const session::LiveErrors& errors, const Area& area, 
     techniquePart(desk);
     stagePart(desk);
     pixelPanel(desk);
+    lessonList(desk);
     if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) parameterPanel(desk, theme);
     if (ImGui::CollapsingHeader("Errors", ImGuiTreeNodeFlags_DefaultOpen)) {
         errorTable(desk, errors);

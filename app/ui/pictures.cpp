@@ -11,6 +11,7 @@
 #include "app/session/camera_control.h"
 #include "app/ui/gizmo.h"
 #include "app/ui/legend.h"
+#include "app/ui/lesson_marks.h"
 #include "app/ui/widget_renderer.h"
 
 namespace shadowlab::ui {
@@ -162,13 +163,15 @@ void drawPane(ImDrawList& list, Desk& desk, const session::LiveErrors& errors, S
             drawFitted(list, texture, shown.area);
         legend = true;
     }
-    drawGizmos(list, desk, shown, theme); // under the plates: a title has to be read, a handle can be moved
+    if (!desk.lesson.isOn())
+        drawGizmos(list, desk, shown, theme); // under the plates: a title has to be read, a handle can be moved
     drawPicked(list, desk, shown, theme);
     if (legend) shown.legendSize = drawLegend(list, pane.picture(), false, shown.area.corner, shown.area.size, theme);
     const bool active = shown.pane == document.active && document.layout != Layout::single;
     // Clear of the split line, half of which lies on the pane to its right.
     const float beside = hasSplitLine(desk) && shown.area.corner.x > 0 ? kHalfSplitLine : 0;
     drawPlate(list, {low.x + beside, low.y}, high.x - low.x - beside, title, theme, active);
+    drawLessonMarks(list, desk, shown, theme);
     drawNote(list, shown, noteOf(desk, pane), pane.failure().empty() ? kPlateText : kAccent, theme);
     list.PopClipRect();
 }

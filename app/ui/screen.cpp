@@ -7,6 +7,8 @@
 #include "app/ui/actions.h"
 #include "app/ui/gizmo.h"
 #include "app/ui/key_overlay.h"
+#include "app/ui/lesson_marks.h"
+#include "app/ui/lesson_panel.h"
 #include "app/ui/magnifier.h"
 #include "app/ui/panels.h"
 #include "app/ui/strip_panel.h"
@@ -62,6 +64,7 @@ Area Screen::pictureArea() const {
     const int right = desk_.shown.panel ? static_cast<int>(panelWidth(theme_, size_.x)) : 0;
     const int width = std::max(0, size_.x - right - sourceWidth());
     const auto bottom = static_cast<int>(stepPanelHeight(desk_, theme_, static_cast<float>(width)) +
+                                         lessonPanelHeight(desk_, theme_, static_cast<float>(width)) +
                                          (desk_.shown.strip ? stripHeight(theme_) : 0));
     return {{0, top}, glm::max(ivec2(0), ivec2(width, size_.y - top - bottom))};
 }
@@ -85,8 +88,10 @@ bool Screen::frame(double seconds) {
 
     const Area area = pictureArea();
     panes_ = ui::shownPanes(desk_, area, clock_);
-    const bool held = handleGizmos(desk_, panes_, theme_);
-    const bool moved = handleMouse(desk_, panes_, area, theme_) || held;
+    const bool painting = desk_.lesson.paints(); // then the mouse is a brush
+    const bool painted = handlePainting(desk_, panes_);
+    const bool held = !painting && handleGizmos(desk_, panes_, theme_);
+    const bool moved = !painting && (handleMouse(desk_, panes_, area, theme_) || held);
     desk_.pressedAt.reset();
     desk_.bench.setMoving(moved);
     desk_.bench.allowDraft(desk_.shown.coarse);
@@ -104,9 +109,10 @@ bool Screen::frame(double seconds) {
     const bool drawn = desk_.bench.update(area.size, std::chrono::steady_clock::now() + patience_);
     if (drawn && !timed) drawn_ = clock_;
     const bool judged = errors_.update(desk_.bench, area.size, clock_);
-    if (!errors_.failure().empty()) complain("errors cannot be found: " + errors_.failure());
+    if (const std::string failure = errors_.takeFailure(); !failure.empty())
+        complain("errors cannot be found: " + failure);
     const bool small = updateStrip();
-    busy_ = drawn || moved || judged || small || !ran_.empty() || !desk_.bench.isAtRest();
+    busy_ = drawn || moved || painted || judged || small || !ran_.empty() || !desk_.bench.isAtRest();
     settled_ = !busy_ && errors_.isDone();
 
     drawPictures(desk_, errors_, panes_, area, theme_);
@@ -146,6 +152,11 @@ void Screen::drawWidgets() {
     if (desk_.shown.panel)
         sidePanel(desk_, errors_, {{besidePictures, top}, {size_.x - besidePictures, size_.y - top}}, theme_);
     int below = pictures.corner.y + pictures.size.y;
+    if (desk_.lesson.isOn()) {
+        const auto height = static_cast<int>(lessonPanelHeight(desk_, theme_, static_cast<float>(pictures.size.x)));
+        lessonPanel(desk_, {{0, below}, {pictures.size.x, height}}, theme_);
+        below += height;
+    }
     if (isStepping(desk_)) {
         const auto height = static_cast<int>(stepPanelHeight(desk_, theme_, static_cast<float>(pictures.size.x)));
         stepPanel(desk_, {{0, below}, {pictures.size.x, height}}, theme_);

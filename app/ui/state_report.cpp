@@ -72,6 +72,13 @@ std::string stateReport(Desk& desk, const Screen& screen) {
                           {"technique", picked.askedFor.state.technique},
                           {"facts", picked.probe.facts.size()},
                           {"rays", picked.probe.tree.size()}};
+    json["lesson"] = nullptr;
+    if (desk.lesson.now) {
+        constexpr const char* kSteps[] = {"question", "reveal", "artefact", "mend"};
+        json["lesson"] = {{"name", desk.lesson.now->text.name}, {"step", kSteps[static_cast<int>(desk.lesson.step)]}};
+        if (desk.lesson.score)
+            json["lesson"]["score"] = {desk.lesson.score->paintedRight(), desk.lesson.score->shadowFound()};
+    }
     json["playing"] = desk.bench.animation().playing;
     json["moves"] = {{"lights", desk.bench.animation().lights},
                      {"camera", desk.bench.animation().camera},

@@ -47,7 +47,9 @@ public:
           memory_(settings.keepSettings ? session::readWindowMemory(session::windowMemoryFile())
                                         : session::WindowMemory{}),
           loader_(loading) {
-        const scene::Snapshot first = scene::loadScene(settings.scene, loading); // before a window flashes up
+        // Before a window flashes up.
+        const scene::Snapshot first = scene::loadScene(settings.scene, loading);
+        if (!settings.lesson.empty()) static_cast<void>(session::loadLesson(settings.lesson, loading));
         const ivec2 size = settings.size.x > 0 ? settings.size : memory_.size;
         context_ = context::createWindowContext(
             {.width = size.x, .height = size.y, .title = "Shadowlab", .visible = true, .debug = false});
@@ -55,6 +57,8 @@ public:
         glfwSwapInterval(1);
         desk_.emplace(session::newDocument(first, settings.scene));
         desk_->scenes = scene::builtInScenes(session::assetsRoot());
+        desk_->lesson.all = session::builtInLessons(session::assetsRoot());
+        desk_->lesson.loading = loading;
         desk_->shown.panel = memory_.panel;
         desk_->shown.strip = memory_.strip;
         desk_->shown.handles = memory_.handles;
@@ -76,6 +80,7 @@ public:
             auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
             if (action == GLFW_PRESS) self.desk_->pressedAt = self.cursor_ * self.pixelsPerPoint_;
         });
+        if (!settings.lesson.empty()) openLesson(*desk_, settings.lesson);
         ImGui_ImplGlfw_InitForOpenGL(window_, true); // it calls what was set before it
     }
     ~Window() { ImGui_ImplGlfw_Shutdown(); }
@@ -154,6 +159,8 @@ private:
             screen_->withdraw("loading ");
             if (loaded->scene) {
                 desk_->selection = {};
+                desk_->lesson.now.reset(); // whoever chooses a scene has left the lesson
+                desk_->lesson.earlier.reset();
                 desk_->bench.showScene(loaded->scene, loaded->nameOrPath);
                 for (const std::string& note : loaded->scene->notes)
                     screen_->say(note);

@@ -68,6 +68,7 @@ std::vector<SceneShape> Planar::shapes(const scene::Snapshot& snapshot, const Vi
         addFace(one, *snapshot, outline, area);
     std::vector<SceneShape> shapes = {outline, area};
     if (light < 0 || light >= static_cast<int>(snapshot->lights.size())) return shapes;
+    if (view.picked) return shapes; // the probe tells of the one ray that matters
 
     // Rays onto one plane only, or nothing could be told apart: the one that the eye sees lit and most rays end on.
     const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->lights[static_cast<std::size_t>(light)]);

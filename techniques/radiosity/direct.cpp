@@ -14,25 +14,15 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
-#include "techniques/foundation/error.h"
 #include "techniques/radiosity/solver_kinds.h"
 
 namespace shadowlab::radiosity {
 
 namespace {
 
-Problem smallEnough(Problem problem) {
-    if (problem.exchange.size() > kMostPatchesDirect)
-        throw Error(ExitStatus::overLimit, "radiosity: the direct solver takes at most " +
-                                               std::to_string(kMostPatchesDirect) + " patches, and there are " +
-                                               std::to_string(problem.exchange.size()) +
-                                               "; choose conjugate-gradients, or larger patches");
-    return problem;
-}
-
 class Direct final : public IterateSolver {
 public:
-    explicit Direct(Problem problem) : IterateSolver(smallEnough(std::move(problem))) {
+    explicit Direct(Problem problem) : IterateSolver(std::move(problem)) {
         const std::vector<dvec3> emission = iterate_.problem().emission;
         iterate_.add(emission, iterate_.reflected(emission));
     }

@@ -76,6 +76,7 @@ bool KeptRoom::advance(const scene::Snapshot& snapshot, const RadiosityParams& p
     lookedAt_ = params;
     deadline = std::max(deadline, std::chrono::steady_clock::now() + kLeastWork);
     if (!room_->advance(deadline)) return false;
+    requireFew(params.solver, room_->patches().size());
     do {
         if (!findFormFactors(params, deadline) || !advanceLights(deadline)) return false;
     } while (refineOn());

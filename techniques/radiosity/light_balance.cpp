@@ -39,9 +39,11 @@ Problem LightBalance::problem() const {
     return problem;
 }
 
-void LightBalance::restart(const PreparedExchange& exchange, const Sources& sources, SolverKind solver) {
+void LightBalance::restart(const PreparedExchange& exchange, const Sources& sources, SolverKind solver,
+                           bool showsEstimate) {
     exchange_ = &exchange;
     sources_ = &sources;
+    showsEstimate_ = showsEstimate;
     solver_.reset();
     if (!exchange.areas.empty()) solver_ = makeSolver(solver, problem());
     isFinished_ = false;
@@ -69,14 +71,22 @@ bool LightBalance::advance(const Until& until, std::size_t most, std::chrono::st
 }
 
 const EnergyBalance& LightBalance::energy() const {
-    if (!energy_) energy_ = energyBalance(problem(), solver_->radiosity());
+    if (energy_) return *energy_;
+    energy_ = energyBalance(problem(), solver_->radiosity());
+    // In the equations a patch emits what it reflects of the light that no patch sent. The rest of that light is absorbed at once.
+    for (std::size_t i = 0; i < exchange_->areas.size(); ++i) {
+        const dvec3 lost = exchange_->areas[i] * (1.0 - sources_->reflectance[i]) * sources_->irradiance(i);
+        energy_->emitted += lost;
+        energy_->absorbed += lost;
+    }
     return *energy_;
 }
 
 void LightBalance::show() {
     ++version_;
     energy_.reset();
-    radiosity_ = solver_ ? solver_->shown() : std::vector<dvec3>{};
+    radiosity_.clear();
+    if (solver_) radiosity_ = showsEstimate_ ? solver_->shown() : solver_->radiosity();
     for (std::size_t i = radiosity_.size(); i < sources_->size(); ++i)
         radiosity_.push_back(sources_->first(i));
 }

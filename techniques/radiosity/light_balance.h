@@ -35,8 +35,10 @@ Sources sourcesOf(const Room& room, std::span<const DirectLight* const> lights, 
 /// The radiosity of every patch, found step by step.
 class LightBalance {
 public:
-    /// Begins anew. Error (badInput) where there is no solution. Everything must live as long.
-    void restart(const PreparedExchange& exchange, const Sources& sources, SolverKind solver);
+    /// Begins anew. Error (badInput) where there is no solution. Everything must live as long. `showsEstimate`: radiosity() is the
+    /// solver's guess of what it will be (while shooting with the ambient term), else what has been found so far.
+    void restart(const PreparedExchange& exchange, const Sources& sources, SolverKind solver,
+                 bool showsEstimate = true);
 
     struct Until {
         double tolerance = 1e-4; ///< of the largest radiosity
@@ -50,9 +52,10 @@ public:
     [[nodiscard]] const Solver* solver() const { return solver_.get(); }
     /// Another number whenever a step was made, or all has begun anew.
     [[nodiscard]] std::uint64_t version() const { return version_; }
-    /// Where the power goes. Found when first asked for after a step.
+    /// Where the power goes that the patches emit and that lights and surroundings send them. Found when first asked for after a
+    /// step.
     [[nodiscard]] const EnergyBalance& energy() const;
-    /// B_i of every patch, W/m^2, to be shown: while shooting with the ambient term.
+    /// B_i of every patch, W/m^2, to be shown.
     [[nodiscard]] const std::vector<dvec3>& radiosity() const { return radiosity_; }
     /// H_i of every patch, what arrives from lights, from outside and from the radiosities so far, W/m^2.
     [[nodiscard]] std::vector<dvec3> irradiance() const;
@@ -72,6 +75,7 @@ private:
     const PreparedExchange* exchange_ = nullptr;
     const Sources* sources_ = nullptr;
     std::unique_ptr<Solver> solver_;
+    bool showsEstimate_ = true;
     bool isOneByOne_ = false; ///< its steps are single shots, not sweeps
     std::vector<dvec3> radiosity_;
     bool isFinished_ = false;

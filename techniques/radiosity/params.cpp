@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/radiosity/params.h"
 
+#include <cmath>
+
 namespace shadowlab::radiosity {
 
 namespace {
@@ -11,6 +13,21 @@ constexpr int kMostSteps = 1000000;
 constexpr int kMostRounds = 8;       // each has half as many patches again: the budget is used up by then
 constexpr int kMostPoints = 4000000; // 64 MB for each light
 
+/// A number out of 'least, twice that, ... most'. Half of a hemicube's side is a face's height, so an odd one cannot be.
+params::Param powerOfTwo(std::string id, int& field, int least, int most, std::string help) {
+    params::Param param;
+    param.id = std::move(id);
+    param.help = std::move(help);
+    param.kind = params::Kind::choice;
+    for (int value = least; value <= most; value *= 2)
+        param.choices.push_back(std::to_string(value));
+    param.maximum = static_cast<double>(param.choices.size()) - 1;
+    param.get = [&field, least] { return std::log2(field / least); };
+    param.set = [&field, least](double index) { field = least << static_cast<int>(index); };
+    param.initial = param.get();
+    return param;
+}
+
 } // namespace
 
 params::ParamList describe(RadiosityParams& p) {
@@ -19,8 +36,9 @@ params::ParamList describe(RadiosityParams& p) {
     const auto hasLightMap = [&p] { return p.display == RadiosityParams::Display::lightMap; };
     return {
         params::integer("patches", p.patches, 6, kMostPatches, "patches",
-                        "At most so many, as far as the scene's faces allow; meshes of more triangles are simplified "
-                        "for the exchange of light. Time and memory grow with the square."),
+                        "At most so many, as far as the scene's faces allow; meshes that would take "
+                        "more than six tenths of them are simplified for the exchange of light. Time and memory grow "
+                        "with the square."),
         params::boolean("cut-at-contacts", p.cutAtContacts,
                         "Patches end where other things stand on them; false: light leaks under walls (teaching)."),
         onlyIf(
@@ -35,8 +53,8 @@ params::ParamList describe(RadiosityParams& p) {
         params::choice("form-factors", p.formFactors, {"analytic", "hemicube"},
                        "Closed forms and Lambert's polygon formula, with lines between patches that see each other in "
                        "part; or drawn from the centre of each patch onto half a cube (Cohen and Greenberg 1985)."),
-        onlyIf(hasHemicube, params::integer("hemicube-side", p.hemicubeSide, 8, 1024, "pixels",
-                                            "Along an edge of the hemicube's upper face.")),
+        onlyIf(hasHemicube, powerOfTwo("hemicube-side", p.hemicubeSide, 8, 1024,
+                                       "Pixels along an edge of the hemicube's upper face.")),
         params::boolean("scale-rows", p.scaleRows,
                         "Form factors are scaled, symmetrically, until rows sum to 1 in a closed room, or to no more "
                         "than 1 in an open scene; by how much they change is said."),
@@ -53,6 +71,11 @@ params::ParamList describe(RadiosityParams& p) {
         params::integer("steps-per-picture", p.stepsPerPicture, 0, kMostSteps, "steps",
                         "So many steps between two pictures of the window: the room brightens while one looks on; "
                         "0: as many as there is time for."),
+        onlyIf(
+            [&p] { return p.solver == SolverKind::shooting; },
+            params::boolean("ambient-term", p.ambientTerm,
+                            "While shooting, what is still unshot is shown as if it were everywhere alike (Cohen and "
+                            "others 1988); false: the room brightens shot by shot.")),
         params::choice("display", p.display, {"flat", "interpolated", "light-map"},
                        "One radiosity for each patch; interpolated between corners of patches; the same, but with the "
                        "light that comes straight from lights found at many points of each patch."),

@@ -24,6 +24,7 @@ struct RadiosityParams {
     SolverKind solver = SolverKind::conjugateGradients;
     double tolerance = 1e-4;
     int steps = 0, stepsPerPicture = 0;
+    bool ambientTerm = true;
 
     // How it is shown.
     enum class Display { flat, interpolated, lightMap } display = Display::lightMap;

@@ -112,7 +112,9 @@ void describePatch(const KeptRoom& kept, const Sources& sources, const LightBala
     const std::size_t exchanging = kept.room().patches().size();
     const dvec3 radiosity = balance.radiosity()[j], arriving = balance.irradiance()[j];
     const dvec3 fromPatches = arriving - sources.irradiance(j);
-    probe.facts.push_back(probeCount("j: patch", j, "of " + std::to_string(sources.size())));
+    probe.facts.push_back(probeCount("j: patch", j,
+                                     j < exchanging ? "of " + std::to_string(exchanging) + " that exchange light"
+                                                    : "which exchanges light with no other"));
     probe.facts.push_back(probeFact("dA_j", patch.area, "m^2"));
     probe.facts.push_back(probeFact("E, emitted", sources.emission[j], "W/m^2"));
     probe.facts.push_back(probeFact("rho, reflected share", sources.reflectance[j]));

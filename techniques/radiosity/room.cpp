@@ -10,8 +10,13 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Of what a patch under a thing sees, so much is the thing's inside; a ray or two of those that begin at its very edge may slip past.
+// Patches are cut where bodies stand on them or pierce them, so all of a patch lies in a body or nothing, but for rounding. Where they
+// are not cut, what is half outside stays.
 constexpr double kCovered = 0.95;
+
+// Of a mesh that was made coarser, what lies nearer than this share of a cell's side has come that near by it: two walls, two leaves.
+// Patches that see as good as nothing else are in a fold that the true mesh does not have.
+constexpr double kFold = 0.5, kNothingElse = 0.95;
 
 // Of the budget, what the faces of curved meshes may take at most: the flat ones have to be cut as well.
 constexpr double kShareOfFaces = 0.6;
@@ -58,6 +63,7 @@ void Room::simplify() {
 
 void Room::cut() {
     sides_ = sidesOf(*simple_->scene, world_, plain_, settings_.lightWithin);
+    bodies_.emplace(*bvh_, world_, sides_.isClosed);
     Faces loose;
     exchangingFaces_.ofTriangle = sides_.faces.ofTriangle;
     for (std::size_t i = 0; i < sides_.faces.all.size(); ++i)
@@ -67,7 +73,8 @@ void Room::cut() {
     for (Patch& patch : allPatches_)
         patch.face += static_cast<std::uint32_t>(sides_.exchanging);
     surroundings_.resize(patches_.size());
-    inside_.resize(patches_.size());
+    inBodies_.resize(patches_.size());
+    folded_.resize(patches_.size());
 }
 
 double Room::cutWithinBudget() {
@@ -85,9 +92,13 @@ double Room::cutWithinBudget() {
 }
 
 void Room::lookAround(std::size_t patch) {
-    const Seen seen = radiosity::lookAround(tracer_, sides_, patches_[patch]);
+    const std::uint32_t object = faceOf(patches_[patch]).object;
+    const bool isCoarse = !simple_->cornersOfObject[object].empty();
+    const Seen seen =
+        radiosity::lookAround(tracer_, *bodies_, patches_[patch], object, isCoarse ? kFold * simple_->cellMetres : 0);
     surroundings_[patch] = seen.nothing;
-    inside_[patch] = seen.insides;
+    inBodies_[patch] = seen.inBodies;
+    folded_[patch] = seen.folds;
 }
 
 std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements) {
@@ -96,7 +107,8 @@ std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements)
     patches_ = std::move(cut.patches);
     levels_ = std::move(cut.level);
     surroundings_.assign(patches_.size(), 0.0);
-    inside_.assign(patches_.size(), 0.0);
+    inBodies_.assign(patches_.size(), 0.0);
+    folded_.assign(patches_.size(), 0.0);
     trace::parallelFor(patches_.size(), [&](std::size_t i) {
         if (cut.from[i] == Refined::kNew)
             lookAround(i);
@@ -111,12 +123,18 @@ std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements)
 void Room::leaveOutCovered() {
     std::size_t kept = 0;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
-        if (surroundings_[i] == 0 && inside_[i] > kCovered) continue;
+        if (inBodies_[i] > kCovered) {
+            ++coveredPatches_;
+            continue;
+        }
+        if (settings_.leavesOutFolds && surroundings_[i] == 0 && folded_[i] > kNothingElse) {
+            ++foldedPatches_;
+            continue;
+        }
         patches_[kept] = patches_[i];
         surroundings_[kept] = surroundings_[i];
         ++kept;
     }
-    coveredPatches_ = patches_.size() - kept;
     patches_.resize(kept);
     surroundings_.resize(kept);
     loosePatches_ = allPatches_.size();

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "techniques/foundation/trace/scene_tracer.h"
+#include "techniques/radiosity/closed_bodies.h"
 #include "techniques/radiosity/occlusion.h"
 #include "techniques/radiosity/patches.h"
 #include "techniques/radiosity/refinement.h"
@@ -19,6 +20,7 @@ struct RoomSettings {
     std::size_t patches = 0;       ///< the budget; scenes of more faces have more patches, too
     bool cutsAtContacts = true;    ///< false: light leaks under what stands on a patch (teaching)
     std::vector<bool> lightWithin; ///< of each object: is there a light within its box?
+    bool leavesOutFolds = true;    ///< false: patches in folds of coarser meshes stay, and stay dark (tests)
     friend bool operator==(const RoomSettings&, const RoomSettings&) = default;
 };
 
@@ -48,6 +50,8 @@ public:
     [[nodiscard]] const std::vector<double>& surroundings() const { return surroundings_; }
     /// How many patches were left out because something stands on them.
     [[nodiscard]] std::size_t coveredPatches() const { return coveredPatches_; }
+    /// And how many because they lie in a fold that a mesh got when it was made coarser.
+    [[nodiscard]] std::size_t foldedPatches() const { return foldedPatches_; }
     /// Of each of patches(), how often it was cut in refinement.
     [[nodiscard]] const std::vector<std::uint8_t>& levels() const { return levels_; }
     /// Cuts some of the patches finer; the others stay. Returns of each patch its number before, or Refined::kNew.
@@ -82,10 +86,11 @@ private:
     std::vector<Patch> patches_, allPatches_;
     std::optional<trace::Bvh> bvh_;
     std::optional<Occlusion> occlusion_;
+    std::optional<ClosedBodies> bodies_;
     trace::SceneTracer tracer_;
     std::size_t nextPatch_ = 0;
-    std::vector<double> surroundings_, inside_; ///< of each patch, the shares of what it sees
-    std::size_t coveredPatches_ = 0, loosePatches_ = 0;
+    std::vector<double> surroundings_, inBodies_, folded_; ///< of each patch, shares of what leaves it
+    std::size_t coveredPatches_ = 0, foldedPatches_ = 0, loosePatches_ = 0;
     std::vector<std::uint8_t> levels_;
 };
 

@@ -81,6 +81,8 @@ Sides sidesOf(const scene::Scene& scene, const trace::WorldTriangles& world, con
     sides.faces.ofTriangle.assign(plain.ofTriangle.size(), kNoFace);
     sides.backOfTriangle = sides.faces.ofTriangle;
     const std::vector<bool> open = openObjects(scene, world, plain, lightWithin);
+    for (const bool isOpen : open)
+        sides.isClosed.push_back(!isOpen);
     struct Loose {
         Face side;
         bool isBack;

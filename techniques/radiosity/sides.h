@@ -16,6 +16,7 @@ struct Sides {
     Faces faces;
     std::size_t exchanging = 0;                ///< so many of them come first
     std::vector<std::uint32_t> backOfTriangle; ///< the side that is its back, or kNoFace
+    std::vector<bool> isClosed;                ///< of each object: is its inside left out?
 };
 
 /// `plain`: from facesOf, front sides only. `lightWithin`: of each object, is there a light within its box?

@@ -2,8 +2,10 @@
 #include "techniques/radiosity/solvers.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "techniques/foundation/error.h"
 #include "techniques/radiosity/solver_kinds.h"
 
 namespace shadowlab::radiosity {
@@ -26,7 +28,16 @@ std::string_view nameOf(SolverKind kind) {
     return "conjugate-gradients";
 }
 
+void requireFew(SolverKind kind, std::size_t patches) {
+    if (kind == SolverKind::direct && patches > kMostPatchesDirect)
+        throw Error(ExitStatus::overLimit, "radiosity: the direct solver takes at most " +
+                                               std::to_string(kMostPatchesDirect) + " patches, and there are " +
+                                               std::to_string(patches) +
+                                               "; choose conjugate-gradients, or larger patches");
+}
+
 std::unique_ptr<Solver> makeSolver(SolverKind kind, Problem problem) {
+    requireFew(kind, problem.exchange.size());
     switch (kind) {
     case SolverKind::direct: return makeDirect(std::move(problem));
     case SolverKind::jacobi: return makeJacobi(std::move(problem));

@@ -72,7 +72,10 @@ private:
     std::size_t steps_ = 0;
 };
 
-/// Error: badInput for what `refusal` says of the problem, overLimit for more patches than the direct solver takes.
+/// Error (overLimit) for more patches than the direct solver takes: to be asked before form factors are found for nothing.
+void requireFew(SolverKind kind, std::size_t patches);
+
+/// Error: badInput for what `refusal` says of the problem, overLimit as above.
 std::unique_ptr<Solver> makeSolver(SolverKind kind, Problem problem);
 
 /// Is the error of every colour certainly at most `tolerance` times the largest B of all patches and colours? The rule to stop by:

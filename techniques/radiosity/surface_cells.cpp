@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace shadowlab::radiosity {
@@ -15,6 +16,9 @@ constexpr double kOnePlane = 1e-5;
 
 // 2.5 degrees, as far as kOffPlane bends a triangle of a cell's size.
 constexpr double kSamePlaneCosine = 0.999;
+
+// Half a right angle: what faces the same way.
+constexpr double kSameWayCosine = 0.7;
 
 class CellMaker {
 public:
@@ -144,7 +148,7 @@ private:
         const dvec3 normal = glm::normalize(areaVector(triangle));
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t side = room_.sides().faces.ofTriangle[places[i].triangle];
-            if (side == kNoFace || (plane && *plane != planeOfSide_[side])) return std::nullopt;
+            if (rootOf(side) == SurfaceCells::kNone || (plane && *plane != planeOfSide_[side])) return std::nullopt;
             plane = planeOfSide_[side];
             if (glm::dot(room_.sides().faces.all[side].plane.normal, normal) < kSamePlaneCosine) return std::nullopt;
             if (std::abs(planes_[*plane / 2].plane.height(triangle[i])) > kOffPlane * room_.simple().cellMetres)
@@ -209,11 +213,32 @@ private:
     std::optional<SurfaceCells::Blend> blendAt(const SurfacePlace& place,
                                                const std::vector<std::uint32_t>& sideOfTriangle) const {
         const std::uint32_t side = sideOfTriangle[place.triangle];
-        if (rootOf(side) == SurfaceCells::kNone) return std::nullopt;
+        if (side == kNoFace) return std::nullopt;
         const trace::Triangle& t = room_.world().triangles[place.triangle];
-        const dvec3 weights(place.weights[0], place.weights[1], place.weights[2]);
-        const dvec2 at = frame(side).place(weights.x * t.a + weights.y * t.b + weights.z * t.c);
-        return blendIn(find(tree_, rootOf(side), at), at);
+        const dvec3 position = dmat3(t.a, t.b, t.c) * dvec3(place.weights[0], place.weights[1], place.weights[2]);
+        if (rootOf(side) != SurfaceCells::kNone) {
+            const dvec2 at = frame(side).place(position);
+            return blendIn(find(tree_, rootOf(side), at), at);
+        }
+        const std::optional<std::uint32_t> nearest = nearestPatch(room_.sides().faces.all[side], position);
+        if (!nearest) return std::nullopt;
+        const std::uint32_t corner = cells_.corners.cornerOfPiece[borders().first[*nearest]]; // of no weight
+        return SurfaceCells::Blend{*nearest, {corner, corner}, {1, 0, 0}};
+    }
+
+    /// Of an object's patches that face the same way as a side of which none is left, the one whose centre is nearest.
+    [[nodiscard]] std::optional<std::uint32_t> nearestPatch(const Face& side, const dvec3& position) const {
+        std::optional<std::uint32_t> nearest;
+        double least = std::numeric_limits<double>::infinity();
+        for (std::uint32_t i = 0; i < patches_.size(); ++i) {
+            const double distance = glm::distance(patches_[i].centre, position);
+            if (distance >= least || room_.faceOf(patches_[i]).object != side.object ||
+                glm::dot(patches_[i].normal, side.plane.normal) < kSameWayCosine)
+                continue;
+            least = distance;
+            nearest = i;
+        }
+        return nearest;
     }
 
     /// In which triangle of the patch's fan the place lies, and how near to its corners.

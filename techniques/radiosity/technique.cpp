@@ -85,7 +85,8 @@ private:
         scene::Revisions revisions{0, 0, 0, 0};
         SolverKind solver = SolverKind::direct;
         double tolerance = 0;
-        int steps = 0;
+        int steps = 0, stepsPerPicture = 0;
+        bool ambientTerm = true;
         RadiosityParams::Surroundings surroundings{};
         friend bool operator==(const Made&, const Made&) = default;
     };
@@ -112,8 +113,8 @@ private:
                                                          const View& view) const;
 
     void restartWhereNew(const scene::Snapshot& snapshot) {
-        const Made made{kept_.version(),   snapshot->revisions, params_.solver,
-                        params_.tolerance, params_.steps,       params_.surroundings};
+        const Made made{kept_.version(), snapshot->revisions,     params_.solver,      params_.tolerance,
+                        params_.steps,   params_.stepsPerPicture, params_.ambientTerm, params_.surroundings};
         if (made == made_) return;
         made_ = made;
         using enum RadiosityParams::Surroundings;
@@ -121,7 +122,7 @@ private:
                             : params_.surroundings == ambient  ? snapshot->ambient
                                                                : vec3(0.0f));
         sources_ = sourcesOf(kept_.room(), kept_.lights(), outside);
-        balance_.restart(kept_.exchange(), sources_, params_.solver);
+        balance_.restart(kept_.exchange(), sources_, params_.solver, params_.ambientTerm);
     }
 
     /// True when it is solved, or has gone as far as it shall.
@@ -183,7 +184,8 @@ Probe Radiosity::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     prepare(snapshot, Deadline::max());
     if (!exactJudge(snapshot)->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size)) return probe;
     if (!kept_.hasFormFactors()) {
-        probe.facts.push_back({"form factors", "not drawn yet", ""});
+        probe.facts.push_back(
+            {"form factors", "drawn with the first picture; known without one with form-factors=analytic", ""});
         return probe;
     }
     restartWhereNew(snapshot);

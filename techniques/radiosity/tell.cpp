@@ -15,13 +15,21 @@ std::string colors(const dvec3& rgb) { return probeText(rgb.r) + ", " + probeTex
 
 void tellOfRoom(Frame& frame, const Room& room, int budget) {
     frame.count("patches", static_cast<double>(room.patches().size()), budget, "of the budget");
+    if (room.patches().empty())
+        frame.note("patches", "none: no side of a surface lies before another that light can reach", look::kLit);
     if (room.simple().trianglesAfter < room.simple().trianglesBefore)
         frame.note("meshes",
                    "light is exchanged by " + std::to_string(room.simple().trianglesAfter) + " triangles in place of " +
                        std::to_string(room.simple().trianglesBefore),
                    look::kLit);
     if (room.coveredPatches() > 0)
-        frame.note("covered", std::to_string(room.coveredPatches()) + " patches left out: something stands on them",
+        frame.note("covered",
+                   std::to_string(room.coveredPatches()) + " patches left out: they lie under or in a closed body",
+                   look::kLit);
+    if (room.foldedPatches() > 0)
+        frame.note("folded",
+                   std::to_string(room.foldedPatches()) +
+                       " patches left out: coarser meshes fold onto themselves there",
                    look::kLit);
 }
 
@@ -40,6 +48,10 @@ void tellOfFormFactors(Frame& frame, const PreparedExchange& exchange) {
                probeText(*least) + " to " + probeText(*most) +
                    (exchange.isClosed ? ": a closed room" : ": an open scene, the rest escapes"),
                look::kLit);
+    if (const double deviation = std::ranges::max(exchange.rowDeviations); deviation > 0)
+        frame.note("lines between patches",
+                   "leave row sums uncertain by " + probeText(deviation) + " at most (one standard deviation)",
+                   look::kLit);
     if (exchange.isScaled)
         frame.note("scaling", "changed form factors by " + percent(exchange.scalingChanged) + " at most", look::kLit);
     frame.note("reciprocity",
@@ -54,13 +66,14 @@ void tellOfSolution(Frame& frame, const Showing& showing) {
     frame.count("steps", static_cast<double>(solver->steps()));
     frame.note("solution",
                std::string(nameOf(showing.params.solver)) + ", " + std::to_string(solver->steps()) +
-                   " steps: no radiosity is farther off than " + colors(bound) + " W/m^2",
+                   (solver->steps() == 1 ? " step" : " steps") + ": no radiosity is farther off than " + colors(bound) +
+                   " W/m^2",
                look::kLit);
     if (const auto unshot = solver->unshotPower()) frame.note("unshot", colors(*unshot) + " W", look::kLit);
     const EnergyBalance& energy = showing.balance.energy();
     frame.note("power",
-               colors(energy.emitted) + " W sent, " + colors(energy.absorbed) + " absorbed, " + colors(energy.escaped) +
-                   " escaped",
+               colors(energy.emitted) + " W from lights and surroundings, " + colors(energy.absorbed) + " absorbed, " +
+                   colors(energy.escaped) + " escaped",
                look::kLit);
 }
 

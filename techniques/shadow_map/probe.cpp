@@ -1,9 +1,13 @@
 // What the shadow map knows of one pixel: the way from the point to its texel, what the texel holds, and the comparison.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 
 #include "techniques/exact_judge.h"
+#include "techniques/foundation/look.h"
+#include "techniques/probe_decision.h"
+#include "techniques/shadow_map/map_probe.h"
 #include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {
@@ -32,38 +36,90 @@ std::string matrixText(const dmat4& m) {
     return rows;
 }
 
-/// The first surface on the light's ray through a place of the map (0..1), as far as it is drawn into it: its depth there,
-/// 0..1; none where the ray meets nothing.
-std::optional<double> firstDepth(const scene::Scene& scene, std::span<const std::size_t> casters, const LightMaps& maps,
-                                 int layer, const dvec2& uv) {
-    const dmat4 lightClip = maps.lightClipFromLightRelative(layer);
-    std::optional<double> nearest;
-    for (const std::size_t caster : casters) {
-        const scene::Object& object = scene.objects[caster];
-        const dmat4 clipFromMesh = lightClip * lightRelativeFromMesh(maps, object);
-        for (const uvec3& t : object.mesh->triangles) {
-            dvec3 corners[3];
-            bool before = true;
-            for (int i = 0; i < 3; ++i) {
-                const dvec4 clip = clipFromMesh * dvec4(dvec3(object.mesh->positionsMesh[t[i]]), 1.0);
-                before = before && clip.w > 0;
-                corners[i] = dvec3(clip) / clip.w * 0.5 + 0.5;
-            }
-            if (!before) continue; // reaches behind the light: too near to be what a map is for
-            const auto side = [&](int i) {
-                const dvec2 a = dvec2(corners[(i + 1) % 3]) - uv, b = dvec2(corners[(i + 2) % 3]) - uv;
-                return a.x * b.y - a.y * b.x;
-            };
-            const dvec3 weights(side(0), side(1), side(2));
-            const bool inside =
-                glm::all(glm::greaterThanEqual(weights, dvec3(0))) || glm::all(glm::lessThanEqual(weights, dvec3(0)));
-            const double area = weights.x + weights.y + weights.z;
-            if (!inside || area == 0) continue;
-            const double depth = glm::dot(weights, dvec3(corners[0].z, corners[1].z, corners[2].z)) / area;
-            nearest = std::min(nearest.value_or(1e300), std::max(depth, 0.0)); // what is too near is clamped
+/// "cascade 2 of 3", "face -x"
+std::string layerName(const LightMaps& maps, int layer) {
+    static constexpr const char* faces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
+    if (maps.layout == Layout::cube) return std::string("face ") + faces[layer];
+    const std::string number = std::to_string(layer + 1) + " of " + std::to_string(maps.layers());
+    return maps.layout == Layout::cascades ? "cascade " + number : number;
+}
+
+std::array<dvec3, 3> cornersOf(const scene::Scene& scene, const trace::EyeHit& hit) {
+    const scene::Object& object = scene.objects[hit.object];
+    const dmat4 worldFromMesh = scene::worldFromMesh(object);
+    std::array<dvec3, 3> corners{};
+    for (std::size_t i = 0; i < 3; ++i)
+        corners[i] = transformPoint(
+            worldFromMesh,
+            dvec3(object.mesh->positionsMesh[object.mesh->triangles[hit.triangle][static_cast<int>(i)]]));
+    return corners;
+}
+
+/// Why a comparison came out wrong, as far as its numbers prove it.
+std::string whyWrong(const MapProbe& map, const TexelDepth& texel, const trace::EyeHit& hit, bool isLit,
+                     const std::string& blocker) {
+    const double biasMetres = map.pointMetres - map.comparedMetres + map.storedMetres - map.firstMetres;
+    if (!isLit && !texel.isEmpty() && texel.object == hit.object && texel.triangle == hit.triangle)
+        return "acne: the texel holds the depth of this very triangle at its centre, " +
+               text(map.pointMetres - map.firstMetres) + " m nearer to the light than the point; the bias is " +
+               text(biasMetres) + " m";
+    if (!isLit && texel.isEmpty())
+        return "aliasing: other texels of the filter hold something nearer; that of the point does not";
+    if (!isLit && texel.object == hit.object && map.pointMetres - map.firstMetres < 2 * map.texelMetres)
+        return "acne: the texel holds the depth of a neighbouring triangle of " + blocker + ", " +
+               text(map.pointMetres - map.firstMetres) + " m nearer to the light than the point; the bias is " +
+               text(biasMetres) + " m";
+    if (!isLit)
+        return "aliasing: at the texel's centre " + blocker + " is in the way, at the point it is not; a texel is " +
+               text(map.texelMetres) + " m wide";
+    if (texel.isEmpty() || map.first >= map.str.z)
+        return "aliasing: at the texel's centre nothing is in the way, at the point there is; a texel is " +
+               text(map.texelMetres) + " m wide";
+    if (map.compared <= map.stored)
+        return "peter-panning: " + blocker + " is " + text(map.pointMetres - map.firstMetres) +
+               " m before the point, and the bias is " + text(biasMetres) + " m";
+    return "aliasing: most texels of the filter hold nothing nearer, though that of the point does";
+}
+
+double litShare(const std::vector<MapProbe::Tap>& taps) {
+    double share = 0;
+    for (const MapProbe::Tap& tap : taps)
+        share += tap.isLit ? tap.weight : 0;
+    // Shares such as 1/9 do not add up to one in binary: a millionth is rounding.
+    return share > 1 - 1e-6 ? 1 : share;
+}
+
+/// As shaders/shadow_map/layer_cascades.glsl has it.
+double fadeToNext(const LightMaps& maps, int layer, double eyeDepth) {
+    if (maps.layout != Layout::cascades || layer + 1 >= maps.layers()) return 0;
+    const auto i = static_cast<std::size_t>(layer);
+    const double width = std::max(maps.cascadeEnds[i] - maps.fadeStarts[i], 1e-9);
+    return glm::clamp((eyeDepth - maps.fadeStarts[i]) / width, 0.0, 1.0);
+}
+
+/// The part of the light's view that the texel sees, its image on the point's surface, and the light's ray through its centre.
+std::vector<SceneShape> texelShapes(const MapProbe& map, const LightMaps& maps) {
+    std::vector<SceneShape> shapes;
+    if (map.texelIsOnReceiver) {
+        SceneShape texel{"the texel on the surface", look::kLightFrustum, SceneShape::Kind::faces, {}};
+        SceneShape rim{"the texel on the surface", look::kLightFrustum, SceneShape::Kind::lines, {}};
+        const auto& c = map.texelOnReceiverWorld;
+        texel.pointsWorld = {c[0], c[1], c[2], c[0], c[2], c[3]};
+        for (std::size_t i = 0; i < 4; ++i) {
+            const dvec3 from = maps.parallel ? c[i] + maps.towardLight * map.pointMetres : maps.originWorld;
+            rim.pointsWorld.insert(rim.pointsWorld.end(), {c[i], c[(i + 1) % 4], from, c[i]});
         }
+        shapes.push_back(std::move(texel));
+        shapes.push_back(std::move(rim));
     }
-    return nearest;
+    if (map.blockerWorld) {
+        const dvec3 from = maps.parallel ? *map.blockerWorld + maps.towardLight * map.pointMetres : maps.originWorld;
+        shapes.push_back({"the light's ray to what the texel holds",
+                          look::kOccluded,
+                          SceneShape::Kind::lines,
+                          {from, *map.blockerWorld}});
+    }
+    return shapes;
 }
 
 } // namespace
@@ -81,11 +137,16 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     const auto add = [&](const char* label, std::string value, const char* unit = "") {
         probe.facts.push_back({label, std::move(value), unit});
     };
+    const auto truthOf = [&] { return exactJudge(snapshot)->visibility(*hit, view.camera, light); };
+    const auto decideLit = [&] {
+        addDecision(probe, truthOf() == trace::Visibility::turnedAway ? 0 : 1, truthOf(), "no map is asked there");
+    };
     if (!layer) {
         add("map", "none: nothing in view can be in this light's shadow");
+        decideLit();
         return probe;
     }
-    add("map", std::to_string(*layer + 1) + " of " + std::to_string(maps.layers()));
+    add("map", layerName(maps, *layer));
     // The chain of matrices, from the world to (s, t, r).
     const auto index = static_cast<std::size_t>(*layer);
     add("point in the world", texts(hit->positionWorld, 3), "m");
@@ -99,32 +160,79 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     add("point in the light's clip space", texts(clip, 4));
     if (clip.w <= 0) {
         add("(s, t, r)", "none: behind the light's camera, where the projection would mirror it");
+        if (params_.rejectBehind) decideLit();
         return probe;
     }
     const dvec3 str = dvec3(clip) / clip.w * 0.5 + 0.5;
     add("(s, t, r) = clip / w / 2 + 1/2", texts(str, 3));
-    if (glm::any(glm::lessThan(dvec2(str), dvec2(0))) || glm::any(glm::greaterThanEqual(dvec2(str), dvec2(1)))) {
-        add("texel", "none: outside the map, so lit");
+    if (glm::any(glm::lessThan(dvec2(str), dvec2(0))) || glm::any(glm::greaterThanEqual(dvec2(str), dvec2(1))))
+        add("place", params_.border == ShadowMapParams::Border::lit ? "outside the map, so lit"
+                                                                    : "outside the map: its outermost texels go on");
+    const AskedLight asked = this->asked(*snapshot, light);
+    const TexelDepths depths({*snapshot, maps, *layer, castersOf(*snapshot, maps, asked, *layer), bounds_, params_,
+                              depthRules(params_, asked.filter)});
+    const ComparedPoint point{
+        *snapshot, maps, *layer, params_, asked.filter, depths, hit->positionWorld, cornersOf(*snapshot, *hit)};
+    probe.map = probeMap(point);
+    MapProbe& map = *probe.map;
+    map.layerName = layerName(maps, *layer);
+    const TexelDepth texel = depths.at(map.texel);
+    const std::string blocker = texel.isEmpty() ? "" : snapshot->objects[texel.object].name;
+    add("texel (column, row)", std::to_string(map.texel.x) + ", " + std::to_string(map.texel.y));
+    probe.facts.push_back(probeFact("width of a texel at the point", map.texelMetres, "m"));
+    add("d(u,v): depth at the texel's centre, before any bias",
+        texel.isEmpty() ? "1 (nothing there)" : text(map.first));
+    if (!texel.isEmpty()) add("of", blocker + ", triangle " + std::to_string(texel.triangle));
+    if (map.stored != map.first) add("d(u,v) as it is stored, pushed back by its slope", text(map.stored));
+    add("z(u,v): depth of the point itself", text(map.str.z));
+    add("z(u,v) as it is compared, the bias taken off", text(map.compared));
+    if (!texel.isEmpty()) probe.facts.push_back(probeFact("d(u,v) in metres", map.firstMetres, "m"));
+    if (map.stored != map.first)
+        probe.facts.push_back(probeFact("d(u,v) as it is stored in metres", map.storedMetres, "m"));
+    probe.facts.push_back(probeFact("z(u,v) in metres", map.pointMetres, "m"));
+    probe.facts.push_back(probeFact("bias of the point in metres", map.pointMetres - map.comparedMetres, "m"));
+    add("if d(u,v) < z(u,v) then pixel is shadowed",
+        texel.isEmpty()             ? "no: nothing is in the way"
+        : map.stored < map.compared ? "yes, by " + text(map.compared - map.stored) + " of the map's range"
+                                    : "no: d is not less, by " + text(map.stored - map.compared));
+    if (probe.section) addCells(map, point, *probe.section);
+    for (SceneShape& shape : texelShapes(map, maps))
+        probe.visited.push_back(std::move(shape));
+
+    const auto truth = truthOf();
+    const bool gate = truth != trace::Visibility::turnedAway;
+    const auto decide = [&](double visibility, const std::string& why) {
+        const bool receives = snapshot->objects[hit->object].receivesShadow;
+        addDecision(probe, !gate ? 0 : receives ? visibility : 1, truth, why);
+    };
+    if (params_.exact || params_.aliasFree) {
+        add("who decides", "rays, wherever the map is not certain");
+        decide(truth == trace::Visibility::lit ? 1 : 0, "");
         return probe;
     }
-    const dvec2 texel = glm::floor(dvec2(str) * static_cast<double>(params_.resolution));
-    const dvec2 centreUv = (texel + 0.5) / static_cast<double>(params_.resolution);
-    add("texel (column, row)",
-        std::to_string(static_cast<int>(texel.x)) + ", " + std::to_string(static_cast<int>(texel.y)));
-    const std::optional<double> stored =
-        firstDepth(*snapshot, castersOf(*snapshot, maps, asked(*snapshot, light), *layer), maps, *layer, centreUv);
-    add("d(u,v): depth at the texel's centre, before any bias", stored ? text(*stored) : "1 (nothing there)");
-    add("z(u,v): depth of the point itself", text(str.z));
-    const auto distanceAt = [&](const dvec2& uv, double depth) {
-        const dvec4 p = maps.lightViewFromLightClip(*layer) * dvec4(dvec3(uv, depth) * 2.0 - 1.0, 1.0);
-        return -p.z / p.w - (maps.parallel ? maps.nearest : 0.0);
-    };
-    if (stored) add("d(u,v) in metres", text(distanceAt(centreUv, *stored)), "m");
-    add("z(u,v) in metres", text(distanceAt(dvec2(str), str.z)), "m");
-    add("if d(u,v) < z(u,v) then pixel is shadowed",
-        !stored           ? "no: nothing is in the way"
-        : *stored < str.z ? "yes, by " + text(str.z - *stored) + " of the map's range: more than the bias, or acne"
-                          : "no: d is not less, by " + text(*stored - str.z));
+    if (averagesOver(snapshot->lights[static_cast<std::size_t>(light)])) {
+        add("who decides", "the mean of maps from many points of the light; this is the one of its centre");
+        return probe;
+    }
+    map.taps = tapsOf(point);
+    if (map.taps.empty()) {
+        add("who decides", "a filter that does not compare texel by texel; told is the point's own");
+        return probe;
+    }
+    double visibility = litShare(map.taps);
+    if (const double fade = fadeToNext(maps, *layer, eyeDepth); fade > 0) {
+        const TexelDepths nextDepths({*snapshot, maps, *layer + 1, castersOf(*snapshot, maps, asked, *layer + 1),
+                                      bounds_, params_, depthRules(params_, asked.filter)});
+        const ComparedPoint next{*snapshot,    maps,       *layer + 1,         params_,
+                                 asked.filter, nextDepths, hit->positionWorld, point.cornersWorld};
+        add("share of the next cascade in the answer", text(fade));
+        visibility = glm::mix(visibility, litShare(tapsOf(next)), fade);
+    }
+    const auto lit = static_cast<std::size_t>(std::ranges::count(map.taps, true, &MapProbe::Tap::isLit));
+    if (map.taps.size() > 1)
+        add("filter", std::to_string(lit) + " of " + std::to_string(map.taps.size()) +
+                          " texels say lit; with their weights " + text(litShare(map.taps)));
+    decide(visibility, whyWrong(map, texel, *hit, visibility > 0.5, blocker));
     return probe;
 }
 

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/receiver_uniforms.h"
 
+#include "techniques/shadow_map/compared_depth.h"
 #include "techniques/shadow_map/moment_maps.h"
 
 namespace shadowlab::shadow_map {
 
 namespace {
-
-// Points are moved toward the light by this share of their distance (for a directional light: of the map's depth)
-// before the comparison. It covers the rounding of interpolated float positions, about 2^-21 here, twenty times over,
-// and is a thousandth of a texel at most.
-constexpr double kRoundingShare = 1e-5;
 
 void setProjection(const gl::Program& program, const LightMaps& maps) {
     std::vector<mat4> lightClipFromLightRelative;

@@ -28,6 +28,7 @@ struct FailRule {
     bool caps = true;
     bool clamp = true;        ///< depth, for what lies beyond the far plane
     bool lessOrEqual = false; ///< depth test of the faces
+    bool farPlane = false;    ///< there is one, just beyond the scene
 };
 
 /// How the counter behaves at its ends: it wraps around, or it sticks there.

@@ -98,6 +98,37 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
     return shapes;
 }
 
+std::vector<SceneShape> crossedShapes(const scene::Scene& scene, const VolumeProbe& probe) {
+    SceneShape enters{"faces that count +1: the line enters", look::diverging()[6], SceneShape::Kind::faces, {}};
+    SceneShape leaves{"faces that count -1: the line leaves", look::diverging()[2], SceneShape::Kind::faces, {}};
+    SceneShape entersRim{enters.label, enters.colorLinear, SceneShape::Kind::lines, {}};
+    SceneShape leavesRim{leaves.label, leaves.colorLinear, SceneShape::Kind::lines, {}};
+    scene::Bounds all;
+    for (const scene::Bounds& box : scene::objectBounds(scene))
+        all.include(box);
+    all.include(scene.camera.positionWorld);
+    const scene::Bounds end = somewhatLarger(all);
+    for (const VolumeProbe::Crossing& crossing : probe.crossings) {
+        dvec3 finite(0.0);
+        bool any = false;
+        for (const dvec4& corner : crossing.cornersWorld)
+            if (corner.w != 0) {
+                finite = dvec3(corner);
+                any = true;
+            }
+        if (!any) continue; // all of it is at infinity
+        std::vector<dvec3> corners;
+        for (const dvec4& corner : crossing.cornersWorld)
+            corners.push_back(corner.w != 0 ? dvec3(corner) : leaving(end, finite, dvec3(corner)));
+        SceneShape &face = crossing.sign > 0 ? enters : leaves, &rim = crossing.sign > 0 ? entersRim : leavesRim;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            face.pointsWorld.push_back(corners[i]);
+            rim.pointsWorld.insert(rim.pointsWorld.end(), {corners[i], corners[(i + 1) % corners.size()]});
+        }
+    }
+    return {std::move(enters), std::move(leaves), std::move(entersRim), std::move(leavesRim)};
+}
+
 void addWays(std::vector<SceneShape>& shapes, std::span<const CasterVolume* const> casters,
              const std::function<Way(const CasterVolume&)>& wayOf) {
     SceneShape passing{"counted with depth pass", look::kDepthPass, SceneShape::Kind::lines, {}};

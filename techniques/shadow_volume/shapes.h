@@ -25,6 +25,10 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
                                      std::span<const CasterVolume* const> casters, bool withCaps,
                                      const ShownVolume& shown);
 
+/// The faces that a picked pixel's line crosses, those that it enters and those that it leaves a volume by. What reaches infinity
+/// is cut off a little beyond the scene.
+std::vector<SceneShape> crossedShapes(const scene::Scene& scene, const VolumeProbe& probe);
+
 /// Boxes around the casters, by the way in which their volumes are counted.
 void addWays(std::vector<SceneShape>& shapes, std::span<const CasterVolume* const> casters,
              const std::function<Way(const CasterVolume&)>& wayOf);

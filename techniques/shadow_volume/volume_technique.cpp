@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "techniques/exact_judge.h"
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/scene/visible_receivers.h"
 #include "techniques/shadow_volume/eye_line.h"
@@ -35,7 +34,7 @@ Progress VolumeTechnique::render(Frame& frame) {
 
     frame.count("volumes-rebuilt", static_cast<double>(casters_.takeRebuilt()), static_cast<double>(casters_.count()));
     repair_.beginFrame();
-    findReceivers(frame);
+    findReceivers(scene, frame.eye());
     const int lights = static_cast<int>(scene.lights.size());
     for (int light = 0; light < lights; ++light) {
         chooseVolumes(frame, light);
@@ -56,12 +55,11 @@ Progress VolumeTechnique::render(Frame& frame) {
     return {};
 }
 
-void VolumeTechnique::findReceivers(const Frame& frame) {
+void VolumeTechnique::findReceivers(const scene::Scene& scene, const gl::EyeMatrices& eye) {
     allReceiversInView_ = {};
     receiversInView_.clear();
     if (!params_.cull || !keepsToReceiversInView()) return;
-    const gl::EyeMatrices& eye = frame.eye();
-    receiversInView_ = scene::visibleReceivers(frame.scene(), casters_.bounds(), eye.clipFromView * eye.viewFromWorld,
+    receiversInView_ = scene::visibleReceivers(scene, casters_.bounds(), eye.clipFromView * eye.viewFromWorld,
                                                eye.part.value_or(scene::PicturePart{}), kMostReceivers);
     for (const scene::Bounds& box : receiversInView_)
         allReceiversInView_.include(box);
@@ -76,17 +74,23 @@ VolumeEnd VolumeTechnique::endOf(const CasterVolume& caster, const scene::Light&
     return end;
 }
 
-VolumeInView VolumeTechnique::inView(const Frame& frame, const CasterVolume& caster, const scene::Light& light) const {
+VolumeInView VolumeTechnique::inView(const gl::EyeMatrices& eye, const CasterVolume& caster,
+                                     const scene::Light& light) const {
     const VolumeEnd end = endOf(caster, light);
     if (!params_.cull) return {.caster = &caster, .end = end};
-    VolumeInView volume = volumeInView(caster, light, end, frame.eye());
+    VolumeInView volume = volumeInView(caster, light, end, eye);
     if (volume.any && keepsToReceiversInView()) {
         if (missesAll(caster.bounds, light, allReceiversInView_))
             volume.any = false;
         else
-            keepToReceivers(volume, light, receiversInView_, frame.eye());
+            keepToReceivers(volume, light, receiversInView_, eye);
     }
     return volume;
+}
+
+/// What shadows nothing may be left out, but from the textbook's depth pass: the eye may be in that volume.
+bool VolumeTechnique::counts(const CasterVolume& caster, Way way) const {
+    return caster.useful || !params_.cull || (way == Way::pass && !passRule().corrected);
 }
 
 void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
@@ -97,10 +101,8 @@ void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
     for (std::size_t i = 0; i < casters.size(); ++i) {
         const CasterVolume& caster = casters[i];
         const Way way = wayOf(frame.scene(), frame.camera().positionWorld, caster, light);
-        const VolumeInView seen = inView(frame, caster, source);
-        // What shadows nothing may be left out, but from the textbook's depth pass: the eye may be in that volume.
-        const bool counts = caster.useful || !params_.cull || (way == Way::pass && !passRule().corrected);
-        if (!seen.any || !counts) continue;
+        const VolumeInView seen = inView(frame.eye(), caster, source);
+        if (!seen.any || !counts(caster, way)) continue;
         drawn_.push_back({.seen = seen, .way = way});
         if (params_.extrudeOn == VolumeParams::ExtrudeOn::cpu)
             drawn_.back().extruded =
@@ -261,20 +263,13 @@ std::vector<SceneShape> VolumeTechnique::shapes(const scene::Snapshot& snapshot,
     const std::vector<const CasterVolume*> casters = usefulCasters(light);
     std::vector<SceneShape> shapes =
         volumeShapes(*snapshot, view, light, casters, failRule().caps && showsCaps(), shownVolume());
+    // Of a picked pixel the faces that its line crosses are told by the probe; all others would hide them.
+    if (view.picked)
+        std::erase_if(shapes, [](const SceneShape& shape) { return shape.kind == SceneShape::Kind::faces; });
     if (showsWays())
         addWays(shapes, casters,
                 [&](const CasterVolume& caster) { return wayOf(*snapshot, view.camera.positionWorld, caster, light); });
     return shapes;
-}
-
-Probe VolumeTechnique::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
-    Probe probe = Technique::probe(snapshot, view, pixel, light);
-    const auto exact = exactJudge(snapshot);
-    const auto hit = exact->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
-    if (!hit || light < 0 || light >= static_cast<int>(snapshot->lights.size())) return probe;
-    const int crossed = exact->crossings(*hit, light);
-    probe.facts.push_back({"casting triangles between the point and the light", std::to_string(crossed), ""});
-    return probe;
 }
 
 std::string VolumeTechnique::remark(const scene::MeshReport& report, const scene::Mesh&) const {

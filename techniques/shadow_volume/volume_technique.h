@@ -4,6 +4,7 @@
 // count the faces of the same volumes into the stencil and light what counts zero.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "techniques/foundation/trace/exact_visibility.h"
 #include "techniques/frame.h"
 #include "techniques/shadow_volume/casters.h"
 #include "techniques/shadow_volume/float_count.h"
@@ -59,9 +60,11 @@ protected:
 private:
     [[nodiscard]] ShownVolume shownVolume() const;
     [[nodiscard]] std::vector<const CasterVolume*> usefulCasters(int light) const;
-    void findReceivers(const Frame& frame);
+    void findReceivers(const scene::Scene& scene, const gl::EyeMatrices& eye);
     [[nodiscard]] VolumeEnd endOf(const CasterVolume& caster, const scene::Light& light) const;
-    [[nodiscard]] VolumeInView inView(const Frame& frame, const CasterVolume& caster, const scene::Light& light) const;
+    [[nodiscard]] VolumeInView inView(const gl::EyeMatrices& eye, const CasterVolume& caster,
+                                      const scene::Light& light) const;
+    [[nodiscard]] bool counts(const CasterVolume& caster, Way way) const;
     void chooseVolumes(Frame& frame, int light);
     void clearAndCount(Frame& frame, int light);
     void clearCount(Frame& frame, int light);
@@ -73,6 +76,11 @@ private:
     void publishVisibility(Frame& frame, int light);
     void publishStencilStages(Frame& frame, int light);
     void publishOverPicture(Frame& frame, int light);
+
+    // volume_probe.cpp
+    [[nodiscard]] VolumeProbe probeVolumes(const scene::Scene& scene, const View& view, const trace::EyeHit& hit,
+                                           int light);
+    [[nodiscard]] std::string whyWrong(const VolumeProbe& volume, bool isLit) const;
 
     const Counting counting_;
     VolumeParams params_;

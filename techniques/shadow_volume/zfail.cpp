@@ -98,8 +98,7 @@ params::ParamList ZFail::params() {
 }
 
 Progress ZFail::render(Frame& frame) {
-    using enum ZFailParams::FarPlane;
-    if (params_.farPlane == clamp || params_.farPlane == clip) frame.useFarPlane();
+    if (failRule().farPlane) frame.useFarPlane();
     return VolumeTechnique::render(frame);
 }
 

@@ -29,7 +29,8 @@ private:
         using enum ZFailParams::FarPlane;
         return {.caps = params_.caps,
                 .clamp = params_.farPlane == infiniteAndClamp || params_.farPlane == clamp,
-                .lessOrEqual = params_.depthTest == ZFailParams::DepthTest::lequal};
+                .lessOrEqual = params_.depthTest == ZFailParams::DepthTest::lequal,
+                .farPlane = params_.farPlane == clamp || params_.farPlane == clip};
     }
 
     ZFailParams params_;

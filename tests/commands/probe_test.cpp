@@ -236,7 +236,8 @@ TEST_F(ProbeTest, Refusals) {
     };
     expectRefused(with("tree.png"), 2, {".svg"});
     expectRefused(with("nowhere/tree.svg"), 4, {"nowhere"});
-    expectRefused({"probe", "box.json", "--pixel", "640,400", "--diagram", "tree.svg"}, 2, {"ray-traced"});
+    expectRefused({"probe", "box.json", "--pixel", "640,400", "-t", "unshadowed", "--diagram", "tree.svg"}, 2,
+                  {"unshadowed", "ray-traced"});
     expectRefused({"probe", "box.json", "--pixel", "0,0", "-t", "ray-traced", "--diagram", "tree.svg"}, 2,
                   {"background"});
     expectRefused({"capture", "box.json", "-o", "a.png", "--pixel", "1,1"}, 2, {"--stage outside"});

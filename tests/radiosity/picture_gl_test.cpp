@@ -1,6 +1,7 @@
 // Radiosity as the session draws it.
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <cstdio>
 
 #include <glm/gtc/constants.hpp>
 
@@ -208,6 +209,48 @@ TEST_F(RadiosityPictureTest, StepsStopTheSolver) {
         EXPECT_GT(sum, before) << "the room brightens";
         before = sum;
     }
+}
+
+// With the ambient term the first picture of a room that is shot at is about as bright as the last; without, shots are seen.
+TEST_F(RadiosityPictureTest, WithoutTheAmbientTermShotsBrightenTheRoom) {
+    const scene::Snapshot scene = builtIn("cornell-room");
+    const auto brightness = [&](const char* steps, const char* ambient) {
+        Drawing drawing(scene, {"solver=shooting", steps, ambient, "tolerance=1e-9", "patches=100", "display=flat"});
+        double sum = 0;
+        for (const vec4& texel : drawing.texels())
+            sum += static_cast<double>(texel.g);
+        return sum;
+    };
+    const double first = brightness("steps=1", "ambient-term=false"),
+                 some = brightness("steps=30", "ambient-term=false"),
+                 most = brightness("steps=2000", "ambient-term=false"),
+                 guessed = brightness("steps=1", "ambient-term=true");
+    EXPECT_GT(some, 1.02 * first);
+    EXPECT_GT(most, 1.02 * some);
+    EXPECT_NEAR(guessed / most, 1, 0.1) << "an estimate: evenly spread it is not";
+    EXPECT_LT(first / most, 0.85);
+}
+
+// What a lamp in a closed room sends is 4 pi I, and all of it is absorbed.
+TEST_F(RadiosityPictureTest, TellsWhereThePowerGoes) {
+    scene::Scene scene = uniformRoom(0, 0.5);
+    scene::Light lamp;
+    lamp.name = "lamp";
+    lamp.type = scene::LightType::point;
+    lamp.positionWorld = {1.4, 1.1, 2.2};
+    lamp.intensity = 0.25;
+    scene.lights.push_back(lamp);
+    Drawing drawing(testing::snapshot(scene), {"patches=200", "tolerance=1e-6"});
+    const auto frame = drawing.render();
+    const auto note = std::ranges::find(frame.result.notes, "power", &Note::label);
+    ASSERT_NE(note, frame.result.notes.end());
+    double sent = 0, red = 0, absorbed = 0; // of each list of three, the first and the last
+    ASSERT_EQ(
+        std::sscanf(note->text.c_str(), "%lf, %*f, %lf W from lights and surroundings, %lf", &red, &sent, &absorbed), 3)
+        << note->text;
+    EXPECT_NEAR(sent, glm::pi<double>(), 1e-4)
+        << "lines to the lamp are tried where it is hidden in part; here it is not";
+    EXPECT_NEAR(absorbed, sent, 1e-4) << note->text;
 }
 
 TEST_F(RadiosityPictureTest, ALampThatMovesGivesWhatANewSceneGives) {

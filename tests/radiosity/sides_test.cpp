@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include <glm/gtc/matrix_transform.hpp>
+
 #include "techniques/radiosity/room.h"
 #include "tests/radiosity/scene_room.h"
 
@@ -83,6 +87,32 @@ TEST(Sides, PatchesUnderABoxAreLeftOut) {
     }
     EXPECT_NEAR(area, 100 - 4, 1e-6); // floor less box; vertices are floats
     EXPECT_EQ(room.surroundings().size(), room.patches().size());
+}
+
+// Two boxes that stand on the floor and pierce one another: no side of one that lies in the other is left, nor any floor below.
+// In there each sees fronts of the others, so that it does not help to look for what sees nothing but insides.
+TEST(Sides, WhatLiesInAnotherBodyIsLeftOut) {
+    scene::Scene scene = emptyRoom({2, 2, 2});
+    const auto turned = [](const dvec3& at, double degrees) {
+        return glm::rotate(translation(at), glm::radians(degrees), dvec3(0, 1, 0));
+    };
+    const double sides[] = {0.6, 0.5};
+    const dmat4 places[] = {turned({1, 0.3, 0.7}, 20), turned({1.2, 0.25, 0.8}, 50)};
+    for (int box = 0; box < 2; ++box)
+        addObject(scene, scene::makeBox(dvec3(sides[box])), places[box]);
+    Room room(scene, {500, true, std::vector<bool>(8, false)});
+    ASSERT_TRUE(room.advance(std::chrono::steady_clock::time_point::max()));
+    EXPECT_GT(room.coveredPatches(), 20u);
+    int compared = 0;
+    for (const Patch& patch : room.patches()) {
+        const dvec3 before = room.world().originWorld + patch.centre + 1e-4 * patch.normal;
+        for (int box = 0; box < 2; ++box) {
+            const dvec3 inBox = glm::abs(dvec3(glm::inverse(places[box]) * dvec4(before, 1)));
+            EXPECT_GT(std::max({inBox.x, inBox.y, inBox.z}), sides[box] / 2) << "it lies in box " << box;
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 500);
 }
 
 TEST(Sides, InAClosedRoomNobodySeesTheSurroundings) {

@@ -7,8 +7,8 @@
 //
 // To be run from the folder that holds assets/. COUNT is how many patches there are at most, before they are cut where
 // things touch.
-//   growth    time, memory and what is wrong with the radiosity, for patches halved so many times; 4: 16,000 patches, for which it takes
-//             2 GB and some seven minutes (radiosity_growth.cpp)
+//   growth    time, memory and what is wrong with the radiosity, for patches halved so many times; 3: 20,000 patches, for which it takes
+//             3 GB and some four minutes (radiosity_growth.cpp)
 //   solvers   what each solver knows of its error and what the error is, against time (radiosity_solvers.cpp)
 //   hemicube  form factors by drawing beside exact ones, at several sizes of the picture (radiosity_hemicube.cpp)
 // SPDX-License-Identifier: MIT
@@ -102,9 +102,9 @@ int main(int count, char** arguments) {
         std::printf("   (%d threads)\n", trace::threadCount());
         const std::string part = words.empty() || words.size() > 2 ? "" : words[0];
         const int halvings = number(3);
-        if (part == "growth" ? halvings > 5 : number(0) > 20000) // 64,000 patches: 30 GB; 20,000: 3 GB
+        if (part == "growth" ? halvings > 3 : number(0) > 20000) // 20,000 patches: 3 GB
             throw Error(ExitStatus::overLimit,
-                        "so many patches are too many; give 5 halvings or 20000 patches at most");
+                        "so many patches are too many; give 3 halvings or 20000 patches at most");
         if (part == "growth")
             radiosity::benchGrowth(halvings, plots);
         else if (part == "solvers")

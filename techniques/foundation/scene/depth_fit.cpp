@@ -75,4 +75,13 @@ Camera withTightNear(const Camera& camera, const Scene& scene, std::span<const B
     return tight;
 }
 
+double farDepth(std::span<const Bounds> bounds, const dmat4& viewFromWorld, double near) {
+    constexpr double kBeyond = 1.001;
+    double far = 2 * near;
+    for (const Bounds& box : bounds)
+        for (int i = 0; i < 8; ++i)
+            far = std::max(far, -kBeyond * transformPoint(viewFromWorld, box.corner(i)).z);
+    return far;
+}
+
 } // namespace shadowlab::scene

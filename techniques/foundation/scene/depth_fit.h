@@ -15,4 +15,7 @@ namespace shadowlab::scene {
 /// that could be seen before is cut off. `bounds` are the scene's objectBounds, `aspect` is width over height.
 Camera withTightNear(const Camera& camera, const Scene& scene, std::span<const Bounds> bounds, double aspect);
 
+/// Metres along the eye's axis just beyond the farthest corner of all boxes, which must not be cut off itself; twice `near` at least.
+double farDepth(std::span<const Bounds> bounds, const dmat4& viewFromWorld, double near);
+
 } // namespace shadowlab::scene

@@ -1,0 +1,114 @@
+// `shadowlab lesson`: a lesson as a picture, and whether its artefact is really there and really gone.
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <charconv>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands/command_line.h"
+#include "app/commands/messages.h"
+#include "app/commands/text_table.h"
+#include "app/session/assets.h"
+#include "app/session/lesson_figure.h"
+#include "app/session/lesson_measure.h"
+#include "app/session/lesson_quantities.h"
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/scene/message_text.h"
+
+namespace shadowlab::commands {
+
+namespace {
+
+using session::Expectation;
+using session::Lesson;
+using session::MeasuredExpectation;
+
+/// "falseShadow of slot 2 in box 1", "fact 'sum of form factors'".
+std::string nameOf(const Lesson& lesson, const Expectation& expected) {
+    std::string name = expected.quantity;
+    if (!expected.fact.empty()) name += " '" + expected.fact + "'";
+    if (lesson.states[0].slots.size() > 1) name += " of slot " + std::to_string(expected.slot + 1);
+    if (expected.look) name += " in box " + std::to_string(*expected.look + 1);
+    if (expected.reference) name += " against " + expected.reference->technique;
+    return name;
+}
+
+/// Six digits are more than a table needs, and what rounding may change is not among them.
+std::string shortNumber(double value) {
+    std::array<char, 32> buffer{};
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 6);
+    return error == std::errc{} ? std::string(buffer.data(), end) : std::string();
+}
+
+std::string table(const Lesson& lesson, const std::vector<MeasuredExpectation>& measured) {
+    Rows rows{{"quantity", "before", "has to be", "after", "has to be", ""}};
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+        const Expectation& expected = lesson.expectations[i];
+        const auto [before, after] = measured[i].values;
+        rows.push_back({nameOf(lesson, expected), shortNumber(before), expected.before.text(), shortNumber(after),
+                        expected.after.text(),
+                        session::holdsAsExpected({measured[i]}) ? "as expected" : "NOT as expected"});
+    }
+    return lesson.text.title + ", " + std::to_string(lesson.size.x) + " x " + std::to_string(lesson.size.y) +
+           " pixels\n\n" + aligned(rows);
+}
+
+nlohmann::ordered_json boundJson(const session::Bound& bound) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    if (bound.atLeast) json["atLeast"] = *bound.atLeast;
+    if (bound.atMost) json["atMost"] = *bound.atMost;
+    return json;
+}
+
+std::string json(const Lesson& lesson, const std::vector<MeasuredExpectation>& measured) {
+    nlohmann::ordered_json root{{"lesson", lesson.text.name},
+                                {"title", lesson.text.title},
+                                {"size", {lesson.size.x, lesson.size.y}},
+                                {"asExpected", session::holdsAsExpected(measured)},
+                                {"expectations", nlohmann::ordered_json::array()}};
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+        const Expectation& expected = lesson.expectations[i];
+        nlohmann::ordered_json entry{{"quantity", nameOf(lesson, expected)}};
+        const char* const names[] = {"before", "after"};
+        for (std::size_t state = 0; state < 2; ++state) {
+            nlohmann::ordered_json one{{"value", measured[i].values[state]}, {"compared", measured[i].compared[state]}};
+            one["bound"] = boundJson(state == 0 ? expected.before : expected.after);
+            one["holds"] = measured[i].holds[state];
+            entry[names[state]] = std::move(one);
+        }
+        root["expectations"].push_back(std::move(entry));
+    }
+    return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+} // namespace
+
+int lesson(const LessonOptions& options) {
+    if (!options.output.empty()) image::probeWritable(options.output);
+    const Lesson lesson = session::loadLesson(
+        options.lesson, {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = {}});
+    const std::unique_ptr<context::Context> context = context::createContext(options.backend);
+    if (!options.output.empty()) {
+        if (const int limit = context::largestSide(); std::max(options.size.x, options.size.y) > limit)
+            throw Error(ExitStatus::overLimit, "this OpenGL driver draws pictures of up to " + std::to_string(limit) +
+                                                   " pixels on a side; choose a smaller --size");
+        const std::filesystem::path fonts = session::assetsRoot() / "fonts";
+        const image::Font font(fonts / "DejaVuSans.ttf"), bold(fonts / "DejaVuSans-Bold.ttf");
+        const image::Image figure = session::lessonFigure(lesson, options.states, options.size, font, bold);
+        image::writeWhole(options.output,
+                          image::encodePng(figure, {.opaque = true, .text = {{"Title", lesson.text.title}}}));
+    }
+    if (!options.measure) return 0;
+    const std::vector<MeasuredExpectation> measured = session::measureLesson(lesson);
+    print(options.json ? json(lesson, measured) : table(lesson, measured));
+    if (!session::holdsAsExpected(measured))
+        throw Error(ExitStatus::badInput, scene::shownPath(lesson.text.file) +
+                                              ": what was measured is not as the lesson says; change its settings, or "
+                                              "its bounds under \"expect\"");
+    return 0;
+}
+
+} // namespace shadowlab::commands

@@ -1,0 +1,32 @@
+// What `lesson` is asked to do: its options, described and checked.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/context/context.h"
+#include "techniques/foundation/math/types.h"
+
+namespace CLI {
+class App;
+}
+
+namespace shadowlab::commands {
+
+struct LessonOptions {
+    std::string lesson;
+    std::filesystem::path output;          ///< empty: no picture
+    std::vector<std::size_t> states{0, 1}; ///< which to draw: before, after
+    ivec2 size{1600, 900};
+    bool measure = false, json = false;
+    context::Backend backend = context::Backend::automatic;
+    std::vector<std::filesystem::path> allowed;
+};
+
+void describeLesson(CLI::App& command);
+
+/// From what was written to what is meant. Throws Error (usage, overLimit).
+LessonOptions lessonOptions(const CLI::App& command);
+
+} // namespace shadowlab::commands

@@ -1,0 +1,164 @@
+// "Shadow map": the light's texels as fans in the plane through eye, light and point, each as deep as it holds; and the texels
+// beside the point enlarged, with the receiver, the stored depths and the bias.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "app/diagram/panels.h"
+#include "app/diagram/section_sheet.h"
+#include "techniques/foundation/look.h"
+
+namespace shadowlab::diagram {
+
+namespace {
+
+using Cell = MapProbe::Cell;
+
+const std::string kFan = "#fbe9c0", kStored = "#a06000", kCompared = "#0072b2";
+
+const Cell* cellOfPoint(const MapProbe& map) {
+    const auto found = std::ranges::find(map.near, map.texel, &Cell::texel);
+    return found == map.near.end() ? nullptr : &*found;
+}
+
+void drawOverview(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+    const MapProbe& map = *probe.map;
+    std::vector<dvec2> places;
+    if (map.blockerWorld) places.push_back(probe.section->of(*map.blockerWorld));
+    const SectionSheet sheet(probe, scene, area, places);
+    Labels labels(font, area);
+    svg.beginClip(area.corner, area.size);
+    for (const Cell& cell : map.across)
+        if (!cell.isEmpty)
+            svg.line(sheet(cell.rays[0]), sheet(0.5 * (cell.stored[0] + cell.stored[1])), {"#e0b450", 1.8, false});
+    svg.endClip();
+    sheet.drawScene(svg);
+    for (const Cell& cell : map.across) {
+        const dvec2 at = 0.5 * (cell.stored[0] + cell.stored[1]);
+        if (!cell.isEmpty && sheet.shows(at)) svg.circle(sheet(at), 4, kStored, {"#ffffff", 0.5, false});
+    }
+    // Light to point, and what the texel holds on the way.
+    const dvec2 point = sheet(dvec2(0.0));
+    const bool lightIsSeen = !sheet.light().isDirection && sheet.shows(sheet.light().at);
+    const dvec2 from =
+        lightIsSeen ? sheet(sheet.light().at) : sheet.border(dvec2(0.0), sheet.light().toward(dvec2(0.0)));
+    const bool isLit = map.compared <= map.stored;
+    svg.arrow(from, point, {colorText(isLit ? look::kEqualDepth : look::kOccluded), 4, false}, 0.45);
+    labels.avoid(from, point);
+    const dvec2 eyeEnd = sheet.shows(sheet.eye()) ? sheet(sheet.eye()) : sheet.border(dvec2(0.0), sheet.eye());
+    svg.line(eyeEnd, point, {"#1a1a1a", 3, false});
+    labels.avoid(eyeEnd, point);
+    sheet.drawPoint(svg, labels);
+    sheet.drawEye(svg, labels);
+    sheet.drawLight(svg, labels);
+    labels.place(svg, point, "z = " + fourDigits(map.pointMetres) + " m", {.size = kText, .color = kCompared}, 16);
+    if (map.blockerWorld) {
+        const dvec2 place = probe.section->of(*map.blockerWorld);
+        if (sheet.shows(place)) {
+            svg.circle(sheet(place), 8, kStored, {"#ffffff", 2, false});
+            labels.avoid({sheet(place) - 9.0, dvec2(18)});
+            labels.place(svg, sheet(place), "d = " + fourDigits(map.firstMetres) + " m",
+                         {.size = kText, .color = kStored}, 14);
+        }
+    }
+    svg.rectangle(area.corner, area.size, "none", {"#bfbfbf", 2, false});
+}
+
+void drawDetail(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+    const MapProbe& map = *probe.map;
+    double reach = 4 * map.texelMetres;
+    for (const Cell& cell : map.near)
+        for (const dvec2& place : cell.compared)
+            if (glm::length(place) < 20 * map.texelMetres) reach = std::max(reach, glm::length(place));
+    const SectionSheet sheet(probe, scene, area, reach);
+    Labels labels(font, area);
+    svg.beginClip(area.corner, area.size);
+    const dvec2 toward = sheet.light().toward(dvec2(0.0));
+    for (const Cell& cell : map.near) {
+        // From a little before the enlarged part: rays are as good as parallel there.
+        std::array<dvec2, 2> starts{}, ends = cell.stored;
+        for (std::size_t i = 0; i < 2; ++i) {
+            starts[i] = cell.compared[i] + 4 * reach * toward;
+            const dvec2 far = cell.compared[i] - 4 * reach * toward;
+            if (cell.isEmpty || glm::dot(cell.stored[i], toward) < -4 * reach) ends[i] = far;
+        }
+        const bool isBefore = glm::dot(ends[0], toward) > 4 * reach; // it ends before the enlarged part begins
+        if (isBefore) continue;
+        svg.path(std::array{sheet(starts[0]), sheet(starts[1]), sheet(ends[1]), sheet(ends[0])}, true, kFan,
+                 {"#e0b450", 1.5, false});
+    }
+    for (const Cell& cell : map.near)
+        if (!cell.isEmpty) svg.line(sheet(cell.stored[0]), sheet(cell.stored[1]), {kStored, 6, false});
+    svg.endClip();
+    sheet.drawScene(svg);
+    svg.beginClip(area.corner, area.size);
+    for (const Cell& cell : map.near)
+        svg.line(sheet(cell.compared[0]), sheet(cell.compared[1]), {kCompared, 4, true});
+    svg.endClip();
+    sheet.drawPoint(svg, labels);
+    const Cell* own = cellOfPoint(map);
+    if (own && !own->isEmpty) {
+        const dvec2 middle = 0.5 * (own->stored[0] + own->stored[1]);
+        if (sheet.shows(middle))
+            labels.place(svg, sheet(middle), "d", {.size = kText, .isBold = true, .color = kStored}, 14);
+        else
+            labels.place(svg, area.corner + dvec2(0.5 * area.size.x, 20),
+                         "d is nearer to the light, beyond this detail", {.size = kText, .color = kStored}, 4);
+    }
+    svg.rectangle(area.corner, area.size, "none", {"#bfbfbf", 2, false});
+}
+
+void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Font& font) {
+    const MapProbe& map = *probe.map;
+    TextColumn column(svg, area, font);
+    column.heading("Texel " + std::to_string(map.texel.x) + ", " + std::to_string(map.texel.y) + " of map " +
+                   map.layerName);
+    column.row("a texel is " + fourDigits(map.texelMetres) + " m wide at the point");
+    // What is compared differs from what it stands for by a little: told is the difference, which four digits would hide.
+    if (map.stored >= 1) {
+        column.row("d: nothing is stored", kStored);
+    } else {
+        column.row("d: the surface is at " + fourDigits(map.firstMetres) + " m", kStored);
+        if (map.stored != map.first)
+            column.row("stored " + fourDigits(map.storedMetres - map.firstMetres) + " m farther, by its slope",
+                       kStored);
+    }
+    column.row("z: the point is at " + fourDigits(map.pointMetres) + " m", kCompared);
+    column.row("compared " + fourDigits(map.pointMetres - map.comparedMetres) + " m nearer: the bias", kCompared);
+    column.row(map.compared <= map.stored ? "d < z is not true: the comparison says lit"
+                                          : "d < z: the comparison says in shadow");
+    const auto lit = std::ranges::count(map.taps, true, &MapProbe::Tap::isLit);
+    if (map.taps.size() > 1)
+        column.row(std::to_string(lit) + " of the filter's " + std::to_string(map.taps.size()) +
+                   " comparisons say lit");
+    for (const Probe::Fact& fact : probe.facts)
+        if (fact.label == "decision" || fact.label == "truth" || fact.label == "error" || fact.label == "who decides")
+            column.row(fact.label + ": " + fact.value, fact.label == "error" ? "#a04000" : "#1a1a1a");
+}
+
+} // namespace
+
+void drawMap(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+    constexpr double kRight = 800, kLegend = 44, kDetail = 480;
+    svg.text(area.corner + dvec2(0, kHeading), "Shadow map in the plane through eye, light and point",
+             {.size = kHeading, .isBold = true});
+    const dvec2 under(0, kHeading + 18);
+    const Box field{area.corner + under, area.size - dvec2(kRight + 30, kHeading + 18 + kLegend + 14)};
+    drawOverview(svg, field, probe, scene, font);
+    const dvec2 right = area.corner + dvec2(area.size.x - kRight, 0);
+    svg.text(right + dvec2(0, kHeading), "The texels beside the point", {.size = kHeading, .isBold = true});
+    drawDetail(svg, {right + under, {kRight, kDetail}}, probe, scene, font);
+    writeNumbers(
+        svg,
+        {right + under + dvec2(0, kDetail + 16), {kRight, area.size.y - kHeading - 18 - kDetail - 16 - kLegend - 14}},
+        probe, font);
+    using enum LegendEntry::Kind;
+    const LegendEntry legend[] = {{LegendEntry::Kind::filled, kFan, "what a texel sees, up to its depth"},
+                                  {line, kStored, "stored depth d, offset included"},
+                                  {dashed, kCompared, "compared depth z, less the bias"},
+                                  {line, "#4d4d4d", "caster"},
+                                  {line, "#a6a6a6", "casts no shadow"}};
+    drawLegend(svg, {area.corner + dvec2(0, area.size.y - kLegend), {area.size.x, kLegend}}, legend, font);
+}
+
+} // namespace shadowlab::diagram

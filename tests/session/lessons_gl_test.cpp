@@ -1,0 +1,101 @@
+// Every built-in lesson: its file loads, both states are drawn, and what is measured of them is as the file says. A checker that
+// lets everything pass would be worth nothing: with the bounds of before and after swapped every lesson fails.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "app/session/assets.h"
+#include "app/session/lesson.h"
+#include "app/session/lesson_figure.h"
+#include "app/session/lesson_measure.h"
+#include "techniques/foundation/error.h"
+#include "tests/support/gl_fixture.h"
+
+namespace shadowlab::session {
+namespace {
+
+constexpr std::size_t kLeastLessons = 24;
+constexpr std::size_t kLeastQuestions = 3;
+
+scene::LoadOptions loading() { return {.assetsRoot = assetsRoot(), .allowed = {}, .limits = {}}; }
+
+std::vector<Lesson> allLessons() {
+    std::vector<Lesson> lessons;
+    for (const LessonText& text : builtInLessons(assetsRoot()))
+        lessons.push_back(loadLesson(text.name, loading()));
+    return lessons;
+}
+
+class LessonsTest : public testing::GlTest {};
+
+TEST_F(LessonsTest, TheArtefactIsThereAndTheMendMendsIt) {
+    const std::vector<Lesson> lessons = allLessons();
+    EXPECT_GE(lessons.size(), kLeastLessons);
+    int numbers = 0;
+    for (const Lesson& lesson : lessons) {
+        const std::vector<MeasuredExpectation> measured = measureLesson(lesson);
+        ASSERT_EQ(measured.size(), lesson.expectations.size());
+        for (std::size_t i = 0; i < measured.size(); ++i) {
+            const Expectation& expected = lesson.expectations[i];
+            const std::string what = lesson.text.name + ", " + expected.quantity;
+            EXPECT_TRUE(measured[i].holds[0])
+                << what << " before: " << measured[i].values[0] << ", has to be " << expected.before.text();
+            EXPECT_TRUE(measured[i].holds[1])
+                << what << " after: " << measured[i].values[1] << ", has to be " << expected.after.text();
+            EXPECT_GT(measured[i].compared[0], 0) << what << ": nothing was compared";
+            EXPECT_GT(measured[i].compared[1], 0) << what << ": nothing was compared";
+            // The checker itself: what holds of one state must not hold of the other.
+            EXPECT_FALSE(expected.before.holds(measured[i].values[1]) && expected.after.holds(measured[i].values[0]))
+                << what << ": the bounds do not tell before from after";
+            ++numbers;
+        }
+    }
+    EXPECT_GE(numbers, static_cast<int>(kLeastLessons));
+}
+
+TEST_F(LessonsTest, SwappedBoundsAreFoundOut) {
+    Lesson lesson = loadLesson("acne", loading());
+    EXPECT_TRUE(holdsAsExpected(measureLesson(lesson)));
+    for (Expectation& expected : lesson.expectations)
+        std::swap(expected.before, expected.after);
+    EXPECT_FALSE(holdsAsExpected(measureLesson(lesson)));
+    lesson.expectations.clear();
+    EXPECT_FALSE(holdsAsExpected(measureLesson(lesson))) << "nothing was measured, and that is no proof";
+}
+
+TEST_F(LessonsTest, FiguresAreTheSameBytesAgainAndFramesAreOrange) {
+    const Lesson lesson = loadLesson("acne", loading());
+    const std::filesystem::path fonts = assetsRoot() / "fonts";
+    const image::Font font(fonts / "DejaVuSans.ttf"), bold(fonts / "DejaVuSans-Bold.ttf");
+    const image::Image figure = lessonFigure(lesson, {0, 1}, {640, 360}, font, bold);
+    EXPECT_EQ(figure, lessonFigure(lesson, {0, 1}, {640, 360}, font, bold));
+    int framed = 0;
+    for (int y = 0; y < figure.height; ++y)
+        for (int x = 0; x < figure.width; ++x)
+            framed += figure.at(x, y) == image::Color8{0xE6, 0x9F, 0x00, 255} ? 1 : 0;
+    EXPECT_GT(framed, 500); // two boxes of some 400 pixels around, two pixels wide, and two headings
+    EXPECT_THROW(lessonFigure(lesson, {0, 1}, {120, 400}, font, bold), Error);
+}
+
+TEST_F(LessonsTest, EveryLessonIsInTheDocumentAsItsFileSays) {
+    std::set<std::string> titles;
+    std::size_t questions = 0;
+    for (const Lesson& lesson : allLessons()) {
+        EXPECT_TRUE(titles.insert(lesson.text.title).second) << lesson.text.title << " twice";
+        questions += lesson.question ? 1 : 0;
+        EXPECT_NE(documentOf(lesson.states[0]), documentOf(lesson.states[1])) << lesson.text.name;
+        for (const LessonState& state : lesson.states) {
+            const Document document = documentOf(state);
+            EXPECT_EQ(document.layout, state.layout);
+            EXPECT_EQ(document.camera, state.camera);
+            for (std::size_t i = 0; i < state.slots.size(); ++i)
+                EXPECT_EQ(document.panes[i], state.slots[i]) << lesson.text.name;
+        }
+    }
+    EXPECT_GE(questions, kLeastQuestions);
+}
+
+} // namespace
+} // namespace shadowlab::session
