@@ -117,6 +117,9 @@ TechniqueInfo automaticInfo() {
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
         .pseudocode = kStencilSteps,
+        .values = {{"stencil", "stencil"},
+                   {"n_f - n_b", "z-pass, eye to point"},
+                   {"n_b - n_f", "z-fail, point to infinity"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<Automatic>(); },
     };
 }

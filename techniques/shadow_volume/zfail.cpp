@@ -115,6 +115,7 @@ TechniqueInfo zfailInfo() {
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
         .pseudocode = kStencilSteps,
+        .values = {{"stencil", "stencil"}, {"n_b - n_f", "z-fail, point to infinity"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ZFail>(); },
     };
 }

@@ -130,6 +130,7 @@ TechniqueInfo zpassInfo() {
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
         .pseudocode = kZPassSteps,
+        .values = {{"stencil", "stencil"}, {"n_f - n_b", "z-pass, eye to point"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ZPass>(); },
     };
 }
