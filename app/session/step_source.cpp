@@ -44,8 +44,8 @@ bool holds(std::string_view line, std::string_view name) {
     return false;
 }
 
-/// "N·P + D = 0" is said to be so and so; "d(u,v)" is equal to something.
-bool isEquation(std::string_view name) { return name.find('=') != std::string_view::npos; }
+/// Of an equation it is said what it is, not what it is equal to.
+bool isEquation(std::string_view text) { return text.find('=') != std::string_view::npos; }
 
 /// Says the values of names where they are met first.
 class Values {
@@ -60,8 +60,9 @@ public:
             const Probe::Fact* fact = factOf(*probe_, label);
             if (!fact) continue;
             said_.insert(name);
-            values += (values.empty() ? "" : ", ") + std::string(name) + (isEquation(name) ? ": " : " = ") +
-                      fact->value + (fact->unit.empty() ? "" : " " + fact->unit);
+            values += (values.empty() ? "" : ", ") + std::string(name) +
+                      (isEquation(name) || isEquation(fact->value) ? ": " : " = ") + fact->value +
+                      (fact->unit.empty() ? "" : " " + fact->unit);
         }
         return values;
     }

@@ -35,6 +35,15 @@ std::size_t bytesOf(std::string_view text, std::size_t columns) {
     return at;
 }
 
+/// Columns that all lines begin with empty: of a snippet from within a function they are no use.
+std::size_t commonIndent(const std::vector<session::StepLine>& lines) {
+    std::size_t least = std::string::npos;
+    for (const session::StepLine& line : lines)
+        if (!line.text.empty() && !line.text.starts_with('#'))
+            least = std::min(least, line.text.find_first_not_of(' '));
+    return least == std::string::npos ? 0 : least;
+}
+
 /// A line in rows of at most so many columns, broken at blanks where there are any; what goes on is indented deeper.
 std::vector<std::string> rowsOf(std::string_view line, std::size_t columns) {
     std::vector<std::string> rows;
@@ -110,8 +119,11 @@ void part(const Theme& theme, const std::string& title, const std::vector<sessio
     ImGui::PushFont(theme.code);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, std::round(theme.em * 0.12f)});
     const Rows rows(numbered);
-    for (const session::StepLine& line : lines)
+    const std::size_t indent = numbered ? commonIndent(lines) : 0;
+    for (session::StepLine line : lines) {
+        if (!line.text.starts_with('#')) line.text.erase(0, indent);
         rows.draw(line, marks);
+    }
     ImGui::PopStyleVar();
     ImGui::PopFont();
     ImGui::Spacing();

@@ -130,7 +130,10 @@ std::span<const TechniqueInfo> techniques() {
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
         .pseudocode = kProcedure,
-        .values = {{"N·P + D = 0", "receiver plane"}, {"tag", "stencil number"}},
+        .values = {{"N·P + D = 0", "receiver plane"},
+                   {"N·P_L + D", "N.P_L + D: height of the light"},
+                   {"P_L", "light P_L, homogeneous"},
+                   {"tag", "stencil number"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<Planar>(); },
     }};
     return info;

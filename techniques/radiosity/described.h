@@ -5,14 +5,14 @@
 
 namespace shadowlab::radiosity {
 
-/// The lecture's "Basic Radiosity Model".
+/// The lecture's "Basic Radiosity Model". As in its figure of the form factor j is the patch at hand, and k another.
 inline constexpr std::string_view kModel =
     "1. The object surfaces must form an enclosed space that has no energy exchange with outside world.\n"
     "2. Assume each surface is either a Lambertian reflector, a emitter, or a combination of both.\n"
     "3. Divide each surface into small surface polygons (surface patches)\n"
     "   and calculate form factors.\n"
-    "4. Solve radiosity equations: B_k = E_k + rho_k * sum over j of F_kj * B_j,\n"
-    "   k = 1, 2, 3, ..., n.";
+    "4. Solve radiosity equations: B_j = E_j + rho_j * sum over k of F_jk * B_k,\n"
+    "   j = 1, 2, 3, ..., n.";
 
 inline constexpr PassInfo kPasses[] = {
     {.id = "patches",

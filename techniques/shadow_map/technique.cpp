@@ -127,7 +127,8 @@ std::span<const TechniqueInfo> techniques() {
                    {"pixel is shadowed", "if d(u,v) < z(u,v) then pixel is shadowed"},
                    {"(s, t, r)", "(s, t, r) = clip / w / 2 + 1/2"},
                    {"shadowUv", "(s, t, r) = clip / w / 2 + 1/2"},
-                   {"lightClip", "point in the light's clip space"}},
+                   {"lightClip", "point in the light's clip space"},
+                   {"referenceDepth", "z(u,v) as it is compared, the bias taken off"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ShadowMap>(); },
     }};
     return info;

@@ -28,7 +28,7 @@ const PassInfo kPasses[] = {
      .perLight = true,
      .shownBy = "stencil",
      .pseudocodeLines = {3, 5},
-     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+     .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = n_f - n_b of the faces before the point, or n_b - n_f of those behind it",
      .anchors = "way-of-a-caster count-passing count-failing extrude"},
     {.id = "volumes-back",
@@ -40,7 +40,7 @@ const PassInfo kPasses[] = {
      .perLight = true,
      .shownBy = "stencil-back",
      .pseudocodeLines = {3, 4},
-     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+     .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil - 1 before the point, + 1 behind it",
      .anchors = "way-of-a-caster count-passing count-failing count-one-side extrude"},
     {.id = "volumes-front",
@@ -51,7 +51,7 @@ const PassInfo kPasses[] = {
      .perLight = true,
      .shownBy = "stencil",
      .pseudocodeLines = {5, 5},
-     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+     .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil + 1 before the point, - 1 behind it",
      .anchors = "way-of-a-caster count-passing count-failing count-one-side extrude"},
     kRepairPass,
@@ -117,6 +117,9 @@ TechniqueInfo automaticInfo() {
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
         .pseudocode = kStencilSteps,
+        .values = {{"stencil", "stencil"},
+                   {"n_f - n_b", "z-pass, eye to point"},
+                   {"n_b - n_f", "z-fail, point to infinity"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<Automatic>(); },
     };
 }

@@ -26,7 +26,7 @@ const PassInfo kPasses[] = {
      .perLight = true,
      .shownBy = "stencil",
      .pseudocodeLines = {3, 5},
-     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+     .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = n_b - n_f, of the faces behind the point",
      .anchors = "count-failing extrude"},
     {.id = "volumes-back",
@@ -36,7 +36,7 @@ const PassInfo kPasses[] = {
      .perLight = true,
      .shownBy = "stencil-back",
      .pseudocodeLines = {3, 4},
-     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+     .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil + 1 where a back face fails the depth test: n_b",
      .anchors = "count-failing count-one-side extrude"},
     {.id = "volumes-front",
@@ -46,7 +46,7 @@ const PassInfo kPasses[] = {
      .perLight = true,
      .shownBy = "stencil",
      .pseudocodeLines = {5, 5},
-     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+     .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil - 1 where a front face fails the depth test: n_f",
      .anchors = "count-failing count-one-side extrude"},
     kRepairPass,
@@ -115,6 +115,7 @@ TechniqueInfo zfailInfo() {
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
         .pseudocode = kStencilSteps,
+        .values = {{"stencil", "stencil"}, {"n_b - n_f", "z-fail, point to infinity"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ZFail>(); },
     };
 }

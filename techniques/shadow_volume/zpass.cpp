@@ -26,7 +26,7 @@ const PassInfo kPasses[] = {
      .perLight = true,
      .shownBy = "stencil",
      .pseudocodeLines = {2, 2},
-     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+     .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = n_f - n_b, of the faces before the point",
      .anchors = "count-passing extrude way-by-z-pass[eye-correction=true]"},
     {.id = "volumes-front",
@@ -36,7 +36,7 @@ const PassInfo kPasses[] = {
      .perLight = true,
      .shownBy = "stencil-front",
      .pseudocodeLines = {2, 2},
-     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+     .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil + 1 where a front face passes the depth test: n_f",
      .anchors = "count-passing count-one-side extrude"},
     {.id = "volumes-back",
@@ -46,7 +46,7 @@ const PassInfo kPasses[] = {
      .perLight = true,
      .shownBy = "stencil",
      .pseudocodeLines = {2, 2},
-     .formula = "volume face of edge AB: A, B, and A - P_L, B - P_L at infinity (w = 0)\n"
+     .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil - 1 where a back face passes the depth test: n_b",
      .anchors = "count-passing count-one-side extrude"},
     kRepairPass,
@@ -130,6 +130,7 @@ TechniqueInfo zpassInfo() {
         .passes = {std::begin(kPasses), std::end(kPasses)},
         .stages = {std::begin(kStages), std::end(kStages)},
         .pseudocode = kZPassSteps,
+        .values = {{"stencil", "stencil"}, {"n_f - n_b", "z-pass, eye to point"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ZPass>(); },
     };
 }

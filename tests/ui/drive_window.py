@@ -97,6 +97,14 @@ def every_key(window, program):
     finished = w.state["picture"]
     press("step-forward", stage("pass:"))
     first = pane(w.state)["stage"]
+    step = w.state["picture"]
+    press("source", changed("shown", "source"))
+    text = w.state["picture"]
+    press("source-on")
+    press("source-back")
+    check(w.state["picture"] == text, "a page on and back, the text is another", w.state)
+    press("source", changed("shown", "source"))
+    check(w.state["picture"] == step, "after the source the picture is another", w.state)
     press("step-forward-n", stage("pass:"))
     check(pane(w.state)["stage"] != first, "the second step is the first", w.state)
     press("step-back", stage(first))
