@@ -11,10 +11,11 @@ namespace shadowlab::radiosity {
 
 struct PreparedExchange {
     ExchangeMatrix matrix{0};
-    std::vector<double> areas;         ///< m^2
-    std::vector<double> rowSums;       ///< of the form factors as they were found
-    std::vector<double> rowDeviations; ///< how far off these are expected to be, one standard deviation at most
-    bool isClosed = false;             ///< no patch sees anything but patches
+    std::vector<double> areas;            ///< m^2
+    std::vector<double> rowSums;          ///< of the form factors as they were found
+    std::vector<double> rowDeviations;    ///< how far off these are expected to be, one standard deviation at most
+    bool isClosed = false;                ///< no patch sees anything but patches
+    std::size_t patchesInClosedRooms = 0; ///< in an open scene some may be (closed_parts.h)
     bool isScaled = false;
     double scalingChanged = 0;   ///< the largest relative change of a form factor
     double largestDeviation = 0; ///< what is left of |row sum - 1|; in an open scene, above 1

@@ -46,7 +46,11 @@ void tellOfFormFactors(Frame& frame, const PreparedExchange& exchange) {
     const auto [least, most] = std::ranges::minmax_element(exchange.rowSums);
     frame.note("row sums",
                probeText(*least) + " to " + probeText(*most) +
-                   (exchange.isClosed ? ": a closed room" : ": an open scene, the rest escapes"),
+                   (exchange.isClosed ? ": a closed room" : ": an open scene, the rest escapes") +
+                   (exchange.isClosed || exchange.patchesInClosedRooms == 0
+                        ? ""
+                        : "; " + std::to_string(exchange.patchesInClosedRooms) +
+                              " patches lie in rooms from which nothing escapes"),
                look::kLit);
     if (const double deviation = std::ranges::max(exchange.rowDeviations); deviation > 0)
         frame.note("lines between patches",
