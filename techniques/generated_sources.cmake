@@ -13,6 +13,7 @@ function(embed_shaders output)
     COMMAND ${CMAKE_COMMAND} "-DOUTPUT=${output}" "-DROOTS=${ARGN}" "-DFILES=${files}" -P
             ${CMAKE_SOURCE_DIR}/techniques/embed_shaders.cmake
     DEPENDS ${files} ${CMAKE_SOURCE_DIR}/techniques/embed_shaders.cmake
+            ${CMAKE_SOURCE_DIR}/techniques/embedded_literal.cmake
     COMMENT "Embedding the shaders" VERBATIM)
 endfunction()
 
@@ -50,5 +51,6 @@ function(embed_sources output)
     COMMAND ${CMAKE_COMMAND} "-DOUTPUT=${output}" "-DROOTS=${ARGN}" "-DFILES=${files}" -P
             ${CMAKE_SOURCE_DIR}/techniques/embed_sources.cmake
     DEPENDS ${files} ${CMAKE_SOURCE_DIR}/techniques/embed_sources.cmake
+            ${CMAKE_SOURCE_DIR}/techniques/embedded_literal.cmake
     COMMENT "Embedding the sources that have anchors" VERBATIM)
 endfunction()

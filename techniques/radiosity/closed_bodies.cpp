@@ -5,6 +5,7 @@
 #include <map>
 
 #include "techniques/foundation/trace/bvh_traverse.h"
+#include "techniques/radiosity/winding.h"
 
 namespace shadowlab::radiosity {
 
@@ -12,9 +13,7 @@ bool ClosedBodies::contain(const dvec3& placeCentred, const dvec3& directionCent
     std::map<std::uint32_t, int> windings; ///< of the bodies that are met: few
     const auto isOfBody = [&](std::uint32_t triangle) { return isClosed_[world_.objects[triangle]]; };
     const auto count = [&](std::uint32_t triangle, const dvec3&) {
-        const trace::Triangle& t = world_.triangles[triangle];
-        const bool fromBehind = glm::dot(glm::cross(t.b - t.a, t.c - t.a), directionCentred) > 0;
-        windings[world_.objects[triangle]] += fromBehind ? 1 : -1;
+        windings[world_.objects[triangle]] += windingOf(world_.triangles[triangle], directionCentred);
         return true; // the ray goes on
     };
     (void)bvh_.any({placeCentred, directionCentred}, isOfBody, count);

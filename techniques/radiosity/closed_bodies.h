@@ -1,7 +1,4 @@
-// Is a place inside of a closed body?
-//
-// On the way to far away, a body is left as often as it is entered if one begins outside. So count, for each body, 1 when its
-// surface is met from behind and -1 when it is met from the front: the sum is the winding number, 0 outside.
+// Is a place inside of a closed body? It is where the winding number (winding.h) of one body is not zero.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>

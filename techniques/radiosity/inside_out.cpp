@@ -10,6 +10,7 @@
 #include "techniques/foundation/trace/bvh_traverse.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/radiosity/even_places.h"
+#include "techniques/radiosity/winding.h"
 
 namespace shadowlab::radiosity {
 
@@ -18,13 +19,12 @@ namespace {
 // Enough to tell most from few. Coarse meshes pierce themselves here and there, so single places say little.
 constexpr int kRays = 32;
 
-/// Triangles met from behind less triangles met from the front, on the way from a triangle to far away.
+/// The winding number of a place on a triangle, which itself does not count.
 int winding(const trace::Bvh& bvh, std::uint32_t triangle, const dvec3& from, const dvec3& direction) {
     int sum = 0;
     const auto isOther = [&](std::uint32_t number) { return number != triangle; };
     const auto count = [&](std::uint32_t number, const dvec3&) {
-        const trace::Triangle& t = bvh.triangles[number];
-        sum += glm::dot(glm::cross(t.b - t.a, t.c - t.a), direction) > 0 ? 1 : -1;
+        sum += windingOf(bvh.triangles[number], direction);
         return true; // the ray goes on
     };
     (void)bvh.any({from, direction}, isOther, count);

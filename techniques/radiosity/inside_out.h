@@ -2,9 +2,8 @@
 //
 // Walls thinner than a cell may change places: the outer one, drawn with fewer and longer chords, comes to lie within the inner
 // one. Between them then are only fronts, which see nothing but each other and would stay black, and the room sees backs. Turned
-// round, they are a wall again. The winding number tells where: on the way from the front of a triangle to far away, count 1 for each
-// triangle that is met from behind, and -1 for each that is met from the front. Outside the sum is 0, as it should be before every
-// front; where a mesh is inside out it is negative.
+// round, they are a wall again. The winding number (winding.h) tells where: it is 0 outside, as it should be before every front;
+// where a mesh is inside out it is negative.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>

@@ -10,14 +10,7 @@ namespace {
 
 const PassInfo kPasses[] = {
     kLightsOffPass,
-    {.id = "clear-stencil",
-     .title = "Clear the stencil buffer",
-     .why = "Each light counts from zero.",
-     .glState = "stencil write mask 0xff",
-     .perLight = true,
-     .pseudocodeLines = {2, 2},
-     .formula = "stencil = 0",
-     .anchors = "clear-count"},
+    kClearStencilPass,
     {.id = "volumes",
      .title = "Count the volume faces before each visible point, or behind it",
      .why = "Casters off the line from the eye to the light: front faces add one and back faces take one where they "

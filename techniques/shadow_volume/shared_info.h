@@ -14,6 +14,15 @@ inline constexpr PassInfo kLightsOffPass = {
     .formula = "L = emission + ambient * diffuse",
     .anchors = "lights-off"};
 
+inline constexpr PassInfo kClearStencilPass = {.id = "clear-stencil",
+                                               .title = "Clear the stencil buffer",
+                                               .why = "Each light counts from zero.",
+                                               .glState = "stencil write mask 0xff",
+                                               .perLight = true,
+                                               .pseudocodeLines = {2, 2},
+                                               .formula = "stencil = 0",
+                                               .anchors = "clear-count"};
+
 /// The lecture's "Shadow Volume Using Stencil Buffer"; it counts with depth fail.
 inline constexpr std::string_view kStencilSteps =
     "1. Render the scene with all light sources turned off.\n"

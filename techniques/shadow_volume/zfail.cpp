@@ -9,14 +9,7 @@ namespace {
 
 const PassInfo kPasses[] = {
     kLightsOffPass,
-    {.id = "clear-stencil",
-     .title = "Clear the stencil buffer",
-     .why = "Each light counts from zero.",
-     .glState = "stencil write mask 0xff",
-     .perLight = true,
-     .pseudocodeLines = {2, 2},
-     .formula = "stencil = 0",
-     .anchors = "clear-count"},
+    kClearStencilPass,
     {.id = "volumes",
      .title = "Count the volume faces behind each visible point",
      .why = "Back faces add one and front faces take one where they fail the depth test: what is left is not zero "
