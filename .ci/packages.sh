@@ -7,7 +7,7 @@
 # and libosmesa6 are loaded at run time, and no other package pulls all three in.
 build_packages=(
     g++ cmake ninja-build python3-glad
-    libcli11-dev libegl-dev libeigen3-dev libfreetype-dev libglfw3-dev libglm-dev libgtest-dev libimgui-dev
+    libcairo2-dev libcli11-dev libegl-dev libeigen3-dev libfreetype-dev libglfw3-dev libglm-dev libgtest-dev libimgui-dev
     libpng-dev libtinyobjloader-dev nlohmann-json3-dev pkgconf
     libegl1 libgl1-mesa-dri libosmesa6
 )

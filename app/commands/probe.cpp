@@ -2,20 +2,25 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/command_line.h"
 #include "app/commands/messages.h"
+#include "app/commands/probe_options.h"
 #include "app/commands/probe_report.h"
+#include "app/diagram/paint.h"
 #include "app/diagram/pixel_diagram.h"
 #include "app/session/assets.h"
 #include "app/session/session.h"
 #include "app/session/settings.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/png.h"
 #include "techniques/foundation/scene/load.h"
 
 namespace shadowlab::commands {
 
 namespace {
 
-std::string diagramOf(const ProbedPixel& probed, const scene::Snapshot& scene) {
+/// The bytes of the file.
+std::vector<std::uint8_t> diagramOf(const ProbedPixel& probed, const scene::Snapshot& scene,
+                                    const std::filesystem::path& file) {
     if (!diagram::canDraw(probed.probe))
         throw Error(ExitStatus::usage,
                     probed.probe.geometry.empty()
@@ -23,8 +28,16 @@ std::string diagramOf(const ProbedPixel& probed, const scene::Snapshot& scene) {
                         : "--diagram: " + probed.technique +
                               " has nothing to draw there; ask another technique, as -t shadow-volume or "
                               "-t ray-traced");
-    const image::Font font(session::assetsRoot() / "fonts" / "DejaVuSans.ttf");
-    return diagram::pixelDiagram(probed.probe, *scene, font);
+    const std::filesystem::path fonts = session::assetsRoot() / "fonts";
+    const diagram::Diagram drawn = diagram::pixelDiagram(probed.probe, *scene, image::Font(fonts / "DejaVuSans.ttf"));
+    if (!isPicture(file)) {
+        const std::string document = drawn.document();
+        return {document.begin(), document.end()};
+    }
+    const ivec2 size(glm::ceil(drawn.drawing.size()));
+    image::Image picture(size.x, size.y, {255, 255, 255, 255});
+    diagram::Painter(fonts).paint(drawn.drawing, picture);
+    return image::encodePng(picture, {.opaque = true, .text = {}});
 }
 
 } // namespace
@@ -50,7 +63,7 @@ int probe(const ProbeOptions& options) {
                              options.pixel,
                              options.partner,
                              slots.front().technique->probe(scene, view, options.pixel, light)};
-    if (!options.diagram.empty()) image::writeWhole(options.diagram, diagramOf(probed, scene));
+    if (!options.diagram.empty()) image::writeWhole(options.diagram, diagramOf(probed, scene, options.diagram));
     for (const std::string& remark : scene->notes)
         note(remark);
     for (const std::string& remark : session::settingsWithoutEffect(slots))

@@ -22,10 +22,11 @@ void describeProbe(CLI::App& command) {
     add("--set", "ID.PARAM=VALUE", "a parameter (`list parameters`); may be repeated");
     add("--light", "NAME", "the light that is asked about (default: the first)");
     command.add_flag("--json")->description("one JSON object instead of lines");
-    add("--diagram", "OUT.svg",
+    add("--diagram", "OUT",
         "draws the lecture's figure from that pixel: faces of shadow volumes and their counts, texels of a shadow map, "
         "or a projected shadow, in the plane through eye, light and point; of ray tracing the pixel's rays and their "
-        "tree; of radiosity two patches with the angles of their form factor");
+        "tree; of radiosity two patches with the angles of their form factor. OUT ends in .svg, or in .png for a "
+        "picture");
     add("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     command.footer("Needs no graphics card.\n"
                    "Examples:\n"
@@ -35,6 +36,8 @@ void describeProbe(CLI::App& command) {
                    "  shadowlab probe cornell-room --pixel 500,690 --partner 300,400 -t radiosity --diagram pair.svg\n"
                    "  shadowlab probe still-life --pixel 640,360 -t shadow-map --set shadow-map.resolution=512 --json");
 }
+
+bool isPicture(const std::filesystem::path& diagram) { return diagram.extension() == ".png"; }
 
 ProbeOptions probeOptions(const CLI::App& command) {
     const GivenOptions given(command);
@@ -52,7 +55,8 @@ ProbeOptions probeOptions(const CLI::App& command) {
     options.light = given.text("--light");
     options.json = command.count("--json") > 0;
     options.diagram = given.text("--diagram");
-    if (!options.diagram.empty()) requireEnding("--diagram", options.diagram, ".svg");
+    if (!options.diagram.empty())
+        requireEnding("--diagram", options.diagram, isPicture(options.diagram) ? ".png" : ".svg");
     for (const std::string& folder : given.texts("--allow"))
         options.allowed.emplace_back(folder);
     return options;

@@ -27,6 +27,9 @@ struct ProbeOptions {
     std::vector<std::filesystem::path> allowed;
 };
 
+/// Is the diagram wanted as a picture, not as SVG?
+bool isPicture(const std::filesystem::path& diagram);
+
 void describeProbe(CLI::App& command);
 
 /// Throws Error (usage, overLimit) for what is wrong in itself; what depends on the scene is seen later.

@@ -19,7 +19,7 @@ constexpr double kPairHeight = 660, kReflectorHeight = 420; ///< a slide in all
 
 const Stroke kRule{"#bfbfbf", 2, false};
 
-std::string drawTreePanels(const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+Diagram drawTreePanels(const Probe& probe, const scene::Scene& scene, const image::Font& font) {
     const ShownTree shown = shownTree(probe);
     const double height = kUpperHeight + treeHeight(probe, shown) + kBorder;
     Svg svg({kSheetWidth, height});
@@ -32,10 +32,10 @@ std::string drawTreePanels(const Probe& probe, const scene::Scene& scene, const 
              font);
     svg.line({kPathsWidth, kBorder}, {kPathsWidth, kUpperHeight - kBorder}, kRule);
     svg.line({kBorder, kUpperHeight - kBorder / 2}, {kSheetWidth - kBorder, kUpperHeight - kBorder / 2}, kRule);
-    return svg.document("Paths of pixel rays, the ray-tracing tree, and the vectors at its first surface");
+    return {std::move(svg), "Paths of pixel rays, the ray-tracing tree, and the vectors at its first surface"};
 }
 
-std::string drawPatchPanels(const Probe& probe, const image::Font& font) {
+Diagram drawPatchPanels(const Probe& probe, const image::Font& font) {
     const double upper = probe.exchange->k ? kPairHeight : 0, height = upper + kReflectorHeight;
     Svg svg({kSheetWidth, height});
     const double width = kSheetWidth - 2 * kBorder;
@@ -45,27 +45,27 @@ std::string drawPatchPanels(const Probe& probe, const image::Font& font) {
     }
     drawReflector(svg, {{kBorder, upper + kBorder / 2}, {width, height - upper - kBorder}}, *probe.exchange,
                   probe.geometry.front().fromWorld, font);
-    return svg.document(probe.exchange->k
-                            ? "The form factor of two surfaces, and the radiosity of a Lambertian reflector"
-                            : "The radiosity of a Lambertian reflector");
+    return {std::move(svg), probe.exchange->k
+                                ? "The form factor of two surfaces, and the radiosity of a Lambertian reflector"
+                                : "The radiosity of a Lambertian reflector"};
 }
 
-std::string drawSection(const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+Diagram drawSection(const Probe& probe, const scene::Scene& scene, const image::Font& font) {
     Svg svg({kSheetWidth, kSectionHeight});
     const Box area{dvec2(kBorder), dvec2(kSheetWidth, kSectionHeight) - 2 * kBorder};
     if (probe.volume) {
         drawVolume(svg, area, probe, scene, font);
-        return svg.document(
-            "Shadow volumes in the plane through eye, light and point, and the faces that the eye's line crosses");
+        return {std::move(svg),
+                "Shadow volumes in the plane through eye, light and point, and the faces that the eye's line crosses"};
     }
     if (probe.map) {
         drawMap(svg, area, probe, scene, font);
-        return svg.document(
-            "The shadow map's texels in the plane through eye, light and point, and those beside the point");
+        return {std::move(svg),
+                "The shadow map's texels in the plane through eye, light and point, and those beside the point"};
     }
     drawPlane(svg, area, probe, scene, font);
-    return svg.document(
-        "The light, the caster, and its shadow on the receiver plane, in the plane through eye, light and point");
+    return {std::move(svg),
+            "The light, the caster, and its shadow on the receiver plane, in the plane through eye, light and point"};
 }
 
 } // namespace
@@ -115,7 +115,7 @@ std::string fourDigits(double value) {
 
 bool canDraw(const Probe& probe) { return !probe.tree.empty() || probe.exchange || hasSection(probe); }
 
-std::string pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+Diagram pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font) {
     if (hasSection(probe)) return drawSection(probe, scene, font);
     return probe.exchange ? drawPatchPanels(probe, font) : drawTreePanels(probe, scene, font);
 }

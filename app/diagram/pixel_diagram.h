@@ -5,6 +5,7 @@
 #pragma once
 #include <string>
 
+#include "app/diagram/svg.h"
 #include "techniques/foundation/image/text.h"
 #include "techniques/foundation/scene/scene.h"
 #include "techniques/probe.h"
@@ -14,8 +15,15 @@ namespace shadowlab::diagram {
 /// Has the probe a tree or patches? Else there is nothing to draw.
 bool canDraw(const Probe& probe);
 
-/// One SVG document of panels, those that the probe has something for: canDraw() must hold, and the first ray of a tree meet a
-/// surface. `font` is the one that the document names, DejaVu Sans: labels are placed by its measures. Same input, same bytes.
-std::string pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font);
+struct Diagram {
+    Svg drawing;
+    std::string title; ///< what it is, for who cannot see it
+    [[nodiscard]] std::string document() const { return drawing.document(title); }
+};
+
+/// One sheet of panels, those that the probe has something for: canDraw() must hold, and the first ray of a tree meet a
+/// surface. `font` is DejaVu Sans, which the document names: labels are placed by its measures. Same input, same
+/// bytes.
+Diagram pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font);
 
 } // namespace shadowlab::diagram

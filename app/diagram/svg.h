@@ -1,9 +1,12 @@
-// A drawing of lines and text, written as SVG 1.1. Lengths are in pixels of a sheet whose origin is its upper left corner.
+// A drawing of lines and text, written as SVG 1.1 or painted into a picture (paint.h). Lengths are in pixels of a sheet whose
+// origin is its upper left corner.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
+#include <vector>
 
 #include "techniques/foundation/math/types.h"
 
@@ -17,6 +20,7 @@ struct Stroke {
     double width = 3;
     bool isDashed = false;
 };
+constexpr double kDashLength = 9, kDashGap = 7; ///< of a dashed line
 
 enum class Anchor { start, middle, end };
 
@@ -25,7 +29,43 @@ struct TextStyle {
     Anchor anchor = Anchor::start;
     bool isBold = false, isItalic = false;
     std::string color = "#1a1a1a";
+    bool hasRim = true; ///< a white one, which keeps it legible on lines
 };
+constexpr double kRimWidth = 6; ///< half of it lies outside of the letters
+
+// What a drawing is made of, in the order of drawing. An empty colour: not filled.
+struct Line {
+    std::vector<dvec2> points;
+    bool isClosed = false;
+    std::string fill;
+    Stroke stroke;
+};
+struct Segments {
+    std::vector<dvec2> points; ///< two for each
+    Stroke stroke;
+};
+struct Circle {
+    dvec2 centre;
+    double radius;
+    std::string fill;
+    Stroke stroke;
+};
+struct Rectangle {
+    dvec2 corner, size;
+    std::string fill;
+    Stroke stroke;
+    double rounding = 0;
+};
+struct TextLine {
+    dvec2 place;
+    std::string text;
+    TextStyle style;
+};
+struct ClipBegin {
+    dvec2 corner, size;
+};
+struct ClipEnd {};
+using Mark = std::variant<Line, Segments, Circle, Rectangle, TextLine, ClipBegin, ClipEnd>;
 
 class Svg {
 public:
@@ -40,22 +80,24 @@ public:
     void path(std::span<const dvec2> points, bool isClosed, const std::string& fill, const Stroke& stroke);
     void circle(dvec2 centre, double radius, const std::string& fill, const Stroke& stroke);
     void rectangle(dvec2 corner, dvec2 size, const std::string& fill, const Stroke& stroke, double rounding = 0);
-    /// One line, its foot at `place`. A white rim keeps it legible on lines.
+    /// One line, its foot at `place`.
     void text(dvec2 place, std::string_view text, const TextStyle& style);
     /// Two short strokes across a line: a part of it is left out there.
     void breakMark(dvec2 place, dvec2 direction, const Stroke& stroke);
 
     /// What is drawn until endClip() shows within that rectangle only.
-    void beginClip(dvec2 corner, dvec2 size);
-    void endClip();
+    void beginClip(dvec2 corner, dvec2 size) { marks_.emplace_back(ClipBegin{corner, size}); }
+    void endClip() { marks_.emplace_back(ClipEnd{}); }
 
-    /// `title`: what the drawing is, for who cannot see it.
+    [[nodiscard]] dvec2 size() const { return size_; }
+    [[nodiscard]] const std::vector<Mark>& marks() const { return marks_; }
+
+    /// The SVG document. `title`: what the drawing is, for who cannot see it.
     [[nodiscard]] std::string document(std::string_view title) const;
 
 private:
     dvec2 size_;
-    std::string body_;
-    int clips_ = 0;
+    std::vector<Mark> marks_;
 };
 
 } // namespace shadowlab::diagram

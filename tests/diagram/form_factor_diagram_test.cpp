@@ -83,7 +83,7 @@ Probe probeOf(const Arrangement& arrangement) {
     return probe;
 }
 
-std::string drawn(const Probe& probe) { return pixelDiagram(probe, scene::Scene{}, testFont()); }
+std::string drawn(const Probe& probe) { return pixelDiagram(probe, scene::Scene{}, testFont()).document(); }
 
 bool says(const std::string& svg, const std::string& text) {
     const std::vector<Written> all = written(svg);

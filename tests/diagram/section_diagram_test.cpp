@@ -88,7 +88,7 @@ TEST(SectionDiagramTest, CanBeReadWhateverTheSceneIs) {
                  {ivec2(160, 90), ivec2(120, 120), ivec2(200, 130), ivec2(90, 150), ivec2(230, 100)}) {
                 const Probe probe = ask(named.scene, technique, pixel);
                 if (!canDraw(probe)) continue;
-                const std::string svg = pixelDiagram(probe, *named.scene, testFont());
+                const std::string svg = pixelDiagram(probe, *named.scene, testFont()).document();
                 const std::string what =
                     named.name + ", " + technique + ", " + std::to_string(pixel.x) + "," + std::to_string(pixel.y);
                 ++drawings;
@@ -222,7 +222,7 @@ TEST(SectionDiagramTest, CrossingsAreThoseOfTheLineAndChangeTheCount) {
                 EXPECT_EQ(after - before, crossing.sign) << named.name << " at " << crossing.distance;
             }
             if (i % 5 != 0) continue; // a drawing takes longer than a walk
-            const std::vector<Written> all = written(pixelDiagram(probe, *named.scene, testFont()));
+            const std::vector<Written> all = written(pixelDiagram(probe, *named.scene, testFont()).document());
             for (std::size_t i = 0; i < probe.volume->crossings.size() && i < 14; ++i) {
                 const std::string sign = probe.volume->crossings[i].sign > 0 ? "+1" : "\u22121",
                                   row = std::to_string(i + 1) + ": " + sign;
