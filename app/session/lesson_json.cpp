@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "app/session/capture_words.h"
 #include "app/session/lesson_parts.h"
-#include "app/session/light_changes.h"
-#include "app/session/settings.h"
+#include "app/session/state_json.h"
 #include "techniques/foundation/nearest_names.h"
+#include "techniques/foundation/scene/file_access.h"
 #include "techniques/foundation/scene/message_text.h"
-#include "techniques/foundation/scene/scene_json.h"
 
 namespace shadowlab::session {
 
@@ -22,7 +20,6 @@ using scene::Range;
 constexpr int kSmallestSide = 16, kLargestSide = 2048; ///< of measured pictures, pixels
 constexpr int kMostLessonFrames = 1000;
 
-/// Reads one lesson. The parts that both states share are at the top of the file, their own ones in "before" and "after".
 class LessonReader {
 public:
     LessonReader(const std::string& text, const std::filesystem::path& file)
@@ -42,8 +39,9 @@ public:
         lesson.text = words();
         static_cast<void>(order());
         readSize(lesson);
-        lesson.states[0] = state("before", options);
-        lesson.states[1] = state("after", options);
+        StateReader reader(document_, file_, options);
+        lesson.states[0] = state(reader, "before");
+        lesson.states[1] = state(reader, "after");
         readMotion(lesson);
         readLook(top_, lesson);
         readExpectations(top_, lesson);
@@ -60,98 +58,13 @@ private:
             top_.fail("size", "is pixels, and these are whole; write for example [320, 180]");
     }
 
-    LessonState state(const char* name, const scene::LoadOptions& options) {
+    /// What both states share stands at the top of the file, what is a state's own in its object.
+    LessonState state(StateReader& reader, const char* name) const {
         const JsonObject own(document_, top_.require(name, R"({"set": ["shadow-map.bias-mode=none"]})"),
                              "\"" + std::string(name) + "\"",
                              {"scene", "camera", "lights", "layout", "slots", "stage", "set"});
-        LessonState state;
-        loadScene(own.find("scene") ? own : top_, options, state);
-        state.camera = state.scene->camera;
-        std::vector<scene::Light> lights = state.scene->lights;
-        for (const JsonObject* object : {&std::as_const(top_), &own}) {
-            if (const JsonValue* camera = object->find("camera"))
-                state.camera = scene::readCamera(scene::NumberRanges{}, document_, *camera,
-                                                 "the camera of " + object->what(), state.camera);
-            readLightChanges(*object, lights);
-        }
-        state.scene = scene::withLights(state.scene, lights);
-        state.light = light(*state.scene);
-        readSlots(own.find("slots") ? own : top_, own, state);
-        const JsonObject& layoutOf = own.find("layout") ? own : top_;
-        std::vector<std::string> layouts;
-        for (const Layout layout : {Layout::single, Layout::side, Layout::split, Layout::grid, Layout::diff})
-            layouts.emplace_back(layoutName(layout));
-        state.layout = static_cast<Layout>(
-            oneOf(layoutOf, "layout", layoutOf.text("layout", state.slots.size() == 1 ? "single" : "side"), layouts));
-        const int shown = state.layout == Layout::grid ? kPanes : shownPanes(state.layout);
-        if (static_cast<int>(state.slots.size()) != shown)
-            layoutOf.fail("layout", "shows " + scene::counted(static_cast<std::uint64_t>(shown), "technique") +
-                                        ", and " + std::to_string(state.slots.size()) +
-                                        " are under \"slots\"; write as many");
-        readSettings(own, state);
-        return state;
-    }
-
-    void loadScene(const JsonObject& object, const scene::LoadOptions& options, LessonState& state) {
-        const std::string reference = object.text("scene");
-        const std::string ending = std::filesystem::path(reference).extension().string();
-        state.sceneName = reference;
-        if (ending == ".json" || ending == ".obj") {
-            const auto found = scene::AllowedFolders(file_, options).resolve(reference);
-            if (!found) object.fail("scene", scene::inQuotes(reference) + " " + std::string(scene::kOutsideMessage));
-            state.sceneName = (file_.parent_path() / reference).string();
-        } else {
-            oneOf(object, "scene", reference, scene::builtInScenes(options.assetsRoot));
-        }
-        if (loaded_.first != state.sceneName) loaded_ = {state.sceneName, scene::loadScene(state.sceneName, options)};
-        state.scene = loaded_.second;
-    }
-
-    [[nodiscard]] int light(const scene::Scene& scene) const {
-        if (!top_.find("light")) return 0;
-        std::vector<std::string> names;
-        for (const scene::Light& light : scene.lights)
-            names.push_back(light.name);
-        return oneOf(top_, "light", top_.text("light"), names);
-    }
-
-    void readSlots(const JsonObject& object, const JsonObject& own, LessonState& state) {
-        for (const JsonValue& value : object.array("slots")) {
-            const JsonObject slot(document_, value, "slot " + std::to_string(state.slots.size() + 1),
-                                  {"technique", "stage"});
-            PaneState pane;
-            pane.technique = slot.text("technique");
-            pane.stage = slot.text("stage", "");
-            const TechniqueInfo& info = saidAt(document_, slot.require("technique", "\"shadow-map\"").offset,
-                                               [&]() -> const TechniqueInfo& { return findTechnique(pane.technique); });
-            // The state's own stage is that of all slots.
-            const JsonObject& stageOf = own.find("stage") ? own : slot;
-            if (own.find("stage")) pane.stage = own.text("stage");
-            if (!pane.stage.empty())
-                saidAt(document_, stageOf.require("stage", "").offset,
-                       [&] { return parseStage(pane.stage, info, *state.scene, state.light); });
-            state.slots.push_back(std::move(pane));
-        }
-        if (state.slots.empty())
-            object.fail("slots", R"(is missing or empty; write for example [{"technique": "shadow-map"}])");
-        if (state.slots.size() > kPanes)
-            object.fail("slots", "has more techniques than the " + std::to_string(kPanes) +
-                                     " that the window shows; leave some out");
-    }
-
-    /// Settings are checked by slots like those of a capture, and written down as the panes keep them.
-    void readSettings(const JsonObject& own, LessonState& state) {
-        std::vector<Slot> slots = slotsOf(state.slots);
-        for (const JsonObject* object : {&std::as_const(top_), &own})
-            for (const auto& [setting, offset] : texts(*object, "set")) {
-                saidAt(document_, offset, [&] {
-                    applySettings(slots, {setting});
-                    return 0;
-                });
-                if (object == &own) state.settings.push_back(setting);
-            }
-        for (std::size_t i = 0; i < slots.size(); ++i)
-            state.slots[i].settings = settingsOf(slots[i]);
+        const std::array levels{&top_, &own};
+        return reader.read(levels);
     }
 
     void readMotion(Lesson& lesson) const {
@@ -171,7 +84,6 @@ private:
     const std::filesystem::path& file_;
     JsonDocument document_;
     JsonObject top_;
-    std::pair<std::string, scene::Snapshot> loaded_; ///< the scene that was loaded last, and its name
 };
 
 } // namespace

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/state_json.h"
+
+#include <algorithm>
+
+#include "app/session/capture_words.h"
+#include "app/session/lesson_parts.h"
+#include "app/session/light_changes.h"
+#include "app/session/settings.h"
+#include "techniques/foundation/scene/message_text.h"
+#include "techniques/foundation/scene/scene_json.h"
+
+namespace shadowlab::session {
+
+using scene::JsonObject;
+using scene::JsonValue;
+
+namespace {
+
+/// The innermost level that has the key; without one the outermost, which then says that it is missing.
+const JsonObject& having(std::span<const JsonObject* const> levels, std::string_view key) {
+    for (std::size_t i = levels.size(); i-- > 0;)
+        if (levels[i]->find(key)) return *levels[i];
+    return *levels.front();
+}
+
+} // namespace
+
+LessonState StateReader::read(std::span<const JsonObject* const> levels) {
+    LessonState state;
+    loadScene(having(levels, "scene"), state);
+    state.camera = state.scene->camera;
+    std::vector<scene::Light> lights = state.scene->lights;
+    for (const JsonObject* level : levels) {
+        if (const JsonValue* camera = level->find("camera"))
+            state.camera = scene::readCamera(scene::NumberRanges{}, document_, *camera,
+                                             "the camera of " + level->what(), state.camera);
+        readLightChanges(*level, lights);
+    }
+    state.scene = scene::withLights(state.scene, lights);
+    if (const JsonObject& lightOf = having(levels, "light"); lightOf.find("light")) {
+        std::vector<std::string> names;
+        for (const scene::Light& light : state.scene->lights)
+            names.push_back(light.name);
+        state.light = oneOf(lightOf, "light", lightOf.text("light"), names);
+    }
+    // A stage of all slots is that of slots further out, or beside them; slots further in have their own.
+    const JsonObject& slotsAt = having(levels, "slots");
+    const JsonObject& stageAt = having(levels, "stage");
+    const bool isOfThem =
+        stageAt.find("stage") && std::ranges::find(levels, &stageAt) >= std::ranges::find(levels, &slotsAt);
+    readSlots(slotsAt, isOfThem ? &stageAt : nullptr, state);
+    const JsonObject& layoutOf = having(levels, "layout");
+    std::vector<std::string> layouts;
+    for (const Layout layout : {Layout::single, Layout::side, Layout::split, Layout::grid, Layout::diff})
+        layouts.emplace_back(layoutName(layout));
+    state.layout = static_cast<Layout>(
+        oneOf(layoutOf, "layout", layoutOf.text("layout", state.slots.size() == 1 ? "single" : "side"), layouts));
+    const int shown = state.layout == Layout::grid ? kPanes : shownPanes(state.layout);
+    if (static_cast<int>(state.slots.size()) != shown)
+        layoutOf.fail("layout", "shows " + scene::counted(static_cast<std::uint64_t>(shown), "technique") + ", and " +
+                                    std::to_string(state.slots.size()) + " are under \"slots\"; write as many");
+    readSettings(levels, state);
+    return state;
+}
+
+void StateReader::loadScene(const JsonObject& object, LessonState& state) {
+    const std::string reference = object.text("scene");
+    const std::string ending = std::filesystem::path(reference).extension().string();
+    state.sceneName = reference;
+    if (ending == ".json" || ending == ".obj") {
+        const auto found = scene::AllowedFolders(file_, options_).resolve(reference);
+        if (!found) object.fail("scene", scene::inQuotes(reference) + " " + std::string(scene::kOutsideMessage));
+        state.sceneName = (file_.parent_path() / reference).string();
+    } else {
+        oneOf(object, "scene", reference, scene::builtInScenes(options_.assetsRoot));
+    }
+    if (loaded_.first != state.sceneName) loaded_ = {state.sceneName, scene::loadScene(state.sceneName, options_)};
+    state.scene = loaded_.second;
+}
+
+void StateReader::readSlots(const JsonObject& object, const JsonObject* stageOf, LessonState& state) {
+    for (const JsonValue& value : object.array("slots")) {
+        const JsonObject slot(document_, value, "slot " + std::to_string(state.slots.size() + 1),
+                              {"technique", "stage"});
+        PaneState pane;
+        pane.technique = slot.text("technique");
+        const TechniqueInfo& info = saidAt(document_, slot.require("technique", "\"shadow-map\"").offset,
+                                           [&]() -> const TechniqueInfo& { return findTechnique(pane.technique); });
+        const JsonObject& said = stageOf ? *stageOf : slot;
+        pane.stage = said.text("stage", "");
+        if (!pane.stage.empty())
+            saidAt(document_, said.require("stage", "").offset,
+                   [&] { return parseStage(pane.stage, info, *state.scene, state.light); });
+        state.slots.push_back(std::move(pane));
+    }
+    if (state.slots.empty())
+        object.fail("slots", R"(is missing or empty; write for example [{"technique": "shadow-map"}])");
+    if (state.slots.size() > kPanes)
+        object.fail("slots", "has more techniques than the " + std::to_string(kPanes) +
+                                 " that the window shows; leave some out");
+}
+
+/// Settings are checked by slots like those of a capture, and written down as the panes keep them.
+void StateReader::readSettings(std::span<const JsonObject* const> levels, LessonState& state) {
+    std::vector<Slot> slots = slotsOf(state.slots);
+    for (const JsonObject* level : levels)
+        for (const auto& [setting, offset] : texts(*level, "set")) {
+            saidAt(document_, offset, [&] {
+                applySettings(slots, {setting});
+                return 0;
+            });
+            if (level == levels.back()) state.settings.push_back(setting);
+        }
+    for (std::size_t i = 0; i < slots.size(); ++i)
+        state.slots[i].settings = settingsOf(slots[i]);
+}
+
+} // namespace shadowlab::session

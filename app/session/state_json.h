@@ -1,0 +1,38 @@
+// Reads what pictures show: scene, camera, lights, layout, techniques with their stages and parameters. Lessons and decks
+// write it alike (docs/lessons.md, docs/decks.md), with the keys, ranges and words of scene files and of the command line.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "app/session/lesson.h"
+#include "techniques/foundation/scene/json_object.h"
+
+namespace shadowlab::session {
+
+class StateReader {
+public:
+    /// `file` is the one that is read: scenes are looked for beside it.
+    StateReader(const scene::JsonDocument& document, const std::filesystem::path& file,
+                const scene::LoadOptions& options)
+        : document_(document), file_(file), options_(options) {}
+
+    /// The state that the levels say, from what is common to all pictures to what is this one's own: of scene, layout, light and
+    /// slots the last that is there counts; cameras, lights and settings are changed one level after another. `stage` is
+    /// that of all slots. Throws Error (badInput) with FILE:LINE:COLUMN, and all that loading a scene throws.
+    LessonState read(std::span<const scene::JsonObject* const> levels);
+
+private:
+    void loadScene(const scene::JsonObject& object, LessonState& state);
+    void readSlots(const scene::JsonObject& object, const scene::JsonObject* stageOf, LessonState& state);
+    void readSettings(std::span<const scene::JsonObject* const> levels, LessonState& state);
+
+    const scene::JsonDocument& document_;
+    const std::filesystem::path& file_;
+    scene::LoadOptions options_;
+    std::pair<std::string, scene::Snapshot> loaded_; ///< the scene that was loaded last, and its name
+};
+
+} // namespace shadowlab::session
