@@ -87,6 +87,9 @@ int captureWindow(const CaptureOptions& options) {
         screen.frame(kFrameSeconds); // type is measured in it, and from that follows how large the pictures are
         const std::vector<session::PlacedPane> panes = desk.bench.placed(screen.pictureSize());
         const ivec2 shown = panes.empty() ? ivec2(0) : panes.front().cell.pictureSize;
+        if (shown.x <= 0 || shown.y <= 0)
+            throw Error(ExitStatus::usage, "--size: a window of this size has no room for a picture beside its panels; "
+                                           "choose a larger one");
         const auto placeOf = [&](const std::string& option, ivec2 pixel) {
             if (pixel.x >= shown.x || pixel.y >= shown.y)
                 throw Error(ExitStatus::usage, option + ": in a window of this size a picture has " +

@@ -1,4 +1,5 @@
-// The handler does only what POSIX allows in one: set a flag; the second time remove temporaries and _exit.
+// The handlers do only what POSIX allows in one: set a flag and an alarm; when the alarm rings, or the second time, remove
+// temporaries and _exit.
 // SPDX-License-Identifier: MIT
 #include "app/context/signals.h"
 
@@ -16,17 +17,26 @@ namespace {
 std::atomic<int> receivedSignal{0};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not wait for a lock");
 
+// Between two looks at the flag there may be minutes: a frame of many rays, form factors of many patches. Who stops a program
+// does not wait for them. Whatever ends in order has ended by then.
+constexpr unsigned kGraceSeconds = 2;
+
 int exitStatusOf(int signal) { return 128 + signal; }
+
+void endNow() {
+    image::removeTemporariesNow();
+    ::_exit(exitStatusOf(receivedSignal.load()));
+}
 
 void onInterrupt(int signal) {
     const int savedErrno = errno; // the interrupted code may be about to look at it
     int none = 0;
-    if (!receivedSignal.compare_exchange_strong(none, signal)) {
-        image::removeTemporariesNow();
-        ::_exit(exitStatusOf(signal));
-    }
+    if (!receivedSignal.compare_exchange_strong(none, signal)) endNow();
+    ::alarm(kGraceSeconds);
     errno = savedErrno;
 }
+
+void onAlarm(int) { endNow(); }
 
 } // namespace
 
@@ -37,6 +47,11 @@ void installSignalHandlers() {
     sigemptyset(&interrupt.sa_mask);
     for (const int signal : {SIGINT, SIGTERM})
         ::sigaction(signal, &interrupt, nullptr);
+
+    struct sigaction alarm {};
+    alarm.sa_handler = onAlarm;
+    sigemptyset(&alarm.sa_mask);
+    ::sigaction(SIGALRM, &alarm, nullptr);
 
     struct sigaction ignore {};
     ignore.sa_handler = SIG_IGN;

@@ -1,5 +1,6 @@
 // Interruption and other signals. Ctrl-C sets a flag that long work asks for between frames and tiles, so that objects
-// are destroyed in order and no half-written file stays; the second Ctrl-C ends the program at once.
+// are destroyed in order and no half-written file stays. The second Ctrl-C ends the program at once, and so does the first
+// where nobody has asked for two seconds: also then no half-written file stays.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -41,6 +41,11 @@ struct Bound {
     [[nodiscard]] bool holds(double value) const {
         return (!atLeast || value >= *atLeast) && (!atMost || value <= *atMost);
     }
+    /// Is there a number that holds for both?
+    [[nodiscard]] bool meets(const Bound& other) const {
+        return !(atLeast && other.atMost && *atLeast > *other.atMost) &&
+               !(atMost && other.atLeast && *atMost < *other.atLeast);
+    }
     [[nodiscard]] std::string text() const; ///< "at least 500"
 };
 

@@ -74,6 +74,10 @@ void readExpectations(const JsonObject& top, Lesson& lesson) {
         expected.after = bound(keys, "after");
         lesson.expectations.push_back(std::move(expected));
     }
+    const auto shows = [](const Expectation& e) { return !e.before.meets(e.after); };
+    if (!lesson.expectations.empty() && std::ranges::none_of(lesson.expectations, shows))
+        top.fail("expect", "allows the same numbers before and after: nothing has to change; write bounds of which one "
+                           "begins where the other has ended");
     if (lesson.expectations.empty())
         top.fail("expect", "is missing or empty; write what can be measured of the artefact");
 }

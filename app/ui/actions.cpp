@@ -285,6 +285,17 @@ const Action kActions[] = {
 
 std::span<const Action> actions() { return kActions; }
 
+namespace {
+
+/// While the class paints where the shadow will be, nothing may show it, and no other picture is asked about.
+bool waitsForTheAnswer(const Desk& desk, const Action& action) {
+    const std::string_view id = action.id, group = action.group;
+    return desk.lesson.paints() && (group == "Steps and stages" || group == "Techniques and layout") &&
+           !id.starts_with("lesson-");
+}
+
+} // namespace
+
 std::vector<std::string> runKeys(Desk& desk) {
     std::vector<std::string> ran;
     for (const KeyPress& press : std::exchange(desk.keys, {})) {
@@ -301,6 +312,10 @@ std::vector<std::string> runKeys(Desk& desk) {
             // While the settings have the keyboard, what ImGui itself understands is theirs; Ctrl still commands the
             // window.
             if (!meant || (desk.panelHasKeys && !action.ctrl)) continue;
+            if (waitsForTheAnswer(desk, action)) {
+                desk.requests.news = "First the shadow is painted: J shows the truth, Esc leaves the lesson";
+                continue;
+            }
             if (!press.repeated) desk.bench.endGesture(); // a new press is a new change
             action.run(desk);
             ran.emplace_back(action.id);

@@ -34,6 +34,7 @@ struct Requests {
     int scrollSource = 0;                   ///< half pages of the step's text: on for more than zero, else back
     bool pick = false, pickPartner = false; ///< the pixel under the mouse, as the first or the second
     std::string scene;                      ///< to be loaded
+    std::string news;                       ///< to be said over the pictures, for a while
 };
 
 /// A key that went down, or is held long enough to repeat. Letters are those on the keyboard's own layout.

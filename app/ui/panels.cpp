@@ -283,8 +283,12 @@ void sidePanel(Desk& desk, const session::LiveErrors& errors, const Area& area, 
     lessonList(desk);
     if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) parameterPanel(desk, theme);
     if (ImGui::CollapsingHeader("Errors", ImGuiTreeNodeFlags_DefaultOpen)) {
-        errorTable(desk, errors);
-        historyPlot(desk, errors, theme);
+        if (desk.lesson.paints()) {
+            ImGui::TextWrapped("They are shown with the truth (J).");
+        } else {
+            errorTable(desk, errors);
+            historyPlot(desk, errors, theme);
+        }
     }
     if (ImGui::CollapsingHeader("Time", ImGuiTreeNodeFlags_DefaultOpen)) timesPart(desk);
     foundPart(desk);
@@ -343,7 +347,10 @@ void stepPanel(Desk& desk, const Area& area, const Theme& theme) {
     const auto now = session::stepOf(state.stage, passes, scene, document.light);
     beginIn("step", area, ImGuiWindowFlags_NoNav);
     if (!now) {
-        ImGui::TextWrapped("This step does not run with these settings; PageDown goes to the first that does.");
+        // Which steps run is known when they have run; in a window without room for a picture none does.
+        ImGui::TextWrapped(passes.empty() ? "Nothing has been drawn yet: the window has no room for a picture."
+                                          : "This step does not run with these settings; PageDown goes to the first "
+                                            "that does.");
         ImGui::End();
         return;
     }

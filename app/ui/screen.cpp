@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/ui/actions.h"
 #include "app/ui/gizmo.h"
@@ -85,6 +86,7 @@ bool Screen::frame(double seconds) {
         io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
     ImGui::NewFrame();
     ran_ = runKeys(desk_);
+    if (!desk_.requests.news.empty()) say(std::exchange(desk_.requests.news, {}));
 
     const Area area = pictureArea();
     panes_ = ui::shownPanes(desk_, area, clock_);

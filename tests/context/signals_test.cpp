@@ -1,4 +1,4 @@
-// The first signal asks, the second ends at once and leaves no temporary behind.
+// The first signal asks, and ends what does not listen; the second ends at once. No temporary stays behind.
 // SPDX-License-Identifier: MIT
 #include "app/context/signals.h"
 
@@ -56,6 +56,26 @@ TEST(Signals, SecondOneEndsAtOnceAndRemovesTemporaries) {
         file.write("half");
         std::raise(SIGINT);
         std::raise(SIGTERM);
+        return 0;
+    });
+    EXPECT_EQ(status, 143);
+    EXPECT_TRUE(fs::is_empty(folder));
+    fs::remove_all(folder);
+}
+
+// Work that never asks is not waited for, and what it was writing does not stay half-written.
+TEST(Signals, OneEndsWorkThatNeverAsks) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / ("shadowlab_alarm_" + std::to_string(::getpid()));
+    fs::create_directory(folder);
+    const int status = inChild([&] {
+        installSignalHandlers();
+        image::OutputFile file(folder / "a");
+        file.write("half");
+        std::raise(SIGTERM);
+        constexpr unsigned kMuchLonger = 60; // seconds
+        for (unsigned left = kMuchLonger; left > 0;)
+            left = ::sleep(left);
         return 0;
     });
     EXPECT_EQ(status, 143);

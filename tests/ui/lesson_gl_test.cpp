@@ -58,6 +58,30 @@ TEST_F(LessonDeskTest, TheCourseGoesThroughAllLessonsAndBackAndLeavesNothing) {
     EXPECT_EQ(desk.bench.document(), before);
 }
 
+// What the class is to find out, no key may show; and no pixel is picked in a picture that nobody sees.
+TEST_F(LessonDeskTest, WhileTheShadowIsPaintedNothingShowsIt) {
+    Lab lab;
+    lab.screen.fit({640, 400}, 1);
+    const session::Document before = lab.desk.bench.document();
+    for (const session::LessonText& text : lab.desk.lesson.all) {
+        ui::openLesson(lab.desk, text.name);
+        if (lab.desk.lesson.paints()) break;
+    }
+    ASSERT_TRUE(lab.desk.lesson.paints());
+    lab.screen.frame(0.03);
+    const session::Document asked = lab.desk.bench.document();
+    for (const int key : {GLFW_KEY_E, GLFW_KEY_U, GLFW_KEY_O, GLFW_KEY_X, GLFW_KEY_PAGE_DOWN, GLFW_KEY_V}) {
+        lab.press(key);
+        EXPECT_EQ(lab.desk.bench.document(), asked) << "key " << key;
+    }
+    ASSERT_EQ(lab.desk.messages.size(), 6u) << "each says why";
+    EXPECT_FALSE(lab.desk.messages[0].fault);
+    lab.press(GLFW_KEY_J);
+    EXPECT_EQ(lab.desk.lesson.step, LessonStep::reveal);
+    ui::leaveLesson(lab.desk);
+    EXPECT_EQ(lab.desk.bench.document(), before);
+}
+
 TEST_F(LessonDeskTest, KeysGoOnAnswerAndLeave) {
     Lab lab;
     lab.screen.fit({640, 400}, 1);
