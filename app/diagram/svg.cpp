@@ -90,9 +90,10 @@ void Svg::path(std::span<const dvec2> points, bool isClosed, const std::string& 
              attributes(stroke) + "/>\n";
 }
 
-void Svg::circle(dvec2 centre, double radius, const std::string& fill, const Stroke& stroke) {
-    body_ += "<circle" + attribute("cx", centre.x) + attribute("cy", centre.y) + attribute("r", radius) + " fill=\"" +
-             fill + "\"" + attributes(stroke) + "/>\n";
+void Svg::circle(dvec2 centre, double radius, const std::string& fill, const Stroke& stroke, std::string_view name) {
+    body_ += "<circle" + (name.empty() ? "" : " class=\"" + std::string(name) + "\"") + attribute("cx", centre.x) +
+             attribute("cy", centre.y) + attribute("r", radius) + " fill=\"" + fill + "\"" + attributes(stroke) +
+             "/>\n";
 }
 
 void Svg::rectangle(dvec2 corner, dvec2 size, const std::string& fill, const Stroke& stroke, double rounding) {
