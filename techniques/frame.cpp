@@ -2,6 +2,7 @@
 #include "techniques/frame.h"
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 #include "techniques/foundation/gl/baseline.h"
@@ -149,6 +150,16 @@ void Frame::note(std::string label, std::string text, const vec3& colorLinear) {
 Frame::Result Frame::takeResult() {
     result_.passMs = timer_.take();
     return std::move(result_);
+}
+
+std::string pseudocodeOf(const TechniqueInfo& info, const PassInfo& pass) {
+    std::string lines;
+    std::istringstream stream{std::string(info.pseudocode)};
+    int number = 0;
+    for (std::string line; std::getline(stream, line);)
+        if (++number >= pass.pseudocodeLines.first && number <= pass.pseudocodeLines.last)
+            lines += (lines.empty() ? "" : "\n") + line;
+    return lines;
 }
 
 const PassInfo& passInfo(std::span<const PassInfo> passes, std::string_view id) {

@@ -67,6 +67,8 @@ struct VolumeProbe {
     int start = 0;                         ///< what the technique's count starts with
     int count = 0;                         ///< the technique's own: start and what is counted
     int stencil = 0;                       ///< what of it the stencil holds
+    int stencilCleared = 0;                ///< before any face
+    int stencilBetween = 0;                ///< after the faces of one side, where they are drawn side by side
     std::vector<CapLine> caps;
 };
 
@@ -75,10 +77,39 @@ struct MapProbe {
     /// One comparison of the filter.
     struct Tap {
         ivec2 texel{0};
-        double stored = 1;   ///< 0..1; 1: nothing
-        double compared = 0; ///< the receiver's depth, bias included
-        double weight = 0;   ///< share of the answer
-        bool isLit = true;
+        double stored = 1;       ///< 0..1; 1: nothing
+        double compared = 0;     ///< the receiver's depth, bias included
+        double weight = 0;       ///< share of the answer
+        bool isLit = true;       ///< of a search: it is no blocker
+        dvec2 placeTexels{0.0};  ///< where the map is asked, column and row: (0.5, 0.5) is the centre of texel (0, 0)
+        dvec3 onPlaneWorld{0.0}; ///< the place of the receiver's plane that the light sees there
+    };
+    /// What percentage-closer soft shadows do before they compare.
+    struct BlockerSearch {
+        std::vector<Tap> looks;    ///< depths that were looked at
+        int found = 0;             ///< of them, nearer to the light than the point: blockers
+        double receiverMetres = 0; ///< d_r: of the point, from the light, at right angles to its surface
+        double blockerMetres = 0;  ///< d_b: the mean of the blockers
+        double lightMetres = 0;    ///< w_L, width of the light; of a directional one at a distance of 1 m
+        double penumbraMetres = 0; ///< w = w_L (d_r - d_b) / d_b, or less, where the kernel may not be as wide
+        double searchTexels = 0;   ///< the farthest place that the search looks at, from the point's own
+        double kernelTexels = 0;   ///< and that the filter compares at
+    };
+    /// What the filters read that average what depths become.
+    struct Moments {
+        /// Chebyshev's inequality for one of the warped depths, or Hamburger's problem.
+        struct Bound {
+            std::string of;      ///< "z", "exp(c z)"
+            double compared = 0; ///< the point's own
+            double mean = 0, variance = 0;
+            double visibility = 1; ///< at most this share of the depths is at or beyond it
+        };
+        double depth = 0; ///< z of the point: -1 at the map's near side, 1 at its far side
+        std::vector<std::pair<std::string, double>> read; ///< name and value of each number, interpolated
+        std::vector<Bound> bounds;                        ///< none: a product stands for the comparison
+        double unreduced = 1;                             ///< the least of the bounds, or the product
+        double visibility = 1;                            ///< with the light that bleeds taken off
+        bool isFinite = true;                             ///< false: the format did not hold a number
     };
     /// A texel that the plane of the drawing passes through: between two rays of the light, up to the stored depth.
     struct Cell {
@@ -90,6 +121,9 @@ struct MapProbe {
     };
     int layer = 0, layers = 1;
     std::string layerName; ///< "cascade 2 of 3", "face +x"
+    /// From world axes around `originWorld`, the light or the middle of the scene, into the map's clip space.
+    dmat4 lightClipFromLightRelative{1.0};
+    dvec3 originWorld{0.0};
     int resolution = 0;
     ivec2 texel{0};
     dvec3 str{0.0};      ///< the point's place in the map and its depth, 0..1
@@ -99,7 +133,9 @@ struct MapProbe {
     double firstMetres = 0, storedMetres = 0, comparedMetres = 0, pointMetres = 0; ///< along the light's axis
     double texelMetres = 0;                      ///< across a texel at the point, at right angles to the light
     std::optional<dvec3> blockerWorld{};         ///< of the first surface, at the texel's centre
-    std::vector<Tap> taps;                       ///< empty: of this filter there is more than one answer to tell
+    std::vector<Tap> taps;                       ///< comparisons of the filter; none where it averages depths
+    std::optional<BlockerSearch> search{};       ///< of the filter pcss
+    std::optional<Moments> moments{};            ///< of the filters vsm to msm
     std::array<dvec3, 4> texelOnReceiverWorld{}; ///< the texel projected onto the point's plane
     bool texelIsOnReceiver = false;              ///< all four corners meet it
     std::vector<Cell> near, across;              ///< of the plane: beside the point; all over the map, some of them
@@ -117,10 +153,17 @@ struct PlaneProbe {
         std::string why{};     ///< it does not
         std::array<dvec3, 3> cornersWorld{};
     };
-    dvec4 planeWorld{0.0};     ///< (N, D), positive on the light's side
-    dvec4 lightWorld{0.0};     ///< homogeneous
-    double lightHeight = 0;    ///< N.P_L + D; of a direction its cosine
-    double contact = 0;        ///< metres above the plane below which things belong to it
+    dvec4 planeWorld{0.0};  ///< (N, D), positive on the light's side
+    dvec4 lightWorld{0.0};  ///< homogeneous
+    double lightHeight = 0; ///< N.P_L + D; of a direction its cosine
+    double contact = 0;     ///< metres above the plane below which things belong to it
+    /// The point lies on no plane that receives: planeWorld is zero, and what receives is listed instead.
+    bool receives = true;
+    struct Other {
+        std::string object;
+        dvec4 planeWorld{0.0}; ///< (N, D)
+    };
+    std::vector<Other> others;
     bool clips = true;         ///< does the technique, with its settings, leave out what does not cast?
     std::vector<Cover> covers; ///< from the plane toward the light
 };
@@ -130,6 +173,13 @@ struct Decision {
     double visibility = 0; ///< by the technique, 0..1
     bool isTurnedAway = false;
     std::string why{}; ///< it differs from the truth, or that it does not
+    /// The face that it was found to be blocked by, of a technique that looks for one.
+    struct Face {
+        std::string object;
+        std::uint32_t triangle = 0;
+        std::array<dvec3, 3> cornersWorld{};
+    };
+    std::optional<Face> blocker{};
 };
 
 } // namespace shadowlab

@@ -35,25 +35,25 @@ struct LineRange {
     int first = 0, last = 0;
 };
 
+/// A name that stands in formulas, pseudocode or source, and the fact of a probe that is its value at a picked pixel.
+struct NamedValue {
+    std::string_view name, fact;
+};
+
 /// One step of an algorithm, in the words a teacher would use. `perLight`: it is done once for each light.
 struct PassInfo {
     std::string_view id, title, why, glState;
     bool perLight = false;
     /// The stage that shows what the pass wrote, where that is not the picture (but a stencil, a map, answers of rays).
     std::string_view shownBy = {};
-    /// The same step as a lecture writes it, in lines; empty: it has none.
-    std::string_view pseudocode = {};
     /// The lines of TechniqueInfo::pseudocode that this step carries out.
     LineRange pseudocodeLines = {};
     /// What it computes, as it would stand on a blackboard, in lines; empty: nothing that needs one.
     std::string_view formula = {};
     /// Where it is in the source: names of anchors (techniques/source_text.h), with blanks between, the most telling first.
     std::string_view anchors = {};
-};
-
-/// A name that stands in formulas, pseudocode or source, and the fact of a probe that is its value at a picked pixel.
-struct NamedValue {
-    std::string_view name, fact;
+    /// Names whose value right after this step is another fact than TechniqueInfo::values has for them.
+    std::span<const NamedValue> values = {};
 };
 
 /// What a stage's texture holds, and so how it is shown.
@@ -155,5 +155,8 @@ struct TechniqueInfo {
     std::vector<NamedValue> values{}; ///< of what its steps' formulas and source lines are about
     std::unique_ptr<Technique> (*make)() = nullptr;
 };
+
+/// The lines of the technique's pseudocode that a step carries out; empty: there are none.
+std::string pseudocodeOf(const TechniqueInfo& info, const PassInfo& pass);
 
 } // namespace shadowlab

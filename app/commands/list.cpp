@@ -75,7 +75,7 @@ Table stagesTable() {
                                   session::isDerived(stage.id) ? "true" : "false"});
         for (const PassInfo& pass : technique.info->passes)
             table.rows.push_back({id, "pass:" + std::string(pass.id), pass.perLight ? "true" : "false",
-                                  std::string(pass.title), std::string(pass.why), inOneLine(pass.pseudocode),
+                                  std::string(pass.title), std::string(pass.why), inOneLine(pseudocodeOf(*technique.info, pass)),
                                   std::string(pass.glState), "false"});
     }
     return table;

@@ -15,6 +15,50 @@ Json texel(const ivec2& t) { return {t.x, t.y}; }
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 Json orNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
+Json tapsJson(const std::vector<MapProbe::Tap>& taps) {
+    Json json = Json::array();
+    for (const MapProbe::Tap& tap : taps)
+        json.push_back({{"texel", texel(tap.texel)},
+                        {"place", {tap.placeTexels.x, tap.placeTexels.y}},
+                        {"stored", tap.stored},
+                        {"compared", tap.compared},
+                        {"weight", tap.weight},
+                        {"lit", tap.isLit}});
+    return json;
+}
+
+Json searchJson(const MapProbe& map) {
+    if (!map.search) return {};
+    const MapProbe::BlockerSearch& search = *map.search;
+    const bool any = search.found > 0;
+    return {{"looks", tapsJson(search.looks)},
+            {"found", search.found},
+            {"d_r", search.receiverMetres},
+            {"d_b", any ? Json(search.blockerMetres) : Json()},
+            {"w_L", search.lightMetres},
+            {"w", any ? Json(search.penumbraMetres) : Json()},
+            {"searchRadiusTexels", search.searchTexels},
+            {"filterRadiusTexels", any ? Json(search.kernelTexels) : Json()}};
+}
+
+Json momentsJson(const MapProbe& map) {
+    if (!map.moments) return {};
+    Json read = Json::object(), bounds = Json::array();
+    for (const auto& [name, value] : map.moments->read)
+        read[name] = number(value);
+    for (const MapProbe::Moments::Bound& bound : map.moments->bounds)
+        bounds.push_back({{"of", bound.of},
+                          {"compared", number(bound.compared)},
+                          {"mean", number(bound.mean)},
+                          {"variance", number(bound.variance)},
+                          {"visibility", number(bound.visibility)}});
+    return {{"z", map.moments->depth},
+            {"read", read},
+            {"bounds", bounds},
+            {"bound", number(map.moments->unreduced)},
+            {"visibility", number(map.moments->visibility)}};
+}
+
 const char* nameOf(VolumeProbe::Part part) {
     switch (part) {
     case VolumeProbe::Part::side: return "side";
@@ -28,9 +72,11 @@ const char* nameOf(VolumeProbe::Part part) {
 
 Json decisionJson(const Probe& probe) {
     if (!probe.decision) return {};
+    const auto& blocker = probe.decision->blocker;
     return {{"visibility", probe.decision->visibility},
             {"turnedAway", probe.decision->isTurnedAway},
-            {"error", orNull(probe.decision->why)}};
+            {"error", orNull(probe.decision->why)},
+            {"blocker", blocker ? Json{{"object", blocker->object}, {"triangle", blocker->triangle}} : Json()}};
 }
 
 Json volumeJson(const Probe& probe) {
@@ -62,15 +108,13 @@ Json volumeJson(const Probe& probe) {
 Json mapJson(const Probe& probe) {
     if (!probe.map) return {};
     const MapProbe& map = *probe.map;
-    Json taps = Json::array();
-    for (const MapProbe::Tap& tap : map.taps)
-        taps.push_back({{"texel", texel(tap.texel)},
-                        {"stored", tap.stored},
-                        {"compared", tap.compared},
-                        {"weight", tap.weight},
-                        {"lit", tap.isLit}});
+    Json rows = Json::array();
+    for (int row = 0; row < 4; ++row)
+        rows.push_back(vector(glm::transpose(map.lightClipFromLightRelative)[row]));
     return {{"map", map.layerName},
             {"layer", map.layer},
+            {"originWorld", vector(map.originWorld)},
+            {"lightClipFromLightRelative", rows},
             {"resolution", map.resolution},
             {"texel", texel(map.texel)},
             {"texelWidth", map.texelMetres},
@@ -84,7 +128,9 @@ Json mapJson(const Probe& probe) {
               {"point", map.pointMetres},
               {"compared", map.comparedMetres}}},
             {"blocker", map.blockerWorld ? vector(*map.blockerWorld) : Json()},
-            {"taps", taps}};
+            {"taps", tapsJson(map.taps)},
+            {"search", searchJson(map)},
+            {"moments", momentsJson(map)}};
 }
 
 Json planeJson(const Probe& probe) {
@@ -99,6 +145,12 @@ Json planeJson(const Probe& probe) {
                           {"weight", cover.weight},
                           {"casts", cover.casts},
                           {"why", orNull(cover.why)}});
+    if (!plane.receives) {
+        Json others = Json::array();
+        for (const PlaneProbe::Other& other : plane.others)
+            others.push_back({{"object", other.object}, {"plane", vector(other.planeWorld)}});
+        return {{"plane", Json()}, {"light", vector(plane.lightWorld)}, {"others", others}, {"covers", Json::array()}};
+    }
     return {{"plane", vector(plane.planeWorld)},
             {"light", vector(plane.lightWorld)},
             {"lightHeight", plane.lightHeight},

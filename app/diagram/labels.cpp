@@ -15,9 +15,12 @@ namespace {
 constexpr int kDirections = 16;
 constexpr double kStep = 14;       ///< pixels between the rings that are tried
 constexpr int kRings = 14;         ///< the farthest is some 200 pixels away
+constexpr double kBolder = 1.12;   ///< of bold letters, in the widths of the others that are measured
 constexpr double kAir = 4;         ///< pixels around a label
-constexpr double kLineCost = 40;   ///< of crossing a line, in pixels that a label would rather go
-constexpr double kLeaderFrom = 34; ///< pixels from which on a thin line says what a label belongs to
+constexpr double kLineCost = 240;  ///< of crossing a line: more than going to the farthest ring
+constexpr double kLeaderFrom = 26; ///< pixels from which on a thin line says what a label belongs to
+
+constexpr double kShortest = 6; ///< of such a line
 
 /// Does the segment touch the box? Clipped to it, by Liang and Barsky (1984).
 bool touches(dvec2 from, dvec2 to, const Box& box) {
@@ -54,7 +57,8 @@ double Labels::cost(const Box& box) const {
 }
 
 bool Labels::place(Svg& svg, dvec2 anchor, const std::string& text, const TextStyle& style, double away) {
-    const dvec2 size = textSize(font_, text, style.size);
+    dvec2 size = textSize(font_, text, style.size);
+    if (style.isBold) size.x *= kBolder;
     std::optional<Box> best;
     double least = std::numeric_limits<double>::infinity(), distance = 0;
     for (int ring = 0; ring < kRings; ++ring)
@@ -74,7 +78,9 @@ bool Labels::place(Svg& svg, dvec2 anchor, const std::string& text, const TextSt
     if (!best) return false;
     if (distance > kLeaderFrom) {
         const dvec2 end = glm::clamp(anchor, best->corner, best->corner + best->size);
-        svg.line(anchor, end, {"#8c8c8c", 1.5, false});
+        const dvec2 way = end - anchor; // from where the mark ends
+        if (glm::length(way) > away + kShortest)
+            svg.line(anchor + away * glm::normalize(way), end, {"#8c8c8c", 1.5, false});
         avoid(anchor, end);
     }
     TextStyle placed = style;

@@ -32,7 +32,7 @@ void drawOverview(Svg& svg, const Box& area, const Probe& probe, const scene::Sc
         if (!cell.isEmpty)
             svg.line(sheet(cell.rays[0]), sheet(0.5 * (cell.stored[0] + cell.stored[1])), {"#e0b450", 1.8, false});
     svg.endClip();
-    sheet.drawScene(svg);
+    sheet.drawScene(svg, labels);
     for (const Cell& cell : map.across) {
         const dvec2 at = 0.5 * (cell.stored[0] + cell.stored[1]);
         if (!cell.isEmpty && sheet.shows(at)) svg.circle(sheet(at), 4, kStored, {"#ffffff", 0.5, false});
@@ -55,7 +55,7 @@ void drawOverview(Svg& svg, const Box& area, const Probe& probe, const scene::Sc
     if (map.blockerWorld) {
         const dvec2 place = probe.section->of(*map.blockerWorld);
         if (sheet.shows(place)) {
-            svg.circle(sheet(place), 8, kStored, {"#ffffff", 2, false});
+            svg.circle(sheet(place), 8, kStored, {"#ffffff", 2, false}, "blocker");
             labels.avoid({sheet(place) - 9.0, dvec2(18)});
             labels.place(svg, sheet(place), "d = " + fourDigits(map.firstMetres) + " m",
                          {.size = kText, .color = kStored}, 14);
@@ -90,7 +90,7 @@ void drawDetail(Svg& svg, const Box& area, const Probe& probe, const scene::Scen
     for (const Cell& cell : map.near)
         if (!cell.isEmpty) svg.line(sheet(cell.stored[0]), sheet(cell.stored[1]), {kStored, 6, false});
     svg.endClip();
-    sheet.drawScene(svg);
+    sheet.drawScene(svg, labels);
     svg.beginClip(area.corner, area.size);
     for (const Cell& cell : map.near)
         svg.line(sheet(cell.compared[0]), sheet(cell.compared[1]), {kCompared, 4, true});
@@ -129,6 +129,18 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
     column.row("compared " + fourDigits(map.pointMetres - map.comparedMetres) + " m nearer: the bias", kCompared);
     column.row(map.compared <= map.stored ? "d < z is not true: the comparison says lit"
                                           : "d < z: the comparison says in shadow");
+    if (map.search) {
+        column.row(std::to_string(map.search->found) + " of " + std::to_string(map.search->looks.size()) +
+                   " depths looked at are blockers" +
+                   (map.search->found
+                        ? ", on average " + fourDigits(map.search->blockerMetres) +
+                              " m from the light: a penumbra of " + fourDigits(map.search->penumbraMetres) + " m"
+                        : ""));
+    }
+    if (map.moments)
+        for (const MapProbe::Moments::Bound& bound : map.moments->bounds)
+            column.row(bound.of + ": mean " + fourDigits(bound.mean) + ", variance " + fourDigits(bound.variance) +
+                       ", the point's " + fourDigits(bound.compared) + ": lit at most " + fourDigits(bound.visibility));
     const auto lit = std::ranges::count(map.taps, true, &MapProbe::Tap::isLit);
     if (map.taps.size() > 1)
         column.row(std::to_string(lit) + " of the filter's " + std::to_string(map.taps.size()) +
@@ -150,10 +162,14 @@ void drawMap(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& 
     const dvec2 right = area.corner + dvec2(area.size.x - kRight, 0);
     svg.text(right + dvec2(0, kHeading), "The texels beside the point", {.size = kHeading, .isBold = true});
     drawDetail(svg, {right + under, {kRight, kDetail}}, probe, scene, font);
-    writeNumbers(
-        svg,
-        {right + under + dvec2(0, kDetail + 16), {kRight, area.size.y - kHeading - 18 - kDetail - 16 - kLegend - 14}},
-        probe, font);
+    constexpr double kTaps = 310;
+    const Box below{right + under + dvec2(0, kDetail + 16),
+                    {kRight, area.size.y - kHeading - 18 - kDetail - 16 - kLegend - 14}};
+    const bool taps = hasTaps(*probe.map);
+    writeNumbers(svg, {below.corner, below.size - dvec2(taps ? kTaps + 24 : 0, 0)}, probe, font);
+    if (taps)
+        drawTaps(svg, {below.corner + dvec2(kRight - kTaps, kHeading + 22), {kTaps, below.size.y - kHeading - 22}},
+                 *probe.map);
     using enum LegendEntry::Kind;
     const LegendEntry legend[] = {{LegendEntry::Kind::filled, kFan, "what a texel sees, up to its depth"},
                                   {line, kStored, "stored depth d, offset included"},

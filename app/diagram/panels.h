@@ -48,6 +48,11 @@ void drawReflector(Svg& svg, const Box& area, const Probe::Exchange& exchange, c
 /// shadows projected onto a plane. hasSection() must hold, and the probe have the part that is named.
 void drawVolume(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font);
 void drawMap(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font);
+/// The places in the map at which a filter compares; hasTaps() must hold.
+bool hasTaps(const MapProbe& map);
+void drawTaps(Svg& svg, const Box& area, const MapProbe& map);
 void drawPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font);
+/// The same for a point that lies on no plane that receives: where the planes are that do.
+void drawNoPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font);
 
 } // namespace shadowlab::diagram

@@ -123,13 +123,14 @@ void drawShadows(Svg& svg, Labels& labels, const SectionSheet& sheet, const Plan
             const dvec2 from =
                 sheet.light().isDirection ? sheet(place) + (sheet(place) - shadow) : sheet(sheet.light().at);
             svg.line(from, shadow, {colorText(look::kRefractionRay), 2.5, true});
-            labels.avoid(sheet(place), shadow);
+            labels.avoid(from, shadow);
         }
     svg.endClip();
     labels.avoid(sheet(-reach * plane.along), sheet(reach * plane.along));
 }
 
-void drawCovers(Svg& svg, Labels& labels, const SectionSheet& sheet, const Probe& probe) {
+/// From the light to the point.
+void drawLightLine(Svg& svg, Labels& labels, const SectionSheet& sheet, const Probe& probe) {
     const dvec2 point = sheet(dvec2(0.0));
     const PlaneLight& light = sheet.light();
     const bool lightIsSeen = !light.isDirection && sheet.shows(light.at);
@@ -138,6 +139,9 @@ void drawCovers(Svg& svg, Labels& labels, const SectionSheet& sheet, const Probe
     const Stroke stroke{colorText(shadowed ? look::kOccluded : look::kEqualDepth), 4, false};
     svg.arrow(end, point, stroke, 0.5);
     labels.avoid(end, point);
+}
+
+void drawCovers(Svg& svg, Labels& labels, const SectionSheet& sheet, const Probe& probe) {
     constexpr double kApart = 12; // pixels: nearer, two faces that touch would be marked twice
     std::vector<dvec2> marked;
     for (const Cover& cover : probe.plane->covers) {
@@ -147,7 +151,8 @@ void drawCovers(Svg& svg, Labels& labels, const SectionSheet& sheet, const Probe
             std::ranges::any_of(marked, [&](const dvec2& other) { return glm::length(other - at) < kApart; });
         if (isMarked || marked.size() == 8 || !sheet.shows(place)) continue;
         marked.push_back(at);
-        svg.circle(at, 8, cover.casts ? colorText(look::kOccluded) : "#ffffff", {colorText(look::kOccluded), 3, false});
+        svg.circle(at, 8, cover.casts ? colorText(look::kOccluded) : "#ffffff", {colorText(look::kOccluded), 3, false},
+                   "cover");
         labels.avoid({at - 9.0, dvec2(18)});
         const bool first =
             cover.casts && std::ranges::find_if(probe.plane->covers, &Cover::casts)->placeWorld == cover.placeWorld;
@@ -212,6 +217,10 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
 } // namespace
 
 void drawPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+    if (!probe.plane->receives) {
+        drawNoPlane(svg, area, probe, scene, font);
+        return;
+    }
     constexpr double kNumbers = 610, kLegend = 44;
     svg.text(area.corner + dvec2(0, kHeading), "Direct projection in the plane through eye, light and point",
              {.size = kHeading, .isBold = true});
@@ -223,18 +232,19 @@ void drawPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Scene
     const SectionSheet sheet(probe, scene, field, places);
     const PlaneCut plane = cutOf(probe);
     Labels labels(font, field);
-    sheet.drawScene(svg);
+    sheet.drawScene(svg, labels);
     drawShadows(svg, labels, sheet, plane, shadowsOn(plane, sheet, probe, scene),
                 surfacesOn(plane, sheet, probe, scene));
     const dvec2 point = sheet(dvec2(0.0));
     const dvec2 eyeEnd = sheet.shows(sheet.eye()) ? sheet(sheet.eye()) : sheet.border(dvec2(0.0), sheet.eye());
     svg.line(eyeEnd, point, {"#1a1a1a", 3, false});
     labels.avoid(eyeEnd, point);
-    drawCovers(svg, labels, sheet, probe);
+    drawLightLine(svg, labels, sheet, probe);
     drawNormal(svg, labels, sheet, plane);
     sheet.drawPoint(svg, labels);
     sheet.drawEye(svg, labels);
     sheet.drawLight(svg, labels);
+    drawCovers(svg, labels, sheet, probe); // last: its labels keep away from all lines
     svg.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
     writeNumbers(svg, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}}, probe,
                  font);

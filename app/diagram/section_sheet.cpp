@@ -110,7 +110,7 @@ dvec2 SectionSheet::border(dvec2 from, dvec2 direction) const {
     return at + std::max(stretch, 0.0) * way;
 }
 
-void SectionSheet::drawScene(Svg& svg) const {
+void SectionSheet::drawScene(Svg& svg, Labels& labels) const {
     const DrawingPlane plane{section_.originWorld, section_.rightWorld, section_.upWorld};
     svg.beginClip(area_.corner, area_.size);
     for (const bool casts : {false, true}) {
@@ -119,7 +119,9 @@ void SectionSheet::drawScene(Svg& svg) const {
         std::vector<dvec2> points = cut(part, plane), seen;
         for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
             const dvec2 a = (*this)(points[i]), b = (*this)(points[i + 1]);
-            if (area_.overlaps({glm::min(a, b) - 1.0, glm::abs(a - b) + 2.0})) seen.insert(seen.end(), {a, b});
+            if (!area_.overlaps({glm::min(a, b) - 1.0, glm::abs(a - b) + 2.0})) continue;
+            seen.insert(seen.end(), {a, b});
+            labels.avoid(a, b);
         }
         svg.segments(seen, {casts ? "#4d4d4d" : "#a6a6a6", 4, false});
     }
@@ -142,7 +144,7 @@ void SectionSheet::drawEye(Svg& svg, Labels& labels) const {
         return;
     }
     const dvec2 at = (*this)(eye_);
-    svg.circle(at, 10, "#ffffff", {"#1a1a1a", 4, false});
+    svg.circle(at, 10, "#ffffff", {"#1a1a1a", 4, false}, "eye");
     labels.avoid({at - 12.0, dvec2(24)});
     labels.place(svg, at, "eye", {.size = kText, .isBold = true}, 14);
 }
@@ -156,14 +158,14 @@ void SectionSheet::drawLight(Svg& svg, Labels& labels) const {
         return;
     }
     const dvec2 at = (*this)(light_.at);
-    svg.circle(at, 13, colorText(look::kChosenLight), {"#1a1a1a", 3, false});
+    svg.circle(at, 13, colorText(look::kChosenLight), {"#1a1a1a", 3, false}, "light");
     labels.avoid({at - 15.0, dvec2(30)});
     labels.place(svg, at, name, {.size = kText, .isBold = true}, 18);
 }
 
 void SectionSheet::drawPoint(Svg& svg, Labels& labels) const {
     const dvec2 at = (*this)(dvec2(0.0));
-    svg.circle(at, 8, "#1a1a1a", {"#ffffff", 2, false});
+    svg.circle(at, 8, "#1a1a1a", {"#ffffff", 2, false}, "point");
     labels.avoid({at - 9.0, dvec2(18)});
     labels.place(svg, at, "point", {.size = kText, .isBold = true}, 12);
 }

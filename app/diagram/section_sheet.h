@@ -35,7 +35,7 @@ public:
     [[nodiscard]] bool shows(dvec2 place) const; ///< is it in the area?
 
     /// Where the scene's surfaces are cut: casters dark, all others light.
-    void drawScene(Svg& svg) const;
+    void drawScene(Svg& svg, Labels& labels) const;
     void drawEye(Svg& svg, Labels& labels) const;
     void drawLight(Svg& svg, Labels& labels) const;
     void drawPoint(Svg& svg, Labels& labels) const;

@@ -50,8 +50,8 @@ void Svg::path(std::span<const dvec2> points, bool isClosed, const std::string& 
     marks_.emplace_back(Line{{points.begin(), points.end()}, isClosed, fill, stroke});
 }
 
-void Svg::circle(dvec2 centre, double radius, const std::string& fill, const Stroke& stroke) {
-    marks_.emplace_back(Circle{centre, radius, fill, stroke});
+void Svg::circle(dvec2 centre, double radius, const std::string& fill, const Stroke& stroke, std::string_view name) {
+    marks_.emplace_back(Circle{centre, radius, fill, stroke, std::string(name)});
 }
 
 void Svg::rectangle(dvec2 corner, dvec2 size, const std::string& fill, const Stroke& stroke, double rounding) {

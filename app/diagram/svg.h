@@ -49,6 +49,7 @@ struct Circle {
     double radius;
     std::string fill;
     Stroke stroke;
+    std::string name; ///< what it marks ("eye"); empty: nothing of its own
 };
 struct Rectangle {
     dvec2 corner, size;
@@ -78,7 +79,8 @@ public:
     void segments(std::span<const dvec2> points, const Stroke& stroke);
     /// One line through all points. `fill`: empty for none.
     void path(std::span<const dvec2> points, bool isClosed, const std::string& fill, const Stroke& stroke);
-    void circle(dvec2 centre, double radius, const std::string& fill, const Stroke& stroke);
+    /// `name`: what it marks, as a class of the document ("eye"); empty: nothing of its own.
+    void circle(dvec2 centre, double radius, const std::string& fill, const Stroke& stroke, std::string_view name = {});
     void rectangle(dvec2 corner, dvec2 size, const std::string& fill, const Stroke& stroke, double rounding = 0);
     /// One line, its foot at `place`.
     void text(dvec2 place, std::string_view text, const TextStyle& style);

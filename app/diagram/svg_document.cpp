@@ -69,8 +69,9 @@ struct Writer {
         body += "\"" + attributes("", segments.stroke) + "/>\n";
     }
     void operator()(const Circle& circle) {
-        body += "<circle" + attribute("cx", circle.centre.x) + attribute("cy", circle.centre.y) +
-                attribute("r", circle.radius) + attributes(circle.fill, circle.stroke) + "/>\n";
+        body += "<circle" + (circle.name.empty() ? "" : " class=\"" + circle.name + "\"") +
+                attribute("cx", circle.centre.x) + attribute("cy", circle.centre.y) + attribute("r", circle.radius) +
+                attributes(circle.fill, circle.stroke) + "/>\n";
     }
     void operator()(const Rectangle& rectangle) {
         body += "<rect" + box(rectangle.corner, rectangle.size) + attribute("rx", rectangle.rounding) +

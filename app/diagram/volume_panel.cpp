@@ -126,7 +126,7 @@ void drawCrossings(Svg& svg, Labels& labels, const SectionSheet& sheet, const Vo
         if (++number > kMarked) break;
         if (std::isinf(crossing.distance) || !sheet.shows(placeOf(sheet, crossing))) continue;
         marks.emplace_back(sheet(placeOf(sheet, crossing)), &crossing);
-        svg.circle(marks.back().first, 8, colorOf(crossing.sign), {"#ffffff", 2, false});
+        svg.circle(marks.back().first, 8, colorOf(crossing.sign), {"#ffffff", 2, false}, "crossing");
         labels.avoid({marks.back().first - 8.0, dvec2(16)});
     }
     for (const auto& [at, crossing] : marks) {
@@ -197,12 +197,12 @@ void drawVolume(Svg& svg, const Box& area, const Probe& probe, const scene::Scen
     const SectionSheet sheet(probe, scene, field, places);
     Labels labels(font, field);
     drawAreas(svg, sheet, volume);
-    sheet.drawScene(svg);
+    sheet.drawScene(svg, labels);
     drawLine(svg, labels, sheet);
     sheet.drawPoint(svg, labels);
-    drawCrossings(svg, labels, sheet, volume);
     sheet.drawEye(svg, labels);
     sheet.drawLight(svg, labels);
+    drawCrossings(svg, labels, sheet, volume);
     writeCounts(svg, labels, sheet, volume);
     svg.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
     writeNumbers(svg, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}}, probe,

@@ -50,12 +50,17 @@ bool isEquation(std::string_view text) { return text.find('=') != std::string_vi
 /// Says the values of names where they are met first.
 class Values {
 public:
-    Values(const TechniqueInfo& info, const Probe* probe) : info_(info), probe_(probe) {}
+    /// Of a step; without one of the whole. What the step itself says of a name comes first.
+    Values(const TechniqueInfo& info, const PassInfo* pass, const Probe* probe) : probe_(probe) {
+        if (pass) named_.assign(pass->values.begin(), pass->values.end());
+        for (const NamedValue& value : info.values)
+            if (std::ranges::find(named_, value.name, &NamedValue::name) == named_.end()) named_.push_back(value);
+    }
 
     std::string of(std::string_view line) {
         std::string values;
         if (!probe_) return values;
-        for (const auto& [name, label] : info_.values) {
+        for (const auto& [name, label] : named_) {
             if (said_.contains(name) || !holds(line, name)) continue;
             const Probe::Fact* fact = factOf(*probe_, label);
             if (!fact) continue;
@@ -68,7 +73,7 @@ public:
     }
 
 private:
-    const TechniqueInfo& info_;
+    std::vector<NamedValue> named_;
     const Probe* probe_;
     std::set<std::string_view> said_;
 };
@@ -122,12 +127,10 @@ void addPiece(StepSource& step, const Snippet& snippet, const std::vector<std::s
 StepSource stepSource(const TechniqueInfo& info, const PassInfo* pass, const params::ParamList& params,
                       const SourceText& source, const Probe* probe) {
     StepSource step;
-    step.pseudocode = textLines(info.pseudocode, pass ? pass->pseudocodeLines : LineRange(), {info, probe});
+    step.pseudocode = textLines(info.pseudocode, pass ? pass->pseudocodeLines : LineRange(), {info, pass, probe});
     if (!pass) return step;
-    // What a lecture says of the step alone, where it says nothing of the whole.
-    if (step.pseudocode.empty()) step.pseudocode = textLines(pass->pseudocode, kAllLines, {info, probe});
-    step.formula = textLines(pass->formula, kAllLines, {info, probe});
-    Values values(info, probe);
+    step.formula = textLines(pass->formula, kAllLines, {info, pass, probe});
+    Values values(info, pass, probe);
     for (const AnchorUse& use : anchorsOf(*pass)) {
         if (!isUsed(use, params)) continue;
         try {

@@ -334,7 +334,7 @@ float stepPanelHeight(const Desk& desk, const Theme& theme, float width) {
     for (const PassInfo& pass : info.passes)
         highest = std::max(highest, std::max(ImGui::GetFrameHeight(), lines(theme.heading, titleRoom, pass.title)) +
                                         lines(theme.text, room, pass.why) +
-                                        (desk.shown.source ? 0 : lines(theme.text, room, pass.pseudocode)) +
+                                        (desk.shown.source ? 0 : lines(theme.text, room, pseudocodeOf(info, pass))) +
                                         lines(theme.text, room, "GL state: " + std::string(pass.glState)));
     return std::ceil(highest + 2 * style.WindowPadding.y + 4 * style.ItemSpacing.y);
 }
@@ -374,9 +374,10 @@ void stepPanel(Desk& desk, const Area& area, const Theme& theme) {
     ImGui::TextWrapped("%s", std::string(pass.title).c_str());
     ImGui::PopFont();
     ImGui::TextWrapped("%s", std::string(pass.why).c_str());
-    if (!pass.pseudocode.empty() && !desk.shown.source) { // beside the picture it is said already
+    const std::string pseudocode = pseudocodeOf(findTechnique(state.technique), pass);
+    if (!pseudocode.empty() && !desk.shown.source) { // beside the picture it is said already
         ImGui::PushStyleColor(ImGuiCol_Text, kAccent);
-        ImGui::TextWrapped("%s", std::string(pass.pseudocode).c_str());
+        ImGui::TextWrapped("%s", pseudocode.c_str());
         ImGui::PopStyleColor();
     }
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyle().Colors[ImGuiCol_TextDisabled]);

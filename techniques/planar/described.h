@@ -49,11 +49,6 @@ inline constexpr PassInfo kPasses[] = {
                 "stencil EQUAL the plane's number, REPLACE, write mask 0x80",
      .perLight = true,
      .shownBy = "shadow-marks",
-     .pseudocode = "for each receiver plane (N, D)\n"
-                   "  for each vertex P of a caster\n"
-                   "    P' = (N·P_L + D) P - (N·P + D) P_L\n"
-                   "    w' = (N·P_L + D) - (N·P + D)\n"
-                   "  draw its triangles where w' > 0 and N·P + D > 0",
      .pseudocodeLines = {5, 9},
      .formula = "N·P' + D = 0\n"
                 "P' = ((N·P_L + D) P - (N·P + D) P_L) / w'\n"

@@ -60,6 +60,18 @@ std::vector<SceneShape> coverShapes(const PlaneProbe& plane, const dvec3& pointW
     return {std::move(casting), std::move(way), std::move(others)};
 }
 
+/// Of a point that lies on no plane that receives: the planes that do.
+PlaneProbe withoutReceiver(const scene::Scene& scene, const Choice& choice, int light) {
+    PlaneProbe probe;
+    probe.receives = false;
+    probe.lightWorld = scene::homogeneousPositionWorld(scene.lights[static_cast<std::size_t>(light)]);
+    for (const ChosenReceiver& one : choice.receivers) {
+        const scene::Object& object = scene.objects[one.receiver.object];
+        probe.others.push_back({object.name, planeOf(*one.receiver.face, scene::worldFromMesh(object))});
+    }
+    return probe;
+}
+
 /// Why a wrong answer is wrong. The point's own line says all there is to say, but for what the settings leave out.
 std::string whyWrong(const PlaneProbe& plane, bool isLit) {
     const auto falseCast = std::ranges::find_if(plane.covers, [](const auto& cover) {
@@ -115,10 +127,14 @@ Probe Planar::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pix
             addDecision(probe, shadows ? 0 : gate, truth, whyWrong(*probe.plane, !shadows));
         return probe;
     }
-    probe.facts.push_back({"receiver plane", "none: no shadow can fall here", ""});
-    if (asked)
+    probe.facts.push_back({"receiver plane", "none: the technique draws no shadow here", ""});
+    if (asked) {
+        probe.plane = withoutReceiver(*snapshot, choice, light);
+        for (const PlaneProbe::Other& other : probe.plane->others)
+            probe.facts.push_back({"plane of " + other.object, equation(other.planeWorld), ""});
         addDecision(probe, gate, truth,
                     "the surface is no plane that receives, and planar shadows fall on planes alone");
+    }
     return probe;
 }
 

@@ -46,7 +46,6 @@ inline constexpr PassInfo kPasses[] = {
             "share rho_k.",
      .glState = "depth test EQUAL",
      .perLight = true,
-     .pseudocode = "E_k + rho_k * (irradiance of patch k by the light)",
      .formula = "B_j = E_j + rho_j * (irradiance of patch j by the light)",
      .anchors = "light-on-a-patch"},
     {.id = "solve",
@@ -54,7 +53,6 @@ inline constexpr PassInfo kPasses[] = {
      .why = "Every patch sends on what it receives from all others: n equations for the n radiosities, solved step by "
             "step until the error is certainly small.",
      .glState = "depth test EQUAL, one value per patch",
-     .pseudocode = "B_k = E_k + rho_k * sum over j of F_kj * B_j\nfor k = 1, 2, 3, ..., n",
      .pseudocodeLines = {5, 6},
      .formula = "B_j = E_j + rho_j * sum over k of F_jk * B_k\n"
                 "residual of j = E_j + rho_j * sum over k of F_jk * B_k - B_j",

@@ -12,6 +12,8 @@ class AliasFreePass {
 public:
     /// Makes ready for a scene. False when the time came before it was done.
     bool prepare(const scene::Snapshot& snapshot, Deadline deadline) { return tracer_.advance(snapshot, deadline); }
+    /// Of the scene that it was prepared for.
+    [[nodiscard]] const trace::SceneTracer& tracer() const { return tracer_; }
     /// What was found belongs to the frame before.
     void beginFrame();
 

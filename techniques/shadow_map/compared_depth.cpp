@@ -55,6 +55,7 @@ ComparedPlace DepthComparison::placeOf(const dvec3& point, const std::array<dvec
         biasedClip(clip, point, normal) * (maps_.parallel ? 1.0 : 1.0 - share) + share * (lightClip_ * light);
     ComparedPlace place;
     place.isBehind = biased.w <= 0;
+    place.clip = biased;
     const dvec3 uvz = dvec3(biased) / biased.w * 0.5 + 0.5;
     place.uv = dvec2(uvz);
     place.depth = uvz.z;

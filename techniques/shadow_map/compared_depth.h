@@ -18,6 +18,7 @@ struct ComparedPlace {
     dvec2 uv{0.0};
     double depth = 0; ///< moved toward the light, where the bias does that
     dvec2 slope{0.0}; ///< dz/du, dz/dv of the point's plane
+    dvec4 clip{0.0};  ///< the same place before the division
     bool isBehind = false;
 };
 

@@ -31,7 +31,6 @@ inline constexpr PassInfo kPasses[] = {
      .glState = "depth only, depth test LESS, depth clamp, slope-scaled polygon offset",
      .perLight = true,
      .shownBy = "light-depth",
-     .pseudocode = "render z-buffer from light's point of view to depth map D\nstore D as texture map d(u,v)",
      .pseudocodeLines = {2, 3},
      .formula = "d(u,v) = the least depth on the light's ray through the texel",
      .anchors = "draw-map draw-casters"},
@@ -81,8 +80,6 @@ inline constexpr PassInfo kPasses[] = {
             "shadow.",
      .glState = "depth EQUAL, blending ONE ONE, map sampled with comparison LEQUAL",
      .perLight = true,
-     .pseudocode = "for each rasterized pixel with texture coords (u,v) and transformed distance z(u,v) do\n"
-                   "   if d(u,v) < z(u,v) then\n      pixel is shadowed",
      .pseudocodeLines = {5, 10},
      .formula = "(s, t, r) = clip / w / 2 + 1/2\n"
                 "z(u,v) = r, shadowed if d(u,v) < z(u,v)",

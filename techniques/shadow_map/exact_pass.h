@@ -46,6 +46,8 @@ public:
 
     /// Decides every pixel, once in a frame. `draw(program)` draws the receivers with it, the map's textures bound.
     const Decisions& decide(Frame& frame, int light, const std::function<void()>& draw);
+    /// Of the scene that it was prepared for.
+    [[nodiscard]] const trace::SceneTracer& tracer() const { return tracer_; }
     [[nodiscard]] bool isDecided(int light) const { return decisions_.contains(light); }
     [[nodiscard]] const Decisions& decisions(int light) const { return decisions_.at(light); }
     void publishTraced(Frame& frame, int light) const;

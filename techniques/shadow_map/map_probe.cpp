@@ -43,44 +43,6 @@ double metresOf(const LightMaps& maps, int layer, const dvec2& uv, double depth)
     return -p.z / p.w - (maps.parallel ? maps.nearest : 0.0);
 }
 
-std::vector<MapProbe::Tap> tapsOf(const ComparedPoint& point) {
-    const Maps maps{point};
-    const DepthComparison comparison(point.maps, point.layer, point.params, point.filter);
-    const ComparedPlace place =
-        comparison.placeOf(point.pointWorld - point.maps.originWorld, maps.cornersLightRelative());
-    std::vector<MapProbe::Tap> taps;
-    const auto add = [&](const ivec2& texel, double compared, double weight) {
-        const double stored = point.depths.at(texel).stored;
-        taps.push_back({texel, stored, compared, weight, compared <= stored});
-    };
-    const double step = 1.0 / maps.resolution;
-    using enum FilterParams::Kind;
-    if (point.filter.kind == hard) add(maps.texelOf(place.uv), comparison.referenceDepth(place, dvec2(0.0)), 1);
-    if (point.filter.kind == hw2x2) {
-        const dvec2 lowerLeft = glm::floor(place.uv * maps.resolution - 0.5);
-        const dvec2 share = place.uv * maps.resolution - 0.5 - lowerLeft;
-        const dvec2 toCentre = (lowerLeft + 0.5) * step - place.uv;
-        double compared = 1;
-        for (const dvec2& corner : {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1), dvec2(1, 1)})
-            compared = std::min(compared, comparison.referenceDepth(place, toCentre + step * corner));
-        for (const dvec2& corner : {dvec2(0, 0), dvec2(1, 0), dvec2(0, 1), dvec2(1, 1)}) {
-            const dvec2 weight = glm::mix(1.0 - share, share, corner);
-            add(ivec2(lowerLeft + corner), compared, weight.x * weight.y);
-        }
-    }
-    if (point.filter.kind == pcf) {
-        const bool oneDepth = comparesWithOneDepth(point.params.bias.mode);
-        const int radius = point.filter.pcfRadius;
-        const double weight = 1.0 / ((2 * radius + 1) * (2 * radius + 1));
-        for (int row = -radius; row <= radius; ++row)
-            for (int column = -radius; column <= radius; ++column) {
-                const dvec2 offset = oneDepth ? dvec2(0.0) : dvec2(column, row) * step;
-                add(maps.texelOf(place.uv) + ivec2(column, row), comparison.referenceDepth(place, offset), weight);
-            }
-    }
-    return taps;
-}
-
 std::optional<MapProbe> probeMap(const ComparedPoint& point) {
     const Maps maps{point};
     const DepthComparison comparison(point.maps, point.layer, point.params, point.filter);
@@ -91,6 +53,8 @@ std::optional<MapProbe> probeMap(const ComparedPoint& point) {
     MapProbe probe;
     probe.layer = point.layer;
     probe.layers = point.maps.layers();
+    probe.lightClipFromLightRelative = comparison.lightClipFromLightRelative();
+    probe.originWorld = point.maps.originWorld;
     probe.resolution = point.params.resolution;
     probe.str = dvec3(clip) / clip.w * 0.5 + 0.5;
     probe.texel = maps.texelOf(place.uv);

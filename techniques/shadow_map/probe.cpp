@@ -6,8 +6,10 @@
 
 #include "techniques/exact_judge.h"
 #include "techniques/foundation/look.h"
+#include "techniques/foundation/trace/area_visibility.h"
 #include "techniques/probe_decision.h"
-#include "techniques/shadow_map/map_probe.h"
+#include "techniques/shadow_map/exact_probe.h"
+#include "techniques/shadow_map/filter_tell.h"
 #include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {
@@ -81,12 +83,16 @@ std::string whyWrong(const MapProbe& map, const TexelDepth& texel, const trace::
     return "aliasing: most texels of the filter hold nothing nearer, though that of the point does";
 }
 
-double litShare(const std::vector<MapProbe::Tap>& taps) {
-    double share = 0;
-    for (const MapProbe::Tap& tap : taps)
-        share += tap.isLit ? tap.weight : 0;
-    // Shares such as 1/9 do not add up to one in binary: a millionth is rounding.
-    return share > 1 - 1e-6 ? 1 : share;
+/// The same of filters that do not compare texel by texel: what each takes for granted.
+std::string whyWrongFiltered(const MapProbe& map, bool isLit) {
+    if (map.search && map.search->found == 0) return "the search found no blocker where it looked";
+    if (map.search)
+        return "all blockers are taken for one surface at their mean distance of " + text(map.search->blockerMetres) +
+               " m, parallel to the light";
+    const std::string share = text(map.moments->unreduced);
+    return isLit ? "light bleeding: the moments of the depths around allow that as much as " + share +
+                       " of them are not before the point"
+                 : "aliasing: of the depths around at most " + share + " are not before the point";
 }
 
 /// As shaders/shadow_map/layer_cascades.glsl has it.
@@ -95,6 +101,14 @@ double fadeToNext(const LightMaps& maps, int layer, double eyeDepth) {
     const auto i = static_cast<std::size_t>(layer);
     const double width = std::max(maps.cascadeEnds[i] - maps.fadeStarts[i], 1e-9);
     return glm::clamp((eyeDepth - maps.fadeStarts[i]) / width, 0.0, 1.0);
+}
+
+/// What the point sees of a light with an area, 0..1.
+double seenShare(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
+    trace::SceneTracer tracer;
+    tracer.advance(snapshot, Deadline::max());
+    const trace::SurfacePoint point = tracer.eyePoint(tracer.eyeRays(view.camera, view.size), dvec2(pixel) + 0.5);
+    return trace::AreaVisibility(tracer, light).share(point);
 }
 
 /// The part of the light's view that the texel sees, its image on the point's surface, and the light's ray through its centre.
@@ -138,9 +152,25 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
         probe.facts.push_back({label, std::move(value), unit});
     };
     const auto truthOf = [&] { return exactJudge(snapshot)->visibility(*hit, view.camera, light); };
-    const auto decideLit = [&] {
-        addDecision(probe, truthOf() == trace::Visibility::turnedAway ? 0 : 1, truthOf(), "no map is asked there");
+    const auto decideByTriangles = [&](const ExactDecision& own) {
+        add("who decides", own.who);
+        addDecision(probe, own.visibility == trace::Visibility::lit ? 1 : 0, truthOf(),
+                    "the technique's own rays disagree with the judge's");
+        if (own.blocker) {
+            add("blocked by", "triangle " + std::to_string(own.blocker->triangle) + " of " + own.blocker->object);
+            const auto& c = own.blocker->cornersWorld;
+            probe.visited.push_back(
+                {"the face that blocks the light", look::kOccluded, SceneShape::Kind::faces, {c[0], c[1], c[2]}});
+        }
+        probe.decision->blocker = own.blocker;
     };
+    const auto decideLit = [&] {
+        if (params_.aliasFree)
+            decideByTriangles(decideAliasFree(aliasFree_.tracer(), view, pixel, light));
+        else
+            addDecision(probe, truthOf() == trace::Visibility::turnedAway ? 0 : 1, truthOf(), "no map is asked there");
+    };
+    const bool isAveraged = averagesOver(snapshot->lights[static_cast<std::size_t>(light)]);
     if (!layer) {
         add("map", "none: nothing in view can be in this light's shadow");
         decideLit();
@@ -171,8 +201,16 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     const AskedLight asked = this->asked(*snapshot, light);
     const TexelDepths depths({*snapshot, maps, *layer, castersOf(*snapshot, maps, asked, *layer), bounds_, params_,
                               depthRules(params_, asked.filter)});
-    const ComparedPoint point{
-        *snapshot, maps, *layer, params_, asked.filter, depths, hit->positionWorld, cornersOf(*snapshot, *hit)};
+    const ComparedPoint point{*snapshot,
+                              maps,
+                              *layer,
+                              params_,
+                              asked.filter,
+                              depths,
+                              asked.light,
+                              hit->positionWorld,
+                              cornersOf(*snapshot, *hit),
+                              {pixel.x, view.size.y - 1 - pixel.y}};
     probe.map = probeMap(point);
     MapProbe& map = *probe.map;
     map.layerName = layerName(maps, *layer);
@@ -201,38 +239,58 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
 
     const auto truth = truthOf();
     const bool gate = truth != trace::Visibility::turnedAway;
-    const auto decide = [&](double visibility, const std::string& why) {
+    const auto decide = [&](double visibility, const std::string& why, trace::Visibility truth) {
         const bool receives = snapshot->objects[hit->object].receivesShadow;
         addDecision(probe, !gate ? 0 : receives ? visibility : 1, truth, why);
     };
-    if (params_.exact || params_.aliasFree) {
-        add("who decides", "rays, wherever the map is not certain");
-        decide(truth == trace::Visibility::lit ? 1 : 0, "");
+    if (params_.aliasFree) {
+        decideByTriangles(decideAliasFree(aliasFree_.tracer(), view, pixel, light));
         return probe;
     }
-    if (averagesOver(snapshot->lights[static_cast<std::size_t>(light)])) {
+    if (params_.exact) {
+        decideByTriangles(decideExactly(exact_.tracer(), view, pixel, light, texel));
+        return probe;
+    }
+    if (isAveraged) {
         add("who decides", "the mean of maps from many points of the light; this is the one of its centre");
         return probe;
     }
-    map.taps = tapsOf(point);
-    if (map.taps.empty()) {
-        add("who decides", "a filter that does not compare texel by texel; told is the point's own");
+    const FilterAnswer answer = answerOf(point);
+    map.taps = answer.taps;
+    map.search = answer.search;
+    map.moments = answer.moments;
+    tellFilter(probe, answer);
+    if (asked.filter.usesMoments() && asked.filter.mipmaps && !averagesLogarithms(asked.filter)) {
+        add("who decides", "coarser moments, over as many texels as the pixel covers; told are the finest");
         return probe;
     }
-    double visibility = litShare(map.taps);
+    if (map.moments && !map.moments->isFinite) {
+        add("who decides", "numbers that the format does not hold: what a graphics card makes of them is its own");
+        return probe;
+    }
+    double visibility = answer.visibility;
     if (const double fade = fadeToNext(maps, *layer, eyeDepth); fade > 0) {
         const TexelDepths nextDepths({*snapshot, maps, *layer + 1, castersOf(*snapshot, maps, asked, *layer + 1),
                                       bounds_, params_, depthRules(params_, asked.filter)});
-        const ComparedPoint next{*snapshot,    maps,       *layer + 1,         params_,
-                                 asked.filter, nextDepths, hit->positionWorld, point.cornersWorld};
+        const ComparedPoint next{*snapshot,          maps,          *layer + 1,  params_,
+                                 asked.filter,       nextDepths,    asked.light, hit->positionWorld,
+                                 point.cornersWorld, point.fragment};
         add("share of the next cascade in the answer", text(fade));
-        visibility = glm::mix(visibility, litShare(tapsOf(next)), fade);
+        visibility = glm::mix(visibility, answerOf(next).visibility, fade);
     }
-    const auto lit = static_cast<std::size_t>(std::ranges::count(map.taps, true, &MapProbe::Tap::isLit));
-    if (map.taps.size() > 1)
-        add("filter", std::to_string(lit) + " of " + std::to_string(map.taps.size()) +
-                          " texels say lit; with their weights " + text(litShare(map.taps)));
-    decide(visibility, whyWrong(map, texel, *hit, visibility > 0.5, blocker));
+    const bool isLit = visibility > 0.5;
+    const std::string why =
+        map.search || map.moments ? whyWrongFiltered(map, isLit) : whyWrong(map, texel, *hit, isLit, blocker);
+    if (samplesArea(*snapshot, light) && gate) {
+        const double seen = seenShare(snapshot, view, pixel, light);
+        probe.facts.push_back(probeFact("truth: share of the light that is seen", seen));
+        decide(visibility, why, seen > 0.5 ? trace::Visibility::lit : trace::Visibility::shadowed);
+    } else {
+        decide(visibility, why, truth);
+    }
+    tellTaps(probe, answer);
+    for (SceneShape& shape : tapShapes(answer, map.texelMetres))
+        probe.visited.push_back(std::move(shape));
     return probe;
 }
 

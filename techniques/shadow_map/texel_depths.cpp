@@ -46,6 +46,12 @@ void findBounds(const std::array<dvec4, 3>& clip, dvec2& lowerNdc, dvec2& upperN
 
 } // namespace
 
+double asKept(ShadowMapParams::DepthFormat format, double depth) {
+    if (format == ShadowMapParams::DepthFormat::float32) return static_cast<double>(static_cast<float>(depth));
+    const double steps = 1 / unitOf(format, 1);
+    return std::round(depth * steps) / steps;
+}
+
 TexelDepths::TexelDepths(const Asked& asked) : scene_(asked.scene), params_(asked.params), rules_(asked.rules) {
     const dmat4 lightClip = asked.maps.lightClipFromLightRelative(asked.layer);
     for (const std::size_t caster : asked.casters) {

@@ -20,6 +20,9 @@ struct TexelDepth {
     [[nodiscard]] bool isEmpty() const { return stored >= 1; }
 };
 
+/// A depth as the format keeps it: rounded to its nearest step.
+double asKept(ShadowMapParams::DepthFormat format, double depth);
+
 /// One layer of a light's maps.
 class TexelDepths {
 public:

@@ -35,7 +35,8 @@ const PassInfo kPasses[] = {
      .pseudocodeLines = {3, 4},
      .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil - 1 before the point, + 1 behind it",
-     .anchors = "way-of-a-caster count-passing count-failing count-one-side extrude"},
+     .anchors = "way-of-a-caster count-passing count-failing count-one-side extrude",
+     .values = kAfterBacks},
     {.id = "volumes-front",
      .title = "Render all volume faces that face toward the viewer",
      .why = "Up by one for each that passes, down by one for each that fails: entered and left, or left and entered.",

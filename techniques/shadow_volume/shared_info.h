@@ -14,6 +14,11 @@ inline constexpr PassInfo kLightsOffPass = {
     .formula = "L = emission + ambient * diffuse",
     .anchors = "lights-off"};
 
+/// Of the steps after which the stencil does not hold its last value yet.
+inline constexpr NamedValue kCleared[] = {{"stencil", "stencil, cleared"}};
+inline constexpr NamedValue kAfterBacks[] = {{"stencil", "stencil after the back faces"}};
+inline constexpr NamedValue kAfterFronts[] = {{"stencil", "stencil after the front faces"}};
+
 inline constexpr PassInfo kClearStencilPass = {.id = "clear-stencil",
                                                .title = "Clear the stencil buffer",
                                                .why = "Each light counts from zero.",
@@ -21,7 +26,8 @@ inline constexpr PassInfo kClearStencilPass = {.id = "clear-stencil",
                                                .perLight = true,
                                                .pseudocodeLines = {2, 2},
                                                .formula = "stencil = 0",
-                                               .anchors = "clear-count"};
+                                               .anchors = "clear-count",
+                                               .values = kCleared};
 
 /// The lecture's "Shadow Volume Using Stencil Buffer"; it counts with depth fail.
 inline constexpr std::string_view kStencilSteps =

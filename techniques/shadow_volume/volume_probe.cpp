@@ -70,9 +70,11 @@ struct Rules {
     }
 };
 
+/// Which faces are drawn before the stencil is looked at.
+enum class Drawn { bothAtOnce, oneSide, oneSideThenTheOther };
+
 /// As the stencil does it, face by face: it wraps around, or it sticks at its ends.
-int stencilOf(std::span<const Crossing> drawn, const StencilRule& rule, int start, bool secondStepApart,
-              bool backFirst) {
+int stencilOf(std::span<const Crossing> drawn, const StencilRule& rule, int start, Drawn how, bool backFirst) {
     const int mask = static_cast<int>(rule.mask());
     int value = start & mask;
     const auto add = [&](const Crossing& crossing) {
@@ -81,8 +83,8 @@ int stencilOf(std::span<const Crossing> drawn, const StencilRule& rule, int star
     };
     for (const int step : {0, 1}) {
         for (const Crossing& crossing : drawn)
-            if (!secondStepApart || (crossing.sign < 0) == ((step == 0) == backFirst)) add(crossing);
-        if (!secondStepApart) break;
+            if (how == Drawn::bothAtOnce || (crossing.sign < 0) == ((step == 0) == backFirst)) add(crossing);
+        if (how != Drawn::oneSideThenTheOther) break;
     }
     return value;
 }
@@ -192,9 +194,14 @@ VolumeProbe VolumeTechnique::probeVolumes(const scene::Scene& scene, const View&
                                       : (crossing.sign > 0 ? probe.frontsBefore : probe.backsBefore);
         ++number;
     }
+    const bool backFirst = counting_.first.culled == GL_FRONT;
+    const auto stencil = [&](Drawn how) {
+        return stencilOf(probe.crossings, params_.stencil, probe.start, how, backFirst);
+    };
+    probe.stencilCleared = probe.start & static_cast<int>(params_.stencil.mask());
+    probe.stencilBetween = stencil(Drawn::oneSide);
     probe.stencil = countsInFloats(light) ? static_cast<int>(probe.count != 0)
-                                          : stencilOf(probe.crossings, params_.stencil, probe.start, !params_.twoSided,
-                                                      counting_.first.culled == GL_FRONT);
+                                          : stencil(params_.twoSided ? Drawn::bothAtOnce : Drawn::oneSideThenTheOther);
     std::ranges::stable_sort(probe.crossings, {}, &Crossing::distance);
     return probe;
 }
@@ -241,6 +248,9 @@ Probe VolumeTechnique::probe(const scene::Snapshot& snapshot, const View& view, 
     add("z-fail, point to infinity", sumText(volume.backsBeyond, volume.frontsBeyond, "n_b", "n_f"));
     add("count of this technique",
         std::to_string(volume.count) + (volume.start ? ", which started at " + std::to_string(volume.start) : ""));
+    add("stencil, cleared", std::to_string(volume.stencilCleared));
+    add(counting_.first.culled == GL_FRONT ? "stencil after the back faces" : "stencil after the front faces",
+        std::to_string(volume.stencilBetween));
     add("stencil",
         std::to_string(volume.stencil) + (countsInFloats(light) ? ", from a count in floats: not zero" : ""));
     std::size_t listed = 0;

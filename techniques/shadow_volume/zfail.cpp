@@ -31,7 +31,8 @@ const PassInfo kPasses[] = {
      .pseudocodeLines = {3, 4},
      .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil + 1 where a back face fails the depth test: n_b",
-     .anchors = "count-failing count-one-side extrude"},
+     .anchors = "count-failing count-one-side extrude",
+     .values = kAfterBacks},
     {.id = "volumes-front",
      .title = "Render all volume faces that face toward the viewer",
      .why = "The stencil goes down by one for each point that fails the depth test: faces in front and behind cancel.",

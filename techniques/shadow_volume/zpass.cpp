@@ -16,7 +16,8 @@ const PassInfo kPasses[] = {
      .glState = "stencil write mask 0xff",
      .perLight = true,
      .formula = "stencil = 0, or with eye-correction the volumes that the eye is in",
-     .anchors = "clear-count"},
+     .anchors = "clear-count",
+     .values = kCleared},
     {.id = "volumes",
      .title = "Count the volume faces between the eye and each visible point",
      .why = "Front faces add one and back faces take one where they pass the depth test: n_f - n_b is not zero inside "
@@ -38,7 +39,8 @@ const PassInfo kPasses[] = {
      .pseudocodeLines = {2, 2},
      .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil + 1 where a front face passes the depth test: n_f",
-     .anchors = "count-passing count-one-side extrude"},
+     .anchors = "count-passing count-one-side extrude",
+     .values = kAfterFronts},
     {.id = "volumes-back",
      .title = "Render all volume faces that face away from the viewer",
      .why = "n_b: the stencil goes down by one for each that passes the depth test, where a volume is left.",

@@ -238,6 +238,62 @@ TEST_F(ProbeTest, TellsWhatDecidedOnTheShadow) {
     EXPECT_GT(shadowed, 0);
 }
 
+// Every filter tells what it read and what follows from it; the decision is the same number everywhere.
+TEST_F(ProbeTest, EveryFilterTellsWhatItReadAndWhatItDecided) {
+    int taps = 0, moments = 0, searches = 0;
+    for (const char* filter : {"hard", "hw2x2", "pcf", "disc", "pcss", "vsm", "esm", "evsm", "msm"})
+        for (const char* pixel : {"640,400", "760,520"}) {
+            std::vector<std::string> words{"box.json", "--pixel",    pixel,
+                                           "-t",       "shadow-map", "--set",
+                                           std::string("shadow-map.filter=") + filter};
+            if (filter == std::string("pcss")) words.insert(words.end(), {"--set", "shadow-map.light-radius=0.2"});
+            const Json json = probed(words);
+            if (json.at("map").is_null() || json.at("decision").is_null()) continue;
+            const Json& map = json.at("map");
+            const double visibility = json.at("decision").at("visibility");
+            if (json.at("decision").at("turnedAway").get<bool>()) continue;
+            double lit = 0;
+            for (const Json& tap : map.at("taps")) {
+                ++taps;
+                lit += tap.at("lit").get<bool>() ? tap.at("weight").get<double>() : 0;
+                EXPECT_EQ(tap.at("lit").get<bool>(), tap.at("compared") <= tap.at("stored")) << filter;
+                for (int axis = 0; axis < 2; ++axis)
+                    EXPECT_EQ(std::floor(tap.at("place").at(static_cast<std::size_t>(axis)).get<double>()),
+                              tap.at("texel").at(static_cast<std::size_t>(axis)).get<double>());
+            }
+            if (!map.at("taps").empty()) {
+                EXPECT_NEAR(lit, visibility, 1e-6) << filter;
+            }
+            if (!map.at("moments").is_null()) {
+                ++moments;
+                EXPECT_EQ(map.at("moments").at("visibility").get<double>(), visibility) << filter;
+                EXPECT_GE(map.at("moments").at("read").size(), 2u);
+            }
+            if (!map.at("search").is_null()) {
+                ++searches;
+                int found = 0;
+                for (const Json& look : map.at("search").at("looks"))
+                    found += look.at("lit").get<bool>() ? 0 : 1;
+                EXPECT_EQ(map.at("search").at("found").get<int>(), found);
+            }
+        }
+    EXPECT_GT(taps, 30);
+    EXPECT_GE(moments, 4);
+    EXPECT_GE(searches, 1);
+}
+
+TEST_F(ProbeTest, PlanarDrawsAndSaysThatThereIsNoPlane) {
+    const std::vector<std::string> words{"mirror-and-glass", "--pixel", "500,420", "-t", "planar"};
+    const Json json = probed(words);
+    EXPECT_TRUE(json.at("plane").at("plane").is_null());
+    EXPECT_GE(json.at("plane").at("others").size(), 1u);
+    std::vector<std::string> drawing = words;
+    drawing.insert(drawing.begin(), "probe");
+    drawing.insert(drawing.end(), {"--diagram", "none.svg"});
+    succeed(drawing);
+    EXPECT_NE(fileContent(folder.path() / "none.svg").find("No receiver plane here"), std::string::npos);
+}
+
 TEST_F(ProbeTest, TheFiguresOfTheShadowAreTheSameEachTime) {
     for (const char* technique : {"planar", "shadow-map", "shadow-volume"}) {
         const std::vector<std::string> words{"probe", "box.json", "--pixel",   "700,520",

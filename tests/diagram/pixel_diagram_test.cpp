@@ -42,7 +42,7 @@ int count(const std::string& text, const std::string& what) {
 
 TEST(PixelDiagramTest, HasEverySurfaceRayAndVector) {
     const Asked asked = ask("mirror-and-glass", {500, 420});
-    const std::string svg = pixelDiagram(asked.probe, *asked.scene, testFont());
+    const std::string svg = pixelDiagram(asked.probe, *asked.scene, testFont()).document();
     const ShownTree shown = shownTree(asked.probe);
     const std::vector<Written> all = written(svg);
     const auto times = [&](const std::string& text) { return std::ranges::count(all, text, &Written::text); };
@@ -89,7 +89,7 @@ TEST(PixelDiagramTest, LabelsAreReadableAndCoverNoOther) {
             for (int y = looked.first.y; y < looked.end.y; y += looked.step.y) {
                 const Asked asked = ask(looked.scene, {x, y}, "12", "0");
                 if (asked.probe.tree.empty()) continue;
-                const std::string svg = pixelDiagram(asked.probe, *asked.scene, testFont());
+                const std::string svg = pixelDiagram(asked.probe, *asked.scene, testFont()).document();
                 ++drawings;
                 if (shownTree(asked.probe).leftOut > 0) {
                     ++limited;

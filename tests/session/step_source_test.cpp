@@ -115,6 +115,30 @@ TEST(StepSourceTest, ValuesStandWhereTheirNamesDoAndOnlyWholeNamesCount) {
             EXPECT_TRUE(line.values.empty() || line.text.find("u") != std::string::npos) << line.text;
 }
 
+// The stencil of a pixel goes up and down from step to step: each shows what it holds right after it.
+TEST(StepSourceTest, AStepShowsWhatIsThereRightAfterIt) {
+    Probe probe;
+    probe.facts = {{"stencil, cleared", "0", ""},
+                   {"stencil after the back faces", "3", ""},
+                   {"stencil after the front faces", "4", ""},
+                   {"stencil", "2", ""}};
+    const auto shown = [&](const char* technique, const char* pass) {
+        std::string values;
+        for (const StepLine& line : stepOf(technique, pass, &probe).formula)
+            values += line.values;
+        return values;
+    };
+    for (const char* technique : {"shadow-volume-zfail", "shadow-volume"}) {
+        EXPECT_EQ(shown(technique, "clear-stencil"), "stencil = 0") << technique;
+        EXPECT_EQ(shown(technique, "volumes-back"), "stencil = 3") << technique;
+        EXPECT_EQ(shown(technique, "volumes-front"), "stencil = 2") << technique;
+        EXPECT_EQ(shown(technique, "light"), "stencil = 2") << technique;
+    }
+    EXPECT_EQ(shown("shadow-volume-zpass", "clear-stencil"), "stencil = 0");
+    EXPECT_EQ(shown("shadow-volume-zpass", "volumes-front"), "stencil = 4");
+    EXPECT_EQ(shown("shadow-volume-zpass", "volumes-back"), "stencil = 2");
+}
+
 /// Every fact by which a technique's values are known is one that its probe says of some pixel.
 TEST(StepSourceTest, EveryNamedValueIsAFactOfSomePixel) {
     std::size_t checked = 0;
@@ -144,7 +168,10 @@ TEST(StepSourceTest, EveryNamedValueIsAFactOfSomePixel) {
                     take(node.facts);
             }
         }
-        for (const NamedValue& value : info.values) {
+        std::vector<NamedValue> values = info.values;
+        for (const PassInfo& pass : info.passes)
+            values.insert(values.end(), pass.values.begin(), pass.values.end());
+        for (const NamedValue& value : values) {
             EXPECT_TRUE(facts.contains(std::string(value.fact))) << info.id << ": " << value.fact;
             ++checked;
         }

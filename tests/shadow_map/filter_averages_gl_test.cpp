@@ -7,8 +7,8 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "tests/support/light_shares.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/light_shares.h"
 #include "tests/support/plane_view.h"
 #include "tests/support/scenes.h"
 

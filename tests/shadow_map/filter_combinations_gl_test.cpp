@@ -11,9 +11,9 @@
 #include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/shapes.h"
 #include "tests/shadow_map/edge_reach.h"
-#include "tests/support/light_shares.h"
 #include "tests/shadow_map/scene_maps.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/light_shares.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab {

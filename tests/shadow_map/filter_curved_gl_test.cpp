@@ -10,8 +10,8 @@
 
 #include "techniques/foundation/scene/shapes.h"
 #include "tests/shadow_map/edge_reach.h"
-#include "tests/support/light_shares.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/light_shares.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab {

@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <optional>
 
-#include "tests/support/light_shares.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/light_shares.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab {

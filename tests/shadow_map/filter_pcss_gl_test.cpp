@@ -10,8 +10,8 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "tests/support/light_shares.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/light_shares.h"
 #include "tests/support/plane_view.h"
 #include "tests/support/scenes.h"
 

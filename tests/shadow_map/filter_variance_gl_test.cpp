@@ -11,9 +11,9 @@
 #include "app/session/assets.h"
 #include "techniques/foundation/scene/load.h"
 #include "techniques/foundation/scene/shapes.h"
-#include "tests/support/light_shares.h"
 #include "tests/shadow_map/moment_texels.h"
 #include "tests/support/gl_fixture.h"
+#include "tests/support/light_shares.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab {

@@ -1,0 +1,105 @@
+// "Direct projection" of a point that lies on no receiver plane: the technique draws no shadow there. Drawn is what there is: the
+// point, eye and light, the scene, and the planes that do receive, as the plane through eye, light and point cuts them.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "app/diagram/panels.h"
+#include "app/diagram/section_sheet.h"
+#include "techniques/foundation/look.h"
+
+namespace shadowlab::diagram {
+
+namespace {
+
+constexpr const char* kPlane = "#0072b2";
+constexpr std::size_t kNamedPlanes = 6; ///< more names would fill the drawing
+
+/// Each plane N.P + D = 0 as a dashed line, with the name of what it belongs to.
+void drawPlanes(Svg& svg, Labels& labels, const SectionSheet& sheet, const Probe& probe) {
+    const double reach = 2 * glm::length(sheet.metres().size);
+    struct Named {
+        dvec2 at;
+        std::string text;
+    };
+    std::vector<Named> names;
+    svg.beginClip(sheet.area().corner, sheet.area().size);
+    for (const PlaneProbe::Other& other : probe.plane->others) {
+        const dvec2 gradient = sheet.section().ofDirection(dvec3(other.planeWorld));
+        const double atPoint = glm::dot(other.planeWorld, dvec4(sheet.section().originWorld, 1.0));
+        const double length = glm::length(gradient);
+        if (length < 1e-9) continue; // it lies in the drawing's plane, or beside it
+        const dvec2 foot = -atPoint / (length * length) * gradient, along(gradient.y / length, -gradient.x / length);
+        const dvec2 from = sheet(foot - reach * along), to = sheet(foot + reach * along);
+        svg.line(from, to, {kPlane, 3, true});
+        labels.avoid(from, to);
+        // Named where it is nearest to the middle, if that is seen.
+        const dvec2 middle = sheet.metres().corner + 0.5 * sheet.metres().size;
+        const dvec2 nearest = foot + glm::dot(middle - foot, along) * along;
+        if (sheet.shows(nearest)) names.push_back({sheet(nearest), "plane of " + other.object});
+    }
+    svg.endClip();
+    for (std::size_t i = 0; i < std::min(names.size(), kNamedPlanes); ++i)
+        labels.place(svg, names[i].at, names[i].text, {.size = kText, .color = kPlane}, 8);
+}
+
+} // namespace
+
+void drawNoPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+    constexpr double kNumbers = 610, kLegend = 44;
+    svg.text(area.corner + dvec2(0, kHeading), "Direct projection in the plane through eye, light and point",
+             {.size = kHeading, .isBold = true});
+    const Box field{area.corner + dvec2(0, kHeading + 18),
+                    area.size - dvec2(kNumbers + 30, kHeading + 18 + kLegend + 14)};
+    const SectionSheet sheet(probe, scene, field, std::vector<dvec2>{});
+    Labels labels(font, field);
+    sheet.drawScene(svg, labels);
+    const dvec2 point = sheet(dvec2(0.0));
+    const bool lightIsSeen = !sheet.light().isDirection && sheet.shows(sheet.light().at);
+    const dvec2 lightEnd =
+        lightIsSeen ? sheet(sheet.light().at) : sheet.border(dvec2(0.0), sheet.light().toward(dvec2(0.0)));
+    const bool arrives = probe.geometry[1].role == Probe::Role::arriving;
+    svg.arrow(lightEnd, point, {colorText(arrives ? look::kEqualDepth : look::kOccluded), 4, false}, 0.5);
+    labels.avoid(lightEnd, point);
+    const dvec2 eyeEnd = sheet.shows(sheet.eye()) ? sheet(sheet.eye()) : sheet.border(dvec2(0.0), sheet.eye());
+    svg.line(eyeEnd, point, {"#1a1a1a", 3, false});
+    labels.avoid(eyeEnd, point);
+    sheet.drawPoint(svg, labels);
+    sheet.drawEye(svg, labels);
+    sheet.drawLight(svg, labels);
+    drawPlanes(svg, labels, sheet, probe);
+    svg.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
+
+    TextColumn column(svg, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}},
+                      font);
+    column.heading("No receiver plane here");
+    column.row("The point lies on none of the planes that receive, so nothing is projected onto it: the technique "
+               "draws no shadow there.");
+    column.heading("Planes that receive");
+    if (probe.plane->others.empty()) column.row("none in view");
+    const auto shown = [](double value) { return fourDigits(std::round(value * 1e6) / 1e6); }; // floats have no more
+    std::size_t left = probe.plane->others.size();
+    for (const PlaneProbe::Other& other : probe.plane->others) {
+        const dvec4& p = other.planeWorld;
+        if (!column.hasRoom(9)) {
+            column.row("and " + std::to_string(left) + " more");
+            break;
+        }
+        --left;
+        column.row(other.object + ": N = (" + shown(p.x) + ", " + shown(p.y) + ", " + shown(p.z) +
+                       "), D = " + shown(p.w) + " m",
+                   kPlane);
+    }
+    column.heading("This technique");
+    for (const Probe::Fact& fact : probe.facts)
+        if (fact.label == "decision" || fact.label == "truth" || fact.label == "error")
+            column.row(fact.label + ": " + fact.value, fact.label == "error" ? "#a04000" : "#1a1a1a");
+    using enum LegendEntry::Kind;
+    const LegendEntry legend[] = {{dashed, kPlane, "planes that receive, and where they would go on"},
+                                  {line, colorText(look::kOccluded), "light that does not arrive"},
+                                  {line, colorText(look::kEqualDepth), "light that does"},
+                                  {line, "#4d4d4d", "caster"}};
+    drawLegend(svg, {area.corner + dvec2(0, area.size.y - kLegend), {area.size.x, kLegend}}, legend, font);
+}
+
+} // namespace shadowlab::diagram
