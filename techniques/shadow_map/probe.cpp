@@ -171,8 +171,11 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     const AskedLight asked = this->asked(*snapshot, light);
     const TexelDepths depths({*snapshot, maps, *layer, castersOf(*snapshot, maps, asked, *layer), bounds_, params_,
                               depthRules(params_, asked.filter)});
-    const ComparedPoint point{
-        *snapshot, maps, *layer, params_, asked.filter, depths, hit->positionWorld, cornersOf(*snapshot, *hit)};
+    dvec3 pointWorld = hit->positionWorld;
+    if (params_.looksUpInWorld()) // as point_world.glsl has it
+        pointWorld = maps.originWorld + dvec3(vec3(pointWorld)) - dvec3(vec3(maps.originWorld));
+    const ComparedPoint point{*snapshot,    maps,   *layer,     params_,
+                              asked.filter, depths, pointWorld, cornersOf(*snapshot, *hit)};
     probe.map = probeMap(point);
     MapProbe& map = *probe.map;
     map.layerName = layerName(maps, *layer);
@@ -223,8 +226,8 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     if (const double fade = fadeToNext(maps, *layer, eyeDepth); fade > 0) {
         const TexelDepths nextDepths({*snapshot, maps, *layer + 1, castersOf(*snapshot, maps, asked, *layer + 1),
                                       bounds_, params_, depthRules(params_, asked.filter)});
-        const ComparedPoint next{*snapshot,    maps,       *layer + 1,         params_,
-                                 asked.filter, nextDepths, hit->positionWorld, point.cornersWorld};
+        const ComparedPoint next{*snapshot,    maps,       *layer + 1,       params_,
+                                 asked.filter, nextDepths, point.pointWorld, point.cornersWorld};
         add("share of the next cascade in the answer", text(fade));
         visibility = glm::mix(visibility, litShare(tapsOf(next)), fade);
     }
