@@ -6,7 +6,8 @@ generate.py              rewrites what stands between `<!-- generated: NAME -->`
 generate.py --check      writes nothing; exits with 1 when a part is out of date, a page or a picture is missing, a link is dead,
                          or git does not track a picture
 generate.py --pictures   draws the pictures as well, with `shadowlab capture`:
-                         `<!-- picture NAME: ARGUMENTS -->` asks for docs/images/NAME.png wherever it stands, and
+                         `<!-- picture NAME: ARGUMENTS -->` asks for docs/images/NAME.png wherever it stands,
+                         `<!-- lesson NAME: ARGUMENTS -->` for the same of `shadowlab lesson ARGUMENTS`, and
                          `<!-- gallery: ARGUMENTS -->` on a technique's page for a picture of each of its stages
                          that is not asked for by name
 --program PATH           the program to ask, build/release/shadowlab by default
@@ -28,7 +29,7 @@ IMAGES = DOCS / "images"
 LARGEST_PICTURE = 150_000  # bytes: a clone stays small, a page loads at once
 
 BLOCK = re.compile(r"(<!-- generated: ([\w-]+) -->\n).*?(<!-- end generated -->)", re.DOTALL)
-PICTURE = re.compile(r"<!-- picture ([\w-]+): (.+?) -->")
+PICTURE = re.compile(r"<!-- (picture|lesson) ([\w-]+): (.+?) -->")
 GALLERY = re.compile(r"<!-- gallery: (.+?) -->")
 LINK = re.compile(r"\]\(([^)\s#]+)(?:#[^)]*)?\)|<img src=\"([^\"]+)\"")
 UNWRITTEN = "(to be written)"
@@ -210,18 +211,19 @@ def every_technique(program):
 
 
 def wanted_pictures(program):
-    """Name of each picture and the arguments it is captured with."""
+    """Name of each picture, and the words of the command line that it is made with."""
     pictures = {}
     ids = {t["id"] for t in program.techniques}
     for path in (ROOT / "README.md", *sorted(DOCS.glob("*.md"))):
         text = re.sub(r"```.*?```", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
-        for name, arguments in PICTURE.findall(text):
-            pictures[name] = arguments.replace("{every technique}", every_technique(program))
+        for kind, name, arguments in PICTURE.findall(text):
+            subcommand = "capture" if kind == "picture" else "lesson"
+            pictures[name] = f"{subcommand} " + arguments.replace("{every technique}", every_technique(program))
         gallery = GALLERY.search(text)
         if gallery and path.stem in ids:
             for stage in program.stages_of(path.stem):
                 pictures.setdefault(f"{path.stem}-{stage['stage']}",
-                                    f"{gallery.group(1)} -t {path.stem} --stage {stage['stage']}")
+                                    f"capture {gallery.group(1)} -t {path.stem} --stage {stage['stage']}")
     return pictures
 
 
@@ -231,7 +233,7 @@ def draw_pictures(program):
     for name, arguments in pictures.items():
         output = IMAGES / f"{name}.png"
         # OSMesa: the same bytes on every machine with the same Mesa, whatever graphics card it has.
-        command = [program.path, "capture", *shlex.split(arguments), "--backend", "osmesa", "-o", str(output)]
+        command = [program.path, *shlex.split(arguments), "--backend", "osmesa", "-o", str(output)]
         if subprocess.run(command, check=False).returncode != 0:
             sys.exit(f"generate.py: picture {name} could not be drawn: {shlex.join(command)}")
         if output.stat().st_size > LARGEST_PICTURE:

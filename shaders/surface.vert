@@ -1,7 +1,8 @@
 #version 330 core
 // A surface as the eye sees it: position for the rasteriser, position and normal in view space for shading, and position
 // relative to the light (world axes, origin at the light) and in the clip space of a camera there, for techniques that ask the
-// light's own picture. What a fragment shader does not read costs nothing: the linker leaves it out.
+// light's own picture; and in world space, whose floats are too coarse far from its origin, to show just that. What a fragment
+// shader does not read costs nothing: the linker leaves it out.
 #include "attributes.glsl"
 #include "clip_position.glsl"
 #include "texcoord.glsl"
@@ -9,10 +10,12 @@ uniform mat4 viewFromMesh;
 uniform mat3 normalViewFromMesh;
 uniform mat4 lightRelativeFromMesh;
 uniform mat4 lightClipFromMesh;
+uniform mat4 worldFromMesh;
 out vec3 positionView;
 out vec3 normalView;
 out vec3 positionLightRelative;
 out vec4 positionLightClip;
+out vec3 positionWorld;
 
 void main() {
     gl_Position = clipPosition(vec4(positionMesh, 1.0));
@@ -21,4 +24,5 @@ void main() {
     normalView = normalViewFromMesh * normalMesh;
     positionLightRelative = (lightRelativeFromMesh * vec4(positionMesh, 1.0)).xyz;
     positionLightClip = lightClipFromMesh * vec4(positionMesh, 1.0);
+    positionWorld = (worldFromMesh * vec4(positionMesh, 1.0)).xyz;
 }

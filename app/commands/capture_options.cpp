@@ -137,18 +137,11 @@ void checkFilm(const GivenOptions& given, const CaptureOptions& options) {
 /// How long a step, or a frame, stays.
 image::FrameTime timeFor(const GivenOptions& given, const CaptureOptions& options) {
     constexpr int kMostRate = 120;
-    constexpr double kLeastSeconds = 0.01, kMostSeconds = 60; // in milliseconds a number of 16 bits
     if (given.has("--hold") && !options.steps) refuseUsage("--hold: only steps are held; add --steps");
     if (given.has("--fps") && !options.animate) refuseUsage("--fps: only an animation has a rate; add --animate");
     if (options.animate)
         return {1, static_cast<std::uint16_t>(countFrom("--fps", given.text("--fps", "25"), kMostRate))};
-    const std::string text = given.text("--hold", "2");
-    double seconds = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
-    if (error != std::errc{} || end != text.data() + text.size() ||
-        !(seconds >= kLeastSeconds && seconds <= kMostSeconds))
-        refuseUsage("--hold: '" + text + "' is no time that a step can stay; write seconds from 0.01 to 60, as 2.5");
-    return {static_cast<std::uint16_t>(std::lround(seconds * 1000)), 1000};
+    return {static_cast<std::uint16_t>(std::lround(secondsFrom("--hold", given.text("--hold", "2")) * 1000)), 1000};
 }
 
 } // namespace

@@ -10,6 +10,7 @@
 #include "app/commands/text_table.h"
 #include "app/session/assets.h"
 #include "app/session/lesson_figure.h"
+#include "app/session/lesson_film.h"
 #include "app/session/lesson_measure.h"
 #include "app/session/lesson_quantities.h"
 #include "techniques/foundation/error.h"
@@ -97,9 +98,15 @@ int lesson(const LessonOptions& options) {
                                                    " pixels on a side; choose a smaller --size");
         const std::filesystem::path fonts = session::assetsRoot() / "fonts";
         const image::Font font(fonts / "DejaVuSans.ttf"), bold(fonts / "DejaVuSans-Bold.ttf");
-        const image::Image figure = session::lessonFigure(lesson, options.states, options.size, font, bold);
-        image::writeWhole(options.output,
-                          image::encodePng(figure, {.opaque = true, .text = {{"Title", lesson.text.title}}}));
+        const std::vector<image::PngText> text{{"Title", lesson.text.title}};
+        if (options.animate) {
+            const auto film = session::makeFilm(options.output, session::kLessonTick, text);
+            session::filmLesson(lesson, {options.size, options.holdSeconds}, font, bold, *film);
+            film->finish();
+        } else {
+            const image::Image figure = session::lessonFigure(lesson, options.states, options.size, font, bold);
+            image::writeWhole(options.output, image::encodePng(figure, {.opaque = true, .text = text}));
+        }
     }
     if (!options.measure) return 0;
     const std::vector<MeasuredExpectation> measured = session::measureLesson(lesson);

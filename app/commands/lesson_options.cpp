@@ -5,6 +5,7 @@
 
 #include "app/commands/capture_options.h"
 #include "app/commands/option_values.h"
+#include "app/session/film.h"
 
 namespace shadowlab::commands {
 
@@ -15,7 +16,12 @@ void describeLesson(CLI::App& command) {
     add("LESSON", "", "a built-in name (`list lessons`) or a .json lesson");
     add("-o,--output", "OUT.png", "draws it: pictures, title, sentences, and what to look at");
     add("--state", "STATE", "what to draw: before, after or both, side by side (default both)");
-    add("--size", "WxH", "width and height of the picture in pixels (default 1600x900)");
+    add("--size", "WxH", "width and height of the picture in pixels (default 1600x900, with --animate 1280x720)");
+    command.add_flag("--animate")
+        ->description("question, answer, artefact and mend one after the other in one file, an animated PNG or, if -o "
+                      "ends in .mp4, a film; each with its words below");
+    add("--hold", "SECONDS",
+        "with --animate: how long each picture stays (default: as long as its words take to read)");
     command.add_flag("--measure")
         ->description("prints what is measured before and after beside what it has to be (without -o the default)");
     command.add_flag("--json")->description("the numbers as one JSON object instead of a table");
@@ -25,6 +31,7 @@ void describeLesson(CLI::App& command) {
                    "Examples:\n"
                    "  shadowlab lesson acne -o acne.png\n"
                    "  shadowlab lesson acne --measure\n"
+                   "  shadowlab lesson acne --animate -o acne.mp4\n"
                    "  shadowlab demo --lesson acne");
 }
 
@@ -33,19 +40,28 @@ LessonOptions lessonOptions(const CLI::App& command) {
     LessonOptions options;
     options.lesson = given.required("LESSON", "shadowlab lesson NAME -o OUT.png");
     options.json = command.count("--json") > 0;
+    options.animate = command.count("--animate") > 0;
     if (given.has("--output")) {
         options.output = given.text("--output");
-        requireEnding("-o", options.output, ".png");
+        if (session::isMp4(options.output) && !options.animate)
+            refuseUsage("-o: '" + options.output.string() +
+                        "' is a film, and this is one picture; add --animate, or write a .png");
+        if (!session::isMp4(options.output)) requireEnding("-o", options.output, ".png");
     }
-    for (const char* option : {"--state", "--size"})
-        if (given.has(option) && options.output.empty())
+    for (const char* option : {"--state", "--size", "--animate"})
+        if (command.count(option) > 0 && options.output.empty())
             refuseUsage(std::string(option) + ": only a picture has it; add -o OUT.png");
+    if (given.has("--state") && options.animate)
+        refuseUsage("--state: an animation shows both states one after the other; leave --state or --animate out");
+    if (given.has("--hold") && !options.animate)
+        refuseUsage("--hold: only the pictures of an animation are held; add --animate");
+    if (given.has("--hold")) options.holdSeconds = secondsFrom("--hold", given.text("--hold", ""));
     options.measure = command.count("--measure") > 0 || options.output.empty();
     if (options.json && !options.measure) refuseUsage("--json: nothing is printed; add --measure");
     const std::vector<std::vector<std::size_t>> states = {{0}, {1}, {0, 1}};
     options.states = states[static_cast<std::size_t>(
         choiceFrom("--state", given.text("--state", "both"), {"before", "after", "both"}))];
-    options.size = sizeFrom("--size", given.text("--size", "1600x900"), kLongestSide);
+    options.size = sizeFrom("--size", given.text("--size", options.animate ? "1280x720" : "1600x900"), kLongestSide);
     options.backend = context::backendFromName(given.text("--backend", "auto"));
     for (const std::string& folder : given.texts("--allow"))
         options.allowed.emplace_back(folder);

@@ -108,6 +108,17 @@ double degreesFrom(const std::string& option, const std::string& text) {
     return value;
 }
 
+double secondsFrom(const std::string& option, const std::string& text) {
+    constexpr double kLeastSeconds = 0.01, kMostSeconds = 60; // in milliseconds a number of 16 bits
+    double seconds = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+    if (error != std::errc{} || end != text.data() + text.size() ||
+        !(seconds >= kLeastSeconds && seconds <= kMostSeconds))
+        refuseUsage(option + ": '" + text +
+                    "' is no time that a picture can stay; write seconds from 0.01 to 60, as 2.5");
+    return seconds;
+}
+
 int countFrom(const std::string& option, const std::string& text, int most) {
     int value = 0;
     if (!readWhole(text, value) || value < 1 || value > most)

@@ -50,6 +50,8 @@ ivec2 sizeFrom(const std::string& option, const std::string& text, int longestSi
 bool booleanFrom(const std::string& option, const std::string& text);
 /// An angle within a million degrees.
 double degreesFrom(const std::string& option, const std::string& text);
+/// A time that a picture can stay, in seconds: from 0.01 to 60.
+double secondsFrom(const std::string& option, const std::string& text);
 /// A whole number from 1 to `most`.
 int countFrom(const std::string& option, const std::string& text, int most);
 /// Index of the text among `choices`.

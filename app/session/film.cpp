@@ -15,32 +15,35 @@ namespace {
 
 class PngFilm final : public Film {
 public:
-    PngFilm(std::filesystem::path path, image::FrameTime time, std::vector<image::PngText> text)
-        : path_(std::move(path)), time_(time), animation_(std::move(text)) {}
+    PngFilm(std::filesystem::path path, image::FrameTime unit, std::vector<image::PngText> text)
+        : path_(std::move(path)), unit_(unit), animation_(std::move(text)) {}
 
-    void add(const image::Image& picture) override { animation_.add(picture, time_); }
+    void add(const image::Image& picture, int units) override {
+        animation_.add(picture, {static_cast<std::uint16_t>(units * unit_.numerator), unit_.denominator});
+    }
     void finish() override { image::writeWhole(path_, animation_.finish()); }
 
 private:
     std::filesystem::path path_;
-    image::FrameTime time_;
+    image::FrameTime unit_;
     image::AnimatedPng animation_;
 };
 
 class Mp4Film final : public Film {
 public:
-    Mp4Film(std::filesystem::path path, image::FrameTime time)
-        : path_(std::move(path)), time_(time), program_(requireFfmpeg(path_)) {}
+    Mp4Film(std::filesystem::path path, image::FrameTime unit)
+        : path_(std::move(path)), unit_(unit), program_(requireFfmpeg(path_)) {}
 
-    void add(const image::Image& picture) override {
-        if (!encoder_) encoder_ = std::make_unique<FilmEncoder>(program_, picture.width, picture.height, time_);
-        encoder_->add(picture);
+    void add(const image::Image& picture, int units) override {
+        if (!encoder_) encoder_ = std::make_unique<FilmEncoder>(program_, picture.width, picture.height, unit_);
+        for (int i = 0; i < units; ++i)
+            encoder_->add(picture);
     }
     void finish() override { image::writeWhole(path_, encoder_->finish()); }
 
 private:
     std::filesystem::path path_;
-    image::FrameTime time_;
+    image::FrameTime unit_;
     std::filesystem::path program_;
     std::unique_ptr<FilmEncoder> encoder_; ///< once the size of the pictures is known
 };
@@ -53,11 +56,11 @@ bool isMp4(const std::filesystem::path& path) {
     return ending == ".mp4";
 }
 
-std::unique_ptr<Film> makeFilm(const std::filesystem::path& path, image::FrameTime time,
+std::unique_ptr<Film> makeFilm(const std::filesystem::path& path, image::FrameTime unit,
                                std::vector<image::PngText> text) {
     image::probeWritable(path);
-    if (isMp4(path)) return std::make_unique<Mp4Film>(path, time);
-    return std::make_unique<PngFilm>(path, time, std::move(text));
+    if (isMp4(path)) return std::make_unique<Mp4Film>(path, unit);
+    return std::make_unique<PngFilm>(path, unit, std::move(text));
 }
 
 } // namespace shadowlab::session

@@ -16,8 +16,9 @@ public:
     Film(const Film&) = delete;
     Film& operator=(const Film&) = delete;
 
-    /// All pictures are of one size.
-    virtual void add(const image::Image& picture) = 0;
+    /// All pictures are of one size. Each stays for `units` times the film's unit of time, at least 1; as a fraction with the
+    /// unit's denominator that has to be of 16 bits.
+    virtual void add(const image::Image& picture, int units = 1) = 0;
     /// Writes the file, whole or not at all. Throws Error (cannotWrite).
     virtual void finish() = 0;
 };
@@ -25,9 +26,9 @@ public:
 /// Does the name end as that of an MP4 film does? Else the file is an animated PNG.
 bool isMp4(const std::filesystem::path& path);
 
-/// `time`: of every picture. The texts go into an animated PNG; a film has none. Throws Error (cannotWrite) where the file
+/// `unit`: the time that a picture stays, or that is counted in where some stay longer. The texts go into an animated PNG; a film has none. Throws Error (cannotWrite) where the file
 /// cannot be written, or a film is wanted and the program ffmpeg, which makes it, is not installed.
-std::unique_ptr<Film> makeFilm(const std::filesystem::path& path, image::FrameTime time,
+std::unique_ptr<Film> makeFilm(const std::filesystem::path& path, image::FrameTime unit,
                                std::vector<image::PngText> text);
 
 } // namespace shadowlab::session

@@ -18,6 +18,9 @@ std::string stateTitle(std::size_t state);
 /// The sentence that belongs to a state: what happens, or what mends it.
 const std::string& sentenceOf(const Lesson& lesson, std::size_t state);
 
+/// "shadow-map.bias-mode=none" as a line below the sentence: what makes the state what it is.
+std::string settingsLine(const LessonState& state);
+
 /// Draws the states with their techniques. Throws Error (usage) for a size in which the pictures would have no room
 /// beside their words. Needs a current GL context.
 image::Image lessonFigure(const Lesson& lesson, const ShownStates& states, ivec2 size, const image::Font& font,

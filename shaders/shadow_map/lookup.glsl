@@ -1,8 +1,8 @@
 // From a point relative to the light to its place in the shadow map: lecture 2's (s, t, r), or (u, v) and z.
 //
-// Wants positionView declared before, and shadow_map/layer.glsl and shadow_map/bias.glsl chosen among the files of those
-// names: which map to ask, and what keeps a surface from shadowing itself.
-in vec3 positionLightRelative;
+// Wants positionView declared before, and shadow_map/point.glsl, shadow_map/layer.glsl and shadow_map/bias.glsl chosen among the
+// files of those names: where the point is, which map to ask, and what keeps a surface from shadowing itself.
+#include "shadow_map/point.glsl"
 uniform mat4 lightClipFromLightRelative[6];
 uniform vec3 towardLightRelative; // unit, of a directional light; zero for one that is at the origin
 uniform float pullScale;          // Against rounding points are moved toward the light by a hundred-thousandth of the way. In clip

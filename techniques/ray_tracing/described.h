@@ -39,7 +39,7 @@ inline constexpr PassInfo kPasses[] = {
      .pseudocodeLines = {1, 1},
      .formula = "P = eye + t u, t the least for which a triangle is met\n"
                 "visibility = 0 if the segment from P to the light meets any triangle, else 1",
-     .anchors = "point-sees-light"},
+     .anchors = "point-sees-light naive-hit[intersection=naive]"},
     {.id = "areas",
      .title = "Find how much of the light's area every point sees, and what that brings it",
      .why = "What is seen of the light is cut along the edges of what stands before it, and each piece is integrated "

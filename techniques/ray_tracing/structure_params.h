@@ -1,4 +1,4 @@
-// Which structure spares the rays their work.
+// Which structure spares the rays their work, and which test says whether they hit a triangle.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/params/param.h"
@@ -8,6 +8,8 @@ namespace shadowlab::ray_tracing {
 
 struct StructureParams {
     trace::Structure structure = trace::Structure::bvh;
+    enum class Intersection { watertight, naive } intersection = Intersection::watertight;
+    double edgeMargin = 0.0;
     friend bool operator==(const StructureParams&, const StructureParams&) = default;
 };
 

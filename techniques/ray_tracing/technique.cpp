@@ -17,6 +17,7 @@
 #include "techniques/frame.h"
 #include "techniques/ray_tracing/described.h"
 #include "techniques/ray_tracing/light_shares.h"
+#include "techniques/ray_tracing/naive_intersection.h"
 #include "techniques/ray_tracing/params.h"
 #include "techniques/ray_tracing/picture.h"
 #include "techniques/ray_tracing/picture_stages.h"
@@ -53,6 +54,11 @@ public:
         const Progress progress = structures_.prepare(tracer_.geometry(), structureParams_.structure, deadline);
         if (!progress.converged) return progress;
         if (structures_.chosen() != trace::Structure::bvh) tracer_.askInstead(&structures_.engine());
+        naive_.reset();
+        if (structureParams_.intersection == StructureParams::Intersection::naive) {
+            naive_ = makeNaiveEngine(tracer_.geometry()->bvh, static_cast<float>(structureParams_.edgeMargin));
+            tracer_.askInstead(naive_.get());
+        }
         return sampling_.prepare(snapshot, structures_.chosen(), samplingParams_, deadline);
     }
 
@@ -274,6 +280,7 @@ private:
     RayTracedParams params_;
     StructureParams structureParams_;
     KeptStructures structures_;
+    std::unique_ptr<trace::Engine> naive_; ///< asked instead of the structure, if at all
     trace::SceneTracer tracer_;
     scene::Revisions surfacesOf_{0, 0, 0, 0}; ///< no scene has these
     std::optional<Surfaces> surfaces_;        ///< of a scene with these

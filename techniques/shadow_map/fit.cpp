@@ -168,7 +168,9 @@ LightMaps fitPerspective(const FitRequest& request) {
         const double side = std::max({extent.x, extent.y, 1e-6});
         // A point at the far end, and what blocks the light at the near one: as tangents, that the map counts in.
         const double reach = request.lightReach * (1 / maps.nearest - 1 / maps.farthest);
-        const double share = penumbraShare(request, side, reach);
+        const bool isBare =
+            maps.layout == Layout::cube && request.params.cubeSeams == ProjectionParams::CubeSeams::bare;
+        const double share = isBare ? 0 : penumbraShare(request, side, reach);
         const dvec2 margin = 0.5 * (side - extent) + share * side;
         maps.lightViewFromLightRelative.push_back(lightView);
         maps.lightClipFromLightView.push_back(

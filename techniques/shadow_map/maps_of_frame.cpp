@@ -43,8 +43,10 @@ LightMaps ShadowMap::fit(const scene::Scene& scene, const View& view, const Aske
     FitEye eye{scene::withTightNear(view.camera, scene, bounds_, aspect), aspect, std::nullopt};
     if (seen_ && seen_->camera == view.camera && seen_->size == view.size) eye.visibleDepth = seen_->range;
     ProjectionParams projection = params_.projection;
-    if (params_.exact)
-        projection.depthRange = ProjectionParams::DepthRange::fitted; // teaching faults have no place there
+    if (params_.exact) { // teaching faults have no place there
+        projection.depthRange = ProjectionParams::DepthRange::fitted;
+        projection.cubeSeams = ProjectionParams::CubeSeams::guarded;
+    }
     const FilterParams& filter = asked.filter;
     const bool hasPenumbra = filter.kind == FilterParams::Kind::pcss;
     return fitLightMaps({.light = asked.light,

@@ -59,6 +59,10 @@ params::ParamList describeProjection(ProjectionParams& p) {
         params::choice("depth-range", p.depthRange, {"fitted", "wide"},
                        "Range of depths in the map: fitted to receivers; wide: 0.01 to 1000 m, as in a program that "
                        "never fits it (teaching)."),
+        params::choice("cube-seams", p.cubeSeams, {"guarded", "bare"},
+                       "The six maps around a light: each a little wider than its 90 degrees, so that a filter finds "
+                       "its texels in its own map; bare: just as wide, and a filter at a seam reaches beyond the map, "
+                       "where nothing is stored (teaching)."),
     };
 }
 
@@ -109,6 +113,14 @@ params::ParamList describeExact(ShadowMapParams& p) {
     };
 }
 
+params::ParamList describeCoordinates(ShadowMapParams& p) {
+    return {
+        params::choice("coordinates", p.coordinates, {"light", "world"},
+                       "Points that are looked up count from the light; world: from the world's origin, as floats, "
+                       "which a thousand kilometres away from it are centimetres apart (teaching)."),
+    };
+}
+
 params::ParamList describeKernel(dvec2& at) {
     return {
         params::real("kernel-x", at.x, 0, 1, "", "Stage kernel: for which pixel, as a share of the picture's width."),
@@ -145,15 +157,15 @@ params::ParamList describe(ShadowMapParams& p) {
             all.push_back(condition ? params::onlyIf(condition, std::move(param)) : std::move(param));
     };
     add(describe(p.filter), isCompared);
-    add(scene::describe(
-            p.lightPoints, "maps",
-            "Of a light with an area: so many maps, each from another point of it, and the mean of their "
-            "answers; 1: one from its centre. Not with exact or alias-free."),
+    add(scene::describe(p.lightPoints, "maps",
+                        "Of a light with an area: so many maps, each from another point of it, and the mean of their "
+                        "answers; 1: one from its centre. Not with exact or alias-free."),
         isCompared);
     add(describeExact(p), {});
     add(describeBias(p.bias), isCompared);
     add(describeProjection(p.projection), hasMap);
     add(describeLimits(p), hasMap);
+    add(describeCoordinates(p), isCompared);
     add(describeKernel(p.kernelAt), isCompared);
     return all;
 }

@@ -17,6 +17,7 @@ struct ProjectionParams {
     double cascadeBlend = 0.1;
     enum class Warp { none, lispsm } warp = Warp::none;
     enum class DepthRange { fitted, wide } depthRange = DepthRange::fitted;
+    enum class CubeSeams { guarded, bare } cubeSeams = CubeSeams::guarded;
     friend bool operator==(const ProjectionParams&, const ProjectionParams&) = default;
 };
 
@@ -48,6 +49,7 @@ struct ShadowMapParams {
     scene::LightPointParams lightPoints;
     bool depthClamp = true;
     enum class Border { lit, edge } border = Border::lit;
+    enum class Coordinates { light, world } coordinates = Coordinates::light;
     bool rejectBehind = true;
     bool exact = false;
     bool aliasFree = false;
@@ -55,6 +57,8 @@ struct ShadowMapParams {
     dvec2 kernelAt{0.5};
     friend bool operator==(const ShadowMapParams&, const ShadowMapParams&) = default;
 
+    /// Are points looked up as floats that count from the world's origin? Not where rays decide: teaching faults have no place there.
+    [[nodiscard]] bool looksUpInWorld() const { return coordinates == Coordinates::world && !exact; }
     /// As OpenGL names it.
     [[nodiscard]] GLenum glDepthFormat() const;
 };

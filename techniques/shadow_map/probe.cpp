@@ -201,6 +201,9 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     const AskedLight asked = this->asked(*snapshot, light);
     const TexelDepths depths({*snapshot, maps, *layer, castersOf(*snapshot, maps, asked, *layer), bounds_, params_,
                               depthRules(params_, asked.filter)});
+    dvec3 pointWorld = hit->positionWorld;
+    if (params_.looksUpInWorld()) // as point_world.glsl has it
+        pointWorld = maps.originWorld + dvec3(vec3(pointWorld)) - dvec3(vec3(maps.originWorld));
     const ComparedPoint point{*snapshot,
                               maps,
                               *layer,
@@ -208,7 +211,7 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
                               asked.filter,
                               depths,
                               asked.light,
-                              hit->positionWorld,
+                              pointWorld,
                               cornersOf(*snapshot, *hit),
                               {pixel.x, view.size.y - 1 - pixel.y}};
     probe.map = probeMap(point);
@@ -273,7 +276,7 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
         const TexelDepths nextDepths({*snapshot, maps, *layer + 1, castersOf(*snapshot, maps, asked, *layer + 1),
                                       bounds_, params_, depthRules(params_, asked.filter)});
         const ComparedPoint next{*snapshot,          maps,          *layer + 1,  params_,
-                                 asked.filter,       nextDepths,    asked.light, hit->positionWorld,
+                                 asked.filter,       nextDepths,    asked.light, point.pointWorld,
                                  point.cornersWorld, point.fragment};
         add("share of the next cascade in the answer", text(fade));
         visibility = glm::mix(visibility, answerOf(next).visibility, fade);

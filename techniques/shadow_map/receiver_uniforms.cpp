@@ -14,6 +14,7 @@ void setProjection(const gl::Program& program, const LightMaps& maps) {
         lightClipFromLightRelative.emplace_back(maps.lightClipFromLightRelative(layer));
     program.set("lightClipFromLightRelative", std::span<const mat4>(lightClipFromLightRelative));
     program.set("towardLightRelative", vec3(maps.towardLight));
+    program.set("lightOriginWorld", vec3(maps.originWorld));
     if (maps.layout != Layout::cascades) return;
     vec4 ends(0), fades(0);
     for (int i = 0; i < maps.layers(); ++i) {

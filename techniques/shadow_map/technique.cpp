@@ -74,9 +74,11 @@ ShadowMap::Programs ShadowMap::makePrograms(const Choice& choice) {
                                               "filter_disc", "filter_pcss",  "filter_vsm",
                                               "filter_esm",  "filter_evsm",  "filter_msm"};
     const auto file = [](const char* name) { return std::string("shadow_map/") + name + ".glsl"; };
+    const bool isOneInWorld = choice.inWorld && choice.layout == Layout::one;
     const std::vector<gl::Substitution> chosen = {
         {"shadow_visibility.glsl", "shadow_map/visibility.glsl"},
-        {"shadow_map/layer.glsl", file(layers[static_cast<int>(choice.layout)])},
+        {"shadow_map/point.glsl", file(choice.inWorld ? "point_world" : "point_light")},
+        {"shadow_map/layer.glsl", file(isOneInWorld ? "layer_one_world" : layers[static_cast<int>(choice.layout)])},
         {"shadow_map/bias.glsl", file(biases[static_cast<int>(choice.bias)])},
         {"shadow_map/filter.glsl", file(filters[static_cast<int>(choice.filter)])}};
     std::vector<std::string> defines;
@@ -91,11 +93,11 @@ ShadowMap::Programs ShadowMap::makePrograms(const Choice& choice) {
             gl::Program("surface.vert", "shadow_map/penumbra.frag", {}, chosen),
             gl::Program("surface.vert", "shadow_map/kernel.frag", {}, chosen),
             gl::Program("surface.vert", "shadow_map/decide.frag", {},
-                        {chosen[1], {"shadow_map/bias.glsl", "shadow_map/bias_none.glsl"}})};
+                        {chosen[1], chosen[2], {"shadow_map/bias.glsl", "shadow_map/bias_none.glsl"}})};
 }
 
 const ShadowMap::Programs& ShadowMap::programsFor(const DrawnMap& map) {
-    const Choice choice{map.maps.layout, params_.bias.mode, map.asked.filter.kind};
+    const Choice choice{map.maps.layout, params_.bias.mode, map.asked.filter.kind, params_.looksUpInWorld()};
     const auto known = programs_.find(choice);
     return known != programs_.end() ? known->second : programs_.emplace(choice, makePrograms(choice)).first->second;
 }

@@ -67,6 +67,7 @@ private:
         Layout layout;
         BiasParams::Mode bias;
         FilterParams::Kind filter;
+        bool inWorld; ///< see ShadowMapParams::looksUpInWorld
         friend auto operator<=>(const Choice&, const Choice&) = default;
     };
     struct Programs {

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <nlohmann/json.hpp>
 
+#include <sys/stat.h>
+
 #include "tests/commands/command_fixture.h"
+#include "tests/support/apng_reader.h"
 
 namespace shadowlab {
 namespace {
@@ -64,6 +67,85 @@ TEST_F(LessonCommandTest, WhatIsWrongIsSaidInOneLine) {
     expectRefused({"lesson", "own.json", "--state", "after"}, 2, {"--state", "-o"});
     expectRefused({"lesson", "own.json", "-o", "x.png", "--json"}, 2, {"--json", "--measure"});
     expectRefused({"lesson", "own.json", "-o", "nowhere/x.png"}, 4, {"nowhere"});
+    expectRefused({"lesson", "own.json", "--animate"}, 2, {"--animate", "-o"});
+    expectRefused({"lesson", "own.json", "-o", "x.mp4"}, 2, {"x.mp4", "--animate"});
+    expectRefused({"lesson", "own.json", "-o", "x.png", "--hold", "3"}, 2, {"--hold", "--animate"});
+    expectRefused({"lesson", "own.json", "--animate", "-o", "x.png", "--hold", "0"}, 2, {"--hold", "0.01"});
+    expectRefused({"lesson", "own.json", "--animate", "-o", "x.png", "--state", "after"}, 2, {"--state"});
+    expectRefused({"lesson", "own.json", "--animate", "-o", "x.png", "--size", "200x90"}, 2, {"200x90", "larger"});
+    expectRefused({"lesson", "own.json", "--animate", "-o", "nowhere/x.mp4"}, 4, {"nowhere"});
+    expectRefused({"lesson", "own.json", "--animate", "-o", "x.mp4"}, 4, {"ffmpeg", "package"},
+                  {.environment = {{"PATH", folder.path().string()}}});
+}
+
+TEST_F(LessonCommandTest, AnAnimationShowsTheArtefactAndThenTheMend) {
+    for (const std::string name : {"a.png", "b.png"})
+        succeed({"lesson", "own.json", "--animate", "-o", name, "--size", "320x180"});
+    const std::string a = testing::fileContent(folder.path() / "a.png");
+    EXPECT_EQ(a, testing::fileContent(folder.path() / "b.png"));
+    const testing::Apng film = testing::readApng({a.begin(), a.end()});
+    ASSERT_EQ(film.frames.size(), 2u);
+    EXPECT_EQ(ivec2(film.width, film.height), ivec2(320, 180));
+    EXPECT_NE(film.frames[0].shown, film.frames[1].shown);
+    // Four seconds, and of words that are read at 160 a minute "Stripes." with the label "here", and "A bias.": 4.75 s each.
+    for (const testing::ApngFrame& frame : film.frames) {
+        EXPECT_EQ(frame.delayNumerator, 48u);
+        EXPECT_EQ(frame.delayDenominator, 10u);
+    }
+    succeed({"lesson", "own.json", "--animate", "-o", "held.png", "--size", "320x180", "--hold", "1.5"});
+    const std::string held = testing::fileContent(folder.path() / "held.png");
+    EXPECT_EQ(testing::readApng({held.begin(), held.end()}).frames[1].delayNumerator, 15u);
+}
+
+TEST_F(LessonCommandTest, AnAnimationAsksAndAnswersFirst) {
+    const auto shots = [&](const std::string& question) {
+        std::string text = lesson("5");
+        text.insert(text.rfind('}'), R"(, "question": )" + question);
+        folder.write("asks.json", text);
+        succeed({"lesson", "asks.json", "--animate", "-o", "asks.png", "--size", "320x180"});
+        const std::string content = testing::fileContent(folder.path() / "asks.png");
+        return testing::readApng({content.begin(), content.end()}).frames;
+    };
+    const auto choice = shots(R"({"text": "Which?", "kind": "choice", "choices": ["one", "two"], "right": 2})");
+    const auto mark = shots(R"({"text": "Where?", "kind": "mark"})");
+    ASSERT_EQ(choice.size(), 4u);
+    ASSERT_EQ(mark.size(), 4u);
+    for (const auto& frames : {choice, mark})
+        for (std::size_t i = 1; i < 4; ++i)
+            EXPECT_NE(frames[i - 1].shown, frames[i].shown) << i;
+    // The answer differs from the question in words alone, or in the picture as well.
+    EXPECT_GT(choice[1].part.y, 90);
+    EXPECT_LT(mark[1].part.y, 90);
+}
+
+TEST_F(LessonCommandTest, WhatMovesIsPlayedToAndFro) {
+    std::string text = lesson("5");
+    text.insert(text.rfind('}'), R"(, "motion": {"frames": 3, "orbitLightDegrees": 60})");
+    folder.write("moves.json", text);
+    succeed({"lesson", "moves.json", "--animate", "-o", "moves.png", "--size", "320x180"});
+    const std::string content = testing::fileContent(folder.path() / "moves.png");
+    const auto frames = testing::readApng({content.begin(), content.end()}).frames;
+    ASSERT_EQ(frames.size(), 2u * (1 + 3 * 4)); // of each state a picture to read, and three times 2nd, 3rd, 2nd, 1st
+    EXPECT_EQ(frames[1].delayNumerator, 1u);
+    EXPECT_NE(frames[0].shown, frames[1].shown);
+    EXPECT_NE(frames[1].shown, frames[2].shown);
+    EXPECT_EQ(frames[1].shown, frames[3].shown);
+    EXPECT_EQ(frames[0].shown, frames[4].shown);
+    EXPECT_EQ(frames[0].shown, frames[12].shown);
+    EXPECT_NE(frames[0].shown, frames[13].shown);
+}
+
+TEST_F(LessonCommandTest, AFilmHoldsAPictureByRepeatingIt) {
+    // In place of ffmpeg stands a script that keeps what it is given.
+    const std::filesystem::path program = folder.write("bin/ffmpeg", "#!/bin/sh\ntee given.rgb >&3\n");
+    ::chmod(program.c_str(), 0755);
+    succeed({"lesson", "own.json", "--animate", "-o", "own.mp4", "--size", "320x180", "--hold", "0.5"},
+            {.environment = {{"PATH", program.parent_path().string() + ":/usr/bin:/bin"}}});
+    const std::string given = testing::fileContent(folder.path() / "given.rgb");
+    const std::size_t picture = 320 * 180 * 3;
+    ASSERT_EQ(given.size(), 2 * 5 * picture);
+    EXPECT_EQ(given.substr(0, picture), given.substr(4 * picture, picture));
+    EXPECT_NE(given.substr(0, picture), given.substr(5 * picture, picture));
 }
 
 TEST_F(LessonCommandTest, WithoutADisplayTheDemoWritesTheLesson) {

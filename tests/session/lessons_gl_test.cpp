@@ -16,7 +16,7 @@
 namespace shadowlab::session {
 namespace {
 
-constexpr std::size_t kLeastLessons = 24;
+constexpr std::size_t kLeastLessons = 33;
 constexpr std::size_t kLeastQuestions = 3;
 
 scene::LoadOptions loading() { return {.assetsRoot = assetsRoot(), .allowed = {}, .limits = {}}; }
@@ -63,6 +63,61 @@ TEST_F(LessonsTest, SwappedBoundsAreFoundOut) {
     EXPECT_FALSE(holdsAsExpected(measureLesson(lesson)));
     lesson.expectations.clear();
     EXPECT_FALSE(holdsAsExpected(measureLesson(lesson))) << "nothing was measured, and that is no proof";
+}
+
+// Quantities that no picture tells: what a technique has counted, and what its probe knows of a pixel.
+TEST_F(LessonsTest, CountersAndFactsAreMeasuredByTheirLabels) {
+    const std::string text = R"({"title": "T", "scene": "still-life", "slots": [{"technique": "shadow-map"}],
+        "before": {"set": ["shadow-map.resolution=64"]}, "after": {"set": ["shadow-map.resolution=128"]},
+        "happens": "H.", "mends": "M.", "look": [{"box": [0.1, 0.2, 0.3, 0.4], "label": "here"}],
+        "expect": [{"quantity": "counter", "label": "map-texels", "before": {"atMost": 4096}, "after": {"atLeast": 16384}},
+                   {"quantity": "fact", "label": "distance from the eye", "pixel": [0.5, 0.9],
+                    "before": {"atLeast": 0.1}, "after": {"atMost": 10}}]})";
+    const std::vector<MeasuredExpectation> measured = measureLesson(parseLesson(text, "x.json", loading()));
+    ASSERT_EQ(measured.size(), 2u);
+    EXPECT_EQ(measured[0].values[0], 64 * 64);
+    EXPECT_EQ(measured[0].values[1], 128 * 128);
+    EXPECT_EQ(measured[0].compared[0], 1);
+    EXPECT_EQ(measured[1].values[0], measured[1].values[1]) << "the map does not move the floor";
+    EXPECT_TRUE(holdsAsExpected(measured));
+    std::string misspelt = text;
+    misspelt.replace(misspelt.find("map-texels"), 10, "map-texel");
+    try {
+        measureLesson(parseLesson(misspelt, "x.json", loading()));
+        ADD_FAILURE() << "a counter that there is not was measured";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), ExitStatus::badInput);
+        EXPECT_NE(std::string(error.what()).find("map-texels"), std::string::npos) << error.what();
+    }
+}
+
+// Each artefact that is looked for has a lesson, by the name under which it is looked for.
+TEST_F(LessonsTest, NoArtefactIsMissing) {
+    std::set<std::string> names;
+    for (const LessonText& text : builtInLessons(assetsRoot()))
+        names.insert(text.name);
+    for (const char* name : {"acne",
+                             "peter-panning",
+                             "grazing-light",
+                             "light-bleeding",
+                             "cube-seams",
+                             "eye-in-shadow",
+                             "near-clip",
+                             "far-clip",
+                             "stencil-overflow",
+                             "extrusion-too-short",
+                             "open-mesh",
+                             "double-darkening",
+                             "anti-shadow",
+                             "z-fighting",
+                             "ray-self-intersection",
+                             "missed-rays",
+                             "energy-gain",
+                             "leak-under-a-wall",
+                             "noise",
+                             "shimmering-cascades",
+                             "large-coordinates"})
+        EXPECT_TRUE(names.contains(name)) << name;
 }
 
 TEST_F(LessonsTest, FiguresAreTheSameBytesAgainAndFramesAreOrange) {

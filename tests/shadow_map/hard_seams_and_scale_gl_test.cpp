@@ -1,8 +1,7 @@
 // Hard cases of where maps meet, and of numbers that are large or small.
-//   M10 seams of six maps    NoMoreErrorsWhereTwoMapsMeet, AllErrorsAmidTheCastersAreNearEdges.
-//       No switch makes seams: the test paints them, to show that it would notice.
-//   M18 far from the origin  MovedByAMillionMetresThePictureIsTheSame.
-//       Nothing to switch, either: there is no way to draw in single precision.
+//   M10 seams of six maps    NoMoreErrorsWhereTwoMapsMeet, which paints seams to show that it would notice;
+//       AllErrorsAmidTheCastersAreNearEdges; naive: cube-seams=bare
+//   M18 far from the origin  MovedByAMillionMetresThePictureIsTheSame; naive: coordinates=world
 //   M19 tiny and huge        AScaleChangesNothing; naive: bias-mode=constant with bias-unit=metres
 // SPDX-License-Identifier: MIT
 #include <algorithm>
@@ -147,6 +146,19 @@ TEST_F(HardSeamsTest, AllErrorsAmidTheCastersAreNearEdges) {
         EXPECT_EQ(sum.wrong(), 0) << sum;
         EXPECT_LT(sum.ties, sum.compared / 20) << "edges everywhere: the test says nothing";
     }
+    // Where maps end at the seams, a kernel finds up to half of its texels beyond them: a line of light in what is all shadow.
+    const std::vector<std::string> settings{"pcf-radius=3", "resolution=1024"};
+    const auto guarded = testing::renderVisibility(snapshot, "shadow-map", settings, kSize, 0);
+    const auto bare =
+        testing::renderVisibility(snapshot, "shadow-map", {settings[0], settings[1], "cube-seams=bare"}, kSize, 0);
+    int dark = 0, brighter = 0;
+    for (std::size_t i = 0; i < guarded.greyAlpha.size(); i += 2) {
+        const bool isDark = guarded.greyAlpha[i] == 0 && guarded.greyAlpha[i + 1] == 255;
+        dark += isDark ? 1 : 0;
+        brighter += isDark && bare.greyAlpha[i] > 25 ? 1 : 0; // more than a tenth of the light
+    }
+    EXPECT_GT(dark, 5000);
+    EXPECT_GT(brighter, 50);
 }
 
 // M18. Every coordinate is a multiple of 2^-9 or a float in a mesh of its own, so the scene can be moved without rounding:
@@ -167,6 +179,13 @@ TEST_F(HardSeamsTest, MovedByAMillionMetresThePictureIsTheSame) {
             EXPECT_GT(lit, 5000);
             EXPECT_LT(lit, 45000);
             EXPECT_EQ(differing, 0) << "light " << light << ", " << cascades;
+
+            const auto naive =
+                testing::renderVisibility(there, "shadow-map", {cascades, "coordinates=world"}, kSize, light);
+            int shaken = 0;
+            for (std::size_t i = 0; i < a.greyAlpha.size(); i += 2)
+                shaken += a.greyAlpha[i] != naive.greyAlpha[i];
+            EXPECT_GT(shaken, 500) << "light " << light << ", " << cascades;
         }
 }
 

@@ -105,7 +105,7 @@ TEST_F(LessonDeskTest, KeysGoOnAnswerAndLeave) {
 
 TEST_F(LessonDeskTest, AQuestionDoesNotShowItsAnswer) {
     Lab lab;
-    ui::openLesson(lab.desk, "few-stencil-bits");
+    ui::openLesson(lab.desk, "stencil-overflow");
     ASSERT_TRUE(lab.desk.lesson.asksChoice());
     EXPECT_EQ(lab.desk.bench.document().panes, session::documentOf(lab.desk.lesson.now->states[1]).panes);
     ui::stepLesson(lab.desk, 1);
@@ -114,7 +114,7 @@ TEST_F(LessonDeskTest, AQuestionDoesNotShowItsAnswer) {
 
 TEST_F(LessonDeskTest, NothingOfAShadowIsSeenBeforeItIsPredicted) {
     Lab lab;
-    ui::openLesson(lab.desk, "too-short");
+    ui::openLesson(lab.desk, "extrusion-too-short");
     ASSERT_TRUE(lab.desk.lesson.paints());
     EXPECT_EQ(lab.desk.bench.document().panes[0].technique, "unshadowed");
     lab.desk.lesson.painted.paint({0.43, 0.62}, 0.05, true); // amid the shadow
