@@ -75,8 +75,8 @@ Table stagesTable() {
                                   session::isDerived(stage.id) ? "true" : "false"});
         for (const PassInfo& pass : technique.info->passes)
             table.rows.push_back({id, "pass:" + std::string(pass.id), pass.perLight ? "true" : "false",
-                                  std::string(pass.title), std::string(pass.why), inOneLine(pseudocodeOf(*technique.info, pass)),
-                                  std::string(pass.glState), "false"});
+                                  std::string(pass.title), std::string(pass.why),
+                                  inOneLine(pseudocodeOf(*technique.info, pass)), std::string(pass.glState), "false"});
     }
     return table;
 }
@@ -212,16 +212,11 @@ std::string json(const std::string& what, const Table& table) {
 
 int list(const ListOptions& options) {
     const std::vector<std::pair<std::string, std::function<Table()>>> tables = {
-        {"techniques", techniquesTable},
-        {"parameters", parametersTable},
-        {"stages", stagesTable},
-        {"source", sourceTable},
-        {"scenes", scenesTable},
-        {"decks", [] { return filesTable("decks"); }},
-        {"lessons", lessonsTable},
-        {"quantities", quantitiesTable},
-        {"backends", backendsTable},
-        {"keys", keysTable},
+        {"techniques", techniquesTable}, {"parameters", parametersTable},
+        {"stages", stagesTable},         {"source", sourceTable},
+        {"scenes", scenesTable},         {"decks", [] { return filesTable("decks"); }},
+        {"lessons", lessonsTable},       {"quantities", quantitiesTable},
+        {"backends", backendsTable},     {"keys", keysTable},
         {"limits", limitsTable}};
     std::vector<std::string> known;
     for (const auto& [name, make] : tables) {

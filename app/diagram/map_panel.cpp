@@ -153,7 +153,9 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
 } // namespace
 
 void drawMap(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font) {
-    constexpr double kRight = 800, kLegend = 44, kDetail = 480;
+    constexpr double kRight = 800, kLegend = 44, kTaps = 270;
+    const bool taps = hasTaps(*probe.map);
+    const double detail = taps ? 420 : 480; // what the filter read takes more lines
     svg.text(area.corner + dvec2(0, kHeading), "Shadow map in the plane through eye, light and point",
              {.size = kHeading, .isBold = true});
     const dvec2 under(0, kHeading + 18);
@@ -161,11 +163,9 @@ void drawMap(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& 
     drawOverview(svg, field, probe, scene, font);
     const dvec2 right = area.corner + dvec2(area.size.x - kRight, 0);
     svg.text(right + dvec2(0, kHeading), "The texels beside the point", {.size = kHeading, .isBold = true});
-    drawDetail(svg, {right + under, {kRight, kDetail}}, probe, scene, font);
-    constexpr double kTaps = 310;
-    const Box below{right + under + dvec2(0, kDetail + 16),
-                    {kRight, area.size.y - kHeading - 18 - kDetail - 16 - kLegend - 14}};
-    const bool taps = hasTaps(*probe.map);
+    drawDetail(svg, {right + under, {kRight, detail}}, probe, scene, font);
+    const Box below{right + under + dvec2(0, detail + 16),
+                    {kRight, area.size.y - kHeading - 18 - detail - 16 - kLegend - 14}};
     writeNumbers(svg, {below.corner, below.size - dvec2(taps ? kTaps + 24 : 0, 0)}, probe, font);
     if (taps)
         drawTaps(svg, {below.corner + dvec2(kRight - kTaps, kHeading + 22), {kTaps, below.size.y - kHeading - 22}},

@@ -1,4 +1,4 @@
-// "Where the filter asks": the texels of the map around a point, the places at which a filter compares, and those at which a search
+// "Where it asks": the texels of the map around a point, the places at which a filter compares, and those at which a search
 // looks for blockers.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr double kMostGrid = 48; ///< texels across: closer lines would be grey
 bool hasTaps(const MapProbe& map) { return map.taps.size() > 1 || map.search; }
 
 void drawTaps(Svg& svg, const Box& area, const MapProbe& map) {
-    svg.text(area.corner + dvec2(0, kText), "Where the filter asks", {.size = kText, .isBold = true});
+    svg.text(area.corner + dvec2(0, kText), "Where it asks", {.size = kText, .isBold = true});
     const double side = std::min(area.size.x, area.size.y - kText - 14);
     const Box field{area.corner + dvec2(0, kText + 14), dvec2(side)};
     const dvec2 middle = dvec2(map.str) * static_cast<double>(map.resolution);

@@ -243,9 +243,8 @@ TEST_F(ProbeTest, EveryFilterTellsWhatItReadAndWhatItDecided) {
     int taps = 0, moments = 0, searches = 0;
     for (const char* filter : {"hard", "hw2x2", "pcf", "disc", "pcss", "vsm", "esm", "evsm", "msm"})
         for (const char* pixel : {"640,400", "760,520"}) {
-            std::vector<std::string> words{"box.json", "--pixel",    pixel,
-                                           "-t",       "shadow-map", "--set",
-                                           std::string("shadow-map.filter=") + filter};
+            std::vector<std::string> words{
+                "box.json", "--pixel", pixel, "-t", "shadow-map", "--set", std::string("shadow-map.filter=") + filter};
             if (filter == std::string("pcss")) words.insert(words.end(), {"--set", "shadow-map.light-radius=0.2"});
             const Json json = probed(words);
             if (json.at("map").is_null() || json.at("decision").is_null()) continue;
