@@ -148,7 +148,7 @@ struct PlaneProbe {
         std::uint32_t triangle = 0;
         dvec3 placeWorld{0.0}; ///< the caster's point whose projection is the pixel's
         double height = 0;     ///< N.P + D, metres above the plane
-        double weight = 0;     ///< w' of the projection: 1 on the plane, 0 at the light's height, negative beyond
+        double weight = 0;     ///< w' = (N.P_L + D) - (N.P + D): 0 at the light's height, negative beyond
         bool casts = false;    ///< it is between the plane and the light
         std::string why{};     ///< it does not
         std::array<dvec3, 3> cornersWorld{};

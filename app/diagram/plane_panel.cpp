@@ -186,7 +186,7 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
                ")");
     column.row("N\u00b7P_L + D = " + fourDigits(plane.lightHeight) + (l.w == 0 ? "" : " m"));
     column.heading("On the light's line");
-    column.row("w' = (N\u00b7P_L + D) \u2212 (N\u00b7P + D), over N\u00b7P_L + D");
+    column.row("w' = (N\u00b7P_L + D) \u2212 (N\u00b7P + D)");
     bool any = false;
     std::vector<Cover> covers = plane.covers; // what casts comes first
     std::ranges::stable_partition(covers, &Cover::casts);

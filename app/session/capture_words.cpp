@@ -68,8 +68,7 @@ std::vector<std::string> captureWords(const Document& document, const std::files
     for (int i = 0; i < count; ++i) {
         const PaneState& state = document.panes[static_cast<std::size_t>(single ? document.active : i)];
         outside = outside || state.stage.starts_with("outside");
-        isAboutPicked = isAboutPicked || followsPicked(findTechnique(state.technique),
-                                                       std::string_view(state.stage).substr(0, state.stage.find('@')));
+        isAboutPicked = isAboutPicked || windowFollowsPicked(findTechnique(state.technique), state.stage);
     }
     if (outside) {
         std::string place;

@@ -212,8 +212,12 @@ private:
             const Probe probe = slot.technique->probe(state_.scene, view_, pixelAt(expected.pixel, view_.size),
                                                       state_.scene->lights.empty() ? kNoLight : state_.light);
             for (const Probe::Fact& fact : probe.facts) {
-                if (fact.label == expected.fact && !fact.numbers.empty()) return {std::ranges::max(fact.numbers), 1};
-                known.push_back(fact.label);
+                if (fact.label == expected.fact && fact.numbers.empty())
+                    throw Error(ExitStatus::badInput, scene::shownPath(lesson_.text.file) + ": the fact '" +
+                                                          fact.label + "' is no number but \"" + fact.value +
+                                                          "\"; choose one that is");
+                if (fact.label == expected.fact) return {std::ranges::max(fact.numbers), 1};
+                if (!fact.numbers.empty()) known.push_back(fact.label);
             }
         }
         throw Error(ExitStatus::badInput, scene::shownPath(lesson_.text.file) + ": no " + expected.quantity +

@@ -46,22 +46,27 @@ std::map<std::string, Values> settingsOf(const Slot& slot) {
     return settings;
 }
 
+LookBox readBox(const JsonObject& keys) {
+    const JsonValue& numbers = keys.require("box", "[0.4, 0.4, 0.2, 0.2]");
+    const std::string mend = "is not four numbers; write [left, top, width, height] in shares of the picture, "
+                             "as [0.4, 0.4, 0.2, 0.2]";
+    if (numbers.kind != JsonValue::Kind::array || numbers.items.size() != 4) keys.fail("box", mend);
+    std::array<double, 4> box{};
+    for (std::size_t i = 0; i < box.size(); ++i) {
+        if (numbers.items[i].kind != JsonValue::Kind::number) keys.fail("box", mend);
+        box[i] = numbers.items[i].number;
+    }
+    const bool inside =
+        box[0] >= 0 && box[1] >= 0 && box[2] > 0 && box[3] > 0 && box[0] + box[2] <= 1 && box[1] + box[3] <= 1;
+    if (!inside) keys.fail("box", "reaches beyond the picture, or is empty; its numbers are shares, from 0 to 1");
+    return {{box[0], box[1]}, {box[2], box[3]}, ""};
+}
+
 void readLook(const JsonObject& top, Lesson& lesson) {
     for (const JsonValue& value : top.array("look")) {
         const JsonObject look(top.document(), value, "box " + std::to_string(lesson.look.size() + 1), {"box", "label"});
-        const JsonValue& numbers = look.require("box", "[0.4, 0.4, 0.2, 0.2]");
-        const std::string mend = "is not four numbers; write [left, top, width, height] in shares of the picture, "
-                                 "as [0.4, 0.4, 0.2, 0.2]";
-        if (numbers.kind != JsonValue::Kind::array || numbers.items.size() != 4) look.fail("box", mend);
-        std::array<double, 4> box{};
-        for (std::size_t i = 0; i < box.size(); ++i) {
-            if (numbers.items[i].kind != JsonValue::Kind::number) look.fail("box", mend);
-            box[i] = numbers.items[i].number;
-        }
-        const bool inside =
-            box[0] >= 0 && box[1] >= 0 && box[2] > 0 && box[3] > 0 && box[0] + box[2] <= 1 && box[1] + box[3] <= 1;
-        if (!inside) look.fail("box", "reaches beyond the picture, or is empty; its numbers are shares, from 0 to 1");
-        lesson.look.push_back({{box[0], box[1]}, {box[2], box[3]}, shortText(look, "label", kLongestLabel)});
+        lesson.look.push_back(readBox(look));
+        lesson.look.back().label = shortText(look, "label", kLongestLabel);
     }
     if (lesson.look.empty()) top.fail("look", R"(is missing or empty; write [{"box": [...], "label": "..."}])");
 }

@@ -40,6 +40,9 @@ std::map<std::string, Values> settingsOf(const Slot& slot);
 // What fits below a picture in type that is read from the last row.
 constexpr std::size_t kLongestTitle = 60, kLongestSentence = 260, kLongestLabel = 40;
 
+/// "box": [left, top, width, height] in shares of a picture; without a label.
+LookBox readBox(const scene::JsonObject& keys);
+
 // Each reads what `top`, the lesson's object, has under one key.
 void readLook(const scene::JsonObject& top, Lesson& lesson);
 void readQuestion(const scene::JsonObject& top, Lesson& lesson);

@@ -42,8 +42,7 @@ const Values& PaneState::values() const {
 bool operator==(const PaneRequest& a, const PaneRequest& b) {
     const bool outside = a.state.stage.starts_with("outside");
     const bool isAboutPicked =
-        !a.state.technique.empty() && followsPicked(findTechnique(a.state.technique),
-                                                    std::string_view(a.state.stage).substr(0, a.state.stage.find('@')));
+        !a.state.technique.empty() && windowFollowsPicked(findTechnique(a.state.technique), a.state.stage);
     return a.state.technique == b.state.technique && a.state.stage == b.state.stage &&
            a.state.values() == b.state.values() && a.snapshot == b.snapshot && a.view.camera == b.view.camera &&
            a.view.size == b.view.size && a.view.region.corner == b.view.region.corner &&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/stepping.h"
 
+#include "app/session/derived_stages.h"
 #include "techniques/frame.h"
 
 namespace shadowlab::session {
@@ -38,6 +39,15 @@ StageChoice shownInStep(const StageChoice& pass, const TechniqueInfo& info, int 
     const int shown = !stageInfo(info, stage).perLight ? kNoLight : pass.key.light != kNoLight ? pass.key.light : light;
     if (stageInfo(info, stage).perLight && shown == kNoLight) return pass;
     return {{std::string(stage), shown}, false};
+}
+
+bool windowFollowsPicked(const TechniqueInfo& info, std::string_view stage) {
+    constexpr std::string_view kPass = "pass:";
+    stage = stage.substr(0, stage.find('@'));
+    if (!stage.starts_with(kPass)) return followsPicked(info, stage);
+    return std::ranges::any_of(info.passes, [&](const PassInfo& pass) {
+        return pass.id == stage.substr(kPass.size()) && followsPicked(info, pass.shownBy);
+    });
 }
 
 } // namespace shadowlab::session

@@ -26,4 +26,7 @@ std::string stepped(const std::string& stage, const std::vector<StageKey>& passe
 /// light is that of `light` (kNoLight: the scene has none, and no such stage), where the pass has none of its own.
 StageChoice shownInStep(const StageChoice& pass, const TechniqueInfo& info, int light);
 
+/// Is what the window shows of `STAGE` or `pass:ID`, with or without @LIGHT, about View::picked?
+bool windowFollowsPicked(const TechniqueInfo& info, std::string_view stage);
+
 } // namespace shadowlab::session

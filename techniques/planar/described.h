@@ -11,8 +11,8 @@ inline constexpr std::string_view kProcedure = "render the scene with all light 
                                                "  clear the shadow marks\n"
                                                "  for each receiver plane (N, D)\n"
                                                "    for each vertex P of a caster\n"
-                                               "      P' = (N·P_L + D) P - (N·P + D) P_L\n"
                                                "      w' = (N·P_L + D) - (N·P + D)\n"
+                                               "      P' = ((N·P_L + D) P - (N·P + D) P_L) / w'\n"
                                                "    mark its triangles where w' > 0 and N·P + D > 0\n"
                                                "  render the scene with the light turned on where there is no mark";
 

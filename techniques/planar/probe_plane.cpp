@@ -69,7 +69,7 @@ PlaneProbe probePlane(const scene::Scene& scene, const Casters& casters, const C
             cover.object = casting.name;
             cover.triangle = t;
             cover.height = glm::dot(probe.planeWorld, dvec4(cover.placeWorld, 1.0));
-            cover.weight = 1 - lightWorld.w * cover.height / probe.lightHeight;
+            cover.weight = probe.lightHeight - lightWorld.w * cover.height;
             if (isHole)
                 cover.why = "it is a hole there";
             else if (cover.weight <= 0)

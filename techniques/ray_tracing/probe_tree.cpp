@@ -100,7 +100,10 @@ private:
         if (node.point) facts.push_back(probeFact("N", node.normalWorld));
         if (node.end == RayEnd::splits) addSplit(node, facts);
         if (node.point) {
-            facts.push_back(probeFact("own light", node.local));
+            // A highlight's power of a small cosine is no light, and a number of 187 digits after the point tells nobody so.
+            constexpr double kNoLight = 1e-30;
+            facts.push_back(probeFact(
+                "own light", glm::mix(node.local, dvec3(0), glm::lessThan(glm::abs(node.local), dvec3(kNoLight)))));
             facts.push_back(probeFact("attenuation", node.attenuation));
         }
         if (node.end != RayEnd::noTransmission) facts.push_back(probeFact("I", node.intensity));

@@ -23,19 +23,25 @@ std::string text(double value) {
 }
 
 template <typename Vector>
-std::string texts(const Vector& v, int count) {
-    std::string all;
-    for (int i = 0; i < count; ++i)
-        all += (i ? ", " : "") + text(v[i]);
-    return "(" + all + ")";
+Probe::Fact vectorFact(const char* label, const Vector& v, const char* unit = "") {
+    Probe::Fact fact{label, "(", unit};
+    for (int i = 0; i < v.length(); ++i) {
+        fact.value += (i ? ", " : "") + text(v[i]);
+        fact.numbers.push_back(v[i]);
+    }
+    fact.value += ")";
+    return fact;
 }
 
 /// Row by row, as it is written on a board.
-std::string matrixText(const dmat4& m) {
-    std::string rows;
-    for (int row = 0; row < 4; ++row)
-        rows += (row ? "; " : "") + texts(dvec4(m[0][row], m[1][row], m[2][row], m[3][row]), 4);
-    return rows;
+Probe::Fact matrixFact(const char* label, const dmat4& m) {
+    Probe::Fact fact{label, "", ""};
+    for (int r = 0; r < 4; ++r) {
+        const Probe::Fact row = vectorFact("", dvec4(m[0][r], m[1][r], m[2][r], m[3][r]));
+        fact.value += (r ? "; " : "") + row.value;
+        fact.numbers.insert(fact.numbers.end(), row.numbers.begin(), row.numbers.end());
+    }
+    return fact;
 }
 
 /// "cascade 2 of 3", "face -x"
@@ -179,22 +185,25 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     add("map", layerName(maps, *layer));
     // The chain of matrices, from the world to (s, t, r).
     const auto index = static_cast<std::size_t>(*layer);
-    add("point in the world", texts(hit->positionWorld, 3), "m");
-    add("lightRelativeFromWorld: less the light's origin", texts(maps.originWorld, 3), "m");
-    add("point, light-relative", texts(pointLightRelative, 3), "m");
-    add("lightViewFromLightRelative", matrixText(maps.lightViewFromLightRelative[index]));
-    add("point in the light's view",
-        texts(transformPoint(maps.lightViewFromLightRelative[index], pointLightRelative), 3), "m");
-    add("lightClipFromLightView", matrixText(maps.lightClipFromLightView[index]));
+    const auto addVector = [&](const char* label, const auto& vector, const char* unit = "") {
+        probe.facts.push_back(vectorFact(label, vector, unit));
+    };
+    addVector("point in the world", hit->positionWorld, "m");
+    addVector("lightRelativeFromWorld: less the light's origin", maps.originWorld, "m");
+    addVector("point, light-relative", pointLightRelative, "m");
+    probe.facts.push_back(matrixFact("lightViewFromLightRelative", maps.lightViewFromLightRelative[index]));
+    addVector("point in the light's view", transformPoint(maps.lightViewFromLightRelative[index], pointLightRelative),
+              "m");
+    probe.facts.push_back(matrixFact("lightClipFromLightView", maps.lightClipFromLightView[index]));
     const dvec4 clip = maps.lightClipFromLightRelative(*layer) * dvec4(pointLightRelative, 1.0);
-    add("point in the light's clip space", texts(clip, 4));
+    addVector("point in the light's clip space", clip);
     if (clip.w <= 0) {
         add("(s, t, r)", "none: behind the light's camera, where the projection would mirror it");
         if (params_.rejectBehind) decideLit();
         return probe;
     }
     const dvec3 str = dvec3(clip) / clip.w * 0.5 + 0.5;
-    add("(s, t, r) = clip / w / 2 + 1/2", texts(str, 3));
+    addVector("(s, t, r) = clip / w / 2 + 1/2", str);
     if (glm::any(glm::lessThan(dvec2(str), dvec2(0))) || glm::any(glm::greaterThanEqual(dvec2(str), dvec2(1))))
         add("place", params_.border == ShadowMapParams::Border::lit ? "outside the map, so lit"
                                                                     : "outside the map: its outermost texels go on");
@@ -219,14 +228,20 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     map.layerName = layerName(maps, *layer);
     const TexelDepth texel = depths.at(map.texel);
     const std::string blocker = texel.isEmpty() ? "" : snapshot->objects[texel.object].name;
-    add("texel (column, row)", std::to_string(map.texel.x) + ", " + std::to_string(map.texel.y));
+    probe.facts.push_back({"texel (column, row)",
+                           std::to_string(map.texel.x) + ", " + std::to_string(map.texel.y),
+                           "",
+                           {static_cast<double>(map.texel.x), static_cast<double>(map.texel.y)}});
     probe.facts.push_back(probeFact("width of a texel at the point", map.texelMetres, "m"));
-    add("d(u,v): depth at the texel's centre, before any bias",
-        texel.isEmpty() ? "1 (nothing there)" : text(map.first));
+    probe.facts.push_back({"d(u,v): depth at the texel's centre, before any bias",
+                           texel.isEmpty() ? "1 (nothing there)" : text(map.first),
+                           "",
+                           {texel.isEmpty() ? 1.0 : map.first}});
     if (!texel.isEmpty()) add("of", blocker + ", triangle " + std::to_string(texel.triangle));
-    if (map.stored != map.first) add("d(u,v) as it is stored, pushed back by its slope", text(map.stored));
-    add("z(u,v): depth of the point itself", text(map.str.z));
-    add("z(u,v) as it is compared, the bias taken off", text(map.compared));
+    if (map.stored != map.first)
+        probe.facts.push_back(probeFact("d(u,v) as it is stored, pushed back by its slope", map.stored));
+    probe.facts.push_back(probeFact("z(u,v): depth of the point itself", map.str.z));
+    probe.facts.push_back(probeFact("z(u,v) as it is compared, the bias taken off", map.compared));
     if (!texel.isEmpty()) probe.facts.push_back(probeFact("d(u,v) in metres", map.firstMetres, "m"));
     if (map.stored != map.first)
         probe.facts.push_back(probeFact("d(u,v) as it is stored in metres", map.storedMetres, "m"));

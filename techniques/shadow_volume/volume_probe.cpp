@@ -140,7 +140,7 @@ VolumeProbe VolumeTechnique::probeVolumes(const scene::Scene& scene, const View&
     // The matrices that a frame draws with: see Frame.
     const scene::Camera tight =
         scene::withTightNear(view.camera, scene, casters_.bounds(), static_cast<double>(view.size.x) / view.size.y);
-    const gl::EyeMatrices eye = gl::eyeMatrices(tight, view.size);
+    const gl::EyeMatrices eye = gl::eyeMatrices(usesNearPlaneOfView() ? view.camera : tight, view.size);
     findReceivers(scene, eye);
     const LightSection section =
         lightSection(eyeWorld, hit.positionWorld, scene::homogeneousPositionWorld(source), hit.geometricNormalWorld);
@@ -185,8 +185,11 @@ VolumeProbe VolumeTechnique::probeVolumes(const scene::Scene& scene, const View&
             probe.crossings.push_back(std::move(crossing));
         }
     }
-    // Still in the order in which they are drawn: first what depth pass counts, then the others.
-    std::ranges::stable_sort(probe.crossings, {}, [](const Crossing& c) { return c.way == VolumeProbe::Way::fail; });
+    // In the order in which they are drawn (FaceCounter): first what depth pass counts, then the others, and of either the top
+    // caps of all volumes at the end. A stencil that sticks at its ends asks for the order.
+    std::ranges::stable_sort(probe.crossings, {}, [](const Crossing& c) {
+        return std::pair(c.way == VolumeProbe::Way::fail, c.part == VolumeProbe::Part::topCap);
+    });
     probe.count = probe.start;
     for (const Crossing& crossing : probe.crossings) {
         probe.count += crossing.counted;
@@ -246,13 +249,15 @@ Probe VolumeTechnique::probe(const scene::Snapshot& snapshot, const View& view, 
     probe.facts.push_back(probeCount("volumes that the eye is in", static_cast<std::uint64_t>(volume.eyeCount)));
     add("z-pass, eye to point", sumText(volume.frontsBefore, volume.backsBefore, "n_f", "n_b"));
     add("z-fail, point to infinity", sumText(volume.backsBeyond, volume.frontsBeyond, "n_b", "n_f"));
-    add("count of this technique",
-        std::to_string(volume.count) + (volume.start ? ", which started at " + std::to_string(volume.start) : ""));
-    add("stencil, cleared", std::to_string(volume.stencilCleared));
-    add(counting_.first.culled == GL_FRONT ? "stencil after the back faces" : "stencil after the front faces",
-        std::to_string(volume.stencilBetween));
-    add("stencil",
-        std::to_string(volume.stencil) + (countsInFloats(light) ? ", from a count in floats: not zero" : ""));
+    const auto addNumber = [&](std::string label, int number, const std::string& remark = "") {
+        probe.facts.push_back({std::move(label), std::to_string(number) + remark, "", {static_cast<double>(number)}});
+    };
+    addNumber("count of this technique", volume.count,
+              volume.start ? ", which started at " + std::to_string(volume.start) : "");
+    addNumber("stencil, cleared", volume.stencilCleared);
+    addNumber(counting_.first.culled == GL_FRONT ? "stencil after the back faces" : "stencil after the front faces",
+              volume.stencilBetween);
+    addNumber("stencil", volume.stencil, countsInFloats(light) ? ", from a count in floats: not zero" : "");
     std::size_t listed = 0;
     for (const Crossing& crossing : volume.crossings) {
         if (++listed > kListedFaces) {

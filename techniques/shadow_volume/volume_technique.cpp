@@ -27,6 +27,8 @@ Progress VolumeTechnique::prepare(const scene::Snapshot& snapshot, Deadline dead
 
 Progress VolumeTechnique::render(Frame& frame) {
     const scene::Scene& scene = frame.scene();
+    if (usesNearPlaneOfView()) frame.useNearPlaneOfView();
+    if (failRule().farPlane) frame.useFarPlane();
     if (!params_.cull) frame.drawWhatIsOutOfView();
     frame.pass(passInfo(counting_.passes, "lights-off"),
                [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });

@@ -48,6 +48,8 @@ protected:
     /// Leaves out what shadows no receiver in view, and ends volumes where those do. Only for a count that may be anything
     /// elsewhere in the picture, so not where it begins with the eye's own.
     [[nodiscard]] virtual bool keepsToReceiversInView() const { return false; }
+    /// Draws with the near plane of the view itself, which cuts; else it is moved out to the nearest surface.
+    [[nodiscard]] virtual bool usesNearPlaneOfView() const { return false; }
     /// Do volumes go different ways, so that it is worth a look which?
     [[nodiscard]] virtual bool showsWays() const { return false; }
     /// Are caps part of what it draws?

@@ -91,11 +91,6 @@ params::ParamList ZFail::params() {
     return list;
 }
 
-Progress ZFail::render(Frame& frame) {
-    if (failRule().farPlane) frame.useFarPlane();
-    return VolumeTechnique::render(frame);
-}
-
 TechniqueInfo zfailInfo() {
     using enum scene::LightType;
     return {

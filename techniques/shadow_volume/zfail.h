@@ -19,7 +19,6 @@ class ZFail final : public VolumeTechnique {
 public:
     ZFail();
     params::ParamList params() override;
-    Progress render(Frame& frame) override;
 
 private:
     [[nodiscard]] Way wayOf(const scene::Scene&, const dvec3&, const CasterVolume&, int) const override {

@@ -95,12 +95,6 @@ params::ParamList ZPass::params() {
     return list;
 }
 
-Progress ZPass::render(Frame& frame) {
-    // Moved out to the nearest surface, as it is for others, the near plane would cut far more volumes.
-    if (!params_.eyeCorrection) frame.useNearPlaneOfView();
-    return VolumeTechnique::render(frame);
-}
-
 // [anchor: way-by-z-pass]
 Way ZPass::wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster, int light) const {
     const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];

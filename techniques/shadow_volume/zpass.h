@@ -19,7 +19,6 @@ class ZPass final : public VolumeTechnique {
 public:
     ZPass();
     params::ParamList params() override;
-    Progress render(Frame& frame) override;
     std::string remark(const scene::MeshReport& report, const scene::Mesh& mesh) const override;
 
 private:
@@ -27,6 +26,8 @@ private:
                             int light) const override;
     [[nodiscard]] PassRule passRule() const override { return {.corrected = params_.eyeCorrection}; }
     [[nodiscard]] bool showsCaps() const override { return false; }
+    /// Moved out to the nearest surface the near plane would cut far more volumes.
+    [[nodiscard]] bool usesNearPlaneOfView() const override { return !params_.eyeCorrection; }
 
     ZPassParams params_;
 };

@@ -82,6 +82,7 @@ TEST(Lesson, EveryFaultIsToldWithItsPlace) {
         {R"("falseShadow")", R"("falseShade")", "x.json:10:27: ", "falseShadow"},
         {R"("look": 1)", R"("look": 2)", "x.json:10:50: ", "1"},
         {R"({"atLeast": 5})", R"({})", "x.json:10:", "no bound"},
+        {R"({"atLeast": 5})", R"({"atLeast": 0})", "x.json:10:", "nothing has to change"},
         {R"("look": 1)", R"("pixel": [0.5, 0.5])", "x.json:10:", "nothing to do with"},
         {R"("falseShadow")", R"("flips")", "x.json:10:27: ", "motion"},
         {R"("happens": "H.",)", R"("happens": "H.", "question": {"text": "?", "choices": ["a", "b"], "right": 3},)",
@@ -104,7 +105,7 @@ TEST(Lesson, EveryFaultIsToldWithItsPlace) {
             ++told;
         }
     }
-    EXPECT_EQ(told, 22);
+    EXPECT_EQ(told, 23);
 }
 
 TEST(Lesson, UnknownNamesAreToldWithTheirNeighbours) {

@@ -96,6 +96,16 @@ TEST_F(VolumeProbeTest, CountsWhereTheTeachingFaultsAre) {
     testing::addObject(inShadow, scene::makeBox({1, 1, 1}), testing::translation({0, 0.5, 0}));
     inShadow.lights = {testing::directionalLight({0, -1, 0.05})};
     const auto eyeInShadow = testing::snapshot(inShadow);
+    // Two roofs above the eye, whose volumes end before anything that is in view begins.
+    scene::Scene underRoofs = testing::floorScene();
+    testing::addObject(underRoofs, scene::makeBox({3, 0.1, 3}), testing::translation({0, 2.5, 4.5}));
+    testing::addObject(underRoofs, scene::makeQuad({2, 2}), testing::translation({0, 3.5, 4.2}));
+    testing::addObject(underRoofs, scene::makeSphere(0.5, 24), testing::translation({0, 1.2, 0}));
+    underRoofs.lights = {testing::directionalLight({0.2, -1, -0.1})};
+    underRoofs.camera.positionWorld = {0, 1, 4};
+    underRoofs.camera.targetWorld = {0, 0.3, 0};
+    const auto roofs = testing::snapshot(underRoofs);
+    const auto soup = testing::snapshot(testing::hardScene(testing::HardClass::soup, 1, false));
     struct Case {
         const scene::Snapshot& scene;
         const char* technique;
@@ -108,7 +118,12 @@ TEST_F(VolumeProbeTest, CountsWhereTheTeachingFaultsAre) {
           Case{scene, "shadow-volume-zfail", {"volume-end=distance", "extrusion=0.7"}},
           Case{scene, "shadow-volume-zfail", {"stencil-bits=1"}},
           Case{scene, "shadow-volume-zfail", {"construction=lecture"}}, Case{eyeInShadow, "shadow-volume-zpass", {}},
-          Case{eyeInShadow, "shadow-volume-zpass", {"eye-correction=true"}}, Case{eyeInShadow, "shadow-volume", {}}}) {
+          Case{eyeInShadow, "shadow-volume-zpass", {"eye-correction=true"}}, Case{eyeInShadow, "shadow-volume", {}},
+          Case{roofs, "shadow-volume-zpass", {}}, Case{roofs, "shadow-volume-zpass", {"eye-correction=true"}},
+          Case{soup, "shadow-volume-zfail", {"wrap=false", "stencil-bits=2"}},
+          Case{soup, "shadow-volume-zfail", {"wrap=false", "two-sided=false"}},
+          Case{soup, "shadow-volume-zpass", {"wrap=false", "stencil-bits=2"}},
+          Case{soup, "shadow-volume", {"wrap=false"}}}) {
         const Agreement agreement = compare(one.scene, one.technique, one.settings);
         expectAgreement(agreement,
                         std::string(one.technique) + " " + (one.settings.empty() ? "" : one.settings.front()));
