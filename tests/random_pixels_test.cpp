@@ -210,7 +210,7 @@ TEST(RandomPixelsTest, PlanesHeightsAndWeightsAreThoseOfTheTriangles) {
                 const double along =
                     glm::dot(cover.placeWorld - asked.pointWorld, toLight) / glm::dot(toLight, toLight);
                 height.add(cover.height - along * lightHeight);
-                weight.add(cover.weight - (asked.lightWorld().w == 0 ? 1 : 1 - along));
+                weight.add(cover.weight - lightHeight * (asked.lightWorld().w == 0 ? 1 : 1 - along));
             }
             if (isDoubtful) {
                 ++doubtful;

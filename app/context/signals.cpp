@@ -23,20 +23,20 @@ constexpr unsigned kGraceSeconds = 2;
 
 int exitStatusOf(int signal) { return 128 + signal; }
 
-void endNow() {
+void endNow(int signal) {
     image::removeTemporariesNow();
-    ::_exit(exitStatusOf(receivedSignal.load()));
+    ::_exit(exitStatusOf(signal));
 }
 
 void onInterrupt(int signal) {
     const int savedErrno = errno; // the interrupted code may be about to look at it
     int none = 0;
-    if (!receivedSignal.compare_exchange_strong(none, signal)) endNow();
+    if (!receivedSignal.compare_exchange_strong(none, signal)) endNow(signal);
     ::alarm(kGraceSeconds);
     errno = savedErrno;
 }
 
-void onAlarm(int) { endNow(); }
+void onAlarm(int) { endNow(receivedSignal.load()); }
 
 } // namespace
 

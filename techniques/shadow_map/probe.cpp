@@ -18,7 +18,7 @@ namespace {
 
 std::string text(double value) {
     char digits[32];
-    std::snprintf(digits, sizeof digits, "%.6g", value);
+    std::snprintf(digits, sizeof digits, "%.6g", value + 0.0); // no "-0"
     return digits;
 }
 

@@ -39,7 +39,7 @@ TEST_F(PlaneProbeTest, DecidesAsThePictureDoesAndCountsAsTheJudgeDoes) {
         for (int y = 1; y < kSize.y; y += kStep)
             for (int x = 1; x < kSize.x; x += kStep) {
                 const Probe probe = picture.probe(x, y);
-                if (!probe.plane) continue;
+                if (!probe.plane || !probe.plane->receives) continue;
                 ++here;
                 differing += (probe.decision->visibility > 0.5) != (picture.visibility().grey(x, y) > 127);
                 const auto hit = judge.eyeHit(snapshot->camera, dvec2(x, y) + 0.5, kSize);
