@@ -58,36 +58,45 @@ void addRoundRectangle(cairo_t* cairo, dvec2 corner, dvec2 size, double radius) 
 
 } // namespace
 
-/// The two faces, as FreeType and Cairo know them.
+/// The two faces, as Cairo knows them.
 struct Painter::Fonts {
-    FT_Library library = nullptr;
-    std::array<FT_Face, 2> faces{};
     std::array<cairo_font_face_t*, 2> fonts{}; ///< upright, bold
 
     explicit Fonts(const std::filesystem::path& folder) {
-        if (FT_Init_FreeType(&library) != 0) throw Error(ExitStatus::bug, "FreeType does not start; report it");
         constexpr std::array names{"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"};
         for (std::size_t i = 0; i < names.size(); ++i) {
             const std::filesystem::path file = folder / names[i];
-            if (FT_New_Face(library, file.c_str(), 0, &faces[i]) != 0) {
+            FT_Face face = nullptr;
+            if (FT_New_Face(library(), file.c_str(), 0, &face) != 0) {
                 release();
                 throw Error(ExitStatus::badInput,
                             file.string() + ": the font is missing, or is none; restore the project's assets/fonts "
                                             "(package fonts-dejavu-core has the same files)");
             }
-            fonts[i] = cairo_ft_font_face_create_for_ft_face(faces[i], FT_LOAD_NO_HINTING);
+            fonts[i] = cairo_ft_font_face_create_for_ft_face(face, FT_LOAD_NO_HINTING);
+            // Cairo may keep a font in its caches after the last user has gone; the face goes when Cairo lets it go.
+            static const cairo_user_data_key_t kFace{};
+            cairo_font_face_set_user_data(fonts[i], &kFace, face,
+                                          [](void* kept) { FT_Done_Face(static_cast<FT_Face>(kept)); });
         }
     }
     ~Fonts() { release(); }
     Fonts(const Fonts&) = delete;
     Fonts& operator=(const Fonts&) = delete;
 
+private:
+    /// Lives as long as the program, as Cairo's caches do.
+    static FT_Library library() {
+        static const FT_Library started = [] {
+            FT_Library made = nullptr;
+            if (FT_Init_FreeType(&made) != 0) throw Error(ExitStatus::bug, "FreeType does not start; report it");
+            return made;
+        }();
+        return started;
+    }
     void release() {
         for (cairo_font_face_t* font : fonts)
             if (font) cairo_font_face_destroy(font);
-        // Cairo keeps what it has cached of a face; all of that goes before FreeType takes the faces away.
-        cairo_debug_reset_static_data();
-        FT_Done_FreeType(library);
     }
 };
 

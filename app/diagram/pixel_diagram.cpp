@@ -14,7 +14,6 @@ namespace shadowlab::diagram {
 namespace {
 
 constexpr double kUpperHeight = 760, kPathsWidth = 1090, kBorder = 24;
-constexpr double kSectionHeight = 1080;                     ///< a slide
 constexpr double kPairHeight = 660, kReflectorHeight = 420; ///< a slide in all
 
 const Stroke kRule{"#bfbfbf", 2, false};
@@ -50,9 +49,9 @@ Diagram drawPatchPanels(const Probe& probe, const image::Font& font) {
                                 : "The radiosity of a Lambertian reflector"};
 }
 
-Diagram drawSection(const Probe& probe, const scene::Scene& scene, const image::Font& font) {
-    Svg svg({kSheetWidth, kSectionHeight});
-    const Box area{dvec2(kBorder), dvec2(kSheetWidth, kSectionHeight) - 2 * kBorder};
+Diagram drawSection(const Probe& probe, const scene::Scene& scene, const image::Font& font, double height) {
+    Svg svg({kSheetWidth, height});
+    const Box area{dvec2(kBorder), dvec2(kSheetWidth, height) - 2 * kBorder};
     if (probe.volume) {
         drawVolume(svg, area, probe, scene, font);
         return {std::move(svg),
@@ -115,8 +114,8 @@ std::string fourDigits(double value) {
 
 bool canDraw(const Probe& probe) { return !probe.tree.empty() || probe.exchange || hasSection(probe); }
 
-Diagram pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font) {
-    if (hasSection(probe)) return drawSection(probe, scene, font);
+Diagram pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font, double sectionHeight) {
+    if (hasSection(probe)) return drawSection(probe, scene, font, sectionHeight);
     return probe.exchange ? drawPatchPanels(probe, font) : drawTreePanels(probe, scene, font);
 }
 

@@ -21,9 +21,13 @@ struct Diagram {
     [[nodiscard]] std::string document() const { return drawing.document(title); }
 };
 
+/// How high drawings of the plane through eye, light and point are, on a sheet 1920 pixels wide: as a slide.
+constexpr double kSectionHeight = 1080;
+
 /// One sheet of panels, those that the probe has something for: canDraw() must hold, and the first ray of a tree meet a
 /// surface. `font` is DejaVu Sans, which the document names: labels are placed by its measures. Same input, same
 /// bytes.
-Diagram pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font);
+Diagram pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font,
+                     double sectionHeight = kSectionHeight);
 
 } // namespace shadowlab::diagram

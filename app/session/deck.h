@@ -37,6 +37,7 @@ struct Slide {
     std::string pseudocode;             ///< the lecture's own, of the technique of that id; empty: none
     std::vector<int> marked;            ///< its lines on a bright ground, counted from 1
     std::vector<std::string> formulas;  ///< each in the part of TeX that diagram/formula.h knows
+    std::optional<int> supersample;     ///< N x N samples for a pixel; none: as many as for the other slides
     std::string caption;
     std::string alt; ///< the picture in words, for who cannot see it
 };

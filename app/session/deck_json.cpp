@@ -21,7 +21,8 @@ using scene::JsonValue;
 using scene::Range;
 
 // What fits on a slide in type that is read from the last row.
-constexpr std::size_t kLongestCaption = 280, kLongestParagraph = 320, kLongestAlt = 600, kLongestName = 60;
+constexpr std::size_t kLongestCaption = 280, kLongestParagraph = 320, kLongestFormula = 600, kLongestAlt = 600,
+                      kLongestName = 60;
 constexpr std::size_t kMostSlides = 300, kMostPictures = 8, kMostLines = 12;
 
 std::string optionalText(const JsonObject& object, std::string_view key, std::size_t longest) {
@@ -141,15 +142,17 @@ struct Deck::File {
     Slide slide(std::size_t number) {
         const JsonValue& value = top.array("slides")[number];
         const JsonObject own(document, value, "slide " + scene::inQuotes(names[number]),
-                             {"name", "title", "pictures", "text",    "pseudocode", "marked", "formulas", "caption",
-                              "alt",  "scene", "camera",   "lights",  "layout",     "light",  "slots",    "stage",
-                              "set",  "pixel", "partner",  "diagram", "outside",    "label",  "callouts"});
+                             {"name",   "title",    "supersample", "pictures", "text",  "pseudocode",
+                              "marked", "formulas", "caption",     "alt",      "scene", "camera",
+                              "lights", "layout",   "light",       "slots",    "stage", "set",
+                              "pixel",  "partner",  "diagram",     "outside",  "label", "callouts"});
         Slide slide;
         slide.name = names[number];
         slide.title = shortText(own, "title", kLongestTitle);
         slide.caption = optionalText(own, "caption", kLongestCaption);
         slide.text = paragraphs(own, "text", kLongestParagraph);
-        slide.formulas = paragraphs(own, "formulas", kLongestParagraph);
+        slide.formulas = paragraphs(own, "formulas", kLongestFormula);
+        if (own.find("supersample")) slide.supersample = own.integer("supersample", 1, 8);
         readPseudocode(own, slide);
         if (own.find("pictures")) {
             for (const JsonValue& one : own.array("pictures")) {

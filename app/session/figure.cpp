@@ -100,17 +100,18 @@ bool hasLegend(const Panel& panel) {
 }
 
 Figure composeFigure(const std::vector<Cell>& cells, const std::vector<Panel>& panels, ivec2 size,
-                     const image::Font* font) {
+                     const image::Font* font, int typeHeight) {
     Figure figure{image::Image(size.x, size.y, {12, 12, 14, 255}), {}};
     for (std::size_t i = 0; i < cells.size(); ++i)
         drawPicture(figure.picture, cells[i], panels[i].picture);
     drawDividers(figure.picture, cells);
     if (!font) return figure;
+    if (typeHeight == 0) typeHeight = size.y;
 
-    const auto titles = layOut(kTitleShares, size.y, cells, [&](std::size_t i, double em) {
+    const auto titles = layOut(kTitleShares, typeHeight, cells, [&](std::size_t i, double em) {
         return titlePlate(panels[i].title, *font, em, cells[i].width);
     });
-    const auto legends = layOut(kLegendShares, size.y, cells, [&](std::size_t i, double em) {
+    const auto legends = layOut(kLegendShares, typeHeight, cells, [&](std::size_t i, double em) {
         return legendPlate(panels[i], *font, em, cells[i].width);
     });
     bool titleMissing = false, legendMissing = false;

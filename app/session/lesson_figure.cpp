@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "app/session/lesson_lines.h"
-#include "app/session/lesson_picture.h"
+#include "app/session/lesson_look.h"
+#include "app/session/state_picture.h"
 #include "techniques/foundation/error.h"
 
 namespace shadowlab::session {
@@ -73,7 +74,7 @@ image::Image lessonFigure(const Lesson& lesson, const ShownStates& states, ivec2
     for (int i = 0; i < columns; ++i) {
         const auto column = static_cast<std::size_t>(i);
         const int x = pad + i * (columnWidth + pad);
-        image::Image picture = drawState(lesson.states[states[column]], pictureSize, font);
+        image::Image picture = drawState(lesson.states[states[column]], {.size = pictureSize}, font);
         drawLook(picture, lesson.look, states[column] == 0, font, std::max(10.0, size.y * kLessonLabelShare));
         blit(figure, x + (columnWidth - pictureSize.x) / 2, top, picture);
         int y = top + pictureHeight + pad;

@@ -8,8 +8,9 @@
 
 #include "app/session/lesson_figure.h"
 #include "app/session/lesson_lines.h"
-#include "app/session/lesson_picture.h"
+#include "app/session/lesson_look.h"
 #include "app/session/session.h"
+#include "app/session/state_picture.h"
 #include "techniques/foundation/error.h"
 
 namespace shadowlab::session {
@@ -151,7 +152,7 @@ void layTrueShadowOver(image::Image& picture, const LessonState& state) {
 
 image::Image drawShot(const Lesson& lesson, LessonShot shot, const LessonState& state, const Page& page, ivec2 size,
                       const image::Font& font) {
-    image::Image picture = drawState(state, page.pictureSize(), font);
+    image::Image picture = drawState(state, {.size = page.pictureSize()}, font);
     if (shot == LessonShot::artefact || shot == LessonShot::mend)
         drawLook(picture, lesson.look, shot == LessonShot::artefact, font, std::max(10.0, size.y * kLessonLabelShare));
     else if (shot == LessonShot::answer && lesson.question->kind == Question::Kind::mark)

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/state_picture.h"
+
+#include <array>
+
+#include "app/session/derived_stages.h"
+#include "app/session/difference_panel.h"
+#include "app/session/picture.h"
+
+namespace shadowlab::session {
+
+namespace {
+
+class StatePicture {
+public:
+    StatePicture(const LessonState& state, const StateRequest& request, const image::Font& font)
+        : state_(state), request_(request), font_(font), session_(state.scene), slots_(slotsOf(state.slots)) {}
+
+    image::Image draw() {
+        std::vector<Cell> cells = layoutCells(state_.layout, static_cast<int>(slots_.size()), request_.size);
+        std::vector<Panel> panels;
+        if (state_.layout == Layout::diff)
+            panels.push_back(difference());
+        else
+            for (std::size_t i = 0; i < slots_.size(); ++i)
+                panels.push_back(panel(i, cells[i]));
+        return composeFigure(cells, panels, request_.size, &font_, request_.typeHeight).picture;
+    }
+
+private:
+    Panel panel(std::size_t i, Cell& cell) {
+        Slot& slot = slots_[i];
+        std::optional<StageChoice> stage;
+        if (!state_.slots[i].stage.empty())
+            stage = parseStage(state_.slots[i].stage, *slot.info, *state_.scene, state_.light);
+        const bool derived = stage && !stage->isPass && isDerived(stage->key.id);
+        const int supersample = derived ? 1 : request_.supersample; // what is derived is about single pixels
+        View view;
+        view.camera = state_.camera;
+        view.size = cell.pictureSize * supersample;
+        view.region = {ivec2(cell.cropX, 0) * supersample, ivec2(cell.width, cell.height) * supersample};
+        if (stage && followsPicked(*slot.info, stage->key.id)) {
+            if (request_.picked) view.picked = pixelAt(*request_.picked, view.size);
+            if (request_.partner) view.partner = pixelAt(*request_.partner, view.size);
+        }
+        FrameRequest request;
+        if (stage && stage->isPass) request.stopAfter = stage->key;
+        if (stage && !stage->isPass) request.stages = neededFor(stage->key);
+        const RenderedFrame rendered = session_.render(slot, view, request);
+        Panel panel;
+        if (stage && stage->key.id == "outside") { // a picture of its own, no band of a larger one
+            cell.pictureSize = {cell.width, cell.height};
+            cell.cropX = 0;
+        }
+        if (derived) {
+            panel = derivedPanel(session_, slot, rendered, encoder_,
+                                 {stage->key, view, std::nullopt, &font_, request_.outside, cell.pictureSize});
+        } else if (stage && !stage->isPass) {
+            const Stage& published = findStage(rendered, stage->key);
+            panel.kind = stageInfo(*slot.info, published.key.id).kind;
+            // A stage of a size of its own (a light's view of the scene) is averaged only if it would not fit otherwise.
+            const bool fits = glm::all(glm::lessThanEqual(published.texture.size(), cell.pictureSize));
+            panel.picture = encoder_.encode(published, panel.kind, state_.scene->exposure, fits ? 1 : supersample);
+            panel.display = published.display;
+        } else {
+            if (stage) requirePassRan(rendered, stage->key, *slot.info);
+            panel.picture = encoder_.encode(slot.target.color, state_.scene->exposure, supersample);
+        }
+        if (slots_.size() > 1) panel.title = slot.info->title;
+        return panel;
+    }
+
+    Panel difference() {
+        View view;
+        view.camera = state_.camera;
+        view.size = request_.size;
+        std::array<measure::Judgement, 2> judgements;
+        for (std::size_t i = 0; i < judgements.size(); ++i) {
+            FrameRequest request;
+            request.stages = {{"visibility", state_.light}};
+            const RenderedFrame rendered = session_.render(slots_[i], view, request);
+            judgements[i] = measure::judge(session_.truth(view, session_.truthFor(slots_[i], state_.light)),
+                                           readVisibility(findStage(rendered, request.stages[0])).greyAlpha);
+        }
+        return differencePanel(encoder_.encode(slots_[0].target.color, state_.scene->exposure),
+                               {&judgements[0], &judgements[1]},
+                               {std::string(slots_[0].info->title), std::string(slots_[1].info->title)});
+    }
+
+    const LessonState& state_;
+    const StateRequest& request_;
+    const image::Font& font_;
+    Session session_;
+    PictureEncoder encoder_;
+    std::vector<Slot> slots_;
+};
+
+} // namespace
+
+image::Image drawState(const LessonState& state, const StateRequest& request, const image::Font& font) {
+    return StatePicture(state, request, font).draw();
+}
+
+} // namespace shadowlab::session
