@@ -137,6 +137,10 @@ int run(int argc, char** argv) {
         addCommand(app, "lesson", "An artefact and what mends it: draws a lesson, or measures whether it holds");
     describeLesson(*lessonCommand);
 
+    CLI::App* slidesCommand =
+        addCommand(app, "slides", "A deck as pictures, as a page for a browser, and as a text for pandoc");
+    describeSlides(*slidesCommand);
+
     CLI::App* listCommand = addCommand(
         app, "list", "What there is: techniques, parameters, stages, scenes, keys of the window, backends, limits");
     addOption(*listCommand, "WHAT", "",
@@ -181,6 +185,7 @@ int run(int argc, char** argv) {
     if (measureCommand->parsed()) return measure(measureOptions(*measureCommand));
     if (probeCommand->parsed()) return probe(probeOptions(*probeCommand));
     if (lessonCommand->parsed()) return lesson(lessonOptions(*lessonCommand));
+    if (slidesCommand->parsed()) return slides(slidesOptions(*slidesCommand));
     if (listCommand->parsed())
         return list({GivenOptions(*listCommand).required("WHAT", "for example shadowlab list techniques"),
                      listCommand->count("--json") > 0});

@@ -9,6 +9,7 @@
 #include "app/commands/lesson_options.h"
 #include "app/commands/measure_options.h"
 #include "app/commands/probe_options.h"
+#include "app/commands/slides_options.h"
 
 namespace shadowlab::commands {
 
@@ -22,6 +23,8 @@ int probe(const ProbeOptions& options);
 
 /// Draws a lesson, measures it, or both. Fails (badInput) when what was measured is not as the lesson says.
 int lesson(const LessonOptions& options);
+/// Draws decks. A slide that fails is told, and the others are drawn all the same: then the exit status is that of the first.
+int slides(const SlidesOptions& options);
 
 struct ListOptions {
     std::string what;

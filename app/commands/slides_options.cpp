@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands/slides_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands/capture_options.h"
+#include "app/commands/option_values.h"
+
+namespace shadowlab::commands {
+
+void describeSlides(CLI::App& command) {
+    const auto add = [&](const char* names, const char* value, const char* help) {
+        addOption(command, names, value, help);
+    };
+    add("DECK", "", "a built-in name (`list decks`) or a .json deck; may be repeated (default: all built-in decks)");
+    add("-o,--output", "DIR", "the folder that the slides are written into; it is made where there is none");
+    add("--only", "SLIDE", "draws that slide alone, and no page of all; may be repeated");
+    add("--size", "WxH", "width and height of the slides in pixels (default 1920x1080; 4K is 3840x2160)");
+    add("--supersample", "N", "N x N samples for each pixel of a picture, from 1 to 8 (default 2)");
+    add("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    add("--allow", "DIR", "a further folder that the decks' scenes may take meshes from; may be repeated");
+    command.footer(
+        "For each deck: DECK-01-NAME.png ..., the same without words as pictures/DECK-01-NAME.png, DECK.html for "
+        "a browser,\nand DECK.md for pandoc.\n"
+        "Examples:\n"
+        "  shadowlab slides -o out\n"
+        "  shadowlab slides my-deck.json -o out --size 3840x2160\n"
+        "  cd out && pandoc shadow-rendering-techniques.md -o lecture.pptx");
+}
+
+SlidesOptions slidesOptions(const CLI::App& command) {
+    const GivenOptions given(command);
+    SlidesOptions options;
+    options.decks = given.texts("DECK");
+    options.output = given.required("--output", "shadowlab slides -o DIR");
+    options.only = given.texts("--only");
+    options.look.size = sizeFrom("--size", given.text("--size", "1920x1080"), kLongestSide);
+    constexpr int kLeastHeight = 360;                 // below, type dissolves
+    constexpr double kNarrowest = 1.2, kWidest = 2.5; // shapes that slides are laid out for
+    const double aspect = static_cast<double>(options.look.size.x) / options.look.size.y;
+    if (options.look.size.y < kLeastHeight || aspect < kNarrowest || aspect > kWidest)
+        refuseUsage(
+            "--size: slides are at least 360 pixels high and 1.2 to 2.5 times as wide; write for example 1920x1080");
+    constexpr int kMostSamples = 8;
+    options.look.supersample = countFrom("--supersample", given.text("--supersample", "2"), kMostSamples);
+    options.backend = context::backendFromName(given.text("--backend", "auto"));
+    for (const std::string& folder : given.texts("--allow"))
+        options.allowed.emplace_back(folder);
+    return options;
+}
+
+} // namespace shadowlab::commands

@@ -1,0 +1,25 @@
+// A deck's slides as one page for a browser, and as a text for pandoc.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/session/deck.h"
+
+namespace shadowlab::slides {
+
+/// A slide that was drawn.
+struct PageSlide {
+    session::Slide slide;
+    std::vector<std::uint8_t> png; ///< of the whole slide
+    std::string pictureFile;       ///< of its pictures alone, beside the page; empty: it has none
+};
+
+/// One HTML page that needs nothing else: keys, captions, descriptions, an overview, and one slide on each printed page.
+std::string htmlPage(const session::Deck& deck, const std::vector<PageSlide>& slides);
+
+/// Markdown that pandoc turns into PPTX or Beamer: headings, pictures, captions, formulas as TeX, descriptions as notes.
+std::string markdown(const session::Deck& deck, const std::vector<PageSlide>& slides);
+
+} // namespace shadowlab::slides

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "app/slides/slide_painter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/diagram/pixel_diagram.h"
+#include "app/session/state_picture.h"
+#include "app/slides/slide_words.h"
+#include "techniques/foundation/error.h"
+
+namespace shadowlab::slides {
+
+namespace {
+
+using diagram::Svg;
+
+constexpr image::Color8 kPaper{255, 255, 255, 255};
+constexpr const char *kInk = "#1a1a1a", *kQuiet = "#5a5a5a", *kRule = "#bfbfbf";
+constexpr const char *kCallout = "#e69f00", *kCalloutEdge = "#101012"; ///< seen on light and dark pictures
+
+// The drawing of a pixel is about a picture of that size; a share of it is the same place in a picture of any other.
+constexpr ivec2 kProbedSize{1280, 720};
+// Its type is as large as the least that is read from the last row. Drawings that are higher than a slide has room for are made
+// smaller, but not below this share.
+constexpr double kLeastDrawingScale = 0.8;
+
+/// The drawing that the picture's technique makes of its pixel.
+diagram::Diagram drawingOf(const session::SlidePicture& picture, const image::Font& font, double height) {
+    std::vector<session::Slot> slots = session::slotsOf(picture.state.slots);
+    View view;
+    view.camera = picture.state.camera;
+    view.size = kProbedSize;
+    const ivec2 pixel = session::pixelAt(*picture.pixel, kProbedSize);
+    view.picked = pixel;
+    if (picture.partner) view.partner = session::pixelAt(*picture.partner, kProbedSize);
+    const int light = picture.state.scene->lights.empty() ? kNoLight : picture.state.light;
+    const Probe probe = slots[0].technique->probe(picture.state.scene, view, pixel, light);
+    if (!diagram::canDraw(probe))
+        throw Error(ExitStatus::badInput,
+                    "'" + picture.state.slots[0].technique + "' has nothing to draw of that pixel; choose another");
+    return diagram::pixelDiagram(probe, *picture.state.scene, font, height);
+}
+
+void writeLines(Svg& svg, const std::vector<std::string>& lines, dvec2 place, const diagram::TextStyle& style) {
+    for (const std::string& line : lines) {
+        place.y += kLineHeight * style.size;
+        svg.text(place, line, style);
+    }
+}
+
+/// Frames and arrows over a picture that fills the cell, each with its words where there is room.
+void drawCallouts(Svg& svg, const session::SlidePicture& picture, const Box& cell, const image::Font& bold) {
+    const diagram::TextStyle style{.size = kLabelType, .isBold = true, .color = kInk};
+    for (const session::Callout& callout : picture.callouts) {
+        const dvec2 from = cell.corner + callout.from * cell.size, to = cell.corner + callout.to * cell.size;
+        const double width = diagram::textSize(bold, callout.label, kLabelType).x;
+        const double x =
+            std::clamp(from.x, cell.corner.x + 6, std::max(cell.corner.x + 6, cell.corner.x + cell.size.x - width - 6));
+        if (callout.isArrow) {
+            svg.arrow(from, to, {kCalloutEdge, 9, false});
+            svg.arrow(from, to, {kCallout, 5, false});
+            if (callout.label.empty()) continue;
+            const bool goesUp = to.y < from.y;
+            const double left = std::clamp(from.x - width / 2, cell.corner.x + 6,
+                                           std::max(cell.corner.x + 6, cell.corner.x + cell.size.x - width - 6));
+            svg.text({left, goesUp ? from.y + kLabelType : from.y - 0.4 * kLabelType}, callout.label, style);
+            continue;
+        }
+        svg.rectangle(from, to - from, "", {kCalloutEdge, 8, false});
+        svg.rectangle(from, to - from, "", {kCallout, 4, false});
+        if (callout.label.empty()) continue;
+        const bool isRoomAbove = from.y - cell.corner.y > 1.4 * kLabelType;
+        svg.text({x, isRoomAbove ? from.y - 0.45 * kLabelType : to.y + 1.1 * kLabelType}, callout.label, style);
+    }
+}
+
+} // namespace
+
+SlidePainter::SlidePainter(const std::filesystem::path& fonts, const SlideLook& look)
+    : look_(look), upright_(fonts / "DejaVuSans.ttf"), bold_(fonts / "DejaVuSans-Bold.ttf"), painter_(fonts),
+      scale_(look.size.y / kSlideHeight) {}
+
+ivec2 SlidePainter::pixels(dvec2 place) const { return ivec2(glm::round(place * scale_)); }
+
+void SlidePainter::drawPicture(image::Image& image, const session::SlidePicture& picture, const Box& cell,
+                               int supersample) const {
+    const ivec2 corner = pixels(cell.corner), size = pixels(cell.corner + cell.size) - corner;
+    if (picture.isDiagram) {
+        // Drawn as wide as its own sheet is, so high that it fills the cell.
+        constexpr double kSheet = 1920;
+        const double fit = cell.size.x / kSheet;
+        const diagram::Diagram drawn = drawingOf(picture, upright_, cell.size.y / std::min(1.0, fit));
+        const dvec2 sheet = drawn.drawing.size();
+        const double scale = std::min(cell.size.x / sheet.x, cell.size.y / sheet.y);
+        if (scale < kLeastDrawingScale)
+            throw Error(ExitStatus::badInput, "a drawing needs the whole slide to be read; leave out the words and "
+                                              "pictures beside it");
+        painter_.paint(drawn.drawing, image, corner + pixels((cell.size - sheet * scale) / 2.0), scale * scale_);
+        return;
+    }
+    const session::StateRequest request{.size = size,
+                                        .supersample = supersample,
+                                        .typeHeight = look_.size.y,
+                                        .picked = picture.pixel,
+                                        .partner = picture.partner,
+                                        .outside = picture.outside};
+    blit(image, corner.x, corner.y, session::drawState(picture.state, request, upright_));
+}
+
+DrawnSlide SlidePainter::draw(const session::Slide& slide, const SlideFoot& foot) const {
+    const Fonts fonts{upright_, bold_};
+    const double width = look_.size.x / scale_;
+    const SlideLayout layout = layOut(slide, width, fonts);
+    DrawnSlide drawn{image::Image(look_.size.x, look_.size.y, kPaper), {}};
+    Svg svg({width, kSlideHeight});
+    for (std::size_t i = 0; i < slide.pictures.size(); ++i) {
+        const Box& cell = layout.cells[i];
+        drawPicture(drawn.slide, slide.pictures[i], cell, slide.supersample.value_or(look_.supersample));
+        drawCallouts(svg, slide.pictures[i], cell, bold_);
+        if (!slide.pictures[i].label.empty())
+            svg.text(cell.corner + dvec2(cell.size.x / 2, -0.35 * kLabelType), slide.pictures[i].label,
+                     {.size = kLabelType,
+                      .anchor = diagram::Anchor::middle,
+                      .isBold = true,
+                      .color = kInk,
+                      .hasRim = false});
+    }
+    painter_.paint(svg, drawn.slide, {0, 0}, scale_);
+    if (!slide.pictures.empty()) {
+        const ivec2 corner = pixels(layout.pictures.corner),
+                    size = pixels(layout.pictures.corner + layout.pictures.size) - corner;
+        drawn.pictures = image::Image(size.x, size.y);
+        blit(drawn.pictures, -corner.x, -corner.y, drawn.slide);
+    }
+
+    Svg words({width, kSlideHeight});
+    writeLines(words, layout.title, {kMargin, kMargin / 4},
+               {.size = kTitleType, .isBold = true, .color = kInk, .hasRim = false});
+    writeWords(words, slide, layout, fonts);
+    const double footLine = kSlideHeight - 0.75 * kFootType;
+    writeLines(words, layout.caption,
+               {kMargin, footLine - 1.2 * kLineHeight * kFootType -
+                             kLineHeight * kCaptionType * static_cast<double>(layout.caption.size())},
+               {.size = kCaptionType, .color = kInk, .hasRim = false});
+    words.line({kMargin, footLine - 1.1 * kFootType}, {width - kMargin, footLine - 1.1 * kFootType}, {kRule, 2, false});
+    words.text({kMargin, footLine}, foot.deck, {.size = kFootType, .color = kQuiet, .hasRim = false});
+    words.text({width - kMargin, footLine}, std::to_string(foot.number) + " / " + std::to_string(foot.of),
+               {.size = kFootType, .anchor = diagram::Anchor::end, .color = kQuiet, .hasRim = false});
+    painter_.paint(words, drawn.slide, {0, 0}, scale_);
+    return drawn;
+}
+
+} // namespace shadowlab::slides

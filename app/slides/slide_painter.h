@@ -1,0 +1,44 @@
+// Draws a slide: its pictures with their techniques, and everything around them.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "app/diagram/paint.h"
+#include "app/slides/slide_layout.h"
+#include "techniques/foundation/image/image.h"
+
+namespace shadowlab::slides {
+
+struct SlideLook {
+    ivec2 size{1920, 1080};
+    int supersample = 2; ///< N x N samples for a pixel of a picture
+};
+
+/// What stands at a slide's foot.
+struct SlideFoot {
+    std::string deck;
+    std::size_t number = 1, of = 1;
+};
+
+struct DrawnSlide {
+    image::Image slide;
+    image::Image pictures; ///< its pictures with their callouts, without any other words; empty where it has none
+};
+
+class SlidePainter {
+public:
+    /// `fonts`: the folder of the project's own. Throws Error (badInput) when one is missing.
+    SlidePainter(const std::filesystem::path& fonts, const SlideLook& look);
+
+    /// Throws Error (badInput, usage) for what cannot be drawn as it is asked for. Needs a current GL context.
+    [[nodiscard]] DrawnSlide draw(const session::Slide& slide, const SlideFoot& foot) const;
+
+private:
+    void drawPicture(image::Image& image, const session::SlidePicture& picture, const Box& cell, int supersample) const;
+    [[nodiscard]] ivec2 pixels(dvec2 place) const;
+
+    SlideLook look_;
+    image::Font upright_, bold_;
+    diagram::Painter painter_;
+    double scale_; ///< pixels for a unit of the layout
+};
+
+} // namespace shadowlab::slides
