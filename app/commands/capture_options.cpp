@@ -111,7 +111,7 @@ int rowFor(const GivenOptions& given, const std::vector<std::string>& stages, iv
 }
 
 /// Refuses what cannot be in one file with others.
-void checkFilm(const GivenOptions& given, const CaptureOptions& options) {
+void checkFilm(const CaptureOptions& options) {
     const std::string film = options.steps ? "--steps" : "--animate";
     if (options.steps && options.animate)
         refuseUsage("--steps goes through the steps of one moment, --animate through moments; give one of them");
@@ -275,7 +275,7 @@ CaptureOptions captureOptions(const CLI::App& command) {
     options.stats = given.text("--stats");
     if (!options.stats.empty()) requireEnding("--stats", options.stats, ".json");
     options.motion = motionOptions(given);
-    if (isFilm(options)) checkFilm(given, options);
+    if (isFilm(options)) checkFilm(options);
     options.time = timeFor(given, options);
     for (const std::string& folder : given.texts("--allow"))
         options.allowed.emplace_back(folder);

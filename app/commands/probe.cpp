@@ -23,8 +23,10 @@ std::vector<std::uint8_t> diagramOf(const ProbedPixel& probed, const scene::Snap
                                     const std::filesystem::path& file) {
     if (!diagram::canDraw(probed.probe))
         throw Error(ExitStatus::usage,
-                    probed.probe.geometry.empty()
-                        ? "--diagram: the pixel shows the background; choose another"
+                    probed.probe.geometry.empty() ? "--diagram: the pixel shows the background; choose another"
+                    : scene->lights.empty()
+                        ? "--diagram: scene '" + scene->name +
+                              "' has no lights, so no shadow is there to draw; choose another scene"
                         : "--diagram: " + probed.technique +
                               " has nothing to draw there; ask another technique, as -t shadow-volume or "
                               "-t ray-traced");

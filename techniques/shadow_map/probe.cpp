@@ -238,8 +238,12 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
                            "",
                            {texel.isEmpty() ? 1.0 : map.first}});
     if (!texel.isEmpty()) add("of", blocker + ", triangle " + std::to_string(texel.triangle));
-    if (map.stored != map.first)
-        probe.facts.push_back(probeFact("d(u,v) as it is stored, pushed back by its slope", map.stored));
+    probe.facts.push_back({"d(u,v) as it is compared",
+                           texel.isEmpty()
+                               ? "1 (nothing there)"
+                               : text(map.stored) + (map.stored != map.first ? ", pushed back by its slope" : ""),
+                           "",
+                           {texel.isEmpty() ? 1.0 : map.stored}});
     probe.facts.push_back(probeFact("z(u,v): depth of the point itself", map.str.z));
     probe.facts.push_back(probeFact("z(u,v) as it is compared, the bias taken off", map.compared));
     if (!texel.isEmpty()) probe.facts.push_back(probeFact("d(u,v) in metres", map.firstMetres, "m"));

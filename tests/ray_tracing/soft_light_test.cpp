@@ -68,8 +68,9 @@ TEST(SoftLight, SamplesAreUnbiased) {
         for (const Spread spread : {Spread::random, Spread::jittered, Spread::lowDiscrepancy})
             for (std::size_t place = 0; place < std::size(kPlaces); ++place) {
                 const double exact = floor.exactIrradiance(kPlaces[place]);
-                if (light.type == scene::LightType::rect)
+                if (light.type == scene::LightType::rect) {
                     EXPECT_NEAR(exact, kFormFactors[place], 1e-11); // of 10 digits
+                }
                 constexpr int kSeeds = 64;
                 double sum = 0, squares = 0;
                 for (int seed = 0; seed < kSeeds; ++seed) {

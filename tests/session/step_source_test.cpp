@@ -95,8 +95,8 @@ TEST(StepSourceTest, AnAnchorThatIsGoneIsALineAndNoFailure) {
 
 TEST(StepSourceTest, ValuesStandWhereTheirNamesDoAndOnlyWholeNamesCount) {
     Probe probe;
-    probe.facts = {{"d(u,v): depth at the texel's centre, before any bias", "0.25", ""},
-                   {"z(u,v): depth of the point itself", "0.75", ""}};
+    probe.facts = {{"d(u,v) as it is compared", "0.25", ""},
+                   {"z(u,v) as it is compared, the bias taken off", "0.75", ""}};
     const StepSource step = stepOf("shadow-map", "light", &probe);
     std::string values;
     for (const StepLine& line : step.formula)
