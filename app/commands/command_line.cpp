@@ -144,7 +144,8 @@ int run(int argc, char** argv) {
     CLI::App* listCommand = addCommand(
         app, "list", "What there is: techniques, parameters, stages, scenes, keys of the window, backends, limits");
     addOption(*listCommand, "WHAT", "",
-              "techniques, parameters, stages, source, scenes, decks, lessons, quantities (of lessons), backends, keys "
+              "techniques, parameters, stages, source, scenes, figures, decks, lessons, quantities (of lessons), "
+              "backends, keys "
               "or limits");
     listCommand->add_flag("--json")->description("one JSON object instead of lines with tabs");
 

@@ -9,7 +9,9 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/messages.h"
+#include "app/diagram/figures.h"
 #include "app/session/assets.h"
+#include "app/session/deck.h"
 #include "app/session/derived_stages.h"
 #include "app/session/lesson.h"
 #include "app/session/lesson_quantities.h"
@@ -96,13 +98,20 @@ Table sourceTable() {
     return table;
 }
 
-/// Names of the JSON files of one assets folder, which may not exist.
-Table filesTable(const std::string& folder) {
-    Table table{{"name"}, {}};
-    std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(session::assetsRoot() / folder, ignored))
-        if (entry.path().extension() == ".json") table.rows.push_back({entry.path().stem().string()});
-    std::ranges::sort(table.rows);
+Table figuresTable() {
+    Table table{{"name", "techniques", "shows"}, {}};
+    for (const diagram::Figure& figure : diagram::figures())
+        table.rows.push_back({std::string(figure.name), std::string(figure.techniques), std::string(figure.shows)});
+    return table;
+}
+
+Table decksTable() {
+    const scene::LoadOptions loading{.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}};
+    Table table{{"name", "title", "slides"}, {}};
+    for (const std::string& name : session::builtInDecks(loading.assetsRoot)) {
+        const session::Deck deck(name, loading);
+        table.rows.push_back({name, deck.title(), std::to_string(deck.slides().size())});
+    }
     return table;
 }
 
@@ -211,13 +220,18 @@ std::string json(const std::string& what, const Table& table) {
 } // namespace
 
 int list(const ListOptions& options) {
-    const std::vector<std::pair<std::string, std::function<Table()>>> tables = {
-        {"techniques", techniquesTable}, {"parameters", parametersTable},
-        {"stages", stagesTable},         {"source", sourceTable},
-        {"scenes", scenesTable},         {"decks", [] { return filesTable("decks"); }},
-        {"lessons", lessonsTable},       {"quantities", quantitiesTable},
-        {"backends", backendsTable},     {"keys", keysTable},
-        {"limits", limitsTable}};
+    const std::vector<std::pair<std::string, std::function<Table()>>> tables = {{"techniques", techniquesTable},
+                                                                                {"parameters", parametersTable},
+                                                                                {"stages", stagesTable},
+                                                                                {"source", sourceTable},
+                                                                                {"scenes", scenesTable},
+                                                                                {"figures", figuresTable},
+                                                                                {"decks", decksTable},
+                                                                                {"lessons", lessonsTable},
+                                                                                {"quantities", quantitiesTable},
+                                                                                {"backends", backendsTable},
+                                                                                {"keys", keysTable},
+                                                                                {"limits", limitsTable}};
     std::vector<std::string> known;
     for (const auto& [name, make] : tables) {
         if (name == options.what) {

@@ -4,8 +4,8 @@
 #include "app/commands/messages.h"
 #include "app/commands/probe_options.h"
 #include "app/commands/probe_report.h"
+#include "app/diagram/figures.h"
 #include "app/diagram/paint.h"
-#include "app/diagram/pixel_diagram.h"
 #include "app/session/assets.h"
 #include "app/session/session.h"
 #include "app/session/settings.h"
@@ -19,20 +19,18 @@ namespace shadowlab::commands {
 namespace {
 
 /// The bytes of the file.
-std::vector<std::uint8_t> diagramOf(const ProbedPixel& probed, const scene::Snapshot& scene,
-                                    const std::filesystem::path& file) {
-    if (!diagram::canDraw(probed.probe))
-        throw Error(ExitStatus::usage,
-                    probed.probe.geometry.empty() ? "--diagram: the pixel shows the background; choose another"
-                    : scene->lights.empty()
-                        ? "--diagram: scene '" + scene->name +
-                              "' has no lights, so no shadow is there to draw; choose another scene"
-                        : "--diagram: " + probed.technique +
-                              " has nothing to draw there; ask another technique, as -t shadow-volume or "
-                              "-t ray-traced");
+std::vector<std::uint8_t> diagramOf(const ProbeOptions& options, const Probe& probe, const scene::Scene& scene,
+                                    const View& view, int light) {
     const std::filesystem::path fonts = session::assetsRoot() / "fonts";
-    const diagram::Diagram drawn = diagram::pixelDiagram(probed.probe, *scene, image::Font(fonts / "DejaVuSans.ttf"));
-    if (!isPicture(file)) {
+    const image::Font font(fonts / "DejaVuSans.ttf");
+    const auto drawn = [&] {
+        try {
+            return diagram::findFigure(options.figure).draw({probe, options.technique, scene, view, light, font});
+        } catch (const Error& why) {
+            throw Error(ExitStatus::usage, std::string("--diagram: ") + why.what()); // the pixel was given there
+        }
+    }();
+    if (!isPicture(options.diagram)) {
         const std::string document = drawn.document();
         return {document.begin(), document.end()};
     }
@@ -65,7 +63,8 @@ int probe(const ProbeOptions& options) {
                              options.pixel,
                              options.partner,
                              slots.front().technique->probe(scene, view, options.pixel, light)};
-    if (!options.diagram.empty()) image::writeWhole(options.diagram, diagramOf(probed, scene, options.diagram));
+    if (!options.diagram.empty())
+        image::writeWhole(options.diagram, diagramOf(options, probed.probe, *scene, view, light));
     for (const std::string& remark : scene->notes)
         note(remark);
     for (const std::string& remark : session::settingsWithoutEffect(slots))

@@ -5,6 +5,7 @@
 
 #include "app/commands/capture_options.h"
 #include "app/commands/option_values.h"
+#include "app/diagram/figures.h"
 
 namespace shadowlab::commands {
 
@@ -27,6 +28,7 @@ void describeProbe(CLI::App& command) {
         "or a projected shadow, in the plane through eye, light and point; of ray tracing the pixel's rays and their "
         "tree; of radiosity two patches with the angles of their form factor. OUT ends in .svg, or in .png for a "
         "picture");
+    add("--figure", "NAME", "which figure --diagram draws (`list figures`; default pixel, all that the technique has)");
     add("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
     command.footer("Needs no graphics card.\n"
                    "Examples:\n"
@@ -57,6 +59,9 @@ ProbeOptions probeOptions(const CLI::App& command) {
     options.diagram = given.text("--diagram");
     if (!options.diagram.empty())
         requireEnding("--diagram", options.diagram, isPicture(options.diagram) ? ".png" : ".svg");
+    if (given.has("--figure") && options.diagram.empty())
+        refuseUsage("--figure is drawn into a file; write --diagram OUT.svg or OUT.png, too");
+    options.figure = diagram::findFigure(given.text("--figure", options.figure)).name;
     for (const std::string& folder : given.texts("--allow"))
         options.allowed.emplace_back(folder);
     return options;

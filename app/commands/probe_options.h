@@ -24,6 +24,7 @@ struct ProbeOptions {
     std::string light;                 ///< empty: the first
     bool json = false;
     std::filesystem::path diagram; ///< empty: none
+    std::string figure = "pixel";  ///< what is drawn there (diagram/figures.h)
     std::vector<std::filesystem::path> allowed;
 };
 

@@ -15,7 +15,7 @@ constexpr double kRow = 37; ///< pixels from one line of numbers to the next
 /// Lines of numbers beside the figure.
 class Column {
 public:
-    Column(Svg& svg, const Box& area, const image::Font& font) : svg_(svg), font_(font), area_(area) {}
+    Column(Drawing& drawing, const Box& area, const image::Font& font) : svg_(drawing), font_(font), area_(area) {}
 
     void heading(const std::string& text) {
         y_ += y_ > 0 ? kRow + 16 : kHeading;
@@ -61,7 +61,7 @@ private:
             font_.wrap(text, style.size, static_cast<int>(area_.size.x - x - style.size));
         svg_.text(area_.corner + dvec2(x, y_), lines.front() + (lines.size() > 1 ? "\u2026" : ""), style);
     }
-    Svg& svg_;
+    Drawing& svg_;
     const image::Font& font_;
     Box area_;
     double y_ = 0;
@@ -69,13 +69,13 @@ private:
 
 } // namespace
 
-void writeFormFactor(Svg& svg, const Box& area, const Probe::Exchange& exchange, const image::Font& font) {
+void writeFormFactor(Drawing& drawing, const Box& area, const Probe::Exchange& exchange, const image::Font& font) {
     const Probe::Patch &j = exchange.j, &k = *exchange.k;
     const dvec3 way = k.centreWorld - j.centreWorld;
     const double r = glm::length(way);
     const double cosJ = std::max(0.0, glm::dot(j.normalWorld, way) / r);
     const double cosK = std::max(0.0, -glm::dot(k.normalWorld, way) / r);
-    Column column(svg, area, font);
+    Column column(drawing, area, font);
     column.heading("Two pieces of surface");
     column.row("j is of", j.object);
     column.row("k is of", k.object);

@@ -55,15 +55,15 @@ public:
         fit();
     }
 
-    void draw(Svg& svg) {
+    void draw(Drawing& drawing) {
         for (const Surface& surface : surfaces_)
-            drawSurface(svg, surface);
-        drawLine(svg);
+            drawSurface(drawing, surface);
+        drawLine(drawing);
         for (const Surface& surface : surfaces_)
-            drawAngle(svg, surface);
+            drawAngle(drawing, surface);
         for (const Surface& surface : surfaces_)
-            drawNormal(svg, surface);
-        label(svg);
+            drawNormal(drawing, surface);
+        label(drawing);
     }
 
     /// What is not as it lies in space; empty: all is.
@@ -106,28 +106,28 @@ private:
         offset_ = area_.corner + 0.5 * area_.size - scale_ * dvec2(0.5, -0.5) * (low + high);
     }
 
-    void drawSurface(Svg& svg, const Surface& surface) {
+    void drawSurface(Drawing& drawing, const Surface& surface) {
         std::vector<dvec2> corners;
         for (const dvec2& corner : drawnCorners(*surface.patch, view_, surface.magnified, surface.centre))
             corners.push_back(onSheet(corner));
         const bool front = showsItsFront(surface);
-        svg.path(corners, true, front ? surface.color : "#ffffff",
-                 {front ? "#1a1a1a" : surface.color, front ? 2.5 : 4, !front});
+        drawing.path(corners, true, front ? surface.color : "#ffffff",
+                     {front ? "#1a1a1a" : surface.color, front ? 2.5 : 4, !front});
         for (std::size_t i = 0; i < corners.size(); ++i)
             labels_.avoid(corners[i], corners[(i + 1) % corners.size()]);
     }
 
-    void drawLine(Svg& svg) {
+    void drawLine(Drawing& drawing) {
         const dvec2 from = onSheet(surfaces_[0].centre), to = onSheet(surfaces_[1].centre);
-        svg.line(from, to, kThick);
+        drawing.line(from, to, kThick);
         labels_.avoid(from, to);
         if (view_.distanceShare == 1) return;
-        svg.breakMark(glm::mix(from, to, 0.5), to - from, kThick);
+        drawing.breakMark(glm::mix(from, to, 0.5), to - from, kThick);
         labels_.avoid({glm::mix(from, to, 0.5) - 16.0, dvec2(32)});
     }
 
     /// The arc from the normal to r, in the plane of both, as that plane is seen.
-    void drawAngle(Svg& svg, const Surface& surface) {
+    void drawAngle(Drawing& drawing, const Surface& surface) {
         const dvec3 &n = surface.patch->normalWorld, &r = surface.toOtherWorld;
         const double phi = surface.phi();
         const double radius = kArcShare * std::min(normalLength_, 0.5 * view_.distanceShare * distance_);
@@ -139,26 +139,26 @@ private:
             arc.push_back(onSheet(surface.centre + radius * view_.of(way)));
             if (i > 0 && i % kAvoided == 0) labels_.avoid(arc[arc.size() - 1 - kAvoided], arc.back());
         }
-        svg.path(arc, false, "", kThin);
+        drawing.path(arc, false, "", kThin);
     }
 
-    void drawNormal(Svg& svg, const Surface& surface) {
+    void drawNormal(Drawing& drawing, const Surface& surface) {
         const dvec2 from = onSheet(surface.centre), to = onSheet(tip(surface));
-        svg.arrow(from, to, kThick);
-        svg.circle(from, 6, "#1a1a1a", {"#ffffff", 1.5, false});
+        drawing.arrow(from, to, kThick);
+        drawing.circle(from, 6, "#1a1a1a", {"#ffffff", 1.5, false});
         labels_.avoid(from, to);
     }
 
-    void label(Svg& svg) {
+    void label(Drawing& drawing) {
         const TextStyle letter{.size = kLabel, .isItalic = true};
         for (const Surface& surface : surfaces_) {
-            labels_.place(svg, onSheet(tip(surface)), "N" + surface.index, letter, 8);
+            labels_.place(drawing, onSheet(tip(surface)), "N" + surface.index, letter, 8);
             const double radius = kArcShare * std::min(normalLength_, 0.5 * view_.distanceShare * distance_);
             const dvec3 middle = glm::normalize(surface.patch->normalWorld + (1 + 1e-9) * surface.toOtherWorld);
-            labels_.place(svg, onSheet(surface.centre + radius * view_.of(middle)),
+            labels_.place(drawing, onSheet(surface.centre + radius * view_.of(middle)),
                           "\u03c6" + surface.index + " = " + degrees(surface.phi()), letter, 10);
         }
-        labels_.place(svg, onSheet(0.5 * (surfaces_[0].centre + surfaces_[1].centre)),
+        labels_.place(drawing, onSheet(0.5 * (surfaces_[0].centre + surfaces_[1].centre)),
                       "r = " + fourDigits(distance_) + " m", letter, view_.distanceShare < 1 ? 18 : 8);
         for (const Surface& surface : surfaces_) {
             // At the corner that lies farthest from the other surface.
@@ -166,7 +166,7 @@ private:
             const std::vector<dvec2> corners = drawnCorners(*surface.patch, view_, surface.magnified, surface.centre);
             const dvec2 corner = std::ranges::max(
                 corners, {}, [&](dvec2 place) { return glm::dot(place, surface.centre - other.centre); });
-            labels_.place(svg, onSheet(corner),
+            labels_.place(drawing, onSheet(corner),
                           "Surface " + surface.letter + ", dA" + surface.index + " = " +
                               fourDigits(surface.patch->area) + " m\u00b2",
                           {.size = kLabel, .isBold = true}, 8);
@@ -183,19 +183,20 @@ private:
 
 } // namespace
 
-void drawFormFactor(Svg& svg, const Box& area, const Probe::Exchange& exchange, const image::Font& font) {
-    svg.text(area.corner + dvec2(0, kHeading), "Form factor F\u2c7c\u2096: the share of the light of j that reaches k",
-             {.size = kHeading, .isBold = true});
+void drawFormFactor(Drawing& drawing, const Box& area, const Probe::Exchange& exchange, const image::Font& font) {
+    drawing.text(area.corner + dvec2(0, kHeading),
+                 "Form factor F\u2c7c\u2096: the share of the light of j that reaches k",
+                 {.size = kHeading, .isBold = true});
     const double below = 1.4 * kText;
     Figure figure(exchange,
                   {area.corner + dvec2(0, 1.5 * kHeading), {kFigureWidth, area.size.y - 1.5 * kHeading - 2 * below}},
                   font);
-    figure.draw(svg);
+    figure.draw(drawing);
     const dvec2 foot = area.corner + dvec2(0, area.size.y - 8);
     const TextStyle small{.size = kText, .color = "#4d4d4d"};
-    if (!figure.liberties().empty()) svg.text(foot - dvec2(0, below), figure.liberties(), small);
-    if (figure.showsABack()) svg.text(foot, "white with a dashed rim: seen from behind", small);
-    writeFormFactor(svg,
+    if (!figure.liberties().empty()) drawing.text(foot - dvec2(0, below), figure.liberties(), small);
+    if (figure.showsABack()) drawing.text(foot, "white with a dashed rim: seen from behind", small);
+    writeFormFactor(drawing,
                     {area.corner + dvec2(kFigureWidth + kGap, 0), {area.size.x - kFigureWidth - kGap, area.size.y}},
                     exchange, font);
 }

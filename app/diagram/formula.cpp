@@ -23,8 +23,8 @@ constexpr double kMatrixGap = 0.7, kMatrixLineGap = 0.3, kMatrixPad = 0.2, kFenc
 /// Sets a tree: with a sheet it draws, without one it measures.
 class Setter {
 public:
-    Setter(const FormulaFonts& fonts, std::string color, Svg* svg)
-        : fonts_(fonts), color_(std::move(color)), svg_(svg) {}
+    Setter(const FormulaFonts& fonts, std::string color, Drawing* drawing)
+        : fonts_(fonts), color_(std::move(color)), svg_(drawing) {}
 
     Extent set(const Node& node, dvec2 place, double em) {
         switch (node.kind) {
@@ -227,7 +227,7 @@ private:
 
     const FormulaFonts& fonts_;
     std::string color_;
-    Svg* svg_;
+    Drawing* svg_;
 };
 
 bool isEmpty(const Node& node) { return node.kind == Kind::row && node.children.empty(); }
@@ -278,8 +278,9 @@ Extent Formula::measure(double em, const FormulaFonts& fonts) const {
     return Setter(fonts, "", nullptr).set(*root_, {0, 0}, em);
 }
 
-Extent Formula::draw(Svg& svg, dvec2 place, double em, const std::string& color, const FormulaFonts& fonts) const {
-    return Setter(fonts, color, &svg).set(*root_, place, em);
+Extent Formula::draw(Drawing& drawing, dvec2 place, double em, const std::string& color,
+                     const FormulaFonts& fonts) const {
+    return Setter(fonts, color, &drawing).set(*root_, place, em);
 }
 
 std::string Formula::spoken() const { return spokenOf(*root_); }

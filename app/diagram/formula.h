@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/diagram/svg.h"
+#include "app/diagram/drawing.h"
 #include "techniques/foundation/image/text.h"
 
 namespace shadowlab::diagram {
@@ -35,7 +35,7 @@ public:
 
     [[nodiscard]] Extent measure(double em, const FormulaFonts& fonts) const;
     /// Draws with the left end of the foot line at `place`. Returns what measure() returns.
-    Extent draw(Svg& svg, dvec2 place, double em, const std::string& color, const FormulaFonts& fonts) const;
+    Extent draw(Drawing& drawing, dvec2 place, double em, const std::string& color, const FormulaFonts& fonts) const;
 
     /// In one line for who cannot see it: "N · P' + D = 0", "F_jk = (1)/(A_j) ∫∫ ...".
     [[nodiscard]] std::string spoken() const;

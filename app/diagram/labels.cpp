@@ -56,7 +56,7 @@ double Labels::cost(const Box& box) const {
                            lines_, [&](const Line& line) { return touches(line.from, line.to, box); }));
 }
 
-bool Labels::place(Svg& svg, dvec2 anchor, const std::string& text, const TextStyle& style, double away) {
+bool Labels::place(Drawing& drawing, dvec2 anchor, const std::string& text, const TextStyle& style, double away) {
     dvec2 size = textSize(font_, text, style.size);
     if (style.isBold) size.x *= kBolder;
     std::optional<Box> best;
@@ -80,13 +80,13 @@ bool Labels::place(Svg& svg, dvec2 anchor, const std::string& text, const TextSt
         const dvec2 end = glm::clamp(anchor, best->corner, best->corner + best->size);
         const dvec2 way = end - anchor; // from where the mark ends
         if (glm::length(way) > away + kShortest)
-            svg.line(anchor + away * glm::normalize(way), end, {"#8c8c8c", 1.5, false});
+            drawing.line(anchor + away * glm::normalize(way), end, {"#8c8c8c", 1.5, false});
         avoid(anchor, end);
     }
     TextStyle placed = style;
     placed.anchor = Anchor::start;
     const image::TextSize measured = font_.measure(text, style.size);
-    svg.text({best->corner.x + kAir, best->corner.y + kAir + measured.baseline}, text, placed);
+    drawing.text({best->corner.x + kAir, best->corner.y + kAir + measured.baseline}, text, placed);
     boxes_.push_back(*best);
     return true;
 }

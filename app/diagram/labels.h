@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/diagram/svg.h"
+#include "app/diagram/drawing.h"
 #include "techniques/foundation/image/text.h"
 
 namespace shadowlab::diagram {
@@ -32,7 +32,7 @@ public:
 
     /// Writes a label near a place: `away` pixels from it at least. Where it has to go far, a thin line leads to it. Of
     /// places that are equally free the nearest. Nothing is written, and false returned, where there is no room at all.
-    bool place(Svg& svg, dvec2 anchor, const std::string& text, const TextStyle& style, double away = 10);
+    bool place(Drawing& drawing, dvec2 anchor, const std::string& text, const TextStyle& style, double away = 10);
 
 private:
     [[nodiscard]] double cost(const Box& box) const;

@@ -21,50 +21,42 @@ const Cell* cellOfPoint(const MapProbe& map) {
     return found == map.near.end() ? nullptr : &*found;
 }
 
-void drawOverview(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+void drawOverview(Drawing& drawing, const Box& area, const Probe& probe, const scene::Scene& scene,
+                  const image::Font& font) {
     const MapProbe& map = *probe.map;
     std::vector<dvec2> places;
     if (map.blockerWorld) places.push_back(probe.section->of(*map.blockerWorld));
     const SectionSheet sheet(probe, scene, area, places);
     Labels labels(font, area);
-    svg.beginClip(area.corner, area.size);
+    drawing.beginClip(area.corner, area.size);
     for (const Cell& cell : map.across)
         if (!cell.isEmpty)
-            svg.line(sheet(cell.rays[0]), sheet(0.5 * (cell.stored[0] + cell.stored[1])), {"#e0b450", 1.8, false});
-    svg.endClip();
-    sheet.drawScene(svg, labels);
+            drawing.line(sheet(cell.rays[0]), sheet(0.5 * (cell.stored[0] + cell.stored[1])), {"#e0b450", 1.8, false});
+    drawing.endClip();
+    sheet.drawScene(drawing, labels);
     for (const Cell& cell : map.across) {
         const dvec2 at = 0.5 * (cell.stored[0] + cell.stored[1]);
-        if (!cell.isEmpty && sheet.shows(at)) svg.circle(sheet(at), 4, kStored, {"#ffffff", 0.5, false});
+        if (!cell.isEmpty && sheet.shows(at)) drawing.circle(sheet(at), 4, kStored, {"#ffffff", 0.5, false});
     }
     // Light to point, and what the texel holds on the way.
     const dvec2 point = sheet(dvec2(0.0));
-    const bool lightIsSeen = !sheet.light().isDirection && sheet.shows(sheet.light().at);
-    const dvec2 from =
-        lightIsSeen ? sheet(sheet.light().at) : sheet.border(dvec2(0.0), sheet.light().toward(dvec2(0.0)));
     const bool isLit = map.compared <= map.stored;
-    svg.arrow(from, point, {colorText(isLit ? look::kEqualDepth : look::kOccluded), 4, false}, 0.45);
-    labels.avoid(from, point);
-    const dvec2 eyeEnd = sheet.shows(sheet.eye()) ? sheet(sheet.eye()) : sheet.border(dvec2(0.0), sheet.eye());
-    svg.line(eyeEnd, point, {"#1a1a1a", 3, false});
-    labels.avoid(eyeEnd, point);
-    sheet.drawPoint(svg, labels);
-    sheet.drawEye(svg, labels);
-    sheet.drawLight(svg, labels);
-    labels.place(svg, point, "z = " + fourDigits(map.pointMetres) + " m", {.size = kText, .color = kCompared}, 16);
+    sheet.drawLines(drawing, labels, colorText(isLit ? look::kEqualDepth : look::kOccluded), 0.45);
+    labels.place(drawing, point, "z = " + fourDigits(map.pointMetres) + " m", {.size = kText, .color = kCompared}, 16);
     if (map.blockerWorld) {
         const dvec2 place = probe.section->of(*map.blockerWorld);
         if (sheet.shows(place)) {
-            svg.circle(sheet(place), 8, kStored, {"#ffffff", 2, false}, "blocker");
+            drawing.circle(sheet(place), 8, kStored, {"#ffffff", 2, false}, "blocker");
             labels.avoid({sheet(place) - 9.0, dvec2(18)});
-            labels.place(svg, sheet(place), "d = " + fourDigits(map.firstMetres) + " m",
+            labels.place(drawing, sheet(place), "d = " + fourDigits(map.firstMetres) + " m",
                          {.size = kText, .color = kStored}, 14);
         }
     }
-    svg.rectangle(area.corner, area.size, "none", {"#bfbfbf", 2, false});
+    drawing.rectangle(area.corner, area.size, "none", {"#bfbfbf", 2, false});
 }
 
-void drawDetail(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+void drawDetail(Drawing& drawing, const Box& area, const Probe& probe, const scene::Scene& scene,
+                const image::Font& font) {
     const MapProbe& map = *probe.map;
     double reach = 4 * map.texelMetres;
     for (const Cell& cell : map.near)
@@ -72,7 +64,7 @@ void drawDetail(Svg& svg, const Box& area, const Probe& probe, const scene::Scen
             if (glm::length(place) < 20 * map.texelMetres) reach = std::max(reach, glm::length(place));
     const SectionSheet sheet(probe, scene, area, reach);
     Labels labels(font, area);
-    svg.beginClip(area.corner, area.size);
+    drawing.beginClip(area.corner, area.size);
     const dvec2 toward = sheet.light().toward(dvec2(0.0));
     for (const Cell& cell : map.near) {
         // From a little before the enlarged part: rays are as good as parallel there.
@@ -84,33 +76,33 @@ void drawDetail(Svg& svg, const Box& area, const Probe& probe, const scene::Scen
         }
         const bool isBefore = glm::dot(ends[0], toward) > 4 * reach; // it ends before the enlarged part begins
         if (isBefore) continue;
-        svg.path(std::array{sheet(starts[0]), sheet(starts[1]), sheet(ends[1]), sheet(ends[0])}, true, kFan,
-                 {"#e0b450", 1.5, false});
+        drawing.path(std::array{sheet(starts[0]), sheet(starts[1]), sheet(ends[1]), sheet(ends[0])}, true, kFan,
+                     {"#e0b450", 1.5, false});
     }
     for (const Cell& cell : map.near)
-        if (!cell.isEmpty) svg.line(sheet(cell.stored[0]), sheet(cell.stored[1]), {kStored, 6, false});
-    svg.endClip();
-    sheet.drawScene(svg, labels);
-    svg.beginClip(area.corner, area.size);
+        if (!cell.isEmpty) drawing.line(sheet(cell.stored[0]), sheet(cell.stored[1]), {kStored, 6, false});
+    drawing.endClip();
+    sheet.drawScene(drawing, labels);
+    drawing.beginClip(area.corner, area.size);
     for (const Cell& cell : map.near)
-        svg.line(sheet(cell.compared[0]), sheet(cell.compared[1]), {kCompared, 4, true});
-    svg.endClip();
-    sheet.drawPoint(svg, labels);
+        drawing.line(sheet(cell.compared[0]), sheet(cell.compared[1]), {kCompared, 4, true});
+    drawing.endClip();
+    sheet.drawPoint(drawing, labels);
     const Cell* own = cellOfPoint(map);
     if (own && !own->isEmpty) {
         const dvec2 middle = 0.5 * (own->stored[0] + own->stored[1]);
         if (sheet.shows(middle))
-            labels.place(svg, sheet(middle), "d", {.size = kText, .isBold = true, .color = kStored}, 14);
+            labels.place(drawing, sheet(middle), "d", {.size = kText, .isBold = true, .color = kStored}, 14);
         else
-            labels.place(svg, area.corner + dvec2(0.5 * area.size.x, 20),
+            labels.place(drawing, area.corner + dvec2(0.5 * area.size.x, 20),
                          "d is nearer to the light, beyond this detail", {.size = kText, .color = kStored}, 4);
     }
-    svg.rectangle(area.corner, area.size, "none", {"#bfbfbf", 2, false});
+    drawing.rectangle(area.corner, area.size, "none", {"#bfbfbf", 2, false});
 }
 
-void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Font& font) {
+void writeNumbers(Drawing& drawing, const Box& area, const Probe& probe, const image::Font& font) {
     const MapProbe& map = *probe.map;
-    TextColumn column(svg, area, font);
+    TextColumn column(drawing, area, font);
     const bool isInside = glm::all(glm::greaterThanEqual(map.texel, ivec2(0))) &&
                           glm::all(glm::lessThan(map.texel, ivec2(map.resolution)));
     const std::string texel = std::to_string(map.texel.x) + ", " + std::to_string(map.texel.y);
@@ -152,23 +144,24 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
 
 } // namespace
 
-void drawMap(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+void drawMap(Drawing& drawing, const Box& area, const Probe& probe, const scene::Scene& scene,
+             const image::Font& font) {
     constexpr double kRight = 800, kLegend = 44, kTaps = 270;
     const bool taps = hasTaps(*probe.map);
     const double detail = taps ? 420 : 480; // what the filter read takes more lines
-    svg.text(area.corner + dvec2(0, kHeading), "Shadow map in the plane through eye, light and point",
-             {.size = kHeading, .isBold = true});
+    drawing.text(area.corner + dvec2(0, kHeading), "Shadow map in the plane through eye, light and point",
+                 {.size = kHeading, .isBold = true});
     const dvec2 under(0, kHeading + 18);
     const Box field{area.corner + under, area.size - dvec2(kRight + 30, kHeading + 18 + kLegend + 14)};
-    drawOverview(svg, field, probe, scene, font);
+    drawOverview(drawing, field, probe, scene, font);
     const dvec2 right = area.corner + dvec2(area.size.x - kRight, 0);
-    svg.text(right + dvec2(0, kHeading), "The texels beside the point", {.size = kHeading, .isBold = true});
-    drawDetail(svg, {right + under, {kRight, detail}}, probe, scene, font);
+    drawing.text(right + dvec2(0, kHeading), "The texels beside the point", {.size = kHeading, .isBold = true});
+    drawDetail(drawing, {right + under, {kRight, detail}}, probe, scene, font);
     const Box below{right + under + dvec2(0, detail + 16),
                     {kRight, area.size.y - kHeading - 18 - detail - 16 - kLegend - 14}};
-    writeNumbers(svg, {below.corner, below.size - dvec2(taps ? kTaps + 24 : 0, 0)}, probe, font);
+    writeNumbers(drawing, {below.corner, below.size - dvec2(taps ? kTaps + 24 : 0, 0)}, probe, font);
     if (taps)
-        drawTaps(svg, {below.corner + dvec2(kRight - kTaps, kHeading + 22), {kTaps, below.size.y - kHeading - 22}},
+        drawTaps(drawing, {below.corner + dvec2(kRight - kTaps, kHeading + 22), {kTaps, below.size.y - kHeading - 22}},
                  *probe.map);
     using enum LegendEntry::Kind;
     const LegendEntry legend[] = {{LegendEntry::Kind::filled, kFan, "what a texel sees, up to its depth"},
@@ -176,7 +169,7 @@ void drawMap(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& 
                                   {dashed, kCompared, "compared depth z, less the bias"},
                                   {line, "#4d4d4d", "caster"},
                                   {line, "#a6a6a6", "casts no shadow"}};
-    drawLegend(svg, {area.corner + dvec2(0, area.size.y - kLegend), {area.size.x, kLegend}}, legend, font);
+    drawLegend(drawing, {area.corner + dvec2(0, area.size.y - kLegend), {area.size.x, kLegend}}, legend, font);
 }
 
 } // namespace shadowlab::diagram

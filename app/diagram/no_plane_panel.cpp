@@ -16,14 +16,14 @@ constexpr const char* kPlane = "#0072b2";
 constexpr std::size_t kNamedPlanes = 6; ///< more names would fill the drawing
 
 /// Each plane N.P + D = 0 as a dashed line, with the name of what it belongs to.
-void drawPlanes(Svg& svg, Labels& labels, const SectionSheet& sheet, const Probe& probe) {
+void drawPlanes(Drawing& drawing, Labels& labels, const SectionSheet& sheet, const Probe& probe) {
     const double reach = 2 * glm::length(sheet.metres().size);
     struct Named {
         dvec2 at;
         std::string text;
     };
     std::vector<Named> names;
-    svg.beginClip(sheet.area().corner, sheet.area().size);
+    drawing.beginClip(sheet.area().corner, sheet.area().size);
     for (const PlaneProbe::Other& other : probe.plane->others) {
         const dvec2 gradient = sheet.section().ofDirection(dvec3(other.planeWorld));
         const double atPoint = glm::dot(other.planeWorld, dvec4(sheet.section().originWorld, 1.0));
@@ -31,46 +31,36 @@ void drawPlanes(Svg& svg, Labels& labels, const SectionSheet& sheet, const Probe
         if (length < 1e-9) continue; // it lies in the drawing's plane, or beside it
         const dvec2 foot = -atPoint / (length * length) * gradient, along(gradient.y / length, -gradient.x / length);
         const dvec2 from = sheet(foot - reach * along), to = sheet(foot + reach * along);
-        svg.line(from, to, {kPlane, 3, true});
+        drawing.line(from, to, {kPlane, 3, true});
         labels.avoid(from, to);
         // Named where it is nearest to the middle, if that is seen.
         const dvec2 middle = sheet.metres().corner + 0.5 * sheet.metres().size;
         const dvec2 nearest = foot + glm::dot(middle - foot, along) * along;
         if (sheet.shows(nearest)) names.push_back({sheet(nearest), "plane of " + other.object});
     }
-    svg.endClip();
+    drawing.endClip();
     for (std::size_t i = 0; i < std::min(names.size(), kNamedPlanes); ++i)
-        labels.place(svg, names[i].at, names[i].text, {.size = kText, .color = kPlane}, 8);
+        labels.place(drawing, names[i].at, names[i].text, {.size = kText, .color = kPlane}, 8);
 }
 
 } // namespace
 
-void drawNoPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+void drawNoPlane(Drawing& drawing, const Box& area, const Probe& probe, const scene::Scene& scene,
+                 const image::Font& font) {
     constexpr double kNumbers = 610, kLegend = 44;
-    svg.text(area.corner + dvec2(0, kHeading), "Direct projection in the plane through eye, light and point",
-             {.size = kHeading, .isBold = true});
+    drawing.text(area.corner + dvec2(0, kHeading), "Direct projection in the plane through eye, light and point",
+                 {.size = kHeading, .isBold = true});
     const Box field{area.corner + dvec2(0, kHeading + 18),
                     area.size - dvec2(kNumbers + 30, kHeading + 18 + kLegend + 14)};
     const SectionSheet sheet(probe, scene, field, std::vector<dvec2>{});
     Labels labels(font, field);
-    sheet.drawScene(svg, labels);
-    const dvec2 point = sheet(dvec2(0.0));
-    const bool lightIsSeen = !sheet.light().isDirection && sheet.shows(sheet.light().at);
-    const dvec2 lightEnd =
-        lightIsSeen ? sheet(sheet.light().at) : sheet.border(dvec2(0.0), sheet.light().toward(dvec2(0.0)));
+    sheet.drawScene(drawing, labels);
     const bool arrives = probe.geometry[1].role == Probe::Role::arriving;
-    svg.arrow(lightEnd, point, {colorText(arrives ? look::kEqualDepth : look::kOccluded), 4, false}, 0.5);
-    labels.avoid(lightEnd, point);
-    const dvec2 eyeEnd = sheet.shows(sheet.eye()) ? sheet(sheet.eye()) : sheet.border(dvec2(0.0), sheet.eye());
-    svg.line(eyeEnd, point, {"#1a1a1a", 3, false});
-    labels.avoid(eyeEnd, point);
-    sheet.drawPoint(svg, labels);
-    sheet.drawEye(svg, labels);
-    sheet.drawLight(svg, labels);
-    drawPlanes(svg, labels, sheet, probe);
-    svg.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
+    sheet.drawLines(drawing, labels, colorText(arrives ? look::kEqualDepth : look::kOccluded), 0.5);
+    drawPlanes(drawing, labels, sheet, probe);
+    drawing.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
 
-    TextColumn column(svg, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}},
+    TextColumn column(drawing, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}},
                       font);
     column.heading("No receiver plane here");
     column.row("The point lies on none of the planes that receive, so nothing is projected onto it: the technique "
@@ -99,7 +89,7 @@ void drawNoPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Sce
                                   {line, colorText(look::kOccluded), "light that does not arrive"},
                                   {line, colorText(look::kEqualDepth), "light that does"},
                                   {line, "#4d4d4d", "caster"}};
-    drawLegend(svg, {area.corner + dvec2(0, area.size.y - kLegend), {area.size.x, kLegend}}, legend, font);
+    drawLegend(drawing, {area.corner + dvec2(0, area.size.y - kLegend), {area.size.x, kLegend}}, legend, font);
 }
 
 } // namespace shadowlab::diagram

@@ -170,7 +170,7 @@ constexpr std::uint32_t kCovered = 0xff000000u;
 Painter::Painter(const std::filesystem::path& fonts) : fonts_(std::make_unique<Fonts>(fonts)) {}
 Painter::~Painter() = default;
 
-void Painter::paint(const Svg& drawing, image::Image& picture, ivec2 corner, double scale) const {
+void Painter::paint(const Drawing& drawing, image::Image& picture, ivec2 corner, double scale) const {
     const std::size_t pixels = picture.rgba.size() / image::kChannels;
     std::vector<std::uint32_t> packed(pixels);
     for (std::size_t i = 0; i < pixels; ++i) {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/diagram/svg.h"
+#include "app/diagram/drawing.h"
 #include "techniques/foundation/image/image.h"
 
 namespace shadowlab::diagram {
@@ -22,7 +22,7 @@ public:
 
     /// Over what the picture shows: the sheet's origin comes to `corner`, and each of its pixels becomes `scale` pixels wide.
     /// What reaches beyond the picture is cut off. Throws Error (bug) should Cairo fail.
-    void paint(const Svg& drawing, image::Image& picture, ivec2 corner = {0, 0}, double scale = 1) const;
+    void paint(const Drawing& drawing, image::Image& picture, ivec2 corner = {0, 0}, double scale = 1) const;
 
 private:
     struct Fonts;

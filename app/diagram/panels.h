@@ -21,38 +21,41 @@ std::string colorNumbers(const dvec3& intensity);
 std::string percent(double share);
 
 /// "Paths of pixel rays": where they go in the scene, in the plane of incidence of the first surface.
-void drawPaths(Svg& svg, const Box& area, const Probe& probe, const ShownTree& shown, const scene::Scene& scene,
+void drawPaths(Drawing& drawing, const Box& area, const Probe& probe, const ShownTree& shown, const scene::Scene& scene,
                const image::Font& font);
 
 /// "Ray-tracing tree": the same rays as edges between the surfaces that they meet, with intensities.
-void drawTree(Svg& svg, const Box& area, const Probe& probe, const ShownTree& shown, const image::Font& font);
+void drawTree(Drawing& drawing, const Box& area, const Probe& probe, const ShownTree& shown, const image::Font& font);
 /// Pixels that the tree needs from top to bottom.
 double treeHeight(const Probe& probe, const ShownTree& shown);
 
 /// The vectors u, V, N, R, T, L, H at the first surface.
-void drawVectors(Svg& svg, const Box& area, const Probe& probe, const image::Font& font);
+void drawVectors(Drawing& drawing, const Box& area, const Probe& probe, const image::Font& font);
 
 /// "Form factor": the surfaces j and k as they lie in space, with their normals, the line r between their centres and the angles
 /// at its ends, and beside them what share of one's light reaches the other. There must be a k.
-void drawFormFactor(Svg& svg, const Box& area, const Probe::Exchange& exchange, const image::Font& font);
+void drawFormFactor(Drawing& drawing, const Box& area, const Probe::Exchange& exchange, const image::Font& font);
 
 /// The numbers of it, a column of lines.
-void writeFormFactor(Svg& svg, const Box& area, const Probe::Exchange& exchange, const image::Font& font);
+void writeFormFactor(Drawing& drawing, const Box& area, const Probe::Exchange& exchange, const image::Font& font);
 
 /// "Radiosity of a Lambertian reflector": how much light the pixel's surface sends in which direction, and what it is made of.
 /// `eyeWorld`: whose direction is shown where k lies in none that light is sent in.
-void drawReflector(Svg& svg, const Box& area, const Probe::Exchange& exchange, const dvec3& eyeWorld,
+void drawReflector(Drawing& drawing, const Box& area, const Probe::Exchange& exchange, const dvec3& eyeWorld,
                    const image::Font& font);
 
 /// The figures of the techniques of direct light, in the plane through eye, light and point: of shadow volumes, of a shadow map, of
 /// shadows projected onto a plane. hasSection() must hold, and the probe have the part that is named.
-void drawVolume(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font);
-void drawMap(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font);
+void drawVolume(Drawing& drawing, const Box& area, const Probe& probe, const scene::Scene& scene,
+                const image::Font& font);
+void drawMap(Drawing& drawing, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font);
 /// The places in the map at which a filter compares; hasTaps() must hold.
 bool hasTaps(const MapProbe& map);
-void drawTaps(Svg& svg, const Box& area, const MapProbe& map);
-void drawPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font);
+void drawTaps(Drawing& drawing, const Box& area, const MapProbe& map);
+void drawPlane(Drawing& drawing, const Box& area, const Probe& probe, const scene::Scene& scene,
+               const image::Font& font);
 /// The same for a point that lies on no plane that receives: where the planes are that do.
-void drawNoPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font);
+void drawNoPlane(Drawing& drawing, const Box& area, const Probe& probe, const scene::Scene& scene,
+                 const image::Font& font);
 
 } // namespace shadowlab::diagram

@@ -129,7 +129,8 @@ private:
     dvec2 middle_{0.0}, centre_{0.0};
 };
 
-void drawSurfaces(Svg& svg, const Box& area, const Paths& paths, const OnSheet& onSheet, const scene::Scene& scene) {
+void drawSurfaces(Drawing& drawing, const Box& area, const Paths& paths, const OnSheet& onSheet,
+                  const scene::Scene& scene) {
     std::vector<dvec2> points = cut(scene, paths.plane());
     for (dvec2& point : points)
         point = onSheet(point);
@@ -140,26 +141,26 @@ void drawSurfaces(Svg& svg, const Box& area, const Paths& paths, const OnSheet& 
         const dvec2 low = glm::min(points[i], points[i + 1]), high = glm::max(points[i], points[i + 1]);
         if (around.overlaps({low, high - low + 1e-6})) seen.insert(seen.end(), {points[i], points[i + 1]});
     }
-    svg.beginClip(area.corner, area.size);
-    svg.segments(seen, {"#8c8c8c", 3.5, false});
-    svg.endClip();
+    drawing.beginClip(area.corner, area.size);
+    drawing.segments(seen, {"#8c8c8c", 3.5, false});
+    drawing.endClip();
 }
 
 /// The hit surface and its normal, also where the surface is not cut by the plane.
-void drawHit(Svg& svg, const Paths& paths, const OnSheet& onSheet, int ray, Labels& labels) {
+void drawHit(Drawing& drawing, const Paths& paths, const OnSheet& onSheet, int ray, Labels& labels) {
     const dvec2 at = onSheet(paths.drawn(ray).to);
     const dvec2 normal = OnSheet::direction(paths.plane().ofDirection(paths.node(ray).normalWorld));
     if (const double length = glm::length(normal); length > 0.2) { // else it points out of the paper
         const dvec2 along = dvec2(-normal.y, normal.x) / length;
-        svg.line(at - kSurfaceHalf * along, at + kSurfaceHalf * along, {"#4d4d4d", 5, false});
-        svg.arrow(at, at + kNormalLength * normal, {"#4d4d4d", 2, false});
+        drawing.line(at - kSurfaceHalf * along, at + kSurfaceHalf * along, {"#4d4d4d", 5, false});
+        drawing.arrow(at, at + kNormalLength * normal, {"#4d4d4d", 2, false});
         labels.avoid(at - kSurfaceHalf * along, at + kSurfaceHalf * along);
         labels.avoid(at, at + kNormalLength * normal);
     }
-    svg.circle(at, 6, "#1a1a1a", {"#ffffff", 1.5, false});
+    drawing.circle(at, 6, "#1a1a1a", {"#ffffff", 1.5, false});
 }
 
-void drawRay(Svg& svg, const Paths& paths, const OnSheet& onSheet, int ray, Labels& labels) {
+void drawRay(Drawing& drawing, const Paths& paths, const OnSheet& onSheet, int ray, Labels& labels) {
     const Drawn drawn = paths.drawn(ray);
     const Probe::Role role = paths.node(ray).role;
     const dvec2 from = onSheet(drawn.from), to = onSheet(drawn.to);
@@ -167,79 +168,81 @@ void drawRay(Svg& svg, const Paths& paths, const OnSheet& onSheet, int ray, Labe
     labels.avoid(from, to);
     if (glm::length(to - from) < 1) return;
     const bool ends = role == Probe::Role::blocked || !paths.node(ray).surface.empty();
-    svg.arrow(from, to, stroke, drawn.isCut || !ends ? 1.0 : 0.55);
+    drawing.arrow(from, to, stroke, drawn.isCut || !ends ? 1.0 : 0.55);
     if (drawn.isCut && ends)
-        svg.breakMark(glm::mix(from, to, paths.node(ray).parent < 0 ? 0.4 : 0.8), to - from, stroke);
+        drawing.breakMark(glm::mix(from, to, paths.node(ray).parent < 0 ? 0.4 : 0.8), to - from, stroke);
     if (role == Probe::Role::blocked) {
         const dvec2 arm(9, 9), other(9, -9);
-        svg.line(to - arm, to + arm, {stroke.color, 4, false});
-        svg.line(to - other, to + other, {stroke.color, 4, false});
+        drawing.line(to - arm, to + arm, {stroke.color, 4, false});
+        drawing.line(to - other, to + other, {stroke.color, 4, false});
     }
 }
 
 /// The eye, and the projection plane with the pixel before it.
-void drawEye(Svg& svg, const Paths& paths, const OnSheet& onSheet, const scene::Camera& camera, Labels& labels) {
+void drawEye(Drawing& drawing, const Paths& paths, const OnSheet& onSheet, const scene::Camera& camera,
+             Labels& labels) {
     const dvec2 eye = onSheet(paths.eyeAt), first = onSheet(paths.drawn(paths.rays.front()).to);
-    svg.circle(eye, 9, "#ffffff", {"#1a1a1a", 4, false});
+    drawing.circle(eye, 9, "#ffffff", {"#1a1a1a", 4, false});
     const dvec2 pixel = glm::mix(eye, first, 0.2);
     const dvec2 axis = OnSheet::direction(paths.plane().ofDirection(camera.targetWorld - camera.positionWorld));
     if (glm::length(axis) == 0) return;
     const dvec2 along = dvec2(-axis.y, axis.x) / glm::length(axis);
-    svg.line(pixel - 70.0 * along, pixel + 70.0 * along, {"#4d4d4d", 3, false});
-    svg.rectangle(pixel - 7.0, dvec2(14), "#1a1a1a", {"#ffffff", 1, false});
+    drawing.line(pixel - 70.0 * along, pixel + 70.0 * along, {"#4d4d4d", 3, false});
+    drawing.rectangle(pixel - 7.0, dvec2(14), "#1a1a1a", {"#ffffff", 1, false});
     labels.avoid(pixel - 70.0 * along, pixel + 70.0 * along);
     labels.avoid({eye - 10.0, dvec2(20)});
     labels.avoid({pixel - 8.0, dvec2(16)});
-    labels.place(svg, eye, "eye (projection reference point)", {kText}, 14);
-    labels.place(svg, pixel, "pixel", {kText}, 14);
-    labels.place(svg, pixel + (along.y > 0 ? 66.0 : -66.0) * along, "projection plane", {kText}, 12);
+    labels.place(drawing, eye, "eye (projection reference point)", {kText}, 14);
+    labels.place(drawing, pixel, "pixel", {kText}, 14);
+    labels.place(drawing, pixel + (along.y > 0 ? 66.0 : -66.0) * along, "projection plane", {kText}, 12);
 }
 
-void drawLight(Svg& svg, const Paths& paths, const OnSheet& onSheet, Labels& labels) {
+void drawLight(Drawing& drawing, const Paths& paths, const OnSheet& onSheet, Labels& labels) {
     if (paths.shadowRays.empty()) return;
     if (!paths.hasLight) {
         const Drawn first = paths.drawn(paths.shadowRays.front());
-        labels.place(svg, onSheet(first.to), "to the light " + paths.lightName, {kText}, 12);
+        labels.place(drawing, onSheet(first.to), "to the light " + paths.lightName, {kText}, 12);
         return;
     }
     const dvec2 at = onSheet(paths.lightAt);
-    svg.circle(at, 13, colorText(look::kChosenLight), {"#1a1a1a", 3, false});
+    drawing.circle(at, 13, colorText(look::kChosenLight), {"#1a1a1a", 3, false});
     labels.avoid({at - 14.0, dvec2(28)});
-    labels.place(svg, at, "light " + paths.lightName, {kText}, 18);
+    labels.place(drawing, at, "light " + paths.lightName, {kText}, 18);
 }
 
 } // namespace
 
-void drawPaths(Svg& svg, const Box& area, const Probe& probe, const ShownTree& shown, const scene::Scene& scene,
+void drawPaths(Drawing& drawing, const Box& area, const Probe& probe, const ShownTree& shown, const scene::Scene& scene,
                const image::Font& font) {
-    svg.text(area.corner + dvec2(0, kHeading), "Paths of pixel rays", {.size = kHeading, .isBold = true});
+    drawing.text(area.corner + dvec2(0, kHeading), "Paths of pixel rays", {.size = kHeading, .isBold = true});
     const Box field{area.corner + dvec2(0, kHeading + 12), area.size - dvec2(0, kHeading + 12 + kText + 12)};
-    svg.text(area.corner + dvec2(0, area.size.y - 8),
-             "seen across the plane of incidence at S1; // : a part is left out",
-             {.size = kText * 0.85, .color = "#4d4d4d"});
+    drawing.text(area.corner + dvec2(0, area.size.y - 8),
+                 "seen across the plane of incidence at S1; // : a part is left out",
+                 {.size = kText * 0.85, .color = "#4d4d4d"});
     const Paths paths(probe, shown, scene);
     // Room for labels beyond the outermost lines.
     const OnSheet onSheet(paths, {field.corner + dvec2(70, 60), field.size - dvec2(140, 110)});
     Labels labels(font, field);
-    drawSurfaces(svg, field, paths, onSheet, scene);
+    drawSurfaces(drawing, field, paths, onSheet, scene);
     for (const int ray : paths.shadowRays)
-        drawRay(svg, paths, onSheet, ray, labels);
+        drawRay(drawing, paths, onSheet, ray, labels);
     for (const int ray : paths.rays)
-        drawRay(svg, paths, onSheet, ray, labels);
+        drawRay(drawing, paths, onSheet, ray, labels);
     for (const int ray : paths.rays)
         if (!paths.node(ray).surface.empty() && !(paths.node(ray).parent >= 0 && paths.drawn(ray).isCut)) {
-            drawHit(svg, paths, onSheet, ray, labels);
+            drawHit(drawing, paths, onSheet, ray, labels);
             labels.avoid({onSheet(paths.drawn(ray).to) - 7.0, dvec2(14)});
         }
-    drawEye(svg, paths, onSheet, scene.camera, labels);
-    drawLight(svg, paths, onSheet, labels);
+    drawEye(drawing, paths, onSheet, scene.camera, labels);
+    drawLight(drawing, paths, onSheet, labels);
     for (const int ray : paths.rays) {
         const Drawn drawn = paths.drawn(ray);
         const Probe::Node& node = paths.node(ray);
         if (!node.surface.empty())
-            labels.place(svg, onSheet(drawn.to), node.surface, {.size = kText, .isBold = true}, drawn.isCut ? 6 : 10);
+            labels.place(drawing, onSheet(drawn.to), node.surface, {.size = kText, .isBold = true},
+                         drawn.isCut ? 6 : 10);
         if (!node.sign.empty())
-            labels.place(svg, onSheet(glm::mix(drawn.from, drawn.to, 0.5)), node.sign,
+            labels.place(drawing, onSheet(glm::mix(drawn.from, drawn.to, 0.5)), node.sign,
                          {.size = kText, .color = "#1a1a1a"}, 6);
     }
 }

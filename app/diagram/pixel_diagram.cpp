@@ -21,49 +21,50 @@ const Stroke kRule{"#bfbfbf", 2, false};
 Diagram drawTreePanels(const Probe& probe, const scene::Scene& scene, const image::Font& font) {
     const ShownTree shown = shownTree(probe);
     const double height = kUpperHeight + treeHeight(probe, shown) + kBorder;
-    Svg svg({kSheetWidth, height});
-    drawPaths(svg, {{kBorder, kBorder}, {kPathsWidth - 2 * kBorder, kUpperHeight - 2 * kBorder}}, probe, shown, scene,
-              font);
+    Drawing drawing({kSheetWidth, height});
+    drawPaths(drawing, {{kBorder, kBorder}, {kPathsWidth - 2 * kBorder, kUpperHeight - 2 * kBorder}}, probe, shown,
+              scene, font);
     drawVectors(
-        svg, {{kPathsWidth + kBorder, kBorder}, {kSheetWidth - kPathsWidth - 2 * kBorder, kUpperHeight - 2 * kBorder}},
+        drawing,
+        {{kPathsWidth + kBorder, kBorder}, {kSheetWidth - kPathsWidth - 2 * kBorder, kUpperHeight - 2 * kBorder}},
         probe, font);
-    drawTree(svg, {{kBorder, kUpperHeight}, {kSheetWidth - 2 * kBorder, height - kUpperHeight - kBorder}}, probe, shown,
-             font);
-    svg.line({kPathsWidth, kBorder}, {kPathsWidth, kUpperHeight - kBorder}, kRule);
-    svg.line({kBorder, kUpperHeight - kBorder / 2}, {kSheetWidth - kBorder, kUpperHeight - kBorder / 2}, kRule);
-    return {std::move(svg), "Paths of pixel rays, the ray-tracing tree, and the vectors at its first surface"};
+    drawTree(drawing, {{kBorder, kUpperHeight}, {kSheetWidth - 2 * kBorder, height - kUpperHeight - kBorder}}, probe,
+             shown, font);
+    drawing.line({kPathsWidth, kBorder}, {kPathsWidth, kUpperHeight - kBorder}, kRule);
+    drawing.line({kBorder, kUpperHeight - kBorder / 2}, {kSheetWidth - kBorder, kUpperHeight - kBorder / 2}, kRule);
+    return {std::move(drawing), "Paths of pixel rays, the ray-tracing tree, and the vectors at its first surface"};
 }
 
 Diagram drawPatchPanels(const Probe& probe, const image::Font& font) {
     const double upper = probe.exchange->k ? kPairHeight : 0, height = upper + kReflectorHeight;
-    Svg svg({kSheetWidth, height});
+    Drawing drawing({kSheetWidth, height});
     const double width = kSheetWidth - 2 * kBorder;
     if (probe.exchange->k) {
-        drawFormFactor(svg, {{kBorder, kBorder}, {width, upper - 2 * kBorder}}, *probe.exchange, font);
-        svg.line({kBorder, upper - kBorder / 2}, {kSheetWidth - kBorder, upper - kBorder / 2}, kRule);
+        drawFormFactor(drawing, {{kBorder, kBorder}, {width, upper - 2 * kBorder}}, *probe.exchange, font);
+        drawing.line({kBorder, upper - kBorder / 2}, {kSheetWidth - kBorder, upper - kBorder / 2}, kRule);
     }
-    drawReflector(svg, {{kBorder, upper + kBorder / 2}, {width, height - upper - kBorder}}, *probe.exchange,
+    drawReflector(drawing, {{kBorder, upper + kBorder / 2}, {width, height - upper - kBorder}}, *probe.exchange,
                   probe.geometry.front().fromWorld, font);
-    return {std::move(svg), probe.exchange->k
-                                ? "The form factor of two surfaces, and the radiosity of a Lambertian reflector"
-                                : "The radiosity of a Lambertian reflector"};
+    return {std::move(drawing), probe.exchange->k
+                                    ? "The form factor of two surfaces, and the radiosity of a Lambertian reflector"
+                                    : "The radiosity of a Lambertian reflector"};
 }
 
 Diagram drawSection(const Probe& probe, const scene::Scene& scene, const image::Font& font, double height) {
-    Svg svg({kSheetWidth, height});
+    Drawing drawing({kSheetWidth, height});
     const Box area{dvec2(kBorder), dvec2(kSheetWidth, height) - 2 * kBorder};
     if (probe.volume) {
-        drawVolume(svg, area, probe, scene, font);
-        return {std::move(svg),
+        drawVolume(drawing, area, probe, scene, font);
+        return {std::move(drawing),
                 "Shadow volumes in the plane through eye, light and point, and the faces that the eye's line crosses"};
     }
     if (probe.map) {
-        drawMap(svg, area, probe, scene, font);
-        return {std::move(svg),
+        drawMap(drawing, area, probe, scene, font);
+        return {std::move(drawing),
                 "The shadow map's texels in the plane through eye, light and point, and those beside the point"};
     }
-    drawPlane(svg, area, probe, scene, font);
-    return {std::move(svg),
+    drawPlane(drawing, area, probe, scene, font);
+    return {std::move(drawing),
             "The light, the caster, and its shadow on the receiver plane, in the plane through eye, light and point"};
 }
 

@@ -5,7 +5,7 @@
 #pragma once
 #include <string>
 
-#include "app/diagram/svg.h"
+#include "app/diagram/drawing.h"
 #include "techniques/foundation/image/text.h"
 #include "techniques/foundation/scene/scene.h"
 #include "techniques/probe.h"
@@ -16,7 +16,7 @@ namespace shadowlab::diagram {
 bool canDraw(const Probe& probe);
 
 struct Diagram {
-    Svg drawing;
+    Drawing drawing;
     std::string title; ///< what it is, for who cannot see it
     [[nodiscard]] std::string document() const { return drawing.document(title); }
 };

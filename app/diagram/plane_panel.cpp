@@ -99,20 +99,20 @@ std::vector<Interval> surfacesOn(const PlaneCut& plane, const SectionSheet& shee
     return all;
 }
 
-void drawShadows(Svg& svg, Labels& labels, const SectionSheet& sheet, const PlaneCut& plane,
+void drawShadows(Drawing& drawing, Labels& labels, const SectionSheet& sheet, const PlaneCut& plane,
                  std::span<const Interval> shadows, std::span<const Interval> surfaces) {
     const Interval* nearest = nullptr;
     const auto away = [](const Interval& one) { return one.from > 0 ? one.from : one.to < 0 ? -one.to : 0.0; };
-    svg.beginClip(sheet.area().corner, sheet.area().size);
+    drawing.beginClip(sheet.area().corner, sheet.area().size);
     const double reach = 2 * glm::length(sheet.metres().size);
-    svg.line(sheet(-reach * plane.along), sheet(reach * plane.along), {"#a6a6a6", 2.5, false});
+    drawing.line(sheet(-reach * plane.along), sheet(reach * plane.along), {"#a6a6a6", 2.5, false});
     for (const Interval& one : shadows) {
         bool falls = false; // on a surface, and not only on the plane's extension
         for (const Interval& surface : surfaces) {
             const double from = std::max(one.from, surface.from), to = std::min(one.to, surface.to);
             if (!(from < to)) continue;
             falls = true;
-            svg.line(sheet(from * plane.along), sheet(to * plane.along), {kShadow, 11, false});
+            drawing.line(sheet(from * plane.along), sheet(to * plane.along), {kShadow, 11, false});
         }
         if (falls && (!nearest || away(one) < away(*nearest))) nearest = &one;
     }
@@ -122,26 +122,26 @@ void drawShadows(Svg& svg, Labels& labels, const SectionSheet& sheet, const Plan
             const dvec2 shadow = sheet(end * plane.along);
             const dvec2 from =
                 sheet.light().isDirection ? sheet(place) + (sheet(place) - shadow) : sheet(sheet.light().at);
-            svg.line(from, shadow, {colorText(look::kRefractionRay), 2.5, true});
+            drawing.line(from, shadow, {colorText(look::kRefractionRay), 2.5, true});
             labels.avoid(from, shadow);
         }
-    svg.endClip();
+    drawing.endClip();
     labels.avoid(sheet(-reach * plane.along), sheet(reach * plane.along));
 }
 
 /// From the light to the point.
-void drawLightLine(Svg& svg, Labels& labels, const SectionSheet& sheet, const Probe& probe) {
+void drawLightLine(Drawing& drawing, Labels& labels, const SectionSheet& sheet, const Probe& probe) {
     const dvec2 point = sheet(dvec2(0.0));
     const PlaneLight& light = sheet.light();
     const bool lightIsSeen = !light.isDirection && sheet.shows(light.at);
     const dvec2 end = lightIsSeen ? sheet(light.at) : sheet.border(dvec2(0.0), light.toward(dvec2(0.0)));
     const bool shadowed = std::ranges::any_of(probe.plane->covers, &Cover::casts);
     const Stroke stroke{colorText(shadowed ? look::kOccluded : look::kEqualDepth), 4, false};
-    svg.arrow(end, point, stroke, 0.5);
+    drawing.arrow(end, point, stroke, 0.5);
     labels.avoid(end, point);
 }
 
-void drawCovers(Svg& svg, Labels& labels, const SectionSheet& sheet, const Probe& probe) {
+void drawCovers(Drawing& drawing, Labels& labels, const SectionSheet& sheet, const Probe& probe) {
     constexpr double kApart = 12; // pixels: nearer, two faces that touch would be marked twice
     std::vector<dvec2> marked;
     for (const Cover& cover : probe.plane->covers) {
@@ -151,12 +151,12 @@ void drawCovers(Svg& svg, Labels& labels, const SectionSheet& sheet, const Probe
             std::ranges::any_of(marked, [&](const dvec2& other) { return glm::length(other - at) < kApart; });
         if (isMarked || marked.size() == 8 || !sheet.shows(place)) continue;
         marked.push_back(at);
-        svg.circle(at, 8, cover.casts ? colorText(look::kOccluded) : "#ffffff", {colorText(look::kOccluded), 3, false},
-                   "cover");
+        drawing.circle(at, 8, cover.casts ? colorText(look::kOccluded) : "#ffffff",
+                       {colorText(look::kOccluded), 3, false}, "cover");
         labels.avoid({at - 9.0, dvec2(18)});
         const bool first =
             cover.casts && std::ranges::find_if(probe.plane->covers, &Cover::casts)->placeWorld == cover.placeWorld;
-        labels.place(svg, at,
+        labels.place(drawing, at,
                      first               ? "P of " + cover.object
                      : cover.casts       ? cover.object
                      : cover.weight <= 0 ? "beyond the light: w' < 0"
@@ -165,17 +165,17 @@ void drawCovers(Svg& svg, Labels& labels, const SectionSheet& sheet, const Probe
     }
 }
 
-void drawNormal(Svg& svg, Labels& labels, const SectionSheet& sheet, const PlaneCut& plane) {
+void drawNormal(Drawing& drawing, Labels& labels, const SectionSheet& sheet, const PlaneCut& plane) {
     if (glm::length(plane.gradient) < 0.05) return; // it points out of the paper
     const dvec2 from = sheet(dvec2(0.0)), tip = from + 90.0 * dvec2(plane.gradient.x, -plane.gradient.y);
-    svg.arrow(from, tip, {"#0072b2", 3.5, false});
+    drawing.arrow(from, tip, {"#0072b2", 3.5, false});
     labels.avoid(from, tip);
-    labels.place(svg, tip, "N", {.size = kText, .isBold = true, .color = "#0072b2"}, 8);
+    labels.place(drawing, tip, "N", {.size = kText, .isBold = true, .color = "#0072b2"}, 8);
 }
 
-void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Font& font) {
+void writeNumbers(Drawing& drawing, const Box& area, const Probe& probe, const image::Font& font) {
     const PlaneProbe& plane = *probe.plane;
-    TextColumn column(svg, area, font);
+    TextColumn column(drawing, area, font);
     column.heading("Receiver plane N\u00b7P + D = 0");
     const dvec4& p = plane.planeWorld;
     const auto shown = [](double value) { return fourDigits(std::round(value * 1e6) / 1e6); }; // floats have no more
@@ -216,14 +216,15 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
 
 } // namespace
 
-void drawPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+void drawPlane(Drawing& drawing, const Box& area, const Probe& probe, const scene::Scene& scene,
+               const image::Font& font) {
     if (!probe.plane->receives) {
-        drawNoPlane(svg, area, probe, scene, font);
+        drawNoPlane(drawing, area, probe, scene, font);
         return;
     }
     constexpr double kNumbers = 610, kLegend = 44;
-    svg.text(area.corner + dvec2(0, kHeading), "Direct projection in the plane through eye, light and point",
-             {.size = kHeading, .isBold = true});
+    drawing.text(area.corner + dvec2(0, kHeading), "Direct projection in the plane through eye, light and point",
+                 {.size = kHeading, .isBold = true});
     const Box field{area.corner + dvec2(0, kHeading + 18),
                     area.size - dvec2(kNumbers + 30, kHeading + 18 + kLegend + 14)};
     std::vector<dvec2> places;
@@ -232,22 +233,22 @@ void drawPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Scene
     const SectionSheet sheet(probe, scene, field, places);
     const PlaneCut plane = cutOf(probe);
     Labels labels(font, field);
-    sheet.drawScene(svg, labels);
-    drawShadows(svg, labels, sheet, plane, shadowsOn(plane, sheet, probe, scene),
+    sheet.drawScene(drawing, labels);
+    drawShadows(drawing, labels, sheet, plane, shadowsOn(plane, sheet, probe, scene),
                 surfacesOn(plane, sheet, probe, scene));
     const dvec2 point = sheet(dvec2(0.0));
     const dvec2 eyeEnd = sheet.shows(sheet.eye()) ? sheet(sheet.eye()) : sheet.border(dvec2(0.0), sheet.eye());
-    svg.line(eyeEnd, point, {"#1a1a1a", 3, false});
+    drawing.line(eyeEnd, point, {"#1a1a1a", 3, false});
     labels.avoid(eyeEnd, point);
-    drawLightLine(svg, labels, sheet, probe);
-    drawNormal(svg, labels, sheet, plane);
-    sheet.drawPoint(svg, labels);
-    sheet.drawEye(svg, labels);
-    sheet.drawLight(svg, labels);
-    drawCovers(svg, labels, sheet, probe); // last: its labels keep away from all lines
-    svg.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
-    writeNumbers(svg, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}}, probe,
-                 font);
+    drawLightLine(drawing, labels, sheet, probe);
+    drawNormal(drawing, labels, sheet, plane);
+    sheet.drawPoint(drawing, labels);
+    sheet.drawEye(drawing, labels);
+    sheet.drawLight(drawing, labels);
+    drawCovers(drawing, labels, sheet, probe); // last: its labels keep away from all lines
+    drawing.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
+    writeNumbers(drawing, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}},
+                 probe, font);
     using enum LegendEntry::Kind;
     const LegendEntry legend[] = {{line, kShadow, "projected shadow"},
                                   {dashed, colorText(look::kRefractionRay), "its borders"},
@@ -255,7 +256,7 @@ void drawPlane(Svg& svg, const Box& area, const Probe& probe, const scene::Scene
                                   {line, colorText(look::kEqualDepth), "light that does"},
                                   {line, "#4d4d4d", "caster"},
                                   {line, "#a6a6a6", "casts no shadow; the plane"}};
-    drawLegend(svg, {area.corner + dvec2(0, area.size.y - kLegend), {area.size.x, kLegend}}, legend, font);
+    drawLegend(drawing, {area.corner + dvec2(0, area.size.y - kLegend), {area.size.x, kLegend}}, legend, font);
 }
 
 } // namespace shadowlab::diagram

@@ -44,7 +44,7 @@ std::string degrees(double angle) {
     return text.substr(0, text.find('.') + 2) + "\u00b0";
 }
 
-void drawFigure(Svg& svg, const Box& area, const Way& way, const image::Font& font) {
+void drawFigure(Drawing& drawing, const Box& area, const Way& way, const image::Font& font) {
     const double most = area.size.y - 70; // of the length of an arrow: I dA along the normal
     const dvec2 at = area.corner + dvec2(0.5 * area.size.x, area.size.y - 46);
     const auto toward = [](double angle) { return dvec2(std::sin(angle), -std::cos(angle)); };
@@ -60,35 +60,35 @@ void drawFigure(Svg& svg, const Box& area, const Way& way, const image::Font& fo
         labels.avoid(equal[equal.size() - 1 - kAvoided], equal.back());
         labels.avoid(lobe[lobe.size() - 1 - kAvoided], lobe.back());
     }
-    svg.path(lobe, true, "#fdf3dc", rim); // a light tint of look::kPatchJ
-    svg.path(equal, false, "", {"#1a1a1a", 2.5, true});
+    drawing.path(lobe, true, "#fdf3dc", rim); // a light tint of look::kPatchJ
+    drawing.path(equal, false, "", {"#1a1a1a", 2.5, true});
     for (int i = -5; i <= 5; ++i) {
         const double angle = glm::radians(15.0 * i);
-        svg.arrow(at, at + most * std::cos(angle) * toward(angle), thin);
+        drawing.arrow(at, at + most * std::cos(angle) * toward(angle), thin);
         labels.avoid(at, at + most * std::cos(angle) * toward(angle));
     }
     const dvec2 half(0.42 * area.size.x, 0);
-    svg.line(at - half, at + half, {colorText(look::kPatchJ), 8, false});
+    drawing.line(at - half, at + half, {colorText(look::kPatchJ), 8, false});
     labels.avoid(at - half, at + half);
     const dvec2 top = at + (most + 16) * toward(0), shown = at + most * std::cos(way.phi) * toward(way.phi);
-    svg.arrow(at, top, {"#1a1a1a", 4, false});
-    svg.arrow(at, shown, {"#0072b2", 6, false});
+    drawing.arrow(at, top, {"#1a1a1a", 4, false});
+    drawing.arrow(at, shown, {"#0072b2", 6, false});
     labels.avoid(at, shown);
     std::vector<dvec2> arc;
     const double radius = 0.3 * most;
     for (int i = 0; i <= kPieces; ++i)
         arc.push_back(at + radius * toward(way.phi * i / kPieces));
-    svg.path(arc, false, "", rim);
+    drawing.path(arc, false, "", rim);
 
     const TextStyle letter{.size = kLabel, .isItalic = true};
-    labels.place(svg, top, "N" + kJ, letter, 8);
-    labels.place(svg, shown, "I dA" + kJ + " cos \u03c6", letter, 12);
-    labels.place(svg, at + most * toward(-0.8), "I", letter, 8);
-    labels.place(svg, at + radius * toward(0.5 * way.phi), "\u03c6 = " + degrees(way.phi), letter, 6);
-    labels.place(svg, at - half * 0.9, "dA" + kJ, letter, 8);
+    labels.place(drawing, top, "N" + kJ, letter, 8);
+    labels.place(drawing, shown, "I dA" + kJ + " cos \u03c6", letter, 12);
+    labels.place(drawing, at + most * toward(-0.8), "I", letter, 8);
+    labels.place(drawing, at + radius * toward(0.5 * way.phi), "\u03c6 = " + degrees(way.phi), letter, 6);
+    labels.place(drawing, at - half * 0.9, "dA" + kJ, letter, 8);
 }
 
-void writeNumbers(Svg& svg, const Box& area, const Probe::Patch& j, const Way& way) {
+void writeNumbers(Drawing& drawing, const Box& area, const Probe::Patch& j, const Way& way) {
     struct Row {
         std::string name, meaning;
         dvec3 values;
@@ -106,33 +106,36 @@ void writeNumbers(Svg& svg, const Box& area, const Probe::Patch& j, const Way& w
     const TextStyle style{.size = kText + 2};
     const double columns[] = {0, 185, 580, 750, 920, 936};
     double y = area.corner.y + kHeading + kRow;
-    svg.text({area.corner.x, y},
-             "In every direction the same intensity I:   B = \u222b I cos \u03c6 d\u03c9 = \u03c0 I",
-             {.size = kText + 4});
+    drawing.text({area.corner.x, y},
+                 "In every direction the same intensity I:   B = \u222b I cos \u03c6 d\u03c9 = \u03c0 I",
+                 {.size = kText + 4});
     y += 1.15 * kRow;
     for (int i = 0; i < 3; ++i)
-        svg.text({area.corner.x + columns[2 + i], y}, std::array{"red", "green", "blue"}[static_cast<std::size_t>(i)],
-                 {.size = kText, .anchor = Anchor::end, .color = "#4d4d4d"});
+        drawing.text({area.corner.x + columns[2 + i], y},
+                     std::array{"red", "green", "blue"}[static_cast<std::size_t>(i)],
+                     {.size = kText, .anchor = Anchor::end, .color = "#4d4d4d"});
     for (const Row& row : rows) {
         y += kRow;
-        svg.text({area.corner.x + columns[0], y}, row.name, style);
-        svg.text({area.corner.x + columns[1], y}, row.meaning, style);
+        drawing.text({area.corner.x + columns[0], y}, row.name, style);
+        drawing.text({area.corner.x + columns[1], y}, row.meaning, style);
         for (int i = 0; i < 3; ++i)
-            svg.text({area.corner.x + columns[2 + i], y}, fourDigits(row.values[i]),
-                     {.size = kText + 2, .anchor = Anchor::end});
-        svg.text({area.corner.x + columns[5], y}, row.unit, style);
+            drawing.text({area.corner.x + columns[2 + i], y}, fourDigits(row.values[i]),
+                         {.size = kText + 2, .anchor = Anchor::end});
+        drawing.text({area.corner.x + columns[5], y}, row.unit, style);
     }
 }
 
 } // namespace
 
-void drawReflector(Svg& svg, const Box& area, const Probe::Exchange& exchange, const dvec3& eyeWorld,
+void drawReflector(Drawing& drawing, const Box& area, const Probe::Exchange& exchange, const dvec3& eyeWorld,
                    const image::Font& font) {
-    svg.text(area.corner + dvec2(0, kHeading), "Radiosity of a Lambertian reflector: surface j",
-             {.size = kHeading, .isBold = true});
+    drawing.text(area.corner + dvec2(0, kHeading), "Radiosity of a Lambertian reflector: surface j",
+                 {.size = kHeading, .isBold = true});
     const Way way = shownWay(exchange, eyeWorld);
-    drawFigure(svg, {area.corner + dvec2(0, 1.2 * kHeading), {kFigureWidth, area.size.y - 1.2 * kHeading}}, way, font);
-    writeNumbers(svg, {area.corner + dvec2(kFigureWidth + kGap, 0), {area.size.x - kFigureWidth - kGap, area.size.y}},
+    drawFigure(drawing, {area.corner + dvec2(0, 1.2 * kHeading), {kFigureWidth, area.size.y - 1.2 * kHeading}}, way,
+               font);
+    writeNumbers(drawing,
+                 {area.corner + dvec2(kFigureWidth + kGap, 0), {area.size.x - kFigureWidth - kGap, area.size.y}},
                  exchange.j, way);
 }
 

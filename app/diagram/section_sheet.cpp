@@ -110,9 +110,9 @@ dvec2 SectionSheet::border(dvec2 from, dvec2 direction) const {
     return at + std::max(stretch, 0.0) * way;
 }
 
-void SectionSheet::drawScene(Svg& svg, Labels& labels) const {
+void SectionSheet::drawScene(Drawing& drawing, Labels& labels) const {
     const DrawingPlane plane{section_.originWorld, section_.rightWorld, section_.upWorld};
-    svg.beginClip(area_.corner, area_.size);
+    drawing.beginClip(area_.corner, area_.size);
     for (const bool casts : {false, true}) {
         scene::Scene part = scene_;
         std::erase_if(part.objects, [&](const scene::Object& object) { return object.castsShadow != casts; });
@@ -123,54 +123,68 @@ void SectionSheet::drawScene(Svg& svg, Labels& labels) const {
             seen.insert(seen.end(), {a, b});
             labels.avoid(a, b);
         }
-        svg.segments(seen, {casts ? "#4d4d4d" : "#a6a6a6", 4, false});
+        drawing.segments(seen, {casts ? "#4d4d4d" : "#a6a6a6", 4, false});
     }
-    svg.endClip();
+    drawing.endClip();
 }
 
-void SectionSheet::drawAway(Svg& svg, Labels& labels, dvec2 direction, const std::string& text,
+void SectionSheet::drawLines(Drawing& drawing, Labels& labels, const std::string& lightColor, double arrowAt) const {
+    const dvec2 point = (*this)(dvec2(0.0));
+    const bool lightIsSeen = !light_.isDirection && shows(light_.at);
+    const dvec2 lightEnd = lightIsSeen ? (*this)(light_.at) : border(dvec2(0.0), light_.toward(dvec2(0.0)));
+    drawing.arrow(lightEnd, point, {lightColor, 4, false}, arrowAt);
+    labels.avoid(lightEnd, point);
+    const dvec2 eyeEnd = shows(eye_) ? (*this)(eye_) : border(dvec2(0.0), eye_);
+    drawing.line(eyeEnd, point, {"#1a1a1a", 3, false});
+    labels.avoid(eyeEnd, point);
+    drawPoint(drawing, labels);
+    drawEye(drawing, labels);
+    drawLight(drawing, labels);
+}
+
+void SectionSheet::drawAway(Drawing& drawing, Labels& labels, dvec2 direction, const std::string& text,
                             const std::string& color) const {
     const dvec2 tip = border(dvec2(0.0), direction), way = glm::normalize(tip - (*this)(dvec2(0.0)));
     const dvec2 from = tip - 70.0 * way;
-    svg.arrow(from, tip - 4.0 * way, {color, 4, false});
-    svg.breakMark(tip - 50.0 * way, way, {color, 3, false});
+    drawing.arrow(from, tip - 4.0 * way, {color, 4, false});
+    drawing.breakMark(tip - 50.0 * way, way, {color, 3, false});
     labels.avoid({glm::min(from, tip), glm::abs(tip - from) + 1.0});
-    labels.place(svg, tip - 40.0 * way, text, {kText}, 16);
+    labels.place(drawing, tip - 40.0 * way, text, {kText}, 16);
 }
 
-void SectionSheet::drawEye(Svg& svg, Labels& labels) const {
+void SectionSheet::drawEye(Drawing& drawing, Labels& labels) const {
     if (!shows(eye_)) {
-        drawAway(svg, labels, eye_, "eye, " + fourDigits(glm::length(eye_)) + " m away", "#1a1a1a");
+        drawAway(drawing, labels, eye_, "eye, " + fourDigits(glm::length(eye_)) + " m away", "#1a1a1a");
         return;
     }
     const dvec2 at = (*this)(eye_);
-    svg.circle(at, 10, "#ffffff", {"#1a1a1a", 4, false}, "eye");
+    drawing.circle(at, 10, "#ffffff", {"#1a1a1a", 4, false}, "eye");
     labels.avoid({at - 12.0, dvec2(24)});
-    labels.place(svg, at, "eye", {.size = kText, .isBold = true}, 14);
+    labels.place(drawing, at, "eye", {.size = kText, .isBold = true}, 14);
 }
 
-void SectionSheet::drawLight(Svg& svg, Labels& labels) const {
+void SectionSheet::drawLight(Drawing& drawing, Labels& labels) const {
     const std::string name = lightName_.empty() ? "light" : "light " + lightName_;
     if (light_.isDirection || !shows(light_.at)) {
         const std::string away = light_.isDirection ? "to the " + name + ", at infinity"
                                                     : name + ", " + fourDigits(glm::length(light_.at)) + " m away";
-        drawAway(svg, labels, light_.toward(dvec2(0.0)), away, "#a06000");
+        drawAway(drawing, labels, light_.toward(dvec2(0.0)), away, "#a06000");
         return;
     }
     const dvec2 at = (*this)(light_.at);
-    svg.circle(at, 13, colorText(look::kChosenLight), {"#1a1a1a", 3, false}, "light");
+    drawing.circle(at, 13, colorText(look::kChosenLight), {"#1a1a1a", 3, false}, "light");
     labels.avoid({at - 15.0, dvec2(30)});
-    labels.place(svg, at, name, {.size = kText, .isBold = true}, 18);
+    labels.place(drawing, at, name, {.size = kText, .isBold = true}, 18);
 }
 
-void SectionSheet::drawPoint(Svg& svg, Labels& labels) const {
+void SectionSheet::drawPoint(Drawing& drawing, Labels& labels) const {
     const dvec2 at = (*this)(dvec2(0.0));
-    svg.circle(at, 8, "#1a1a1a", {"#ffffff", 2, false}, "point");
+    drawing.circle(at, 8, "#1a1a1a", {"#ffffff", 2, false}, "point");
     labels.avoid({at - 9.0, dvec2(18)});
-    labels.place(svg, at, "point", {.size = kText, .isBold = true}, 12);
+    labels.place(drawing, at, "point", {.size = kText, .isBold = true}, 12);
 }
 
-void drawLegend(Svg& svg, const Box& area, std::span<const LegendEntry> entries, const image::Font& font) {
+void drawLegend(Drawing& drawing, const Box& area, std::span<const LegendEntry> entries, const image::Font& font) {
     constexpr double kSign = 40, kGap = 12, kBetween = 34;
     dvec2 at = area.corner + dvec2(0, kText);
     for (const LegendEntry& entry : entries) {
@@ -179,15 +193,15 @@ void drawLegend(Svg& svg, const Box& area, std::span<const LegendEntry> entries,
         const dvec2 middle = at + dvec2(0.5 * kSign, -0.35 * kText);
         switch (entry.kind) {
         case LegendEntry::Kind::filled:
-            svg.rectangle(middle - dvec2(0.5 * kSign, 11), {kSign, 22}, entry.color, {"#8c8c8c", 1.5, false});
+            drawing.rectangle(middle - dvec2(0.5 * kSign, 11), {kSign, 22}, entry.color, {"#8c8c8c", 1.5, false});
             break;
-        case LegendEntry::Kind::dot: svg.circle(middle, 9, entry.color, {"#ffffff", 1.5, false}); break;
+        case LegendEntry::Kind::dot: drawing.circle(middle, 9, entry.color, {"#ffffff", 1.5, false}); break;
         case LegendEntry::Kind::line:
         case LegendEntry::Kind::dashed:
-            svg.line(middle - dvec2(0.5 * kSign, 0), middle + dvec2(0.5 * kSign, 0),
-                     {entry.color, 4.5, entry.kind == LegendEntry::Kind::dashed});
+            drawing.line(middle - dvec2(0.5 * kSign, 0), middle + dvec2(0.5 * kSign, 0),
+                         {entry.color, 4.5, entry.kind == LegendEntry::Kind::dashed});
         }
-        svg.text(at + dvec2(kSign + kGap, 0), entry.text, {.size = kText});
+        drawing.text(at + dvec2(kSign + kGap, 0), entry.text, {.size = kText});
         at.x += width + kBetween;
     }
 }

@@ -35,15 +35,19 @@ public:
     [[nodiscard]] bool shows(dvec2 place) const; ///< is it in the area?
 
     /// Where the scene's surfaces are cut: casters dark, all others light.
-    void drawScene(Svg& svg, Labels& labels) const;
-    void drawEye(Svg& svg, Labels& labels) const;
-    void drawLight(Svg& svg, Labels& labels) const;
-    void drawPoint(Svg& svg, Labels& labels) const;
+    void drawScene(Drawing& drawing, Labels& labels) const;
+    void drawEye(Drawing& drawing, Labels& labels) const;
+    void drawLight(Drawing& drawing, Labels& labels) const;
+    void drawPoint(Drawing& drawing, Labels& labels) const;
+    /// All three, with the light's line of that colour and the eye's line to the point. `arrowAt`: the share of the light's line at
+    /// which its head is.
+    void drawLines(Drawing& drawing, Labels& labels, const std::string& lightColor, double arrowAt) const;
 
 private:
     void findPlaces(const Probe& probe);
     void fit(const std::vector<dvec2>& places);
-    void drawAway(Svg& svg, Labels& labels, dvec2 direction, const std::string& text, const std::string& color) const;
+    void drawAway(Drawing& drawing, Labels& labels, dvec2 direction, const std::string& text,
+                  const std::string& color) const;
 
     const scene::Scene& scene_;
     Box area_;
@@ -59,19 +63,19 @@ struct LegendEntry {
     enum class Kind { filled, line, dashed, dot } kind = Kind::line;
     std::string color, text;
 };
-void drawLegend(Svg& svg, const Box& area, std::span<const LegendEntry> entries, const image::Font& font);
+void drawLegend(Drawing& drawing, const Box& area, std::span<const LegendEntry> entries, const image::Font& font);
 
 /// Lines of text below one another, each broken where it is too long.
 class TextColumn {
 public:
-    TextColumn(Svg& svg, const Box& area, const image::Font& font) : svg_(svg), area_(area), font_(font) {}
+    TextColumn(Drawing& drawing, const Box& area, const image::Font& font) : svg_(drawing), area_(area), font_(font) {}
     void heading(const std::string& text);
     /// False where there is no room any more.
     bool row(const std::string& text, const std::string& color = "#1a1a1a");
     [[nodiscard]] bool hasRoom(int lines) const;
 
 private:
-    Svg& svg_;
+    Drawing& svg_;
     Box area_;
     const image::Font& font_;
     double y_ = 0;

@@ -4,7 +4,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "app/diagram/svg.h"
+#include "app/diagram/drawing.h"
+#include "app/diagram/markup.h"
 
 namespace shadowlab::diagram {
 
@@ -29,19 +30,6 @@ std::string attributes(const std::string& fill, const Stroke& stroke) {
     return (fill.empty() ? "" : " fill=\"" + fill + "\"") +
            (stroke.width > 0 ? " stroke=\"" + stroke.color + "\"" + attribute("stroke-width", stroke.width) : "") +
            (stroke.isDashed ? dashes : "");
-}
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text)
-        switch (c) {
-        case '&': out += "&amp;"; break;
-        case '<': out += "&lt;"; break;
-        case '>': out += "&gt;"; break;
-        case '"': out += "&quot;"; break;
-        default: out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c; // no control character is allowed in XML
-        }
-    return out;
 }
 
 std::string pair(dvec2 p) { return number(p.x) + " " + number(p.y); }
@@ -86,8 +74,8 @@ struct Writer {
             (style.isBold ? " font-weight=\"bold\"" : "") + (style.isItalic ? " font-style=\"italic\"" : "");
         // Twice: not every program that shows SVG can paint the rim below the letters by itself.
         if (style.hasRim)
-            body += "<text class=\"rim\"" + common + " aria-hidden=\"true\">" + escaped(text.text) + "</text>\n";
-        body += "<text" + common + " fill=\"" + style.color + "\">" + escaped(text.text) + "</text>\n";
+            body += "<text class=\"rim\"" + common + " aria-hidden=\"true\">" + escapedMarkup(text.text) + "</text>\n";
+        body += "<text" + common + " fill=\"" + style.color + "\">" + escapedMarkup(text.text) + "</text>\n";
     }
     void operator()(const ClipBegin& clip) {
         const std::string id = "clip" + std::to_string(++clips);
@@ -99,7 +87,7 @@ struct Writer {
 
 } // namespace
 
-std::string Svg::document(std::string_view title) const {
+std::string Drawing::document(std::string_view title) const {
     Writer writer;
     for (const Mark& mark : marks_)
         std::visit(writer, mark);
@@ -107,7 +95,7 @@ std::string Svg::document(std::string_view title) const {
     return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + width +
            "\" height=\"" + height + "\" viewBox=\"0 0 " + width + " " + height +
            "\" font-family=\"'DejaVu Sans', Verdana, sans-serif\" stroke-linecap=\"round\" fill=\"none\">\n<title>" +
-           escaped(title) +
+           escapedMarkup(title) +
            "</title>\n<style>.rim{fill:#ffffff;stroke:#ffffff;stroke-width:" + std::to_string(std::lround(kRimWidth)) +
            "px;stroke-linejoin:round}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" +
            writer.body + "</svg>\n";

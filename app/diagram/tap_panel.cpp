@@ -17,8 +17,8 @@ constexpr double kMostGrid = 48; ///< texels across: closer lines would be grey
 
 bool hasTaps(const MapProbe& map) { return map.taps.size() > 1 || map.search; }
 
-void drawTaps(Svg& svg, const Box& area, const MapProbe& map) {
-    svg.text(area.corner + dvec2(0, kText), "Where it asks", {.size = kText, .isBold = true});
+void drawTaps(Drawing& drawing, const Box& area, const MapProbe& map) {
+    drawing.text(area.corner + dvec2(0, kText), "Where it asks", {.size = kText, .isBold = true});
     const double side = std::min(area.size.x, area.size.y - kText - 14);
     const Box field{area.corner + dvec2(0, kText + 14), dvec2(side)};
     const dvec2 middle = dvec2(map.str) * static_cast<double>(map.resolution);
@@ -36,26 +36,26 @@ void drawTaps(Svg& svg, const Box& area, const MapProbe& map) {
         const dvec2 away = texels - middle;
         return field.corner + 0.5 * field.size + scale * dvec2(away.x, -away.y);
     };
-    svg.beginClip(field.corner, field.size);
+    drawing.beginClip(field.corner, field.size);
     if (2 * reach <= kMostGrid)
         for (int axis = 0; axis < 2; ++axis)
             for (double line = std::ceil(middle[axis] - reach); line <= middle[axis] + reach; ++line) {
                 dvec2 from = middle - reach, to = middle + reach;
                 from[axis] = to[axis] = line;
-                svg.line(at(from), at(to), {"#d0d0d0", 1.5, false});
+                drawing.line(at(from), at(to), {"#d0d0d0", 1.5, false});
             }
     const auto colorOf = [](const MapProbe::Tap& tap) {
         return colorText(tap.isLit ? look::kEqualDepth : look::kOccluded);
     };
     if (map.search)
         for (const MapProbe::Tap& look : map.search->looks)
-            svg.circle(at(look.placeTexels), 5, "none", {colorOf(look), 2, false}, "look");
+            drawing.circle(at(look.placeTexels), 5, "none", {colorOf(look), 2, false}, "look");
     for (const MapProbe::Tap& tap : map.taps)
-        svg.circle(at(tap.placeTexels), 5, colorOf(tap), {"#ffffff", 1, false}, "tap");
+        drawing.circle(at(tap.placeTexels), 5, colorOf(tap), {"#ffffff", 1, false}, "tap");
     for (const dvec2& arm : {dvec2(10, 0), dvec2(0, 10)})
-        svg.line(at(middle) - arm, at(middle) + arm, {"#1a1a1a", 2.5, false});
-    svg.endClip();
-    svg.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
+        drawing.line(at(middle) - arm, at(middle) + arm, {"#1a1a1a", 2.5, false});
+    drawing.endClip();
+    drawing.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
 }
 
 } // namespace shadowlab::diagram

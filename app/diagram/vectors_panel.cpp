@@ -63,13 +63,14 @@ std::string brought(const Probe& probe, Probe::Role role, const char* name) {
     return "";
 }
 
-void drawFigure(Svg& svg, const Box& area, const Probe& probe, const DrawingPlane& plane, const image::Font& font) {
+void drawFigure(Drawing& drawing, const Box& area, const Probe& probe, const DrawingPlane& plane,
+                const image::Font& font) {
     // Below an opaque surface there is nothing to see.
     const double above = find(probe, "T") ? 0.5 * area.size.y : area.size.y - 2 * kHeading;
     const dvec2 at = area.corner + dvec2(0.5 * area.size.x, above);
     const double unit = std::min(kMostUnit, above - kHeading);
     Labels labels(font, area);
-    svg.line(at - dvec2(area.size.x / 2 - 10, 0), at + dvec2(area.size.x / 2 - 10, 0), {"#8c8c8c", 4, false});
+    drawing.line(at - dvec2(area.size.x / 2 - 10, 0), at + dvec2(area.size.x / 2 - 10, 0), {"#8c8c8c", 4, false});
     labels.avoid(at - dvec2(area.size.x / 2, 0), at + dvec2(area.size.x / 2, 0));
     struct Tip {
         std::string letter;
@@ -91,39 +92,39 @@ void drawFigure(Svg& svg, const Box& area, const Probe& probe, const DrawingPlan
             to = at + 0.9 * kArrives * onSheet;
             tip = glm::mix(from, to, 0.8);
         }
-        svg.arrow(from, to, stroke);
+        drawing.arrow(from, to, stroke);
         labels.avoid(at, vector.label == "u" ? from : to);
         tips.push_back({vector.label, tip});
     }
-    svg.circle(at, 7, "#1a1a1a", {"#ffffff", 1.5, false});
+    drawing.circle(at, 7, "#1a1a1a", {"#ffffff", 1.5, false});
     labels.avoid({at - 8.0, dvec2(16)});
     for (const Tip& tip : tips)
-        labels.place(svg, tip.at, tip.letter, {.size = kHeading, .isBold = true, .isItalic = true}, 8);
-    labels.place(svg, at + dvec2(0, 6), "S1", {.size = kText, .isBold = true}, 12);
+        labels.place(drawing, tip.at, tip.letter, {.size = kHeading, .isBold = true, .isItalic = true}, 8);
+    labels.place(drawing, at + dvec2(0, 6), "S1", {.size = kText, .isBold = true}, 12);
 }
 
 } // namespace
 
-void drawVectors(Svg& svg, const Box& area, const Probe& probe, const image::Font& font) {
+void drawVectors(Drawing& drawing, const Box& area, const Probe& probe, const image::Font& font) {
     const Probe::Node& root = probe.tree.front();
-    svg.text(area.corner + dvec2(0, kHeading), "Vectors at S1, " + root.object, {.size = kHeading, .isBold = true});
+    drawing.text(area.corner + dvec2(0, kHeading), "Vectors at S1, " + root.object, {.size = kHeading, .isBold = true});
     const DrawingPlane plane = planeWithNormalUp(probe);
     const double row = kText * 1.15, tableHeight = row * static_cast<double>(probe.vectors.size()) + 2 * row + 8;
     const Box figure{area.corner + dvec2(0, kHeading + 8), {area.size.x, area.size.y - kHeading - 8 - tableHeight - 4}};
-    drawFigure(svg, figure, probe, plane, font);
+    drawFigure(drawing, figure, probe, plane, font);
     double y = area.corner.y + area.size.y - tableHeight + row;
     bool leaves = false;
     for (const Probe::Vector& vector : probe.vectors) {
         const double x = area.corner.x;
-        svg.line({x, y - 8}, {x + 34, y - 8}, strokeOf(vector.label));
-        svg.text({x + 46, y}, vector.label, {.size = kText, .isBold = true, .isItalic = true});
+        drawing.line({x, y - 8}, {x + 34, y - 8}, strokeOf(vector.label));
+        drawing.text({x + 46, y}, vector.label, {.size = kText, .isBold = true, .isItalic = true});
         std::string words = meaning(vector.label);
         if (vector.label == "R") words += brought(probe, Probe::Role::reflection, "I_R");
         if (vector.label == "T") words += brought(probe, Probe::Role::refraction, "I_T");
-        svg.text({x + 80, y}, words, {.size = kText * 0.92});
+        drawing.text({x + 80, y}, words, {.size = kText * 0.92});
         for (int axis = 0; axis < 3; ++axis)
-            svg.text({area.corner.x + area.size.x - 210 + 105 * axis, y}, fixed(vector.directionWorld[axis]),
-                     {.size = kText * 0.92, .anchor = Anchor::end});
+            drawing.text({area.corner.x + area.size.x - 210 + 105 * axis, y}, fixed(vector.directionWorld[axis]),
+                         {.size = kText * 0.92, .anchor = Anchor::end});
         leaves = leaves || isOutOf(plane, vector.directionWorld);
         y += row;
     }
@@ -131,10 +132,10 @@ void drawVectors(Svg& svg, const Box& area, const Probe& probe, const image::Fon
     std::string angles;
     if (v && n) angles = "angle of incidence " + degrees(glm::dot(v->directionWorld, n->directionWorld));
     if (t && n) angles += ", of refraction " + degrees(-glm::dot(t->directionWorld, n->directionWorld));
-    svg.text({area.corner.x, y + 4}, angles, {.size = kText * 0.92});
+    drawing.text({area.corner.x, y + 4}, angles, {.size = kText * 0.92});
     if (leaves)
-        svg.text({area.corner.x, y + row}, "dashed: not in the plane of the others, seen is what falls on it",
-                 {.size = kText * 0.85, .color = "#4d4d4d"});
+        drawing.text({area.corner.x, y + row}, "dashed: not in the plane of the others, seen is what falls on it",
+                     {.size = kText * 0.85, .color = "#4d4d4d"});
 }
 
 } // namespace shadowlab::diagram

@@ -31,8 +31,8 @@ std::string signed_(int number) {
     return (number > 0 ? "+" : number < 0 ? "\u2212" : "") + std::to_string(std::abs(number));
 }
 
-void drawAreas(Svg& svg, const SectionSheet& sheet, const VolumeProbe& volume) {
-    svg.beginClip(sheet.area().corner, sheet.area().size);
+void drawAreas(Drawing& drawing, const SectionSheet& sheet, const VolumeProbe& volume) {
+    drawing.beginClip(sheet.area().corner, sheet.area().size);
     for (const CountedArea& area : countedAreas(volume.caps, sheet.light(), sheet.metres())) {
         std::vector<dvec2> corners;
         for (const dvec2& corner : area.corners)
@@ -41,13 +41,13 @@ void drawAreas(Svg& svg, const SectionSheet& sheet, const VolumeProbe& volume) {
         const dvec2 high = glm::max(glm::max(corners[0], corners[1]), glm::max(corners[2], corners[3]));
         if (!sheet.area().overlaps({low, high - low})) continue;
         // A rim of its own colour closes the seam to the next one.
-        svg.path(corners, true, fillOf(area.count), {fillOf(area.count), 1, false});
+        drawing.path(corners, true, fillOf(area.count), {fillOf(area.count), 1, false});
     }
-    svg.endClip();
+    drawing.endClip();
 }
 
 /// In each region of one count its number, where it has most room.
-void writeCounts(Svg& svg, Labels& labels, const SectionSheet& sheet, const VolumeProbe& volume) {
+void writeCounts(Drawing& drawing, Labels& labels, const SectionSheet& sheet, const VolumeProbe& volume) {
     const Box metres = sheet.metres();
     const ivec2 cells = ivec2(sheet.area().size / kGrid);
     const auto index = [&](int x, int y) {
@@ -100,7 +100,7 @@ void writeCounts(Svg& svg, Labels& labels, const SectionSheet& sheet, const Volu
                                              static_cast<double>(best / static_cast<std::size_t>(cells.x))) +
                                        0.5) *
                                           sheet.area().size / dvec2(cells);
-            labels.place(svg, at, signed_(counts[best]), {.size = 1.3 * kText, .color = "#595959"}, 0);
+            labels.place(drawing, at, signed_(counts[best]), {.size = 1.3 * kText, .color = "#595959"}, 0);
         }
 }
 
@@ -109,29 +109,29 @@ dvec2 placeOf(const SectionSheet& sheet, const Crossing& crossing) {
     return sheet.eye() + crossing.distance * way;
 }
 
-void drawLine(Svg& svg, Labels& labels, const SectionSheet& sheet) {
+void drawLine(Drawing& drawing, Labels& labels, const SectionSheet& sheet) {
     const dvec2 point = sheet(dvec2(0.0));
     const dvec2 from = sheet.shows(sheet.eye()) ? sheet(sheet.eye()) : sheet.border(dvec2(0.0), sheet.eye());
     const dvec2 to = sheet.border(dvec2(0.0), -sheet.eye());
-    svg.line(from, point, {"#1a1a1a", 4, false});
-    svg.arrow(point, to, {"#1a1a1a", 4, true});
+    drawing.line(from, point, {"#1a1a1a", 4, false});
+    drawing.arrow(point, to, {"#1a1a1a", 4, true});
     labels.avoid(from, point);
     labels.avoid(point, to);
 }
 
-void drawCrossings(Svg& svg, Labels& labels, const SectionSheet& sheet, const VolumeProbe& volume) {
+void drawCrossings(Drawing& drawing, Labels& labels, const SectionSheet& sheet, const VolumeProbe& volume) {
     std::size_t number = 0;
     std::vector<std::pair<dvec2, const Crossing*>> marks;
     for (const Crossing& crossing : volume.crossings) {
         if (++number > kMarked) break;
         if (std::isinf(crossing.distance) || !sheet.shows(placeOf(sheet, crossing))) continue;
         marks.emplace_back(sheet(placeOf(sheet, crossing)), &crossing);
-        svg.circle(marks.back().first, 8, colorOf(crossing.sign), {"#ffffff", 2, false}, "crossing");
+        drawing.circle(marks.back().first, 8, colorOf(crossing.sign), {"#ffffff", 2, false}, "crossing");
         labels.avoid({marks.back().first - 8.0, dvec2(16)});
     }
     for (const auto& [at, crossing] : marks) {
         const auto which = static_cast<std::size_t>(crossing - volume.crossings.data()) + 1;
-        labels.place(svg, at, std::to_string(which) + ": " + signed_(crossing->sign),
+        labels.place(drawing, at, std::to_string(which) + ": " + signed_(crossing->sign),
                      {.size = kText, .isBold = true, .color = colorOf(crossing->sign)}, 14);
     }
 }
@@ -145,9 +145,9 @@ std::string rowOf(const Crossing& crossing, std::size_t number) {
            (std::isinf(crossing.distance) ? "at infinity" : fourDigits(crossing.distance) + " m");
 }
 
-void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Font& font) {
+void writeNumbers(Drawing& drawing, const Box& area, const Probe& probe, const image::Font& font) {
     const VolumeProbe& volume = *probe.volume;
-    TextColumn column(svg, area, font);
+    TextColumn column(drawing, area, font);
     const auto verdict = [](int count) { return signed_(count) + (count == 0 ? ", illuminated" : ", in shadow"); };
     column.heading("Z-pass: eye to point");
     column.row("n_f = " + std::to_string(volume.frontsBefore) + ", n_b = " + std::to_string(volume.backsBefore) +
@@ -183,11 +183,12 @@ void writeNumbers(Svg& svg, const Box& area, const Probe& probe, const image::Fo
 
 } // namespace
 
-void drawVolume(Svg& svg, const Box& area, const Probe& probe, const scene::Scene& scene, const image::Font& font) {
+void drawVolume(Drawing& drawing, const Box& area, const Probe& probe, const scene::Scene& scene,
+                const image::Font& font) {
     const VolumeProbe& volume = *probe.volume;
     constexpr double kNumbers = 610, kLegend = 76;
-    svg.text(area.corner + dvec2(0, kHeading), "Shadow volumes in the plane through eye, light and point",
-             {.size = kHeading, .isBold = true});
+    drawing.text(area.corner + dvec2(0, kHeading), "Shadow volumes in the plane through eye, light and point",
+                 {.size = kHeading, .isBold = true});
     const Box field{area.corner + dvec2(0, kHeading + 18),
                     area.size - dvec2(kNumbers + 30, kHeading + 18 + kLegend + 14)};
     std::vector<dvec2> places;
@@ -196,17 +197,17 @@ void drawVolume(Svg& svg, const Box& area, const Probe& probe, const scene::Scen
         if (std::isfinite(crossing.distance)) places.push_back(eye + crossing.distance * way);
     const SectionSheet sheet(probe, scene, field, places);
     Labels labels(font, field);
-    drawAreas(svg, sheet, volume);
-    sheet.drawScene(svg, labels);
-    drawLine(svg, labels, sheet);
-    sheet.drawPoint(svg, labels);
-    sheet.drawEye(svg, labels);
-    sheet.drawLight(svg, labels);
-    drawCrossings(svg, labels, sheet, volume);
-    writeCounts(svg, labels, sheet, volume);
-    svg.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
-    writeNumbers(svg, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}}, probe,
-                 font);
+    drawAreas(drawing, sheet, volume);
+    sheet.drawScene(drawing, labels);
+    drawLine(drawing, labels, sheet);
+    sheet.drawPoint(drawing, labels);
+    sheet.drawEye(drawing, labels);
+    sheet.drawLight(drawing, labels);
+    drawCrossings(drawing, labels, sheet, volume);
+    writeCounts(drawing, labels, sheet, volume);
+    drawing.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
+    writeNumbers(drawing, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}},
+                 probe, font);
     using enum LegendEntry::Kind;
     const LegendEntry legend[] = {{LegendEntry::Kind::filled, fillOf(1), "in 1 volume"},
                                   {LegendEntry::Kind::filled, fillOf(2), "in 2"},
@@ -218,7 +219,7 @@ void drawVolume(Svg& svg, const Box& area, const Probe& probe, const scene::Scen
                                   {dashed, "#1a1a1a", "z-fail"},
                                   {line, "#4d4d4d", "caster"},
                                   {line, "#a6a6a6", "casts no shadow"}};
-    drawLegend(svg, {area.corner + dvec2(0, area.size.y - kLegend), {area.size.x, kLegend}}, legend, font);
+    drawLegend(drawing, {area.corner + dvec2(0, area.size.y - kLegend), {area.size.x, kLegend}}, legend, font);
 }
 
 } // namespace shadowlab::diagram

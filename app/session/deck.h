@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session/lesson.h"
+#include "app/session/shown_state.h"
+#include "techniques/foundation/scene/load.h"
 
 namespace shadowlab::session {
 
@@ -21,9 +22,10 @@ struct Callout {
 
 /// One picture of a slide: what techniques show of a scene, or the drawing that a probe makes of one of its pixels.
 struct SlidePicture {
-    LessonState state;
+    ShownState state;
     std::optional<dvec2> pixel, partner; ///< in shares of the picture: what stages are about, or the drawing
-    bool isDiagram = false;
+    std::string
+        figure; ///< the name of a drawing of that pixel (diagram/figures.h); empty: the scene as techniques show it
     std::optional<scene::Camera> outside; ///< of the stage `outside`; none: as the program chooses it
     std::string label;                    ///< above it; may be empty
     std::vector<Callout> callouts;
@@ -32,12 +34,12 @@ struct SlidePicture {
 struct Slide {
     std::string name; ///< its files are called so
     std::string title;
-    std::vector<SlidePicture> pictures; ///< none: words alone
-    std::vector<std::string> text;      ///< paragraphs beside the pictures
-    std::string pseudocode;             ///< the lecture's own, of the technique of that id; empty: none
-    std::vector<int> marked;            ///< its lines on a bright ground, counted from 1
-    std::vector<std::string> formulas;  ///< each in the part of TeX that diagram/formula.h knows
-    std::optional<int> supersample;     ///< N x N samples for a pixel; none: as many as for the other slides
+    std::vector<SlidePicture> pictures;  ///< none: words alone
+    std::vector<std::string> text;       ///< paragraphs beside the pictures
+    std::vector<std::string> pseudocode; ///< the lines of a technique's
+    std::vector<int> marked;             ///< which of them on a bright ground, counted from 1
+    std::vector<std::string> formulas;   ///< each in the part of TeX that diagram/formula.h knows
+    std::optional<int> supersample;      ///< N x N samples for a pixel; none: as many as for the other slides
     std::string caption;
     std::string alt; ///< the picture in words, for who cannot see it
 };

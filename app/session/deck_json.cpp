@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
-#include <set>
+#include <sstream>
 
+#include "app/diagram/figures.h"
 #include "app/session/deck.h"
 #include "app/session/lesson_parts.h"
 #include "app/session/state_json.h"
@@ -124,15 +125,19 @@ struct Deck::File {
         picture.state = states.read(levels);
         picture.pixel = share(own, "pixel");
         picture.partner = share(own, "partner");
-        picture.isDiagram = own.boolean("diagram", false);
+        if (own.find("diagram")) {
+            picture.figure = own.text("diagram");
+            saidAt(document, own.require("diagram", "").offset,
+                   [&] { return diagram::findFigure(picture.figure).name; });
+        }
         picture.label = optionalText(own, "label", kLongestTitle);
         picture.callouts = readCallouts(own);
         if (const JsonValue* camera = own.find("outside"))
             picture.outside = scene::readCamera(scene::NumberRanges{}, document, *camera, "the camera outside",
                                                 outsideCameraOf(*picture.state.scene, picture.state.camera));
-        if (picture.isDiagram && !picture.pixel)
+        if (!picture.figure.empty() && !picture.pixel)
             own.fail("diagram", "is about a pixel; write \"pixel\": [0.5, 0.5], in shares of the picture");
-        if (picture.isDiagram && picture.state.slots.size() != 1)
+        if (!picture.figure.empty() && picture.state.slots.size() != 1)
             own.fail("diagram", "is drawn by one technique; write one under \"slots\"");
         if (picture.partner && !picture.pixel)
             own.fail("partner", "is the second of two pixels; write the first under \"pixel\"");
@@ -182,10 +187,14 @@ struct Deck::File {
             if (own.find("marked")) own.fail("marked", "are lines of \"pseudocode\"; write that, too");
             return;
         }
-        slide.pseudocode = own.text("pseudocode");
+        const std::string technique = own.text("pseudocode");
         const TechniqueInfo& info = saidAt(document, own.require("pseudocode", "").offset,
-                                           [&]() -> const TechniqueInfo& { return findTechnique(slide.pseudocode); });
-        const auto lines = 1 + static_cast<int>(std::ranges::count(info.pseudocode, '\n'));
+                                           [&]() -> const TechniqueInfo& { return findTechnique(technique); });
+        std::istringstream text{std::string(info.pseudocode)};
+        for (std::string line; std::getline(text, line);)
+            slide.pseudocode.push_back(line);
+        if (slide.pseudocode.empty()) own.fail("pseudocode", "is of a technique that has none; choose another");
+        const auto lines = static_cast<int>(slide.pseudocode.size());
         for (const JsonValue& value : own.array("marked")) {
             const int line = static_cast<int>(value.number);
             if (value.kind != JsonValue::Kind::number || line != value.number || line < 1 || line > lines)

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session/document.h"
 #include "app/session/motion.h"
+#include "app/session/shown_state.h"
 #include "techniques/foundation/scene/load.h"
 
 namespace shadowlab::session {
@@ -73,21 +73,10 @@ struct Question {
     int right = 0;                    ///< index of the right one
 };
 
-/// All that one state shows.
-struct LessonState {
-    scene::Snapshot scene; ///< with the lights as the lesson has them
-    std::string sceneName; ///< as the command line takes it
-    scene::Camera camera;
-    Layout layout = Layout::single;
-    int light = 0;
-    std::vector<PaneState> slots;      ///< one for each technique on show
-    std::vector<std::string> settings; ///< as the file has them, for people to read
-};
-
 struct Lesson {
     LessonText text;
-    std::array<LessonState, 2> states; ///< before, after
-    Motion motion;                     ///< of artefacts that only show in moving pictures; else a single frame
+    std::array<ShownState, 2> states; ///< before, after
+    Motion motion;                    ///< of artefacts that only show in moving pictures; else a single frame
     std::vector<LookBox> look;
     std::vector<Expectation> expectations;
     ivec2 size{320, 180}; ///< of the pictures that are measured
@@ -104,11 +93,5 @@ Lesson loadLesson(const std::string& nameOrPath, const scene::LoadOptions& optio
 
 /// The same from a text; `file` is named in errors, and scenes are looked for beside it.
 Lesson parseLesson(const std::string& text, const std::filesystem::path& file, const scene::LoadOptions& options);
-
-/// The state as the window shows it.
-Document documentOf(const LessonState& state);
-
-/// Slots with the settings of the state. Throws Error (usage) for values out of range.
-std::vector<Slot> slotsOf(const std::vector<PaneState>& states);
 
 } // namespace shadowlab::session

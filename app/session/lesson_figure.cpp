@@ -28,7 +28,7 @@ struct Column {
 
 std::string stateTitle(std::size_t state) { return state == 0 ? "1 of 2: the artefact" : "2 of 2: the mend"; }
 
-std::string settingsLine(const LessonState& state) {
+std::string settingsLine(const ShownState& state) {
     std::string line;
     for (const std::string& setting : state.settings)
         line += (line.empty() ? "" : ",  ") + setting;
@@ -53,7 +53,7 @@ image::Image lessonFigure(const Lesson& lesson, const ShownStates& states, ivec2
         texts.clear();
         int textHeight = 0;
         for (const std::size_t state : states) {
-            const LessonState& shown = lesson.states[state];
+            const ShownState& shown = lesson.states[state];
             texts.push_back({laidOut(stateTitle(state), bold, size.y * share, columnWidth),
                              laidOut(sentenceOf(lesson, state), font, size.y * share, columnWidth - pad),
                              laidOut(settingsLine(shown), font, size.y * kLessonSettingShare, columnWidth)});

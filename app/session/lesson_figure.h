@@ -19,7 +19,7 @@ std::string stateTitle(std::size_t state);
 const std::string& sentenceOf(const Lesson& lesson, std::size_t state);
 
 /// "shadow-map.bias-mode=none" as a line below the sentence: what makes the state what it is.
-std::string settingsLine(const LessonState& state);
+std::string settingsLine(const ShownState& state);
 
 /// Draws the states with their techniques. Throws Error (usage) for a size in which the pictures would have no room
 /// beside their words. Needs a current GL context.

@@ -128,17 +128,17 @@ private:
 };
 
 /// Before a shadow is revealed, none of it is seen.
-LessonState stateOf(const Lesson& lesson, LessonShot shot) {
+ShownState stateOf(const Lesson& lesson, LessonShot shot) {
     if (shot == LessonShot::artefact || shot == LessonShot::mend)
         return lesson.states[shot == LessonShot::artefact ? 0 : 1];
     if (lesson.question->kind == Question::Kind::choice) return lesson.states[lesson.question->picture];
-    LessonState bare = lesson.states[0];
+    ShownState bare = lesson.states[0];
     bare.slots = {{.technique = "unshadowed", .stage = "", .settings = {}}};
     bare.layout = Layout::single;
     return bare;
 }
 
-void layTrueShadowOver(image::Image& picture, const LessonState& state) {
+void layTrueShadowOver(image::Image& picture, const ShownState& state) {
     Session session(state.scene);
     View view;
     view.camera = state.camera;
@@ -150,7 +150,7 @@ void layTrueShadowOver(image::Image& picture, const LessonState& state) {
                 blendPixel(picture, x, y, kTrueShadow, kTrueShadowCoverage);
 }
 
-image::Image drawShot(const Lesson& lesson, LessonShot shot, const LessonState& state, const Page& page, ivec2 size,
+image::Image drawShot(const Lesson& lesson, LessonShot shot, const ShownState& state, const Page& page, ivec2 size,
                       const image::Font& font) {
     image::Image picture = drawState(state, {.size = page.pictureSize()}, font);
     if (shot == LessonShot::artefact || shot == LessonShot::mend)
@@ -163,7 +163,7 @@ image::Image drawShot(const Lesson& lesson, LessonShot shot, const LessonState& 
 /// All frames of the motion but the first, which was shown already, and back again to it.
 void addMotion(const Lesson& lesson, LessonShot shot, const Page& page, ivec2 size, const image::Font& font,
                Film& film) {
-    const LessonState atRest = stateOf(lesson, shot);
+    const ShownState atRest = stateOf(lesson, shot);
     const Words words = wordsOf(lesson, shot);
     scene::Scene base = *atRest.scene;
     base.camera = atRest.camera;
@@ -173,7 +173,7 @@ void addMotion(const Lesson& lesson, LessonShot shot, const Page& page, ivec2 si
     for (int frame = 0; frame < lesson.motion.frames; ++frame) {
         const Moment moment = momentAt(lesson.motion, first, frame, previous);
         previous = moment.snapshot;
-        LessonState state = atRest;
+        ShownState state = atRest;
         state.scene = moment.snapshot;
         state.camera = moment.camera;
         pages.push_back(page.with(drawShot(lesson, shot, state, page, size, font), words));

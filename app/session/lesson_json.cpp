@@ -59,7 +59,7 @@ private:
     }
 
     /// What both states share stands at the top of the file, what is a state's own in its object.
-    LessonState state(StateReader& reader, const char* name) const {
+    ShownState state(StateReader& reader, const char* name) const {
         const JsonObject own(document_, top_.require(name, R"({"set": ["shadow-map.bias-mode=none"]})"),
                              "\"" + std::string(name) + "\"",
                              {"scene", "camera", "lights", "layout", "slots", "stage", "set"});

@@ -43,7 +43,7 @@ int forEachPixel(const Region& region, const Visit& visit) {
 /// Measures one state of a lesson. What several expectations need is made once.
 class StateMeasure {
 public:
-    StateMeasure(const Lesson& lesson, const LessonState& state)
+    StateMeasure(const Lesson& lesson, const ShownState& state)
         : lesson_(lesson), state_(state), session_(state.scene), slots_(slotsOf(state.slots)), frames_(slots_.size()) {
         view_.camera = state.camera;
         view_.size = lesson.size;
@@ -226,7 +226,7 @@ private:
     }
 
     const Lesson& lesson_;
-    const LessonState& state_;
+    const ShownState& state_;
     Session session_;
     PictureEncoder encoder_;
     std::vector<Slot> slots_;

@@ -26,8 +26,8 @@ const JsonObject& having(std::span<const JsonObject* const> levels, std::string_
 
 } // namespace
 
-LessonState StateReader::read(std::span<const JsonObject* const> levels) {
-    LessonState state;
+ShownState StateReader::read(std::span<const JsonObject* const> levels) {
+    ShownState state;
     loadScene(having(levels, "scene"), state);
     state.camera = state.scene->camera;
     std::vector<scene::Light> lights = state.scene->lights;
@@ -64,7 +64,7 @@ LessonState StateReader::read(std::span<const JsonObject* const> levels) {
     return state;
 }
 
-void StateReader::loadScene(const JsonObject& object, LessonState& state) {
+void StateReader::loadScene(const JsonObject& object, ShownState& state) {
     const std::string reference = object.text("scene");
     const std::string ending = std::filesystem::path(reference).extension().string();
     state.sceneName = reference;
@@ -79,7 +79,7 @@ void StateReader::loadScene(const JsonObject& object, LessonState& state) {
     state.scene = loaded_.second;
 }
 
-void StateReader::readSlots(const JsonObject& object, const JsonObject* stageOf, LessonState& state) {
+void StateReader::readSlots(const JsonObject& object, const JsonObject* stageOf, ShownState& state) {
     for (const JsonValue& value : object.array("slots")) {
         const JsonObject slot(document_, value, "slot " + std::to_string(state.slots.size() + 1),
                               {"technique", "stage"});
@@ -102,7 +102,7 @@ void StateReader::readSlots(const JsonObject& object, const JsonObject* stageOf,
 }
 
 /// Settings are checked by slots like those of a capture, and written down as the panes keep them.
-void StateReader::readSettings(std::span<const JsonObject* const> levels, LessonState& state) {
+void StateReader::readSettings(std::span<const JsonObject* const> levels, ShownState& state) {
     std::vector<Slot> slots = slotsOf(state.slots);
     for (const JsonObject* level : levels)
         for (const auto& [setting, offset] : texts(*level, "set")) {

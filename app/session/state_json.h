@@ -7,8 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "app/session/lesson.h"
+#include "app/session/shown_state.h"
 #include "techniques/foundation/scene/json_object.h"
+#include "techniques/foundation/scene/load.h"
 
 namespace shadowlab::session {
 
@@ -22,12 +23,12 @@ public:
     /// The state that the levels say, from what is common to all pictures to what is this one's own: of scene, layout, light and
     /// slots the last that is there counts; cameras, lights and settings are changed one level after another. `stage` is
     /// that of all slots. Throws Error (badInput) with FILE:LINE:COLUMN, and all that loading a scene throws.
-    LessonState read(std::span<const scene::JsonObject* const> levels);
+    ShownState read(std::span<const scene::JsonObject* const> levels);
 
 private:
-    void loadScene(const scene::JsonObject& object, LessonState& state);
-    void readSlots(const scene::JsonObject& object, const scene::JsonObject* stageOf, LessonState& state);
-    void readSettings(std::span<const scene::JsonObject* const> levels, LessonState& state);
+    void loadScene(const scene::JsonObject& object, ShownState& state);
+    void readSlots(const scene::JsonObject& object, const scene::JsonObject* stageOf, ShownState& state);
+    void readSettings(std::span<const scene::JsonObject* const> levels, ShownState& state);
 
     const scene::JsonDocument& document_;
     const std::filesystem::path& file_;

@@ -13,7 +13,7 @@ namespace {
 
 class StatePicture {
 public:
-    StatePicture(const LessonState& state, const StateRequest& request, const image::Font& font)
+    StatePicture(const ShownState& state, const StateRequest& request, const image::Font& font)
         : state_(state), request_(request), font_(font), session_(state.scene), slots_(slotsOf(state.slots)) {}
 
     image::Image draw() {
@@ -87,7 +87,7 @@ private:
                                {std::string(slots_[0].info->title), std::string(slots_[1].info->title)});
     }
 
-    const LessonState& state_;
+    const ShownState& state_;
     const StateRequest& request_;
     const image::Font& font_;
     Session session_;
@@ -97,7 +97,7 @@ private:
 
 } // namespace
 
-image::Image drawState(const LessonState& state, const StateRequest& request, const image::Font& font) {
+image::Image drawState(const ShownState& state, const StateRequest& request, const image::Font& font) {
     return StatePicture(state, request, font).draw();
 }
 

@@ -3,20 +3,20 @@
 #pragma once
 #include <optional>
 
-#include "app/session/lesson.h"
+#include "app/session/shown_state.h"
 #include "techniques/foundation/image/text.h"
 
 namespace shadowlab::session {
 
 struct StateRequest {
     ivec2 size{0};
-    int supersample = 1;                  ///< N x N samples for a pixel, averaged in linear light
-    int typeHeight = 0;                   ///< the height that type sizes are shares of; 0: the picture's own
+    int supersample = 1;                      ///< N x N samples for a pixel, averaged in linear light
+    int typeHeight = 0;                       ///< the height that type sizes are shares of; 0: the picture's own
     std::optional<dvec2> picked{}, partner{}; ///< of stages about one pixel, in shares of the picture
-    std::optional<scene::Camera> outside{};  ///< of the stage `outside`; none: as the program chooses it
+    std::optional<scene::Camera> outside{};   ///< of the stage `outside`; none: as the program chooses it
 };
 
 /// Draws the state's slots, with titles and legends like those of any capture. Needs a current GL context.
-image::Image drawState(const LessonState& state, const StateRequest& request, const image::Font& font);
+image::Image drawState(const ShownState& state, const StateRequest& request, const image::Font& font);
 
 } // namespace shadowlab::session

@@ -1,26 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <sstream>
-
 #include "app/diagram/formula.h"
+#include "app/diagram/markup.h"
 #include "app/slides/pages.h"
-#include "techniques/registry.h"
 
 namespace shadowlab::slides {
 
 namespace {
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text)
-        switch (c) {
-        case '&': out += "&amp;"; break;
-        case '<': out += "&lt;"; break;
-        case '>': out += "&gt;"; break;
-        case '"': out += "&quot;"; break;
-        default: out += c;
-        }
-    return out;
-}
 
 /// RFC 4648.
 std::string base64(const std::vector<std::uint8_t>& bytes) {
@@ -112,14 +97,13 @@ layout('one');
 std::string toldWords(const session::Slide& slide) {
     std::string html;
     for (const std::string& text : slide.text)
-        html += "<p>" + escaped(text) + "</p>";
+        html += "<p>" + diagram::escapedMarkup(text) + "</p>";
     for (const std::string& tex : slide.formulas)
-        html += "<p>" + escaped(diagram::Formula(tex).spoken()) + "</p>";
+        html += "<p>" + diagram::escapedMarkup(diagram::Formula(tex).spoken()) + "</p>";
     if (!slide.pseudocode.empty()) {
         html += "<ol>";
-        std::istringstream lines{std::string(findTechnique(slide.pseudocode).pseudocode)};
-        for (std::string line; std::getline(lines, line);)
-            html += "<li>" + escaped(line) + "</li>";
+        for (const std::string& line : slide.pseudocode)
+            html += "<li>" + diagram::escapedMarkup(line) + "</li>";
         html += "</ol>";
     }
     return html;
@@ -130,17 +114,18 @@ std::string toldWords(const session::Slide& slide) {
 std::string htmlPage(const session::Deck& deck, const std::vector<PageSlide>& slides) {
     std::string page = "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" +
-                       escaped(deck.title()) + "</title>\n<style>" + std::string(kStyle) +
-                       "</style>\n</head>\n<body>\n<h1>" + escaped(deck.title()) + "</h1>\n<main>\n";
+                       diagram::escapedMarkup(deck.title()) + "</title>\n<style>" + std::string(kStyle) +
+                       "</style>\n</head>\n<body>\n<h1>" + diagram::escapedMarkup(deck.title()) + "</h1>\n<main>\n";
     for (std::size_t i = 0; i < slides.size(); ++i) {
         const session::Slide& slide = slides[i].slide;
         const std::string place = std::to_string(i + 1) + " of " + std::to_string(slides.size());
-        page += "<section id=\"" + slide.name + "\" aria-label=\"" + place + ": " + escaped(slide.title) + "\">\n<h2>" +
-                escaped(slide.title) + "</h2>\n<img alt=\"" + escaped(slide.alt.empty() ? slide.title : slide.alt) +
+        page += "<section id=\"" + slide.name + "\" aria-label=\"" + place + ": " +
+                diagram::escapedMarkup(slide.title) + "\">\n<h2>" + diagram::escapedMarkup(slide.title) +
+                "</h2>\n<img alt=\"" + diagram::escapedMarkup(slide.alt.empty() ? slide.title : slide.alt) +
                 "\" src=\"data:image/png;base64," + base64(slides[i].png) + "\">\n";
         if (const std::string words = toldWords(slide); !words.empty())
             page += "<div class=\"told\">" + words + "</div>\n";
-        if (!slide.caption.empty()) page += "<p class=\"caption\">" + escaped(slide.caption) + "</p>\n";
+        if (!slide.caption.empty()) page += "<p class=\"caption\">" + diagram::escapedMarkup(slide.caption) + "</p>\n";
         page += "</section>\n";
     }
     return page +

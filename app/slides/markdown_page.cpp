@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <sstream>
-
 #include "app/slides/pages.h"
-#include "techniques/registry.h"
 
 namespace shadowlab::slides {
 
@@ -35,8 +32,7 @@ std::string wordsOf(const session::Slide& slide) {
     for (const std::string& tex : slide.formulas)
         text += "$$" + tex + "$$\n\n";
     if (!slide.pseudocode.empty()) {
-        std::istringstream lines{std::string(findTechnique(slide.pseudocode).pseudocode)};
-        for (std::string line; std::getline(lines, line);)
+        for (const std::string& line : slide.pseudocode)
             text += "    " + line + "\n";
         text += "\n";
     }

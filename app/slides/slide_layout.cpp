@@ -53,7 +53,7 @@ SlideLayout layOut(const session::Slide& slide, double width, const Fonts& fonts
         layout.words.corner.x = area.corner.x + area.size.x - layout.words.size.x;
         area.size.x -= layout.words.size.x + kGap;
     }
-    const bool isDrawing = slide.pictures.size() == 1 && slide.pictures[0].isDiagram;
+    const bool isDrawing = slide.pictures.size() == 1 && !slide.pictures[0].figure.empty();
     if (isDrawing && !hasWords) area = {{0, top}, {width, bottom - top}}; // it has a border of its own
     layout.pictures = area;
     const int columns = columnsFor(slide.pictures.size());
@@ -64,7 +64,7 @@ SlideLayout layOut(const session::Slide& slide, double width, const Fonts& fonts
     for (std::size_t i = 0; i < slide.pictures.size(); ++i) {
         const dvec2 place(static_cast<int>(i) % columns, static_cast<int>(i) / columns);
         const Box whole{area.corner + place * (cell + kGap) + dvec2(0, label), cell - dvec2(0, label)};
-        layout.cells.push_back(pictureIn(whole, slide.pictures[i].isDiagram));
+        layout.cells.push_back(pictureIn(whole, !slide.pictures[i].figure.empty()));
     }
     return layout;
 }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/diagram/pixel_diagram.h"
+#include "app/diagram/figures.h"
 #include "app/session/state_picture.h"
 #include "app/slides/slide_words.h"
 #include "techniques/foundation/error.h"
@@ -13,7 +13,7 @@ namespace shadowlab::slides {
 
 namespace {
 
-using diagram::Svg;
+using diagram::Drawing;
 
 constexpr image::Color8 kPaper{255, 255, 255, 255};
 constexpr const char *kInk = "#1a1a1a", *kQuiet = "#5a5a5a", *kRule = "#bfbfbf";
@@ -26,7 +26,7 @@ constexpr ivec2 kProbedSize{1280, 720};
 constexpr double kLeastDrawingScale = 0.8;
 
 /// The drawing that the picture's technique makes of its pixel.
-diagram::Diagram drawingOf(const session::SlidePicture& picture, const image::Font& font, double height) {
+diagram::Diagram drawingOf(const session::SlidePicture& picture, const image::Font& font, dvec2 size) {
     std::vector<session::Slot> slots = session::slotsOf(picture.state.slots);
     View view;
     view.camera = picture.state.camera;
@@ -36,42 +36,41 @@ diagram::Diagram drawingOf(const session::SlidePicture& picture, const image::Fo
     if (picture.partner) view.partner = session::pixelAt(*picture.partner, kProbedSize);
     const int light = picture.state.scene->lights.empty() ? kNoLight : picture.state.light;
     const Probe probe = slots[0].technique->probe(picture.state.scene, view, pixel, light);
-    if (!diagram::canDraw(probe))
-        throw Error(ExitStatus::badInput,
-                    "'" + picture.state.slots[0].technique + "' has nothing to draw of that pixel; choose another");
-    return diagram::pixelDiagram(probe, *picture.state.scene, font, height);
+    return diagram::findFigure(picture.figure)
+        .draw({probe, picture.state.slots[0].technique, *picture.state.scene, view, light, font, size});
 }
 
-void writeLines(Svg& svg, const std::vector<std::string>& lines, dvec2 place, const diagram::TextStyle& style) {
+void writeLines(Drawing& drawing, const std::vector<std::string>& lines, dvec2 place, const diagram::TextStyle& style) {
     for (const std::string& line : lines) {
         place.y += kLineHeight * style.size;
-        svg.text(place, line, style);
+        drawing.text(place, line, style);
     }
 }
 
 /// Frames and arrows over a picture that fills the cell, each with its words where there is room.
-void drawCallouts(Svg& svg, const session::SlidePicture& picture, const Box& cell, const image::Font& bold) {
+void drawCallouts(Drawing& drawing, const session::SlidePicture& picture, const Box& cell, const image::Font& bold) {
     const diagram::TextStyle style{.size = kLabelType, .isBold = true, .color = kInk};
     for (const session::Callout& callout : picture.callouts) {
         const dvec2 from = cell.corner + callout.from * cell.size, to = cell.corner + callout.to * cell.size;
         const double width = diagram::textSize(bold, callout.label, kLabelType).x;
-        const double x =
-            std::clamp(from.x, cell.corner.x + 6, std::max(cell.corner.x + 6, cell.corner.x + cell.size.x - width - 6));
+        // The label's left end, moved so that all of it lies in the picture.
+        const auto within = [&](double left) {
+            constexpr double kPad = 6;
+            const double least = cell.corner.x + kPad;
+            return std::clamp(left, least, std::max(least, cell.corner.x + cell.size.x - width - kPad));
+        };
         if (callout.isArrow) {
-            svg.arrow(from, to, {kCalloutEdge, 9, false});
-            svg.arrow(from, to, {kCallout, 5, false});
-            if (callout.label.empty()) continue;
-            const bool goesUp = to.y < from.y;
-            const double left = std::clamp(from.x - width / 2, cell.corner.x + 6,
-                                           std::max(cell.corner.x + 6, cell.corner.x + cell.size.x - width - 6));
-            svg.text({left, goesUp ? from.y + kLabelType : from.y - 0.4 * kLabelType}, callout.label, style);
+            drawing.arrow(from, to, {kCalloutEdge, 9, false});
+            drawing.arrow(from, to, {kCallout, 5, false});
+            const double foot = to.y < from.y ? from.y + kLabelType : from.y - 0.4 * kLabelType; // at its tail
+            if (!callout.label.empty()) drawing.text({within(from.x - width / 2), foot}, callout.label, style);
             continue;
         }
-        svg.rectangle(from, to - from, "", {kCalloutEdge, 8, false});
-        svg.rectangle(from, to - from, "", {kCallout, 4, false});
-        if (callout.label.empty()) continue;
+        drawing.rectangle(from, to - from, "", {kCalloutEdge, 8, false});
+        drawing.rectangle(from, to - from, "", {kCallout, 4, false});
         const bool isRoomAbove = from.y - cell.corner.y > 1.4 * kLabelType;
-        svg.text({x, isRoomAbove ? from.y - 0.45 * kLabelType : to.y + 1.1 * kLabelType}, callout.label, style);
+        const double foot = isRoomAbove ? from.y - 0.45 * kLabelType : to.y + 1.1 * kLabelType;
+        if (!callout.label.empty()) drawing.text({within(from.x), foot}, callout.label, style);
     }
 }
 
@@ -86,11 +85,8 @@ ivec2 SlidePainter::pixels(dvec2 place) const { return ivec2(glm::round(place * 
 void SlidePainter::drawPicture(image::Image& image, const session::SlidePicture& picture, const Box& cell,
                                int supersample) const {
     const ivec2 corner = pixels(cell.corner), size = pixels(cell.corner + cell.size) - corner;
-    if (picture.isDiagram) {
-        // Drawn as wide as its own sheet is, so high that it fills the cell.
-        constexpr double kSheet = 1920;
-        const double fit = cell.size.x / kSheet;
-        const diagram::Diagram drawn = drawingOf(picture, upright_, cell.size.y / std::min(1.0, fit));
+    if (!picture.figure.empty()) {
+        const diagram::Diagram drawn = drawingOf(picture, upright_, cell.size);
         const dvec2 sheet = drawn.drawing.size();
         const double scale = std::min(cell.size.x / sheet.x, cell.size.y / sheet.y);
         if (scale < kLeastDrawingScale)
@@ -113,20 +109,20 @@ DrawnSlide SlidePainter::draw(const session::Slide& slide, const SlideFoot& foot
     const double width = look_.size.x / scale_;
     const SlideLayout layout = layOut(slide, width, fonts);
     DrawnSlide drawn{image::Image(look_.size.x, look_.size.y, kPaper), {}};
-    Svg svg({width, kSlideHeight});
+    Drawing drawing({width, kSlideHeight});
     for (std::size_t i = 0; i < slide.pictures.size(); ++i) {
         const Box& cell = layout.cells[i];
         drawPicture(drawn.slide, slide.pictures[i], cell, slide.supersample.value_or(look_.supersample));
-        drawCallouts(svg, slide.pictures[i], cell, bold_);
+        drawCallouts(drawing, slide.pictures[i], cell, bold_);
         if (!slide.pictures[i].label.empty())
-            svg.text(cell.corner + dvec2(cell.size.x / 2, -0.35 * kLabelType), slide.pictures[i].label,
-                     {.size = kLabelType,
-                      .anchor = diagram::Anchor::middle,
-                      .isBold = true,
-                      .color = kInk,
-                      .hasRim = false});
+            drawing.text(cell.corner + dvec2(cell.size.x / 2, -0.35 * kLabelType), slide.pictures[i].label,
+                         {.size = kLabelType,
+                          .anchor = diagram::Anchor::middle,
+                          .isBold = true,
+                          .color = kInk,
+                          .hasRim = false});
     }
-    painter_.paint(svg, drawn.slide, {0, 0}, scale_);
+    painter_.paint(drawing, drawn.slide, {0, 0}, scale_);
     if (!slide.pictures.empty()) {
         const ivec2 corner = pixels(layout.pictures.corner),
                     size = pixels(layout.pictures.corner + layout.pictures.size) - corner;
@@ -134,7 +130,7 @@ DrawnSlide SlidePainter::draw(const session::Slide& slide, const SlideFoot& foot
         blit(drawn.pictures, -corner.x, -corner.y, drawn.slide);
     }
 
-    Svg words({width, kSlideHeight});
+    Drawing words({width, kSlideHeight});
     writeLines(words, layout.title, {kMargin, kMargin / 4},
                {.size = kTitleType, .isBold = true, .color = kInk, .hasRim = false});
     writeWords(words, slide, layout, fonts);

@@ -3,16 +3,14 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 #include "techniques/foundation/error.h"
-#include "techniques/registry.h"
 
 namespace shadowlab::slides {
 
 namespace {
 
-using diagram::Svg;
+using diagram::Drawing;
 using diagram::TextStyle;
 
 constexpr const char *kInk = "#1a1a1a", *kMarkedGround = "#ffe9b8";
@@ -22,8 +20,8 @@ constexpr double kBetween = 0.6;      ///< em between paragraphs
 /// Writes from the top down; with a null sheet it only measures.
 class Column {
 public:
-    Column(Svg* svg, const Box& box, double type, const Fonts& fonts)
-        : svg_(svg), box_(box), type_(type), fonts_(fonts) {}
+    Column(Drawing* drawing, const Box& box, double type, const Fonts& fonts)
+        : svg_(drawing), box_(box), type_(type), fonts_(fonts) {}
 
     void paragraph(const std::string& text) {
         for (const std::string& line : fonts_.upright.wrap(text, type_, static_cast<int>(box_.size.x)))
@@ -67,7 +65,7 @@ private:
                        {.size = type_, .isBold = isMarked, .color = kInk, .hasRim = false});
     }
 
-    Svg* svg_;
+    Drawing* svg_;
     Box box_;
     double type_;
     const Fonts& fonts_;
@@ -76,28 +74,25 @@ private:
 };
 
 /// Text first, then formulas, then the pseudocode. Does it fit?
-bool write(Svg* svg, const session::Slide& slide, const Box& box, double type, const Fonts& fonts) {
-    Column column(svg, box, type, fonts);
+bool write(Drawing* drawing, const session::Slide& slide, const Box& box, double type, const Fonts& fonts) {
+    Column column(drawing, box, type, fonts);
     for (const std::string& text : slide.text)
         column.paragraph(text);
     for (const std::string& tex : slide.formulas)
         column.formula(tex);
-    if (!slide.pseudocode.empty()) {
-        std::istringstream lines{std::string(findTechnique(slide.pseudocode).pseudocode)};
-        int number = 0;
-        for (std::string line; std::getline(lines, line);)
-            column.code(line, std::ranges::find(slide.marked, ++number) != slide.marked.end());
-    }
+    int number = 0;
+    for (const std::string& line : slide.pseudocode)
+        column.code(line, std::ranges::find(slide.marked, ++number) != slide.marked.end());
     return column.fits();
 }
 
 } // namespace
 
-void writeWords(Svg& svg, const session::Slide& slide, const SlideLayout& layout, const Fonts& fonts) {
+void writeWords(Drawing& drawing, const session::Slide& slide, const SlideLayout& layout, const Fonts& fonts) {
     if (layout.words.size.x <= 0) return;
     for (const double type : {36.0, 32.0, 29.0, 26.0, kLeastType}) {
         if (!write(nullptr, slide, layout.words, type, fonts)) continue;
-        write(&svg, slide, layout.words, type, fonts);
+        write(&drawing, slide, layout.words, type, fonts);
         return;
     }
     throw Error(ExitStatus::badInput,

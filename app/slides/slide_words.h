@@ -7,6 +7,6 @@ namespace shadowlab::slides {
 
 /// Writes all of them into the layout's box, in the largest type that fits. Throws Error (badInput) where not even the smallest
 /// does: what is read from the last row.
-void writeWords(diagram::Svg& svg, const session::Slide& slide, const SlideLayout& layout, const Fonts& fonts);
+void writeWords(diagram::Drawing& drawing, const session::Slide& slide, const SlideLayout& layout, const Fonts& fonts);
 
 } // namespace shadowlab::slides

@@ -19,7 +19,7 @@ constexpr double kShownFramesPerSecond = 15; ///< of the motion's frames, while 
 /// What a step shows. Before a shadow is revealed, none of it is seen.
 session::Document documentOf(const Lesson& lesson, LessonStep step) {
     const std::size_t asked = lesson.question && step == LessonStep::question ? lesson.question->picture : 0;
-    session::LessonState state = lesson.states[step == LessonStep::mend ? 1 : asked];
+    session::ShownState state = lesson.states[step == LessonStep::mend ? 1 : asked];
     const bool isMark = lesson.question && lesson.question->kind == Question::Kind::mark;
     if (isMark && (step == LessonStep::question || step == LessonStep::reveal)) {
         state.slots = {{.technique = "unshadowed", .stage = "", .settings = {}}};

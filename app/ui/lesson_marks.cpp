@@ -65,7 +65,7 @@ void drawCells(ImDrawList& list, const ShownPane& shown, const ColorOf& colorOf)
 void drawLessonMarks(ImDrawList& list, const Desk& desk, const ShownPane& shown, const Theme& theme) {
     const LessonDesk& on = desk.lesson;
     if (!on.now) return;
-    const session::LessonState& state = on.now->states[on.step == LessonStep::mend ? 1 : 0];
+    const session::ShownState& state = on.now->states[on.step == LessonStep::mend ? 1 : 0];
     if (desk.bench.document().camera != state.camera) return;
     if (on.paints())
         drawCells(list, shown, [&](int x, int y) { return on.painted.isPainted(x, y) ? kPaint : ImU32{0}; });

@@ -74,7 +74,8 @@ bool ShadowMap::setReceiver(const Frame& frame, const gl::Program& program, int 
                             std::size_t object) const {
     const dmat4 lightRelative = lightRelativeFromMesh(map.maps, frame.scene().objects[object]);
     program.set("lightRelativeFromMesh", mat4(lightRelative));
-    program.set("worldFromMesh", mat4(scene::worldFromMesh(frame.scene().objects[object])));
+    if (params_.looksUpInWorld())
+        program.set("worldFromMesh", mat4(scene::worldFromMesh(frame.scene().objects[object])));
     if (map.maps.layers() > 0) // where there is one map; of several the fragment chooses
         program.set("lightClipFromMesh", mat4(map.maps.lightClipFromLightRelative(0) * lightRelative));
     if (map.exact) setObjectUniforms(frame, program, light, object);

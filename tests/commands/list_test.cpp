@@ -45,7 +45,7 @@ TEST_F(ListTest, ParametersAreFiveColumns) {
 
 TEST_F(ListTest, EveryListIsLinesAndOneJsonObject) {
     for (const std::string what :
-         {"techniques", "parameters", "stages", "source", "scenes", "decks", "lessons", "quantities", "backends",
+         {"techniques", "parameters", "stages", "source", "scenes", "figures", "decks", "lessons", "quantities", "backends",
           "limits"}) {
         const auto rows = rowsOf(succeed({"list", what}).out);
         const nlohmann::json json = nlohmann::json::parse(succeed({"list", what, "--json"}).out);

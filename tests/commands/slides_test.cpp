@@ -14,7 +14,7 @@ protected:
      "callouts": [{"box": [0.3, 0.3, 0.4, 0.4], "label": "box"}], "caption": "It stands on the floor."},
     {"name": "broken", "title": "Broken", "slots": [{"technique": "shadow-map"}], "stage": "nothing", "alt": "-"},
     {"name": "words", "title": "Words", "text": ["No picture."], "formulas": ["\\frac{1}{2}"]},
-    {"name": "drawing", "title": "A drawing", "slots": [{"technique": "shadow-volume"}], "diagram": true,
+    {"name": "drawing", "title": "A drawing", "slots": [{"technique": "shadow-volume"}], "diagram": "pixel",
      "pixel": [0.5, 0.5], "alt": "Faces on a line."}]})");
     }
     [[nodiscard]] testing::ProgramResult slides(std::vector<std::string> more = {}) const {

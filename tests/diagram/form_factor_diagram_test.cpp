@@ -85,8 +85,8 @@ Probe probeOf(const Arrangement& arrangement) {
 
 std::string drawn(const Probe& probe) { return pixelDiagram(probe, scene::Scene{}, testFont()).document(); }
 
-bool says(const std::string& svg, const std::string& text) {
-    const std::vector<Written> all = written(svg);
+bool says(const std::string& drawing, const std::string& text) {
+    const std::vector<Written> all = written(drawing);
     return std::ranges::find(all, text, &Written::text) != all.end();
 }
 
@@ -104,60 +104,60 @@ TEST(FormFactorDiagramTest, ItsNumbersAreThoseOfTheFormula) {
             const dvec3 u(0, 0, 0.1), v = 0.1 * glm::cross(faces, dvec3(0, 0, 1));
             Probe probe = probeOf({"", floor, rectangle(r * wayWorld, u, v), true});
             ASSERT_LT(glm::length(probe.exchange->k->normalWorld - faces), 1e-12);
-            const std::string svg = drawn(probe);
+            const std::string drawing = drawn(probe);
             const auto angle = [](const char* name, double degrees) {
                 return std::string("\u03c6") + name + " = " + std::to_string(degrees).substr(0, 4 - (degrees < 10)) +
                        "\u00b0";
             };
-            EXPECT_TRUE(says(svg, angle("\u2c7c", degreesJ))) << angle("\u2c7c", degreesJ);
-            EXPECT_TRUE(says(svg, angle("\u2096", degreesK))) << angle("\u2096", degreesK);
-            EXPECT_TRUE(says(svg, "r = 2.5 m"));
-            EXPECT_TRUE(says(svg, "Surface j, dA\u2c7c = 0.01 m\u00b2"));
-            EXPECT_TRUE(says(svg, "Surface k, dA\u2096 = 0.04 m\u00b2"));
+            EXPECT_TRUE(says(drawing, angle("\u2c7c", degreesJ))) << angle("\u2c7c", degreesJ);
+            EXPECT_TRUE(says(drawing, angle("\u2096", degreesK))) << angle("\u2096", degreesK);
+            EXPECT_TRUE(says(drawing, "r = 2.5 m"));
+            EXPECT_TRUE(says(drawing, "Surface j, dA\u2c7c = 0.01 m\u00b2"));
+            EXPECT_TRUE(says(drawing, "Surface k, dA\u2096 = 0.04 m\u00b2"));
             const double factor = std::cos(phiJ) * std::cos(phiK) * 0.04 / (glm::pi<double>() * r * r);
-            EXPECT_TRUE(says(svg, "dA\u2096 = " + fourDigits(factor))) << fourDigits(factor);
+            EXPECT_TRUE(says(drawing, "dA\u2096 = " + fourDigits(factor))) << fourDigits(factor);
             compared += 6;
         }
     EXPECT_EQ(compared, 72);
 }
 
 TEST(FormFactorDiagramTest, WhatJGetsAndSendsIsWrittenWithItsUnits) {
-    const std::string svg = drawn(probeOf(arrangements().front()));
+    const std::string drawing = drawn(probeOf(arrangements().front()));
     // F_jk B_k, in the colours of B_k; B / pi and B dA of j, whose area is 1 m^2.
     for (const char* text :
          {"0.04305", "0.02091", "1.076\u00b710\u207b\u2076", "1.114", "0.5411", "2.785\u00b710\u207b\u2075", "3.5",
           "8.75\u00b710\u207b\u2075", "W/m\u00b2", "W/(m\u00b2 sr)", "W/sr", "W", "0.0123 of the light of j reaches k",
           "0.0456 of the light of k reaches j"})
-        EXPECT_TRUE(says(svg, text)) << text;
+        EXPECT_TRUE(says(drawing, text)) << text;
     // Toward k, at 45 degrees: I dA cos phi.
-    EXPECT_TRUE(says(svg, fourDigits(3.5 / glm::pi<double>() * std::sqrt(0.5))));
-    EXPECT_TRUE(says(svg, "toward k"));
+    EXPECT_TRUE(says(drawing, fourDigits(3.5 / glm::pi<double>() * std::sqrt(0.5))));
+    EXPECT_TRUE(says(drawing, "toward k"));
 }
 
 TEST(FormFactorDiagramTest, TowardTheEyeWhereThereIsNoLightForK) {
     for (const bool hasPartner : {true, false}) {
         Probe probe = probeOf(arrangements()[6]); // back to back
         if (!hasPartner) probe.exchange->k.reset();
-        const std::string svg = drawn(probe);
-        EXPECT_TRUE(says(svg, "toward the eye"));
-        EXPECT_TRUE(says(svg, "\u03c6 = 56.1\u00b0")); // from (2, 3, 4) down to the floor: atan(sqrt(20) / 3)
-        EXPECT_EQ(says(svg, "Two pieces of surface"), hasPartner);
-        EXPECT_EQ(svg.find("nan"), std::string::npos);
+        const std::string drawing = drawn(probe);
+        EXPECT_TRUE(says(drawing, "toward the eye"));
+        EXPECT_TRUE(says(drawing, "\u03c6 = 56.1\u00b0")); // from (2, 3, 4) down to the floor: atan(sqrt(20) / 3)
+        EXPECT_EQ(says(drawing, "Two pieces of surface"), hasPartner);
+        EXPECT_EQ(drawing.find("nan"), std::string::npos);
     }
 }
 
 TEST(FormFactorDiagramTest, LabelsAreReadableAndCoverNoOtherWhereverThePatchesLie) {
     int compared = 0, drawings = 0;
     for (const Arrangement& arrangement : arrangements()) {
-        const std::string svg = drawn(probeOf(arrangement));
+        const std::string drawing = drawn(probeOf(arrangement));
         ++drawings;
-        EXPECT_EQ(svg.find("nan"), std::string::npos) << arrangement.name;
-        EXPECT_EQ(svg.find("inf"), std::string::npos) << arrangement.name;
-        const std::vector<Written> all = written(svg);
+        EXPECT_EQ(drawing.find("nan"), std::string::npos) << arrangement.name;
+        EXPECT_EQ(drawing.find("inf"), std::string::npos) << arrangement.name;
+        const std::vector<Written> all = written(drawing);
         // The figure's nine: N, phi and the surface's name of each, r; of the reflector N, phi, I, I dA cos phi, dA.
         EXPECT_GE(all.size(), 50u) << arrangement.name << ": labels are missing";
         for (const char* text : {"N\u2c7c", "N\u2096", "I dA\u2c7c cos \u03c6", "dA\u2c7c"})
-            EXPECT_TRUE(says(svg, text)) << arrangement.name << ": " << text;
+            EXPECT_TRUE(says(drawing, text)) << arrangement.name << ": " << text;
         for (std::size_t i = 0; i < all.size(); ++i) {
             EXPECT_GE(all[i].em, 24) << all[i].text << ": 1/45 of a slide of 1080 pixels";
             EXPECT_GE(all[i].box.corner.x, 0) << arrangement.name << ": " << all[i].text;

@@ -16,10 +16,10 @@ class FormulaTest : public ::testing::Test {
 protected:
     [[nodiscard]] Extent measured(const std::string& tex) const { return Formula(tex).measure(40, {upright_, bold_}); }
     [[nodiscard]] std::vector<TextLine> lettersOf(const std::string& tex) const {
-        Svg svg({1000, 1000});
-        Formula(tex).draw(svg, {100, 500}, 40, "#000000", {upright_, bold_});
+        Drawing drawing({1000, 1000});
+        Formula(tex).draw(drawing, {100, 500}, 40, "#000000", {upright_, bold_});
         std::vector<TextLine> letters;
-        for (const Mark& mark : svg.marks())
+        for (const Mark& mark : drawing.marks())
             if (const auto* text = std::get_if<TextLine>(&mark)) letters.push_back(*text);
         return letters;
     }

@@ -21,10 +21,10 @@ namespace {
 constexpr ivec2 kSize{320, 180};
 
 /// Centres of the circles of a class.
-std::vector<dvec2> marks(const std::string& svg, const std::string& name) {
+std::vector<dvec2> marks(const std::string& drawing, const std::string& name) {
     const std::regex circle("<circle class=\"" + name + "\" cx=\"([-0-9.]+)\" cy=\"([-0-9.]+)\"");
     std::vector<dvec2> all;
-    for (auto it = std::sregex_iterator(svg.begin(), svg.end(), circle); it != std::sregex_iterator(); ++it)
+    for (auto it = std::sregex_iterator(drawing.begin(), drawing.end(), circle); it != std::sregex_iterator(); ++it)
         all.emplace_back(std::stod((*it)[1]), std::stod((*it)[2]));
     return all;
 }
@@ -75,10 +75,10 @@ TEST(MarksTest, EyeLightPointAndCrossingsLieWhereTheSceneHasThem) {
             const dvec3 point = eye + first->along * way;
             const Probe probe = ask(scene, technique, pixel);
             if (!canDraw(probe) || !probe.section) continue;
-            const std::string svg = pixelDiagram(probe, *scene, testFont()).document();
+            const std::string drawing = pixelDiagram(probe, *scene, testFont()).document();
             // The map's figure has the point twice: in the whole, and enlarged.
-            const std::vector<dvec2> eyes = marks(svg, "eye"), lights = marks(svg, "light"),
-                                     points = marks(svg, "point");
+            const std::vector<dvec2> eyes = marks(drawing, "eye"), lights = marks(drawing, "light"),
+                                     points = marks(drawing, "point");
             ASSERT_EQ(points.size(), technique == std::string("shadow-map") ? 2u : 1u);
             if (eyes.size() != 1 || lights.size() != 1) continue; // one of them is far away: an arrow points to it
             ++figures;
@@ -105,7 +105,7 @@ TEST(MarksTest, EyeLightPointAndCrossingsLieWhereTheSceneHasThem) {
                 }
                 return count;
             };
-            for (const dvec2& mark : marks(svg, "crossing")) {
+            for (const dvec2& mark : marks(drawing, "crossing")) {
                 ++crossings;
                 const dvec2 along = glm::normalize(points[0] - eyes[0]), from = mark - eyes[0];
                 const double aside = std::abs(along.x * from.y - along.y * from.x);
@@ -113,7 +113,7 @@ TEST(MarksTest, EyeLightPointAndCrossingsLieWhereTheSceneHasThem) {
                 EXPECT_LT(aside, 2 * kWritten) << i;
                 const double metres = glm::dot(from, along) / scale, step = 3 * kWritten / scale;
                 // Where several faces lie within a mark's own rounding the count may come back to what it was.
-                const bool alone = std::ranges::count_if(marks(svg, "crossing"), [&](const dvec2& other) {
+                const bool alone = std::ranges::count_if(marks(drawing, "crossing"), [&](const dvec2& other) {
                                        return glm::length(other - mark) < 12 * kWritten;
                                    }) == 1;
                 if (!alone) continue;
@@ -123,7 +123,7 @@ TEST(MarksTest, EyeLightPointAndCrossingsLieWhereTheSceneHasThem) {
                     << i << " at " << metres << " m";
             }
             // What covers the point lies on the light's line, and on a triangle of a caster.
-            for (const dvec2& mark : marks(svg, "cover")) {
+            for (const dvec2& mark : marks(drawing, "cover")) {
                 ++covers;
                 const dvec2 along = (lights[0] - points[0]) / scale; // of the drawing, in metres
                 const double share = glm::dot((mark - points[0]) / scale, along) / glm::dot(along, along);
@@ -151,10 +151,10 @@ struct DrawnLine {
 };
 
 /// All strokes that are no outlines of filled areas, and no leader of a label.
-std::vector<DrawnLine> drawnLines(const std::string& svg) {
+std::vector<DrawnLine> drawnLines(const std::string& drawing) {
     static const std::regex path(R"re(<path d="([^"]*)"([^>]*)/>)re"), point(R"re(([ML])([-0-9.]+) ([-0-9.]+))re");
     std::vector<DrawnLine> all;
-    for (auto it = std::sregex_iterator(svg.begin(), svg.end(), path); it != std::sregex_iterator(); ++it) {
+    for (auto it = std::sregex_iterator(drawing.begin(), drawing.end(), path); it != std::sregex_iterator(); ++it) {
         const std::string way = (*it)[1], rest = (*it)[2];
         if (rest.find("fill=") != std::string::npos || rest.find("#8c8c8c") != std::string::npos) continue;
         dvec2 last(0.0);
@@ -191,10 +191,10 @@ TEST(MarksTest, LinesDoNotRunThroughLabels) {
             const ivec2 pixel(40 + static_cast<int>(random() % 240), 60 + static_cast<int>(random() % 110));
             const Probe probe = ask(scene, technique, pixel);
             if (!canDraw(probe)) continue;
-            const std::string svg = pixelDiagram(probe, *scene, testFont()).document();
-            const std::vector<DrawnLine> lines = drawnLines(svg);
+            const std::string drawing = pixelDiagram(probe, *scene, testFont()).document();
+            const std::vector<DrawnLine> lines = drawnLines(drawing);
             ++figures;
-            for (const Written& one : written(svg)) {
+            for (const Written& one : written(drawing)) {
                 // The field is on the left, between heading and legend.
                 const bool inField = one.box.corner.x + one.box.size.x < 1040 && one.box.corner.y > 80 &&
                                      one.box.corner.y + one.box.size.y < 1000;

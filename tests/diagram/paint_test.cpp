@@ -14,9 +14,9 @@ constexpr image::Color8 kWhite{255, 255, 255, 255};
 
 class PaintTest : public ::testing::Test {
 protected:
-    [[nodiscard]] image::Image painted(const Svg& svg, ivec2 corner = {0, 0}, double scale = 1) const {
+    [[nodiscard]] image::Image painted(const Drawing& drawing, ivec2 corner = {0, 0}, double scale = 1) const {
         image::Image picture(200, 100, kWhite);
-        painter_.paint(svg, picture, corner, scale);
+        painter_.paint(drawing, picture, corner, scale);
         return picture;
     }
     static int inked(const image::Image& picture, ivec2 from = {0, 0}, ivec2 to = {200, 100}) {
@@ -30,22 +30,22 @@ protected:
 };
 
 TEST_F(PaintTest, FilledRectanglesHaveTheirColorAndPlace) {
-    Svg svg({200, 100});
-    svg.rectangle({20, 30}, {50, 40}, "#0072b2", {"#000000", 0, false});
-    const image::Image picture = painted(svg);
+    Drawing drawing({200, 100});
+    drawing.rectangle({20, 30}, {50, 40}, "#0072b2", {"#000000", 0, false});
+    const image::Image picture = painted(drawing);
     EXPECT_EQ(inked(picture), 50 * 40);
     EXPECT_EQ(picture.at(45, 50), (image::Color8{0x00, 0x72, 0xb2, 255}));
-    const image::Image twice = painted(svg, {10, 0}, 0.5);
+    const image::Image twice = painted(drawing, {10, 0}, 0.5);
     EXPECT_EQ(inked(twice), 25 * 20);
     EXPECT_EQ(inked(twice, {20, 15}, {45, 35}), 25 * 20) << "half as large, and moved";
 }
 
 TEST_F(PaintTest, EveryKindOfMarkIsSeenAndClipsHide) {
     const auto drawn = [&](const auto& draw) {
-        Svg svg({200, 100});
-        draw(svg);
-        const int all = inked(painted(svg));
-        Svg clipped({200, 100});
+        Drawing drawing({200, 100});
+        draw(drawing);
+        const int all = inked(painted(drawing));
+        Drawing clipped({200, 100});
         clipped.beginClip({0, 0}, {100, 100});
         draw(clipped);
         clipped.endClip();
@@ -56,23 +56,27 @@ TEST_F(PaintTest, EveryKindOfMarkIsSeenAndClipsHide) {
         return all;
     };
     const Stroke stroke{"#000000", 4, false};
-    EXPECT_NEAR(drawn([&](Svg& svg) { svg.line({20, 50}, {180, 50}, stroke); }), 164 * 4, 8);
-    EXPECT_LT(drawn([&](Svg& svg) { svg.line({20, 50}, {180, 50}, {"#000000", 4, true}); }), 150 * 4) << "dashes";
-    EXPECT_GT(drawn([&](Svg& svg) { svg.arrow({20, 50}, {180, 50}, stroke); }), 164 * 4);
-    EXPECT_GT(drawn([&](Svg& svg) { svg.circle({100, 50}, 30, "#ff0000", stroke); }), 3000);
-    EXPECT_GT(drawn([&](Svg& svg) { svg.rectangle({50, 20}, {100, 60}, "", stroke, 10); }), 1000);
-    EXPECT_GT(drawn([&](Svg& svg) { svg.text({20, 60}, "shadow volume", {.size = 24}); }), 1000);
+    EXPECT_NEAR(drawn([&](Drawing& drawing) { drawing.line({20, 50}, {180, 50}, stroke); }), 164 * 4, 8);
+    EXPECT_LT(drawn([&](Drawing& drawing) {
+                  drawing.line({20, 50}, {180, 50}, {"#000000", 4, true});
+              }),
+              150 * 4)
+        << "dashes";
+    EXPECT_GT(drawn([&](Drawing& drawing) { drawing.arrow({20, 50}, {180, 50}, stroke); }), 164 * 4);
+    EXPECT_GT(drawn([&](Drawing& drawing) { drawing.circle({100, 50}, 30, "#ff0000", stroke); }), 3000);
+    EXPECT_GT(drawn([&](Drawing& drawing) { drawing.rectangle({50, 20}, {100, 60}, "", stroke, 10); }), 1000);
+    EXPECT_GT(drawn([&](Drawing& drawing) { drawing.text({20, 60}, "shadow volume", {.size = 24}); }), 1000);
     const dvec2 points[] = {{20, 20}, {180, 20}, {180, 80}};
-    EXPECT_GT(drawn([&](Svg& svg) { svg.path(points, true, "#00ff00", stroke); }), 4000);
+    EXPECT_GT(drawn([&](Drawing& drawing) { drawing.path(points, true, "#00ff00", stroke); }), 4000);
 }
 
 TEST_F(PaintTest, SameDrawingSameBytes) {
-    Svg svg({200, 100});
-    svg.text({20, 60}, "N · L > 0", {.size = 30, .isItalic = true});
-    EXPECT_EQ(painted(svg), painted(svg));
-    EXPECT_EQ(painted(svg), [&] {
+    Drawing drawing({200, 100});
+    drawing.text({20, 60}, "N · L > 0", {.size = 30, .isItalic = true});
+    EXPECT_EQ(painted(drawing), painted(drawing));
+    EXPECT_EQ(painted(drawing), [&] {
         image::Image picture(200, 100, kWhite);
-        Painter(session::assetsRoot() / "fonts").paint(svg, picture);
+        Painter(session::assetsRoot() / "fonts").paint(drawing, picture);
         return picture;
     }());
 }

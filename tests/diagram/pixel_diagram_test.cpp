@@ -42,9 +42,9 @@ int count(const std::string& text, const std::string& what) {
 
 TEST(PixelDiagramTest, HasEverySurfaceRayAndVector) {
     const Asked asked = ask("mirror-and-glass", {500, 420});
-    const std::string svg = pixelDiagram(asked.probe, *asked.scene, testFont()).document();
+    const std::string drawing = pixelDiagram(asked.probe, *asked.scene, testFont()).document();
     const ShownTree shown = shownTree(asked.probe);
-    const std::vector<Written> all = written(svg);
+    const std::vector<Written> all = written(drawing);
     const auto times = [&](const std::string& text) { return std::ranges::count(all, text, &Written::text); };
     int surfaces = 0, rays = 0;
     for (const int ray : shown.rays) {
@@ -66,7 +66,7 @@ TEST(PixelDiagramTest, HasEverySurfaceRayAndVector) {
     EXPECT_GE(rays, 6);
     // Of the tree: a box for each shown ray's end, as many edges, one of them from the pixel; and the sheet's own two
     // rectangles, the pixel's square, and the clip.
-    EXPECT_EQ(count(svg, "<rect"), static_cast<int>(shown.rays.size()) + 3);
+    EXPECT_EQ(count(drawing, "<rect"), static_cast<int>(shown.rays.size()) + 3);
     for (const char* letter : {"u", "V", "N", "R", "T", "L", "H"})
         EXPECT_EQ(times(letter), 2) << letter << ": at its arrow, and in the table";
     for (const char* title :
@@ -89,15 +89,15 @@ TEST(PixelDiagramTest, LabelsAreReadableAndCoverNoOther) {
             for (int y = looked.first.y; y < looked.end.y; y += looked.step.y) {
                 const Asked asked = ask(looked.scene, {x, y}, "12", "0");
                 if (asked.probe.tree.empty()) continue;
-                const std::string svg = pixelDiagram(asked.probe, *asked.scene, testFont()).document();
+                const std::string drawing = pixelDiagram(asked.probe, *asked.scene, testFont()).document();
                 ++drawings;
                 if (shownTree(asked.probe).leftOut > 0) {
                     ++limited;
-                    EXPECT_NE(svg.find("left out:"), std::string::npos);
+                    EXPECT_NE(drawing.find("left out:"), std::string::npos);
                 }
-                EXPECT_EQ(svg.find("nan"), std::string::npos);
-                EXPECT_EQ(svg.find("inf"), std::string::npos);
-                const std::vector<Written> all = written(svg);
+                EXPECT_EQ(drawing.find("nan"), std::string::npos);
+                EXPECT_EQ(drawing.find("inf"), std::string::npos);
+                const std::vector<Written> all = written(drawing);
                 for (std::size_t i = 0; i < all.size(); ++i) {
                     EXPECT_GE(all[i].box.corner.x, 0) << looked.scene << " " << x << "," << y << ": " << all[i].text;
                     EXPECT_LE(all[i].box.corner.x + all[i].box.size.x, 1920) << all[i].text;
@@ -159,19 +159,19 @@ TEST(DrawingPlaneTest, CutPassesTheFirstSurface) {
 }
 
 TEST(LabelsTest, FindAFreePlaceOrSayThatThereIsNone) {
-    Svg svg({200, 100});
+    Drawing drawing({200, 100});
     Labels labels(testFont(), {{0, 0}, {200, 100}});
     int placed = 0;
-    while (placed < 100 && labels.place(svg, {100, 50}, "label", {.size = 24}))
+    while (placed < 100 && labels.place(drawing, {100, 50}, "label", {.size = 24}))
         ++placed;
     EXPECT_GE(placed, 3);
     EXPECT_LT(placed, 12) << "more do not fit beside one another";
 }
 
 TEST(SvgTest, EscapesWhatComesFromFiles) {
-    Svg svg({10, 10});
-    svg.text({0, 0}, "a<b & \"c\"\n", {});
-    const std::string document = svg.document("t");
+    Drawing drawing({10, 10});
+    drawing.text({0, 0}, "a<b & \"c\"\n", {});
+    const std::string document = drawing.document("t");
     EXPECT_NE(document.find("a&lt;b &amp; &quot;c&quot; "), std::string::npos);
 }
 

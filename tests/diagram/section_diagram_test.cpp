@@ -88,14 +88,14 @@ TEST(SectionDiagramTest, CanBeReadWhateverTheSceneIs) {
                  {ivec2(160, 90), ivec2(120, 120), ivec2(200, 130), ivec2(90, 150), ivec2(230, 100)}) {
                 const Probe probe = ask(named.scene, technique, pixel);
                 if (!canDraw(probe)) continue;
-                const std::string svg = pixelDiagram(probe, *named.scene, testFont()).document();
+                const std::string drawing = pixelDiagram(probe, *named.scene, testFont()).document();
                 const std::string what =
                     named.name + ", " + technique + ", " + std::to_string(pixel.x) + "," + std::to_string(pixel.y);
                 ++drawings;
-                EXPECT_EQ(svg.find("nan"), std::string::npos) << what;
-                EXPECT_EQ(svg.find("inf\""), std::string::npos) << what;
-                EXPECT_LT(svg.size(), 400'000u) << what;
-                const std::vector<Written> all = written(svg);
+                EXPECT_EQ(drawing.find("nan"), std::string::npos) << what;
+                EXPECT_EQ(drawing.find("inf\""), std::string::npos) << what;
+                EXPECT_LT(drawing.size(), 400'000u) << what;
+                const std::vector<Written> all = written(drawing);
                 EXPECT_GT(all.size(), 10u) << what;
                 for (std::size_t i = 0; i < all.size(); ++i) {
                     EXPECT_GE(all[i].em, 1080.0 / 45) << what << ": " << all[i].text;

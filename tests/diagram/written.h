@@ -21,11 +21,11 @@ struct Written {
     Box box;
     double em = 0;
 };
-inline std::vector<Written> written(const std::string& svg) {
+inline std::vector<Written> written(const std::string& drawing) {
     static const std::regex kText(
         R"re(<text x="([-0-9.]+)" y="([-0-9.]+)" font-size="([0-9.]+)" text-anchor="(\w+)"[^>]* fill=[^>]*>([^<]*)</text>)re");
     std::vector<Written> all;
-    for (auto it = std::sregex_iterator(svg.begin(), svg.end(), kText); it != std::sregex_iterator(); ++it) {
+    for (auto it = std::sregex_iterator(drawing.begin(), drawing.end(), kText); it != std::sregex_iterator(); ++it) {
         const double em = std::stod((*it)[3]);
         const dvec2 size = textSize(testFont(), (*it)[5].str(), em);
         dvec2 corner(std::stod((*it)[1]), std::stod((*it)[2]) - 0.8 * em);

@@ -141,7 +141,7 @@ TEST_F(LessonsTest, EveryLessonIsInTheDocumentAsItsFileSays) {
         EXPECT_TRUE(titles.insert(lesson.text.title).second) << lesson.text.title << " twice";
         questions += lesson.question ? 1 : 0;
         EXPECT_NE(documentOf(lesson.states[0]), documentOf(lesson.states[1])) << lesson.text.name;
-        for (const LessonState& state : lesson.states) {
+        for (const ShownState& state : lesson.states) {
             const Document document = documentOf(state);
             EXPECT_EQ(document.layout, state.layout);
             EXPECT_EQ(document.camera, state.camera);

@@ -112,17 +112,21 @@ TEST_F(VolumeProbeTest, CountsWhereTheTeachingFaultsAre) {
         std::vector<std::string> settings;
     };
     int compared = 0;
-    for (const Case& one :
-         {Case{scene, "shadow-volume-zfail", {"caps=false"}},
-          Case{scene, "shadow-volume-zfail", {"far-plane=clip", "volume-end=infinity"}},
-          Case{scene, "shadow-volume-zfail", {"volume-end=distance", "extrusion=0.7"}},
-          Case{scene, "shadow-volume-zfail", {"stencil-bits=1"}},
-          Case{scene, "shadow-volume-zfail", {"construction=lecture"}}, Case{eyeInShadow, "shadow-volume-zpass", {}},
-          Case{eyeInShadow, "shadow-volume-zpass", {"eye-correction=true"}}, Case{eyeInShadow, "shadow-volume", {}},
-          Case{roofs, "shadow-volume-zpass", {}}, Case{roofs, "shadow-volume-zpass", {"eye-correction=true"}},
-          Case{soup, "shadow-volume-zfail", {"wrap=false", "stencil-bits=2"}},
-          Case{soup, "shadow-volume-zfail", {"wrap=false", "two-sided=false"}},
-          Case{soup, "shadow-volume-zpass", {"wrap=false", "stencil-bits=2"}},}) {
+    for (const Case& one : {
+             Case{scene, "shadow-volume-zfail", {"caps=false"}},
+             Case{scene, "shadow-volume-zfail", {"far-plane=clip", "volume-end=infinity"}},
+             Case{scene, "shadow-volume-zfail", {"volume-end=distance", "extrusion=0.7"}},
+             Case{scene, "shadow-volume-zfail", {"stencil-bits=1"}},
+             Case{scene, "shadow-volume-zfail", {"construction=lecture"}},
+             Case{eyeInShadow, "shadow-volume-zpass", {}},
+             Case{eyeInShadow, "shadow-volume-zpass", {"eye-correction=true"}},
+             Case{eyeInShadow, "shadow-volume", {}},
+             Case{roofs, "shadow-volume-zpass", {}},
+             Case{roofs, "shadow-volume-zpass", {"eye-correction=true"}},
+             Case{soup, "shadow-volume-zfail", {"wrap=false", "stencil-bits=2"}},
+             Case{soup, "shadow-volume-zfail", {"wrap=false", "two-sided=false"}},
+             Case{soup, "shadow-volume-zpass", {"wrap=false", "stencil-bits=2"}},
+         }) {
         const Agreement agreement = compare(one.scene, one.technique, one.settings);
         expectAgreement(agreement,
                         std::string(one.technique) + " " + (one.settings.empty() ? "" : one.settings.front()));

@@ -68,9 +68,9 @@ struct ClipBegin {
 struct ClipEnd {};
 using Mark = std::variant<Line, Segments, Circle, Rectangle, TextLine, ClipBegin, ClipEnd>;
 
-class Svg {
+class Drawing {
 public:
-    explicit Svg(dvec2 size) : size_(size) {}
+    explicit Drawing(dvec2 size) : size_(size) {}
 
     void line(dvec2 from, dvec2 to, const Stroke& stroke);
     /// A line with its head at `share` of the way: 1 is its end.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/diagram/svg.h"
+#include "app/diagram/drawing.h"
 
 #include <algorithm>
 #include <array>
@@ -23,9 +23,11 @@ std::string colorText(const vec3& linear) {
     return text.data();
 }
 
-void Svg::line(dvec2 from, dvec2 to, const Stroke& stroke) { marks_.emplace_back(Line{{from, to}, false, "", stroke}); }
+void Drawing::line(dvec2 from, dvec2 to, const Stroke& stroke) {
+    marks_.emplace_back(Line{{from, to}, false, "", stroke});
+}
 
-void Svg::arrow(dvec2 from, dvec2 to, const Stroke& stroke, double share) {
+void Drawing::arrow(dvec2 from, dvec2 to, const Stroke& stroke, double share) {
     const double length = glm::length(to - from);
     if (length == 0) return;
     const dvec2 along = (to - from) / length, across(-along.y, along.x);
@@ -40,29 +42,30 @@ void Svg::arrow(dvec2 from, dvec2 to, const Stroke& stroke, double share) {
                              {stroke.color, 0, false}});
 }
 
-void Svg::segments(std::span<const dvec2> points, const Stroke& stroke) {
+void Drawing::segments(std::span<const dvec2> points, const Stroke& stroke) {
     if (points.size() < 2) return;
     marks_.emplace_back(Segments{{points.begin(), points.end()}, stroke});
 }
 
-void Svg::path(std::span<const dvec2> points, bool isClosed, const std::string& fill, const Stroke& stroke) {
+void Drawing::path(std::span<const dvec2> points, bool isClosed, const std::string& fill, const Stroke& stroke) {
     if (points.size() < 2) return;
     marks_.emplace_back(Line{{points.begin(), points.end()}, isClosed, fill, stroke});
 }
 
-void Svg::circle(dvec2 centre, double radius, const std::string& fill, const Stroke& stroke, std::string_view name) {
+void Drawing::circle(dvec2 centre, double radius, const std::string& fill, const Stroke& stroke,
+                     std::string_view name) {
     marks_.emplace_back(Circle{centre, radius, fill, stroke, std::string(name)});
 }
 
-void Svg::rectangle(dvec2 corner, dvec2 size, const std::string& fill, const Stroke& stroke, double rounding) {
+void Drawing::rectangle(dvec2 corner, dvec2 size, const std::string& fill, const Stroke& stroke, double rounding) {
     marks_.emplace_back(Rectangle{corner, size, fill, stroke, rounding});
 }
 
-void Svg::text(dvec2 place, std::string_view text, const TextStyle& style) {
+void Drawing::text(dvec2 place, std::string_view text, const TextStyle& style) {
     marks_.emplace_back(TextLine{place, std::string(text), style});
 }
 
-void Svg::breakMark(dvec2 place, dvec2 direction, const Stroke& stroke) {
+void Drawing::breakMark(dvec2 place, dvec2 direction, const Stroke& stroke) {
     const dvec2 along = glm::normalize(direction), across(-along.y, along.x);
     for (const double side : {-5.0, 5.0})
         line(place + side * along - 11.0 * (across + 0.4 * along), place + side * along + 11.0 * (across + 0.4 * along),

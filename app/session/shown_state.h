@@ -1,0 +1,27 @@
+// All that one picture shows: a scene from a camera, by techniques with their parameters. Lessons and slides are made of these.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/session/document.h"
+
+namespace shadowlab::session {
+
+struct ShownState {
+    scene::Snapshot scene; ///< with the lights as the file has them
+    std::string sceneName; ///< as the command line takes it
+    scene::Camera camera;
+    Layout layout = Layout::single;
+    int light = 0;
+    std::vector<PaneState> slots;      ///< one for each technique on show
+    std::vector<std::string> settings; ///< as the file has them, for people to read
+};
+
+/// The state as the window shows it.
+Document documentOf(const ShownState& state);
+
+/// Slots with the settings of the state. Throws Error (usage) for values out of range.
+std::vector<Slot> slotsOf(const std::vector<PaneState>& states);
+
+} // namespace shadowlab::session
