@@ -81,6 +81,10 @@ DemoOptions demoOptions(const CLI::App& command) {
     DemoOptions options;
     options.scene = given.text("SCENE", options.scene);
     options.lesson = given.text("--lesson");
+    options.deck = given.text("--deck");
+    options.slide = given.text("--slide");
+    if (given.has("--slide") && !given.has("--deck")) refuseUsage("--slide is one of a deck; write --deck NAME, too");
+    if (given.has("--lesson") && given.has("--deck")) refuseUsage("--lesson, --deck: one of them; leave the other out");
     if (given.has("--size")) options.size = sizeFrom("--size", given.text("--size"), kLongestSide);
     options.presenter = command.count("--presenter") > 0;
     options.keepSettings = booleanFrom("--keep-settings", given.text("--keep-settings", "true"));
@@ -125,6 +129,8 @@ int run(int argc, char** argv) {
     addOption(*demoCommand, "SCENE", "",
               "a built-in name (`list scenes`), a .json scene or an .obj mesh (default still-life)");
     addOption(*demoCommand, "--lesson", "LESSON", "begins with a lesson (`list lessons`, or a .json file); J goes on");
+    addOption(*demoCommand, "--deck", "DECK", "begins with slides (`list decks`, or a .json file); S goes on");
+    addOption(*demoCommand, "--slide", "NAME", "which of the deck's slides (default the first)");
     addOption(*demoCommand, "--size", "WxH", "of the window (default: as it was the last time, at first 1280x720)");
     demoCommand->add_flag("--presenter")->description("large type and high contrast from the start (D in the window)");
     addOption(*demoCommand, "--keep-settings", "true|false",

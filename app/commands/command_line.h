@@ -42,6 +42,8 @@ int inspect(const InspectOptions& options);
 struct DemoOptions {
     std::string scene = "still-life";
     std::string lesson; ///< to begin with; empty: none
+    std::string deck;   ///< the same
+    std::string slide;  ///< one of the deck's by its name; empty: the first
     ivec2 size{0};      ///< of the window; zero: what it was the last time
     bool presenter = false, keepSettings = true, report = false;
     std::vector<std::filesystem::path> allowed;

@@ -40,6 +40,17 @@ int demo(const DemoOptions& options) {
         note("there is no display for a window; this picture was written instead");
         return status;
     }
+    if (!context::hasDisplay() && !options.deck.empty()) {
+        SlidesOptions pictures;
+        pictures.decks = {options.deck};
+        if (!options.slide.empty()) pictures.only = {options.slide};
+        pictures.allowed = options.allowed;
+        pictures.output =
+            std::filesystem::current_path() / (std::filesystem::path(options.deck).stem().string() + "-slides");
+        const int status = slides(pictures);
+        note("there is no display for a window; these pictures were written instead");
+        return status;
+    }
     if (!context::hasDisplay()) {
         const int status = writeComparison(options);
         if (status == 0) note("there is no display for a window; this picture was written instead");
@@ -47,6 +58,8 @@ int demo(const DemoOptions& options) {
     }
     return ui::runWindow({.scene = options.scene,
                           .lesson = options.lesson,
+                          .deck = options.deck,
+                          .slide = options.slide,
                           .size = options.size,
                           .presenter = options.presenter,
                           .keepSettings = options.keepSettings,

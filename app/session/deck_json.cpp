@@ -90,7 +90,8 @@ struct Deck::File {
           document(scene::readFile(path, scene::Limits{}.sceneFileBytes), path, scene::Limits{}.jsonDepth,
                    "a deck, starting with {"),
           top(document, document.root(), "the deck",
-              {"title", "subtitle", "scene", "camera", "lights", "layout", "light", "slots", "stage", "set", "slides"}),
+              {"title", "subtitle", "scene", "camera", "lights", "layout", "light", "slots", "stage", "step", "split",
+               "set", "slides"}),
           states(document, path, options) {
         title = shortText(top, "title", kLongestTitle);
         subtitle = optionalText(top, "subtitle", kLongestTitle);
@@ -147,10 +148,10 @@ struct Deck::File {
     Slide slide(std::size_t number) {
         const JsonValue& value = top.array("slides")[number];
         const JsonObject own(document, value, "slide " + scene::inQuotes(names[number]),
-                             {"name",   "title",    "supersample", "pictures", "text",  "pseudocode",
-                              "marked", "formulas", "caption",     "alt",      "scene", "camera",
-                              "lights", "layout",   "light",       "slots",    "stage", "set",
-                              "pixel",  "partner",  "diagram",     "outside",  "label", "callouts"});
+                             {"name",     "title",   "supersample", "pictures", "text",    "pseudocode", "marked",
+                              "formulas", "caption", "alt",         "scene",    "camera",  "lights",     "layout",
+                              "light",    "slots",   "stage",       "step",     "split",   "set",        "pixel",
+                              "partner",  "diagram", "outside",     "label",    "callouts"});
         Slide slide;
         slide.name = names[number];
         slide.title = shortText(own, "title", kLongestTitle);
@@ -162,8 +163,8 @@ struct Deck::File {
         if (own.find("pictures")) {
             for (const JsonValue& one : own.array("pictures")) {
                 const JsonObject keys(document, one, "picture " + std::to_string(slide.pictures.size() + 1),
-                                      {"scene", "camera", "lights", "layout", "light", "slots", "stage", "set", "pixel",
-                                       "partner", "diagram", "outside", "label", "callouts"});
+                                      {"scene", "camera", "lights", "layout", "light", "slots", "stage", "step",
+                                       "split", "set", "pixel", "partner", "diagram", "outside", "label", "callouts"});
                 const std::array<const JsonObject*, 3> levels{&top, &own, &keys};
                 slide.pictures.push_back(picture(levels));
             }

@@ -43,16 +43,16 @@ void drawDividers(image::Image& figure, const std::vector<Cell>& cells) {
     }
 }
 
-bool fits(const Plate& plate, const Cell& cell) {
+bool coversLittle(const Plate& plate, const Cell& cell) {
     return plate.width <= cell.width && plate.height <= cell.height &&
            plate.width * plate.height <= kLargestShare * cell.width * cell.height;
 }
 
 /// The plates of all cells in one type size: the largest in which every plate fits and needs no more lines than in the
 /// smallest. Empty plates when even the smallest does not fit.
-template <typename MakePlate>
+template <typename MakePlate, typename Fits>
 std::vector<Plate> layOut(std::span<const double> shares, int figureHeight, const std::vector<Cell>& cells,
-                          const MakePlate& plateOfCell) {
+                          const MakePlate& plateOfCell, const Fits& fits) {
     std::vector<std::vector<Plate>> tries;
     for (const double share : shares) {
         std::vector<Plate>& plates = tries.emplace_back();
@@ -67,6 +67,28 @@ std::vector<Plate> layOut(std::span<const double> shares, int figureHeight, cons
         if (good) return plates;
     }
     return std::vector<Plate>(cells.size());
+}
+
+constexpr const char* kLeftOut = " would cover the pictures and are left out; choose a larger size to have them";
+
+void drawTitles(Figure& figure, const std::vector<Plate>& titles, const std::vector<Cell>& cells,
+                const std::vector<Panel>& panels) {
+    bool isMissing = false;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        isMissing = isMissing || (titles[i].isEmpty() && !panels[i].title.empty());
+        if (!titles[i].isEmpty()) drawPlate(figure.picture, titles[i], cells[i].x, cells[i].y);
+    }
+    if (isMissing) figure.notes.push_back(std::string("the titles") + kLeftOut);
+}
+
+/// The figure becomes as much higher as the highest of them.
+void drawLegendsBelow(Figure& figure, const std::vector<Plate>& legends, const std::vector<Cell>& cells) {
+    const int below = std::ranges::max(legends, {}, &Plate::height).height;
+    image::Image higher(figure.picture.width, figure.picture.height + below, kDark);
+    blit(higher, 0, 0, figure.picture);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        if (!legends[i].isEmpty()) drawPlate(higher, legends[i], cells[i].x, figure.picture.height);
+    figure.picture = std::move(higher);
 }
 
 } // namespace
@@ -100,7 +122,7 @@ bool hasLegend(const Panel& panel) {
 }
 
 Figure composeFigure(const std::vector<Cell>& cells, const std::vector<Panel>& panels, ivec2 size,
-                     const image::Font* font, int typeHeight) {
+                     const image::Font* font, int typeHeight, int roomBelow) {
     Figure figure{image::Image(size.x, size.y, {12, 12, 14, 255}), {}};
     for (std::size_t i = 0; i < cells.size(); ++i)
         drawPicture(figure.picture, cells[i], panels[i].picture);
@@ -108,24 +130,31 @@ Figure composeFigure(const std::vector<Cell>& cells, const std::vector<Panel>& p
     if (!font) return figure;
     if (typeHeight == 0) typeHeight = size.y;
 
-    const auto titles = layOut(kTitleShares, typeHeight, cells, [&](std::size_t i, double em) {
-        return titlePlate(panels[i].title, *font, em, cells[i].width);
-    });
-    const auto legends = layOut(kLegendShares, typeHeight, cells, [&](std::size_t i, double em) {
-        return legendPlate(panels[i], *font, em, cells[i].width);
-    });
-    bool titleMissing = false, legendMissing = false;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const Cell& cell = cells[i];
-        titleMissing = titleMissing || (titles[i].isEmpty() && !panels[i].title.empty());
-        legendMissing = legendMissing || (legends[i].isEmpty() && hasLegend(panels[i]));
-        if (!titles[i].isEmpty()) drawPlate(figure.picture, titles[i], cell.x, cell.y);
-        if (!legends[i].isEmpty())
-            drawPlate(figure.picture, legends[i], cell.x, cell.y + cell.height - legends[i].height);
+    const auto legendOf = [&](std::size_t i, double em) { return legendPlate(panels[i], *font, em, cells[i].width); };
+    const auto titles = layOut(
+        kTitleShares, typeHeight, cells,
+        [&](std::size_t i, double em) { return titlePlate(panels[i].title, *font, em, cells[i].width); }, coversLittle);
+    if (roomBelow > 0 && std::ranges::all_of(cells, [](const Cell& cell) { return cell.y == 0; })) {
+        const auto legends =
+            layOut(kLegendShares, typeHeight, cells, legendOf, [&](const Plate& plate, const Cell& cell) {
+                return plate.width <= cell.width && plate.height <= roomBelow;
+            });
+        // None where one does not fit: then they stand in the pictures.
+        if (std::ranges::any_of(legends, [](const Plate& plate) { return !plate.isEmpty(); })) {
+            drawTitles(figure, titles, cells, panels);
+            drawLegendsBelow(figure, legends, cells);
+            return figure;
+        }
     }
-    const std::string why = " would cover the pictures and are left out; choose a larger size to have them";
-    if (titleMissing) figure.notes.push_back("the titles" + why);
-    if (legendMissing) figure.notes.push_back("the legends" + why);
+    const auto legends = layOut(kLegendShares, typeHeight, cells, legendOf, coversLittle);
+    drawTitles(figure, titles, cells, panels);
+    bool isMissing = false;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        isMissing = isMissing || (legends[i].isEmpty() && hasLegend(panels[i]));
+        if (!legends[i].isEmpty())
+            drawPlate(figure.picture, legends[i], cells[i].x, cells[i].y + cells[i].height - legends[i].height);
+    }
+    if (isMissing) figure.notes.push_back(std::string("the legends") + kLeftOut);
     return figure;
 }
 

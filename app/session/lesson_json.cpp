@@ -62,7 +62,7 @@ private:
     ShownState state(StateReader& reader, const char* name) const {
         const JsonObject own(document_, top_.require(name, R"({"set": ["shadow-map.bias-mode=none"]})"),
                              "\"" + std::string(name) + "\"",
-                             {"scene", "camera", "lights", "layout", "slots", "stage", "set"});
+                             {"scene", "camera", "lights", "layout", "slots", "stage", "step", "split", "set"});
         const std::array levels{&top_, &own};
         return reader.read(levels);
     }

@@ -8,6 +8,7 @@ Document documentOf(const ShownState& state) {
     document.camera = state.camera;
     document.outsideCamera = outsideCameraOf(*state.scene, state.camera);
     document.layout = state.layout;
+    document.split = state.split;
     document.light = state.light;
     for (std::size_t i = 0; i < state.slots.size(); ++i)
         document.panes[i] = state.slots[i];

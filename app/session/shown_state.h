@@ -13,6 +13,7 @@ struct ShownState {
     std::string sceneName; ///< as the command line takes it
     scene::Camera camera;
     Layout layout = Layout::single;
+    double split = 0.5; ///< share of the width that the left one has, where the layout is `split`
     int light = 0;
     std::vector<PaneState> slots;      ///< one for each technique on show
     std::vector<std::string> settings; ///< as the file has them, for people to read

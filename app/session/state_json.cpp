@@ -2,6 +2,7 @@
 #include "app/session/state_json.h"
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "app/session/capture_words.h"
 #include "app/session/lesson_parts.h"
@@ -17,18 +18,20 @@ using scene::JsonValue;
 
 namespace {
 
-/// The innermost level that has the key; without one the outermost, which then says that it is missing.
-const JsonObject& having(std::span<const JsonObject* const> levels, std::string_view key) {
+/// The innermost level that has one of the keys; without one the outermost, which then says that it is missing.
+const JsonObject& having(std::span<const JsonObject* const> levels, std::initializer_list<std::string_view> keys) {
     for (std::size_t i = levels.size(); i-- > 0;)
-        if (levels[i]->find(key)) return *levels[i];
+        for (const std::string_view key : keys)
+            if (levels[i]->find(key)) return *levels[i];
     return *levels.front();
 }
+bool hasStage(const JsonObject& object) { return object.find("stage") || object.find("step"); }
 
 } // namespace
 
 ShownState StateReader::read(std::span<const JsonObject* const> levels) {
     ShownState state;
-    loadScene(having(levels, "scene"), state);
+    loadScene(having(levels, {"scene"}), state);
     state.camera = state.scene->camera;
     std::vector<scene::Light> lights = state.scene->lights;
     for (const JsonObject* level : levels) {
@@ -38,19 +41,19 @@ ShownState StateReader::read(std::span<const JsonObject* const> levels) {
         readLightChanges(*level, lights);
     }
     state.scene = scene::withLights(state.scene, lights);
-    if (const JsonObject& lightOf = having(levels, "light"); lightOf.find("light")) {
+    if (const JsonObject& lightOf = having(levels, {"light"}); lightOf.find("light")) {
         std::vector<std::string> names;
         for (const scene::Light& light : state.scene->lights)
             names.push_back(light.name);
         state.light = oneOf(lightOf, "light", lightOf.text("light"), names);
     }
     // A stage of all slots is that of slots further out, or beside them; slots further in have their own.
-    const JsonObject& slotsAt = having(levels, "slots");
-    const JsonObject& stageAt = having(levels, "stage");
+    const JsonObject& slotsAt = having(levels, {"slots"});
+    const JsonObject& stageAt = having(levels, {"stage", "step"});
     const bool isOfThem =
-        stageAt.find("stage") && std::ranges::find(levels, &stageAt) >= std::ranges::find(levels, &slotsAt);
+        hasStage(stageAt) && std::ranges::find(levels, &stageAt) >= std::ranges::find(levels, &slotsAt);
     readSlots(slotsAt, isOfThem ? &stageAt : nullptr, state);
-    const JsonObject& layoutOf = having(levels, "layout");
+    const JsonObject& layoutOf = having(levels, {"layout"});
     std::vector<std::string> layouts;
     for (const Layout layout : {Layout::single, Layout::side, Layout::split, Layout::grid, Layout::diff})
         layouts.emplace_back(layoutName(layout));
@@ -60,8 +63,26 @@ ShownState StateReader::read(std::span<const JsonObject* const> levels) {
     if (static_cast<int>(state.slots.size()) != shown)
         layoutOf.fail("layout", "shows " + scene::counted(static_cast<std::uint64_t>(shown), "technique") + ", and " +
                                     std::to_string(state.slots.size()) + " are under \"slots\"; write as many");
+    if (const JsonObject& splitOf = having(levels, {"split"}); splitOf.find("split")) {
+        if (state.layout != Layout::split)
+            splitOf.fail("split", R"(is the share of the left one of two in "layout": "split"; leave it out)");
+        state.split = splitOf.number("split", scene::Range::between(0, 1));
+    }
     readSettings(levels, state);
     return state;
+}
+
+/// As `capture --stage` takes it; a step is the pass of that name.
+std::string StateReader::readStage(const JsonObject& object, const TechniqueInfo& info, const ShownState& state) {
+    if (!hasStage(object)) return {};
+    const char* const key = object.find("step") ? "step" : "stage";
+    if (object.find("stage") && object.find("step"))
+        object.fail("step", "is a pass, and \"stage\" what to show in its place; write either");
+    const std::string stage = (object.find("step") ? "pass:" : "") + object.text(key);
+    if (!object.find("step") && stage.empty()) return {};
+    saidAt(document_, object.require(key, "").offset,
+           [&] { return parseStage(stage, info, *state.scene, state.light); });
+    return stage;
 }
 
 void StateReader::loadScene(const JsonObject& object, ShownState& state) {
@@ -82,16 +103,12 @@ void StateReader::loadScene(const JsonObject& object, ShownState& state) {
 void StateReader::readSlots(const JsonObject& object, const JsonObject* stageOf, ShownState& state) {
     for (const JsonValue& value : object.array("slots")) {
         const JsonObject slot(document_, value, "slot " + std::to_string(state.slots.size() + 1),
-                              {"technique", "stage"});
+                              {"technique", "stage", "step"});
         PaneState pane;
         pane.technique = slot.text("technique");
         const TechniqueInfo& info = saidAt(document_, slot.require("technique", "\"shadow-map\"").offset,
                                            [&]() -> const TechniqueInfo& { return findTechnique(pane.technique); });
-        const JsonObject& said = stageOf ? *stageOf : slot;
-        pane.stage = said.text("stage", "");
-        if (!pane.stage.empty())
-            saidAt(document_, said.require("stage", "").offset,
-                   [&] { return parseStage(pane.stage, info, *state.scene, state.light); });
+        pane.stage = readStage(stageOf ? *stageOf : slot, info, state);
         state.slots.push_back(std::move(pane));
     }
     if (state.slots.empty())

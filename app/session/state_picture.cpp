@@ -6,6 +6,7 @@
 #include "app/session/derived_stages.h"
 #include "app/session/difference_panel.h"
 #include "app/session/picture.h"
+#include "app/session/stepping.h"
 
 namespace shadowlab::session {
 
@@ -17,14 +18,15 @@ public:
         : state_(state), request_(request), font_(font), session_(state.scene), slots_(slotsOf(state.slots)) {}
 
     image::Image draw() {
-        std::vector<Cell> cells = layoutCells(state_.layout, static_cast<int>(slots_.size()), request_.size);
+        std::vector<Cell> cells =
+            layoutCells(state_.layout, static_cast<int>(slots_.size()), request_.size, state_.split);
         std::vector<Panel> panels;
         if (state_.layout == Layout::diff)
             panels.push_back(difference());
         else
             for (std::size_t i = 0; i < slots_.size(); ++i)
                 panels.push_back(panel(i, cells[i]));
-        return composeFigure(cells, panels, request_.size, &font_, request_.typeHeight).picture;
+        return composeFigure(cells, panels, request_.size, &font_, request_.typeHeight, request_.roomBelow).picture;
     }
 
 private:
@@ -33,6 +35,8 @@ private:
         std::optional<StageChoice> stage;
         if (!state_.slots[i].stage.empty())
             stage = parseStage(state_.slots[i].stage, *slot.info, *state_.scene, state_.light);
+        if (stage && stage->isPass) // as the window shows a step
+            stage = shownInStep(*stage, *slot.info, state_.scene->lights.empty() ? kNoLight : state_.light);
         const bool derived = stage && !stage->isPass && isDerived(stage->key.id);
         const int supersample = derived ? 1 : request_.supersample; // what is derived is about single pixels
         View view;

@@ -10,8 +10,9 @@ namespace shadowlab::session {
 
 struct StateRequest {
     ivec2 size{0};
-    int supersample = 1;                      ///< N x N samples for a pixel, averaged in linear light
-    int typeHeight = 0;                       ///< the height that type sizes are shares of; 0: the picture's own
+    int supersample = 1; ///< N x N samples for a pixel, averaged in linear light
+    int typeHeight = 0;  ///< the height that type sizes are shares of; 0: the picture's own
+    int roomBelow = 0;   ///< how much higher the picture may become, so that its legends stand below it
     std::optional<dvec2> picked{}, partner{}; ///< of stages about one pixel, in shares of the picture
     std::optional<scene::Camera> outside{};   ///< of the stage `outside`; none: as the program chooses it
 };

@@ -19,14 +19,14 @@ int columnsFor(std::size_t pictures) {
     return pictures <= 6 ? 3 : 4;
 }
 
-/// The part of a cell that a picture takes: as large as its shape allows, in the middle.
+/// The part of a cell that a picture takes: as large as its shape allows, at its top.
 Box pictureIn(const Box& cell, bool isDrawing) {
     if (isDrawing) return cell;
     Box box = cell;
     const double aspect = cell.size.x / cell.size.y;
     if (aspect > kWidestPicture) box.size.x = cell.size.y * kWidestPicture;
     if (aspect < kNarrowestPicture) box.size.y = cell.size.x / kNarrowestPicture;
-    box.corner += (cell.size - box.size) / 2.0;
+    box.corner.x += (cell.size.x - box.size.x) / 2.0;
     return box;
 }
 
@@ -65,6 +65,7 @@ SlideLayout layOut(const session::Slide& slide, double width, const Fonts& fonts
         const dvec2 place(static_cast<int>(i) % columns, static_cast<int>(i) / columns);
         const Box whole{area.corner + place * (cell + kGap) + dvec2(0, label), cell - dvec2(0, label)};
         layout.cells.push_back(pictureIn(whole, !slide.pictures[i].figure.empty()));
+        layout.roomBelow.push_back(whole.size.y - layout.cells.back().size.y);
     }
     return layout;
 }

@@ -82,26 +82,50 @@ SlidePainter::SlidePainter(const std::filesystem::path& fonts, const SlideLook& 
 
 ivec2 SlidePainter::pixels(dvec2 place) const { return ivec2(glm::round(place * scale_)); }
 
-void SlidePainter::drawPicture(image::Image& image, const session::SlidePicture& picture, const Box& cell,
-                               int supersample) const {
-    const ivec2 corner = pixels(cell.corner), size = pixels(cell.corner + cell.size) - corner;
-    if (!picture.figure.empty()) {
-        const diagram::Diagram drawn = drawingOf(picture, upright_, cell.size);
-        const dvec2 sheet = drawn.drawing.size();
-        const double scale = std::min(cell.size.x / sheet.x, cell.size.y / sheet.y);
-        if (scale < kLeastDrawingScale)
-            throw Error(ExitStatus::badInput, "a drawing needs the whole slide to be read; leave out the words and "
-                                              "pictures beside it");
-        painter_.paint(drawn.drawing, image, corner + pixels((cell.size - sheet * scale) / 2.0), scale * scale_);
-        return;
+image::Image SlidePainter::drawFigure(const session::SlidePicture& picture, dvec2 cell) const {
+    const diagram::Diagram drawn = drawingOf(picture, upright_, cell);
+    const dvec2 sheet = drawn.drawing.size();
+    const double scale = std::min(cell.x / sheet.x, cell.y / sheet.y);
+    if (scale < kLeastDrawingScale)
+        throw Error(ExitStatus::badInput, "a drawing needs the whole slide to be read; leave out the words and "
+                                          "pictures beside it");
+    const ivec2 size = pixels(cell);
+    image::Image image(size.x, size.y, kPaper);
+    painter_.paint(drawn.drawing, image, pixels((cell - sheet * scale) / 2.0), scale * scale_);
+    return image;
+}
+
+std::vector<SlidePainter::Placed> SlidePainter::drawPictures(const session::Slide& slide,
+                                                             const SlideLayout& layout) const {
+    std::vector<Placed> placed;
+    for (std::size_t i = 0; i < slide.pictures.size(); ++i) {
+        const session::SlidePicture& picture = slide.pictures[i];
+        const Box& cell = layout.cells[i];
+        const ivec2 size = pixels(cell.corner + cell.size) - pixels(cell.corner);
+        const session::StateRequest request{.size = size,
+                                            .supersample = slide.supersample.value_or(look_.supersample),
+                                            .typeHeight = look_.size.y,
+                                            .roomBelow = static_cast<int>(layout.roomBelow[i] * scale_),
+                                            .picked = picture.pixel,
+                                            .partner = picture.partner,
+                                            .outside = picture.outside};
+        placed.push_back({picture.figure.empty() ? session::drawState(picture.state, request, upright_)
+                                                 : drawFigure(picture, cell.size),
+                          cell});
     }
-    const session::StateRequest request{.size = size,
-                                        .supersample = supersample,
-                                        .typeHeight = look_.size.y,
-                                        .picked = picture.pixel,
-                                        .partner = picture.partner,
-                                        .outside = picture.outside};
-    blit(image, corner.x, corner.y, session::drawState(picture.state, request, upright_));
+    // What a row leaves free is above it and below it.
+    std::vector<double> shifts;
+    for (const Placed& of : placed) {
+        double least = kSlideHeight;
+        for (std::size_t i = 0; i < placed.size(); ++i)
+            if (placed[i].cell.corner.y == of.cell.corner.y)
+                least =
+                    std::min(least, layout.roomBelow[i] + placed[i].cell.size.y - placed[i].picture.height / scale_);
+        shifts.push_back(std::max(0.0, least / 2));
+    }
+    for (std::size_t i = 0; i < placed.size(); ++i)
+        placed[i].cell.corner.y += shifts[i];
+    return placed;
 }
 
 DrawnSlide SlidePainter::draw(const session::Slide& slide, const SlideFoot& foot) const {
@@ -110,9 +134,11 @@ DrawnSlide SlidePainter::draw(const session::Slide& slide, const SlideFoot& foot
     const SlideLayout layout = layOut(slide, width, fonts);
     DrawnSlide drawn{image::Image(look_.size.x, look_.size.y, kPaper), {}};
     Drawing drawing({width, kSlideHeight});
-    for (std::size_t i = 0; i < slide.pictures.size(); ++i) {
-        const Box& cell = layout.cells[i];
-        drawPicture(drawn.slide, slide.pictures[i], cell, slide.supersample.value_or(look_.supersample));
+    const std::vector<Placed> placed = drawPictures(slide, layout);
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const Box& cell = placed[i].cell;
+        const ivec2 corner = pixels(cell.corner);
+        blit(drawn.slide, corner.x, corner.y, placed[i].picture);
         drawCallouts(drawing, slide.pictures[i], cell, bold_);
         if (!slide.pictures[i].label.empty())
             drawing.text(cell.corner + dvec2(cell.size.x / 2, -0.35 * kLabelType), slide.pictures[i].label,

@@ -32,7 +32,13 @@ public:
     [[nodiscard]] DrawnSlide draw(const session::Slide& slide, const SlideFoot& foot) const;
 
 private:
-    void drawPicture(image::Image& image, const session::SlidePicture& picture, const Box& cell, int supersample) const;
+    /// A picture, and where it stands; below that, its legend.
+    struct Placed {
+        image::Image picture;
+        Box cell;
+    };
+    [[nodiscard]] std::vector<Placed> drawPictures(const session::Slide& slide, const SlideLayout& layout) const;
+    [[nodiscard]] image::Image drawFigure(const session::SlidePicture& picture, dvec2 cell) const;
     [[nodiscard]] ivec2 pixels(dvec2 place) const;
 
     SlideLook look_;

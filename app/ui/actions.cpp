@@ -5,6 +5,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <imgui.h>
@@ -117,6 +118,8 @@ void leave(Desk& desk) {
         desk.bench.unpick();
     else if (desk.lesson.isOn())
         leaveLesson(desk);
+    else if (desk.slides.isOn())
+        leaveSlides(desk);
     else if (!desk.bench.activeState().stage.empty())
         chooseStage(desk, "");
     else
@@ -197,6 +200,10 @@ const Action kActions[] = {
      false, [](Desk& d) { stepLesson(d, 1); }},
     {"lesson-back", "Steps and stages", "Shift+J", "lessons: one step back", GLFW_KEY_J, false, true, false,
      [](Desk& d) { stepLesson(d, -1); }},
+    {"slide-on", "Steps and stages", "S", "slides: the next picture, and the next slide", GLFW_KEY_S, false, false,
+     true, [](Desk& d) { stepSlides(d, 1); }},
+    {"slide-back", "Steps and stages", "Shift+S", "slides: one picture back", GLFW_KEY_S, false, true, true,
+     [](Desk& d) { stepSlides(d, -1); }},
 
     {"left", "Camera, lights and objects", "Left", "around to the left; or moves what is selected", GLFW_KEY_LEFT,
      false, false, true, [](Desk& d) { arrows(d, -1, 0); }},
@@ -251,6 +258,8 @@ const Action kActions[] = {
      [](Desk& d) { d.requests.saveScene = true; }},
     {"screenshot", "Animation and scenes", "P", "saves the picture, its command line, and the scene", GLFW_KEY_P, false,
      false, false, [](Desk& d) { d.requests.screenshot = true; }},
+    {"save-slide", "Animation and scenes", "W", "adds what is seen to slides.json, a deck for `slides`", GLFW_KEY_W,
+     false, false, false, saveAsSlide},
 
     {"keys", "Window", "H", "this list", GLFW_KEY_H, false, false, false,
      [](Desk& d) { d.shown.keys = !d.shown.keys; }},
@@ -275,8 +284,9 @@ const Action kActions[] = {
     {"reset-settings", "Window", "R", "the technique's own settings", GLFW_KEY_R, false, false, false, resetSettings},
     {"reload-shaders", "Window", "F5", "compiles all shaders anew", GLFW_KEY_F5, false, false, false,
      [](Desk& d) { d.requests.reloadShaders = true; }},
-    {"leave", "Window", "Esc", "out of the list, messages, the selection, the picked pixel, the lesson, the stage",
-     GLFW_KEY_ESCAPE, false, false, false, leave},
+    {"leave", "Window", "Esc",
+     "out of the list, messages, the selection, the picked pixel, the lesson, the slides, the stage", GLFW_KEY_ESCAPE,
+     false, false, false, leave},
     {"quit", "Window", "Ctrl+Q", "ends the program", GLFW_KEY_Q, true, false, false,
      [](Desk& d) { d.requests.quit = true; }},
 };
@@ -294,12 +304,19 @@ bool waitsForTheAnswer(const Desk& desk, const Action& action) {
            !id.starts_with("lesson-");
 }
 
+/// While the right button holds the camera, these fly it (pictures.cpp), with Shift faster.
+bool fliesTheCamera(const Desk& desk, const KeyPress& press) {
+    constexpr std::array kFlying = {GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_E, GLFW_KEY_Q};
+    return desk.drag == Drag::camera && ImGui::IsMouseDown(1) && !press.ctrl && !press.alt &&
+           std::ranges::find(kFlying, press.key) != kFlying.end();
+}
+
 } // namespace
 
 std::vector<std::string> runKeys(Desk& desk) {
     std::vector<std::string> ran;
     for (const KeyPress& press : std::exchange(desk.keys, {})) {
-        if (ImGui::GetIO().WantTextInput) continue;
+        if (ImGui::GetIO().WantTextInput || fliesTheCamera(desk, press)) continue;
         if (desk.panelHasKeys && press.key == GLFW_KEY_ESCAPE) {
             desk.panelHasKeys = false;
             ImGui::SetWindowFocus(nullptr);

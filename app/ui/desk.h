@@ -9,6 +9,7 @@
 #include "app/session/handles.h"
 #include "app/session/workbench.h"
 #include "app/ui/lesson_desk.h"
+#include "app/ui/slide_desk.h"
 
 namespace shadowlab::ui {
 
@@ -61,6 +62,7 @@ struct Desk {
     std::vector<KeyPress> keys; ///< since the last frame, in order: none is lost, however quick the hand
     session::Selection selection, hovered;
     LessonDesk lesson;
+    SlideDesk slides;
     dvec2 lens{
         0.5}; ///< where the magnifier looks, as shares of a picture's width and height from its upper left corner
     Drag drag = Drag::none;

@@ -81,6 +81,7 @@ std::vector<LessonStep> stepsOf(const Lesson& lesson) {
 void openLesson(Desk& desk, const std::string& nameOrPath, bool atItsEnd) {
     try {
         Lesson lesson = session::loadLesson(nameOrPath, desk.lesson.loading);
+        leaveSlides(desk);
         if (!desk.lesson.earlier) desk.lesson.earlier = desk.bench.document();
         desk.lesson.now = std::move(lesson);
     } catch (const Error& fault) {

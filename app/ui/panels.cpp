@@ -11,6 +11,7 @@
 #include "app/ui/lesson_panel.h"
 #include "app/ui/parameter_panel.h"
 #include "app/ui/pixel_panel.h"
+#include "app/ui/slide_panel.h"
 #include "techniques/registry.h"
 
 namespace shadowlab::ui {
@@ -281,6 +282,7 @@ void sidePanel(Desk& desk, const session::LiveErrors& errors, const Area& area, 
     stagePart(desk);
     pixelPanel(desk);
     lessonList(desk);
+    deckList(desk);
     if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) parameterPanel(desk, theme);
     if (ImGui::CollapsingHeader("Errors", ImGuiTreeNodeFlags_DefaultOpen)) {
         if (desk.lesson.paints()) {

@@ -12,6 +12,7 @@
 #include "app/ui/lesson_panel.h"
 #include "app/ui/magnifier.h"
 #include "app/ui/panels.h"
+#include "app/ui/slide_panel.h"
 #include "app/ui/strip_panel.h"
 
 namespace shadowlab::ui {
@@ -66,6 +67,7 @@ Area Screen::pictureArea() const {
     const int width = std::max(0, size_.x - right - sourceWidth());
     const auto bottom = static_cast<int>(stepPanelHeight(desk_, theme_, static_cast<float>(width)) +
                                          lessonPanelHeight(desk_, theme_, static_cast<float>(width)) +
+                                         slidePanelHeight(desk_, theme_, static_cast<float>(width)) +
                                          (desk_.shown.strip ? stripHeight(theme_) : 0));
     return {{0, top}, glm::max(ivec2(0), ivec2(width, size_.y - top - bottom))};
 }
@@ -157,6 +159,11 @@ void Screen::drawWidgets() {
     if (desk_.lesson.isOn()) {
         const auto height = static_cast<int>(lessonPanelHeight(desk_, theme_, static_cast<float>(pictures.size.x)));
         lessonPanel(desk_, {{0, below}, {pictures.size.x, height}}, theme_);
+        below += height;
+    }
+    if (desk_.slides.isOn()) {
+        const auto height = static_cast<int>(slidePanelHeight(desk_, theme_, static_cast<float>(pictures.size.x)));
+        slidePanel(desk_, {{0, below}, {pictures.size.x, height}}, theme_);
         below += height;
     }
     if (isStepping(desk_)) {

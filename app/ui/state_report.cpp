@@ -79,6 +79,10 @@ std::string stateReport(Desk& desk, const Screen& screen) {
         if (desk.lesson.score)
             json["lesson"]["score"] = {desk.lesson.score->paintedRight(), desk.lesson.score->shadowFound()};
     }
+    json["slide"] = nullptr;
+    if (desk.slides.deck)
+        json["slide"] = {
+            {"deck", desk.slides.deck->name()}, {"name", desk.slides.slide.name}, {"picture", desk.slides.stop}};
     json["playing"] = desk.bench.animation().playing;
     json["moves"] = {{"lights", desk.bench.animation().lights},
                      {"camera", desk.bench.animation().camera},

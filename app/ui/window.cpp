@@ -49,6 +49,7 @@ public:
           loader_(loading) {
         // Before a window flashes up.
         const scene::Snapshot first = scene::loadScene(settings.scene, loading);
+        if (!settings.deck.empty()) static_cast<void>(session::Deck(settings.deck, loading));
         if (!settings.lesson.empty()) static_cast<void>(session::loadLesson(settings.lesson, loading));
         const ivec2 size = settings.size.x > 0 ? settings.size : memory_.size;
         context_ = context::createWindowContext(
@@ -59,6 +60,8 @@ public:
         desk_->scenes = scene::builtInScenes(session::assetsRoot());
         desk_->lesson.all = session::builtInLessons(session::assetsRoot());
         desk_->lesson.loading = loading;
+        desk_->slides.decks = session::builtInDecks(session::assetsRoot());
+        desk_->slides.loading = loading;
         desk_->shown.panel = memory_.panel;
         desk_->shown.strip = memory_.strip;
         desk_->shown.handles = memory_.handles;
@@ -81,6 +84,7 @@ public:
             if (action == GLFW_PRESS) self.desk_->pressedAt = self.cursor_ * self.pixelsPerPoint_;
         });
         if (!settings.lesson.empty()) openLesson(*desk_, settings.lesson);
+        if (!settings.deck.empty()) openDeck(*desk_, settings.deck, settings.slide);
         ImGui_ImplGlfw_InitForOpenGL(window_, true); // it calls what was set before it
     }
     ~Window() { ImGui_ImplGlfw_Shutdown(); }
@@ -161,6 +165,8 @@ private:
                 desk_->selection = {};
                 desk_->lesson.now.reset(); // whoever chooses a scene has left the lesson
                 desk_->lesson.earlier.reset();
+                desk_->slides.deck.reset(); // and the slides
+                desk_->slides.earlier.reset();
                 desk_->bench.showScene(loaded->scene, loaded->nameOrPath);
                 for (const std::string& note : loaded->scene->notes)
                     screen_->say(note);

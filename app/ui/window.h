@@ -11,6 +11,8 @@ namespace shadowlab::ui {
 struct WindowSettings {
     std::string scene = "still-life"; ///< a built-in name, a .json or an .obj
     std::string lesson;               ///< to begin with, a built-in name or a .json; empty: none
+    std::string deck;                 ///< the same of slides
+    std::string slide;                ///< the name of one of the deck's; empty: the first
     ivec2 size{1280, 720};            ///< screen coordinates
     bool presenter = false;
     bool keepSettings = true; ///< reads what the last run left, and leaves it for the next

@@ -104,7 +104,7 @@ TEST_F(DeckTest, EveryFaultIsToldWithItsPlace) {
         {R"("box": [0.1, 0.2, 0.3, 0.4])", R"("box": [0.1, 0.2, 0.3, 0.4], "to": [0, 0])", "d.json:6:", "write either"},
         {R"("alt": "A.")", R"("caption": "A.")", "d.json:5:5: ", "alt"},
         {R"("pixel": [0.5, 0.5])", R"("diagram": "pixel")", "d.json:5:", "about a pixel"},
-        {R"("pixel": [0.5, 0.5])", R"("pixel": [0.5, 0.5], "diagram": "pixels")", "d.json:5:", "mean 'pixel'"},
+        {R"("pixel": [0.5, 0.5])", R"("pixel": [0.5, 0.5], "diagram": "pixels")", "d.json:5:", R"(mean "pixel")"},
         {R"("marked": [2])", R"("marked": [99])", "d.json:10:", "no line"},
         {R"(, "text": ["Words."], "formulas": ["x^2"], "pseudocode": "shadow-map", "marked": [2])", "",
          "d.json:10:", "shows nothing"},

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "app/ui/slide_desk.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/session/slide_file.h"
+#include "app/ui/desk.h"
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/nearest_names.h"
+
+namespace shadowlab::ui {
+
+namespace {
+
+/// The slide of that number, on show. Throws what reading it throws; then nothing has changed.
+void show(Desk& desk, session::Deck& deck, std::size_t slide, bool atItsEnd) {
+    SlideDesk& on = desk.slides;
+    session::Slide read = deck.read(slide);
+    on.stops = session::stopsOf(read);
+    on.slide = std::move(read);
+    on.at = slide;
+    on.stop = atItsEnd && !on.stops.empty() ? on.stops.size() - 1 : 0;
+}
+
+void showStop(Desk& desk) {
+    const SlideDesk& on = desk.slides;
+    if (on.stops.empty()) return; // words alone: the picture before stays
+    desk.selection = {};
+    desk.shown.blink = false;
+    desk.bench.showDocument(on.stops[on.stop].document);
+}
+
+void complain(Desk& desk, const std::string& fault) {
+    std::erase_if(desk.messages, [&](const Message& message) { return message.text == fault; });
+    desk.messages.push_back({fault, true, 0});
+}
+
+} // namespace
+
+void openDeck(Desk& desk, const std::string& nameOrPath, const std::string& slide) {
+    SlideDesk& on = desk.slides;
+    try {
+        session::Deck deck(nameOrPath, on.loading);
+        const std::vector<std::string>& names = deck.slides();
+        const auto found = slide.empty() ? names.begin() : std::ranges::find(names, slide);
+        if (found == names.end())
+            throw Error(ExitStatus::usage,
+                        "deck '" + deck.name() + "' has no slide '" + slide + "'; " + suggestion(slide, names));
+        leaveLesson(desk);
+        show(desk, deck, static_cast<std::size_t>(found - names.begin()), false);
+        if (!on.earlier) on.earlier = desk.bench.document();
+        on.deck.emplace(std::move(deck));
+    } catch (const Error& fault) {
+        return complain(desk, fault.what());
+    }
+    showStop(desk);
+}
+
+void stepSlides(Desk& desk, int by) {
+    SlideDesk& on = desk.slides;
+    if (!on.deck) {
+        if (!on.decks.empty()) openDeck(desk, on.decks.front());
+        return;
+    }
+    if (by > 0 ? on.stop + 1 < on.stops.size() : on.stop > 0) {
+        on.stop += by > 0 ? 1 : std::size_t(-1);
+        return showStop(desk);
+    }
+    const std::size_t count = on.deck->slides().size();
+    if (by > 0 ? on.at + 1 >= count : on.at == 0) {
+        desk.requests.news = by > 0 ? "This was the last slide." : "This is the first slide.";
+        return;
+    }
+    const std::size_t next = by > 0 ? on.at + 1 : on.at - 1;
+    try {
+        show(desk, *on.deck, next, by < 0);
+    } catch (const Error& fault) { // the slides behind it can be shown all the same
+        on.at = next;
+        on.slide = {.name = on.deck->slides()[next], .title = on.deck->slides()[next] + " cannot be shown"};
+        on.stops.clear();
+        on.stop = 0;
+        return complain(desk, fault.what());
+    }
+    showStop(desk);
+}
+
+void leaveSlides(Desk& desk) {
+    if (!desk.slides.isOn()) return;
+    desk.slides.deck.reset();
+    desk.slides.stops.clear();
+    if (desk.slides.earlier) desk.bench.showDocument(*desk.slides.earlier);
+    desk.slides.earlier.reset();
+}
+
+void saveAsSlide(Desk& desk) {
+    try {
+        const session::SavedSlide saved = session::saveSlide(desk.bench.document(), *desk.bench.shownScene(),
+                                                             std::filesystem::current_path(), desk.slides.loading);
+        desk.requests.news = "saved as slide " + saved.name + " of " + saved.deck.string() +
+                             (saved.sceneFile.empty() ? "" : ", with its scene " + saved.sceneFile.filename().string());
+        // Whoever goes through that very deck finds the slide at its end.
+        std::error_code ignored;
+        if (desk.slides.deck && std::filesystem::equivalent(desk.slides.deck->file(), saved.deck, ignored))
+            desk.slides.deck.emplace(saved.deck.string(), desk.slides.loading);
+    } catch (const Error& fault) {
+        complain(desk, fault.what());
+    }
+}
+
+} // namespace shadowlab::ui
