@@ -48,6 +48,7 @@ int demo(const DemoOptions& options) {
         pictures.output =
             std::filesystem::current_path() / (std::filesystem::path(options.deck).stem().string() + "-slides");
         const int status = slides(pictures);
+        print(pictures.output.string() + "\n");
         note("there is no display for a window; these pictures were written instead");
         return status;
     }

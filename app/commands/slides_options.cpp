@@ -14,7 +14,7 @@ void describeSlides(CLI::App& command) {
     };
     add("DECK", "", "a built-in name (`list decks`) or a .json deck; may be repeated (default: all built-in decks)");
     add("-o,--output", "DIR", "the folder that the slides are written into; it is made where there is none");
-    add("--only", "SLIDE", "draws that slide alone, and no page of all; may be repeated");
+    add("--only", "SLIDE", "draws that slide alone, and no page of all; several with commas between them");
     add("--size", "WxH", "width and height of the slides in pixels (default 1920x1080; 4K is 3840x2160)");
     add("--supersample", "N", "N x N samples for each pixel of a picture, from 1 to 8 (default 2)");
     add("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
@@ -33,7 +33,7 @@ SlidesOptions slidesOptions(const CLI::App& command) {
     SlidesOptions options;
     options.decks = given.texts("DECK");
     options.output = given.required("--output", "shadowlab slides -o DIR");
-    options.only = given.texts("--only");
+    options.only = splitAtCommas(given.texts("--only"));
     options.look.size = sizeFrom("--size", given.text("--size", "1920x1080"), kLongestSide);
     constexpr int kLeastHeight = 360;                 // below, type dissolves
     constexpr double kNarrowest = 1.2, kWidest = 2.5; // shapes that slides are laid out for

@@ -15,6 +15,7 @@ namespace {
 // lecture hall; less is not.
 constexpr std::array kTitleShares = {1.0 / 30, 1.0 / 37, 1.0 / 45};
 constexpr std::array kLegendShares = {1.0 / 38, 1.0 / 45};
+constexpr int kMostColumns = 3;           ///< of a legend below a picture
 constexpr double kSmallestType = 10;      ///< pixels; below, letters dissolve
 constexpr double kLargestShare = 1.0 / 3; ///< of a cell that a plate may cover
 constexpr image::Color8 kDark{16, 16, 18, 255}, kLight{245, 245, 245, 255};
@@ -130,24 +131,25 @@ Figure composeFigure(const std::vector<Cell>& cells, const std::vector<Panel>& p
     if (!font) return figure;
     if (typeHeight == 0) typeHeight = size.y;
 
-    const auto legendOf = [&](std::size_t i, double em) { return legendPlate(panels[i], *font, em, cells[i].width); };
     const auto titles = layOut(
         kTitleShares, typeHeight, cells,
         [&](std::size_t i, double em) { return titlePlate(panels[i].title, *font, em, cells[i].width); }, coversLittle);
-    if (roomBelow > 0 && std::ranges::all_of(cells, [](const Cell& cell) { return cell.y == 0; })) {
-        const auto legends =
-            layOut(kLegendShares, typeHeight, cells, legendOf, [&](const Plate& plate, const Cell& cell) {
+    drawTitles(figure, titles, cells, panels);
+    const auto legendsIn = [&](int columns, const auto& fits) {
+        return layOut(
+            kLegendShares, typeHeight, cells,
+            [&](std::size_t i, double em) { return legendPlate(panels[i], *font, em, cells[i].width, columns); }, fits);
+    };
+    if (std::ranges::all_of(cells, [](const Cell& cell) { return cell.y == 0; }))
+        for (int columns = 1; columns <= kMostColumns && roomBelow > 0; ++columns) {
+            const std::vector<Plate> legends = legendsIn(columns, [&](const Plate& plate, const Cell& cell) {
                 return plate.width <= cell.width && plate.height <= roomBelow;
             });
-        // None where one does not fit: then they stand in the pictures.
-        if (std::ranges::any_of(legends, [](const Plate& plate) { return !plate.isEmpty(); })) {
-            drawTitles(figure, titles, cells, panels);
+            if (std::ranges::all_of(legends, &Plate::isEmpty)) continue; // there are none, or one does not fit
             drawLegendsBelow(figure, legends, cells);
             return figure;
         }
-    }
-    const auto legends = layOut(kLegendShares, typeHeight, cells, legendOf, coversLittle);
-    drawTitles(figure, titles, cells, panels);
+    const auto legends = legendsIn(1, coversLittle);
     bool isMissing = false;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         isMissing = isMissing || (legends[i].isEmpty() && hasLegend(panels[i]));

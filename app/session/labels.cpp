@@ -64,28 +64,41 @@ Plate barPlate(const Panel& panel, const image::Font& font, double em, int wides
     return plate;
 }
 
-/// A swatch and a label for every colour that has a meaning.
-Plate keyPlate(const Panel& panel, const image::Font& font, double em, int widest) {
+/// A swatch and a label for every colour that has a meaning, down the columns one after another.
+Plate keyPlate(const Panel& panel, const image::Font& font, double em, int widest, int columns) {
+    struct Entry {
+        int x, y; ///< of its first line, from the plate's upper left corner
+        std::vector<std::string> lines;
+    };
     const int pad = static_cast<int>(em * 0.5), swatch = static_cast<int>(em * 0.9);
     const int lineHeight = font.measure("X", em).height;
-    std::vector<std::vector<std::string>> labels;
+    const std::vector<KeyEntry>& key = panel.display.key;
+    const std::size_t perColumn =
+        (key.size() + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
+    std::vector<Entry> entries;
     Plate plate;
-    for (const KeyEntry& entry : panel.display.key) {
-        labels.push_back(font.wrap(entry.label, em, widest - swatch - 3 * pad));
-        plate.lines += static_cast<int>(labels.back().size());
-        for (const std::string& line : labels.back())
-            plate.width = std::max(plate.width, font.measure(line, em).width + swatch + 3 * pad);
+    int y = pad, left = 0;
+    for (std::size_t i = 0; i < key.size(); ++i) {
+        if (i > 0 && i % perColumn == 0) {
+            left = plate.width;
+            y = pad;
+        }
+        Entry entry{left + pad, y, font.wrap(key[i].label, em, widest / columns - swatch - 3 * pad)};
+        for (const std::string& line : entry.lines)
+            plate.width = std::max(plate.width, left + font.measure(line, em).width + swatch + 3 * pad);
+        y += static_cast<int>(entry.lines.size()) * lineHeight;
+        plate.lines += static_cast<int>(entry.lines.size());
+        plate.height = std::max(plate.height, y + pad);
+        entries.push_back(std::move(entry));
     }
-    plate.height = plate.lines * lineHeight + 2 * pad;
-    plate.drawText = [=, &font, &panel](image::Image& figure, int left, int top) {
-        int y = top + pad;
-        for (std::size_t i = 0; i < labels.size(); ++i) {
-            const image::Color8 color = encoded(panel.display.key[i].colorLinear);
-            fillRect(figure, left + pad, y + (lineHeight - swatch) / 2, swatch, swatch, color);
-            for (const std::string& line : labels[i]) {
-                font.draw(figure, left + swatch + 2 * pad, y, line, em, kText);
-                y += lineHeight;
-            }
+    plate.drawText = [=, &font, &panel](image::Image& figure, int plateX, int plateY) {
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            const int x = plateX + entries[i].x, top = plateY + entries[i].y;
+            fillRect(figure, x, top + (lineHeight - swatch) / 2, swatch, swatch,
+                     encoded(panel.display.key[i].colorLinear));
+            for (std::size_t line = 0; line < entries[i].lines.size(); ++line)
+                font.draw(figure, x + swatch + pad, top + static_cast<int>(line) * lineHeight, entries[i].lines[line],
+                          em, kText);
         }
     };
     return plate;
@@ -107,9 +120,9 @@ Plate titlePlate(const std::string& title, const image::Font& font, double em, i
     return plate;
 }
 
-Plate legendPlate(const Panel& panel, const image::Font& font, double em, int widest) {
+Plate legendPlate(const Panel& panel, const image::Font& font, double em, int widest, int columns) {
     if (panel.kind == StageKind::scalar || panel.kind == StageKind::count) return barPlate(panel, font, em, widest);
-    return panel.display.key.empty() ? Plate{} : keyPlate(panel, font, em, widest);
+    return panel.display.key.empty() ? Plate{} : keyPlate(panel, font, em, widest, columns);
 }
 
 void drawPlate(image::Image& figure, const Plate& plate, int x, int y) {

@@ -21,8 +21,8 @@ struct Plate {
 // `em` is the type size in pixels. A text that is wider than `widest` is wrapped. What cannot be wrapped may come out
 // wider. The plates refer to the font and the panel.
 Plate titlePlate(const std::string& title, const image::Font& font, double em, int widest);
-/// A bar with its numbers and unit, or the key of the colours; empty for a panel that needs neither.
-Plate legendPlate(const Panel& panel, const image::Font& font, double em, int widest);
+/// A bar with its numbers and unit, or the key of the colours in that many columns; empty for a panel that needs neither.
+Plate legendPlate(const Panel& panel, const image::Font& font, double em, int widest, int columns = 1);
 
 /// Darkens what is below, so that text is legible on any picture, and writes on it.
 void drawPlate(image::Image& figure, const Plate& plate, int x, int y);

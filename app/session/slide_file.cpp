@@ -146,7 +146,11 @@ std::string slideText(const Document& document, const std::string& scene, const 
     if (!stages.empty() && what.size() + stages.size() + 2 <= kLongest) what += ": " + stages;
     slide["caption"] = what;
     slide["alt"] = what;
-    return slide.dump(2, ' ', false, Json::error_handler_t::replace);
+    std::string text; // a line for each key, as people write decks
+    for (const auto& [key, value] : slide.items())
+        text += (text.empty() ? "{\n  \"" : ",\n  \"") + key +
+                "\": " + value.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return text + "\n}";
 }
 
 std::string withSlide(const std::string& deck, const std::filesystem::path& file, const std::string& slide) {
