@@ -8,8 +8,9 @@ namespace shadowlab::slides {
 
 namespace {
 
-constexpr double kGap = 28;                                              ///< between parts
-constexpr double kWordsShare = 0.36;                                     ///< of the width, beside pictures
+constexpr double kGap = 28;           ///< between parts
+constexpr double kWordsShare = 0.36;  ///< of the width, beside pictures
+constexpr double kLegendHeight = 180; ///< of a key of eight colours in two columns, some of two lines
 constexpr double kWidestPicture = 16.0 / 9, kNarrowestPicture = 4.0 / 3; ///< the shapes that scenes are framed for
 
 /// Rows and columns for so many pictures.
@@ -19,13 +20,20 @@ int columnsFor(std::size_t pictures) {
     return pictures <= 6 ? 3 : 4;
 }
 
-/// The part of a cell that a picture takes: as large as its shape allows, at its top.
-Box pictureIn(const Box& cell, bool isDrawing) {
-    if (isDrawing) return cell;
+/// Stages explain their colours.
+bool mayHaveLegend(const session::SlidePicture& picture) {
+    return std::ranges::any_of(picture.state.slots, [](const session::PaneState& slot) { return !slot.stage.empty(); });
+}
+
+/// The part of a cell that a picture takes: as large as its shape allows, at its top. Below it there is room for a legend, as
+/// far as that makes it no wider than scenes are framed for.
+Box pictureIn(const Box& cell, bool hasLegend) {
     Box box = cell;
-    const double aspect = cell.size.x / cell.size.y;
-    if (aspect > kWidestPicture) box.size.x = cell.size.y * kWidestPicture;
-    if (aspect < kNarrowestPicture) box.size.y = cell.size.x / kNarrowestPicture;
+    if (hasLegend)
+        box.size.y = std::min(cell.size.y, std::max(cell.size.y - kLegendHeight, cell.size.x / kWidestPicture));
+    const double aspect = box.size.x / box.size.y;
+    if (aspect > kWidestPicture) box.size.x = box.size.y * kWidestPicture;
+    if (aspect < kNarrowestPicture) box.size.y = box.size.x / kNarrowestPicture;
     box.corner.x += (cell.size.x - box.size.x) / 2.0;
     return box;
 }
@@ -60,11 +68,12 @@ SlideLayout layOut(const session::Slide& slide, double width, const Fonts& fonts
     const int rows = (static_cast<int>(slide.pictures.size()) + columns - 1) / columns;
     const bool labelled = std::ranges::any_of(slide.pictures, [](const auto& p) { return !p.label.empty(); });
     const double label = labelled ? kLineHeight * kLabelType : 0;
+    const bool hasLegends = std::ranges::any_of(slide.pictures, mayHaveLegend);
     const dvec2 cell((area.size.x - kGap * (columns - 1)) / columns, (area.size.y - kGap * (rows - 1)) / rows);
     for (std::size_t i = 0; i < slide.pictures.size(); ++i) {
         const dvec2 place(static_cast<int>(i) % columns, static_cast<int>(i) / columns);
         const Box whole{area.corner + place * (cell + kGap) + dvec2(0, label), cell - dvec2(0, label)};
-        layout.cells.push_back(pictureIn(whole, !slide.pictures[i].figure.empty()));
+        layout.cells.push_back(slide.pictures[i].figure.empty() ? pictureIn(whole, hasLegends) : whole);
         layout.roomBelow.push_back(whole.size.y - layout.cells.back().size.y);
     }
     return layout;
