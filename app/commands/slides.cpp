@@ -117,7 +117,7 @@ private:
     }
 
     slides::PageSlide draw(Deck& deck, std::size_t number) {
-        slides::PageSlide page{deck.read(number), {}, ""};
+        slides::PageSlide page{deck.read(number), {}, "", ""};
         const slides::DrawnSlide drawn = painter_->draw(page.slide, {deck.title(), number + 1, deck.slides().size()});
         const std::string name = fileName(deck, number) + ".png";
         std::vector<image::PngText> text{{"Title", page.slide.title}};
@@ -128,6 +128,11 @@ private:
             page.pictureFile = "pictures/" + name;
             image::writeWhole(options_.output / page.pictureFile,
                               image::encodePng(drawn.pictures, {.opaque = true, .text = text}));
+        }
+        if (slides::showsWordsAsPicture(page.slide)) {
+            page.wordsFile = "pictures/" + fileName(deck, number) + "-with-words.png";
+            image::writeWhole(options_.output / page.wordsFile,
+                              image::encodePng(drawn.content, {.opaque = true, .text = text}));
         }
         return page;
     }

@@ -50,6 +50,7 @@ SlideLayout layOut(const session::Slide& slide, double width, const Fonts& fonts
     const double bottom = kSlideHeight - 2 * kLineHeight * kFootType -
                           kLineHeight * kCaptionType * static_cast<double>(layout.caption.size());
     Box area{{kMargin, top}, {width - 2 * kMargin, bottom - top}};
+    layout.content = area;
     const bool hasWords = !slide.text.empty() || !slide.formulas.empty() || !slide.pseudocode.empty();
     if (slide.pictures.empty()) {
         layout.words = area;

@@ -26,6 +26,7 @@ struct SlideLayout {
     Box pictures;                   ///< all of them together; empty: none
     std::vector<Box> cells;         ///< of each picture, its label above it left out
     std::vector<double> roomBelow;  ///< of each: how much higher it may become for its legend
+    Box content;                    ///< all between title and caption
     Box words;                      ///< text, formulas, pseudocode; empty: none
     std::vector<std::string> title; ///< lines
     std::vector<std::string> caption;

@@ -82,6 +82,13 @@ SlidePainter::SlidePainter(const std::filesystem::path& fonts, const SlideLook& 
 
 ivec2 SlidePainter::pixels(dvec2 place) const { return ivec2(glm::round(place * scale_)); }
 
+image::Image SlidePainter::cut(const image::Image& slide, const Box& box) const {
+    const ivec2 corner = pixels(box.corner), size = pixels(box.corner + box.size) - corner;
+    image::Image part(size.x, size.y);
+    blit(part, -corner.x, -corner.y, slide);
+    return part;
+}
+
 image::Image SlidePainter::drawFigure(const session::SlidePicture& picture, dvec2 cell) const {
     const diagram::Diagram drawn = drawingOf(picture, upright_, cell);
     const dvec2 sheet = drawn.drawing.size();
@@ -132,7 +139,7 @@ DrawnSlide SlidePainter::draw(const session::Slide& slide, const SlideFoot& foot
     const Fonts fonts{upright_, bold_};
     const double width = look_.size.x / scale_;
     const SlideLayout layout = layOut(slide, width, fonts);
-    DrawnSlide drawn{image::Image(look_.size.x, look_.size.y, kPaper), {}};
+    DrawnSlide drawn{image::Image(look_.size.x, look_.size.y, kPaper), {}, {}};
     Drawing drawing({width, kSlideHeight});
     const std::vector<Placed> placed = drawPictures(slide, layout);
     for (std::size_t i = 0; i < placed.size(); ++i) {
@@ -149,27 +156,26 @@ DrawnSlide SlidePainter::draw(const session::Slide& slide, const SlideFoot& foot
                           .hasRim = false});
     }
     painter_.paint(drawing, drawn.slide, {0, 0}, scale_);
-    if (!slide.pictures.empty()) {
-        const ivec2 corner = pixels(layout.pictures.corner),
-                    size = pixels(layout.pictures.corner + layout.pictures.size) - corner;
-        drawn.pictures = image::Image(size.x, size.y);
-        blit(drawn.pictures, -corner.x, -corner.y, drawn.slide);
-    }
+    if (!slide.pictures.empty()) drawn.pictures = cut(drawn.slide, layout.pictures);
 
     Drawing words({width, kSlideHeight});
-    writeLines(words, layout.title, {kMargin, kMargin / 4},
-               {.size = kTitleType, .isBold = true, .color = kInk, .hasRim = false});
     writeWords(words, slide, layout, fonts);
+    painter_.paint(words, drawn.slide, {0, 0}, scale_);
+    drawn.content = cut(drawn.slide, layout.content);
+
+    Drawing rim({width, kSlideHeight});
+    writeLines(rim, layout.title, {kMargin, kMargin / 4},
+               {.size = kTitleType, .isBold = true, .color = kInk, .hasRim = false});
     const double footLine = kSlideHeight - 0.75 * kFootType;
-    writeLines(words, layout.caption,
+    writeLines(rim, layout.caption,
                {kMargin, footLine - 1.2 * kLineHeight * kFootType -
                              kLineHeight * kCaptionType * static_cast<double>(layout.caption.size())},
                {.size = kCaptionType, .color = kInk, .hasRim = false});
-    words.line({kMargin, footLine - 1.1 * kFootType}, {width - kMargin, footLine - 1.1 * kFootType}, {kRule, 2, false});
-    words.text({kMargin, footLine}, foot.deck, {.size = kFootType, .color = kQuiet, .hasRim = false});
-    words.text({width - kMargin, footLine}, std::to_string(foot.number) + " / " + std::to_string(foot.of),
-               {.size = kFootType, .anchor = diagram::Anchor::end, .color = kQuiet, .hasRim = false});
-    painter_.paint(words, drawn.slide, {0, 0}, scale_);
+    rim.line({kMargin, footLine - 1.1 * kFootType}, {width - kMargin, footLine - 1.1 * kFootType}, {kRule, 2, false});
+    rim.text({kMargin, footLine}, foot.deck, {.size = kFootType, .color = kQuiet, .hasRim = false});
+    rim.text({width - kMargin, footLine}, std::to_string(foot.number) + " / " + std::to_string(foot.of),
+             {.size = kFootType, .anchor = diagram::Anchor::end, .color = kQuiet, .hasRim = false});
+    painter_.paint(rim, drawn.slide, {0, 0}, scale_);
     return drawn;
 }
 

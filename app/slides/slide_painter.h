@@ -21,6 +21,7 @@ struct SlideFoot {
 struct DrawnSlide {
     image::Image slide;
     image::Image pictures; ///< its pictures with their callouts, without any other words; empty where it has none
+    image::Image content;  ///< its pictures with the words beside them
 };
 
 class SlidePainter {
@@ -40,6 +41,7 @@ private:
     [[nodiscard]] std::vector<Placed> drawPictures(const session::Slide& slide, const SlideLayout& layout) const;
     [[nodiscard]] image::Image drawFigure(const session::SlidePicture& picture, dvec2 cell) const;
     [[nodiscard]] ivec2 pixels(dvec2 place) const;
+    [[nodiscard]] image::Image cut(const image::Image& slide, const Box& box) const;
 
     SlideLook look_;
     image::Font upright_, bold_;

@@ -56,6 +56,9 @@ TEST_F(SlidesTest, PagesHoldAllThatWasDrawn) {
     EXPECT_EQ(html.find("http"), std::string::npos) << "it needs nothing from elsewhere";
     EXPECT_NE(text.find("# A box\n"), std::string::npos);
     EXPECT_NE(text.find("(pictures/deck-01-box.png)"), std::string::npos);
+    EXPECT_NE(text.find("![](pictures/deck-03-words-with-words.png)"), std::string::npos)
+        << "a formula, as it is drawn";
+    EXPECT_FALSE(out("pictures/deck-03-words-with-words.png").empty());
     EXPECT_NE(text.find("$$\\frac{1}{2}$$"), std::string::npos);
 }
 
