@@ -7,9 +7,11 @@ generate.py --check      writes nothing; exits with 1 when a part is out of date
                          or git does not track a picture
 generate.py --pictures   draws the pictures as well, with `shadowlab capture`:
                          `<!-- picture NAME: ARGUMENTS -->` asks for docs/images/NAME.png wherever it stands,
-                         `<!-- lesson NAME: ARGUMENTS -->` for the same of `shadowlab lesson ARGUMENTS`, and
+                         `<!-- lesson NAME: ARGUMENTS -->` for the same of `shadowlab lesson ARGUMENTS`,
+                         `<!-- slide NAME: ARGUMENTS -->` of `shadowlab slides ARGUMENTS`, which draw one slide, and
                          `<!-- gallery: ARGUMENTS -->` on a technique's page for a picture of each of its stages
-                         that is not asked for by name
+                         that is not asked for by name. Files that a page gives (pages.py) may be named in its markers
+--only NAME              with --pictures: that picture alone; may be repeated
 --program PATH           the program to ask, build/release/shadowlab by default
 """
 # SPDX-License-Identifier: MIT
@@ -19,9 +21,13 @@ import math
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
+
+from pages import SUBCOMMANDS, extract
 
 ROOT = Path(__file__).resolve().parent.parent
 DOCS = ROOT / "docs"
@@ -29,7 +35,7 @@ IMAGES = DOCS / "images"
 LARGEST_PICTURE = 150_000  # bytes: a clone stays small, a page loads at once
 
 BLOCK = re.compile(r"(<!-- generated: ([\w-]+) -->\n).*?(<!-- end generated -->)", re.DOTALL)
-PICTURE = re.compile(r"<!-- (picture|lesson) ([\w-]+): (.+?) -->")
+PICTURE = re.compile(r"<!-- (picture|lesson|slide) ([\w-]+): (.+?) -->")
 GALLERY = re.compile(r"<!-- gallery: (.+?) -->")
 LINK = re.compile(r"\]\(([^)\s#]+)(?:#[^)]*)?\)|<img src=\"([^\"]+)\"")
 UNWRITTEN = "(to be written)"
@@ -211,33 +217,48 @@ def every_technique(program):
 
 
 def wanted_pictures(program):
-    """Name of each picture, and the words of the command line that it is made with."""
+    """Name of each picture, the page that asks for it, and the words of the command line that it is made with."""
     pictures = {}
     ids = {t["id"] for t in program.techniques}
     for path in (ROOT / "README.md", *sorted(DOCS.glob("*.md"))):
         text = re.sub(r"```.*?```", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
         for kind, name, arguments in PICTURE.findall(text):
-            subcommand = "capture" if kind == "picture" else "lesson"
-            pictures[name] = f"{subcommand} " + arguments.replace("{every technique}", every_technique(program))
+            pictures[name] = path, f"{SUBCOMMANDS[kind]} " + arguments.replace("{every technique}", every_technique(program))
         gallery = GALLERY.search(text)
         if gallery and path.stem in ids:
             for stage in program.stages_of(path.stem):
                 pictures.setdefault(f"{path.stem}-{stage['stage']}",
-                                    f"capture {gallery.group(1)} -t {path.stem} --stage {stage['stage']}")
+                                    (path, f"capture {gallery.group(1)} -t {path.stem} --stage {stage['stage']}"))
     return pictures
 
 
-def draw_pictures(program):
+def draw_picture(program, name, page, arguments):
+    output = IMAGES / f"{name}.png"
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        extract(page, folder)
+        slides = arguments.startswith("slides ")
+        # OSMesa: the same bytes on every machine with the same Mesa, whatever graphics card it has.
+        command = [os.path.abspath(program.path), *shlex.split(arguments), "--backend", "osmesa", "-o", "drawn" if slides else "drawn.png"]
+        if subprocess.run(command, cwd=folder, check=False).returncode != 0:
+            sys.exit(f"generate.py: picture {name} could not be drawn: {shlex.join(command)}")
+        drawn = sorted((folder / "drawn").glob("*.png")) if slides else [folder / "drawn.png"]
+        if len(drawn) != 1:
+            sys.exit(f"generate.py: picture {name} is to be one slide, not {len(drawn)}; name it with --only")
+        shutil.copyfile(drawn[0], output)
+    if output.stat().st_size > LARGEST_PICTURE:
+        sys.exit(f"generate.py: {output} has {output.stat().st_size} bytes, {LARGEST_PICTURE} is the most; choose a smaller --size")
+
+
+def draw_pictures(program, only):
     IMAGES.mkdir(exist_ok=True)
     pictures = wanted_pictures(program)
-    for name, arguments in pictures.items():
-        output = IMAGES / f"{name}.png"
-        # OSMesa: the same bytes on every machine with the same Mesa, whatever graphics card it has.
-        command = [program.path, *shlex.split(arguments), "--backend", "osmesa", "-o", str(output)]
-        if subprocess.run(command, check=False).returncode != 0:
-            sys.exit(f"generate.py: picture {name} could not be drawn: {shlex.join(command)}")
-        if output.stat().st_size > LARGEST_PICTURE:
-            sys.exit(f"generate.py: {output} has {output.stat().st_size} bytes, {LARGEST_PICTURE} is the most; choose a smaller --size")
+    for name in only:
+        if name not in pictures:
+            sys.exit(f"generate.py: no page asks for a picture {name}; there are {', '.join(sorted(pictures))}")
+    for name, (page, arguments) in pictures.items():
+        if name in only or not only:
+            draw_picture(program, name, page, arguments)
     for stale in set(IMAGES.glob("*.png")) - {IMAGES / f"{name}.png" for name in pictures}:
         stale.unlink()
     total = sum(p.stat().st_size for p in IMAGES.glob("*.png"))
@@ -278,6 +299,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--pictures", action="store_true")
+    parser.add_argument("--only", action="append", default=[], metavar="NAME")
     parser.add_argument("--program", default=str(ROOT / "build/release/shadowlab"))
     options = parser.parse_args()
     program = Program(options.program)
@@ -304,7 +326,7 @@ def main():
         if options.check:
             complaints += complaints_about(path, new, tracked)
     if options.pictures and not options.check:
-        draw_pictures(program)
+        draw_pictures(program, options.only)
     print("".join(complaint + "\n" for complaint in complaints), end="")
     sys.exit(1 if complaints else 0)
 

@@ -1,0 +1,78 @@
+"""What a page of the documentation asks a reader to type: files, and command lines of the program.
+
+A file is a fenced block below a line that ends in its name: `ball.json`: with the colon. A command is a line of an indented or
+fenced block that begins with build/release/shadowlab, or code within a sentence that begins with shadowlab. Words in capitals
+(FILE, SCENE) and dots (...) stand for something else: such a line is no command.
+"""
+# SPDX-License-Identifier: MIT
+import re
+import shlex
+from pathlib import Path
+from typing import NamedTuple
+
+ROOT = Path(__file__).resolve().parent.parent
+FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+NAMED = re.compile(r"`([\w./-]+)`[^`\n]*:\s*\Z")
+TYPED = re.compile(r"^(?:    )?(build/release/shadowlab (?:.*\\\n)*.*)$", re.MULTILINE)
+MENTIONED = re.compile(r"`(?:build/release/)?(shadowlab [^`]+)`")
+MARKER = re.compile(r"<!-- (picture|lesson|slide) [\w-]+: (.+?) -->")
+SUBCOMMANDS = {"picture": "capture", "lesson": "lesson", "slide": "slides"}
+STANDS_FOR_ANOTHER = re.compile(r"(?<![\w=./-])[A-Z]{3,}(?![\w-]|\.\w)|=[A-Z]{3,}\b|\.\.\.")
+
+
+class Command(NamedTuple):
+    page: Path
+    line: int
+    words: list  # after the program's name
+
+    def __str__(self):
+        return shlex.join(["shadowlab", *self.words])
+
+
+def files_of(text):
+    """Name and contents of each file that the page gives, in order."""
+    for match in FENCE.finditer(text):
+        named = NAMED.search(text[:match.start()].rstrip())
+        if named:
+            yield named.group(1), match.group(2)
+
+
+def commands_of(page, text):
+    """All commands of the page, in the order in which they stand there."""
+    found = []
+    for pattern in (TYPED, MENTIONED):
+        for match in pattern.finditer(text):
+            words = split(match.group(1))
+            if words:
+                found.append((match.start(), words))
+    for match in MARKER.finditer(text):
+        if "{" not in match.group(2):
+            found.append((match.start(), [SUBCOMMANDS[match.group(1)], *shlex.split(match.group(2)), "-o", "picture.png"]))
+    return [Command(page, text.count("\n", 0, start) + 1, words) for start, words in sorted(found)]
+
+
+def split(line):
+    """The words after the program's name; none where the line is a pattern for many commands, or a name alone."""
+    try:
+        words = shlex.split(re.sub(r"\s#\s.*", "", line.replace("\\\n", " ").replace("\n", " ")))
+    except ValueError:  # a quotation that does not end is no command line
+        return []
+    alone = len(words) == 2 and not words[1].startswith("--")
+    if STANDS_FOR_ANOTHER.search(" ".join(words)) or alone:
+        return []
+    return words[1:]
+
+
+def all_pages():
+    return [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+
+
+def extract(page, folder):
+    """Writes the files of a page below a folder, and returns their names."""
+    names = []
+    for name, contents in files_of(page.read_text(encoding="utf-8")):
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(contents, encoding="utf-8")
+        names.append(name)
+    return names
