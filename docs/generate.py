@@ -180,7 +180,8 @@ def quantities_table(program):
 
 def pages_list(program):
     ids = {t["id"] for t in program.techniques}
-    first = ["tour", "conventions", "measuring", "pixel", "outside", "source", "sequences", "scene_format", "adding_a_technique"]
+    first = ["tour", "window", "teaching", "exercises", "decks", "lessons", "measuring", "pixel", "outside", "source", "sequences",
+             "shadow-map-filters", "scene_format", "adding_a_technique", "conventions"]
     names = [p.stem for p in DOCS.glob("*.md") if p.stem not in ids and p.stem != "README"]
     lines = []
     for name in sorted(names, key=lambda n: (first.index(n) if n in first else len(first), n)):

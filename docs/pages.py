@@ -2,7 +2,8 @@
 
 A file is a fenced block below a line that ends in its name: `ball.json`: with the colon. A command is a line of an indented or
 fenced block that begins with build/release/shadowlab, or code within a sentence that begins with shadowlab. Words in capitals
-(FILE, SCENE) and dots (...) stand for something else: such a line is no command.
+(FILE, SCENE) and dots (...) stand for something else: such a line is no command. A block of the language console holds commands,
+each after "$ shadowlab", and below each of them lines that it prints.
 """
 # SPDX-License-Identifier: MIT
 import re
@@ -15,6 +16,7 @@ FENCE = re.compile(r"^```(\w*)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 NAMED = re.compile(r"`([\w./-]+)`[^`\n]*:\s*\Z")
 TYPED = re.compile(r"^(?:    )?(build/release/shadowlab (?:.*\\\n)*.*)$", re.MULTILINE)
 MENTIONED = re.compile(r"`(?:build/release/)?(shadowlab [^`]+)`")
+PROMPT = "$ shadowlab "
 MARKER = re.compile(r"<!-- (picture|lesson|slide) [\w-]+: (.+?) -->")
 SUBCOMMANDS = {"picture": "capture", "lesson": "lesson", "slide": "slides"}
 STANDS_FOR_ANOTHER = re.compile(r"(?<![\w=./-])[A-Z]{3,}(?![\w-]|\.\w)|=[A-Z]{3,}\b|\.\.\.")
@@ -24,6 +26,7 @@ class Command(NamedTuple):
     page: Path
     line: int
     words: list  # after the program's name
+    prints: tuple = ()  # lines that have to be among what it writes, in this order
 
     def __str__(self):
         return shlex.join(["shadowlab", *self.words])
@@ -48,7 +51,22 @@ def commands_of(page, text):
     for match in MARKER.finditer(text):
         if "{" not in match.group(2):
             found.append((match.start(), [SUBCOMMANDS[match.group(1)], *shlex.split(match.group(2)), "-o", "picture.png"]))
-    return [Command(page, text.count("\n", 0, start) + 1, words) for start, words in sorted(found)]
+    commands = [(start, Command(page, text.count("\n", 0, start) + 1, words)) for start, words in found]
+    for match in FENCE.finditer(text):
+        if match.group(1) == "console":
+            commands += [(match.start(2), command) for command in transcript_of(page, match.group(2), text.count("\n", 0, match.start(2)) + 1)]
+    return [command for _, command in sorted(commands, key=lambda pair: pair[0])]
+
+
+def transcript_of(page, block, first_line):
+    """The commands of a console block, with what they print."""
+    commands = []
+    for number, line in enumerate(block.splitlines(), first_line):
+        if line.startswith(PROMPT):
+            commands.append(Command(page, number, shlex.split(line[len(PROMPT):])))
+        else:
+            commands[-1] = commands[-1]._replace(prints=(*commands[-1].prints, line))
+    return commands
 
 
 def split(line):

@@ -3,7 +3,7 @@
 
 commands_check.py PROGRAM looks at the words of each: is there such a subcommand, option, technique, stage, parameter, scene, lesson or
 deck, is the value in its range, and does the file exist that it reads? Commands that read a file which their page tells the
-reader to type in are run, in small pictures. With SHADOWLAB_LONG all of them are run but `demo`, which opens a window.
+reader to type in are run, in small pictures, and so are those of which the page says what they print: they have to. With SHADOWLAB_LONG all of them are run but `demo`, which opens a window.
 """
 # SPDX-License-Identifier: MIT
 import json
@@ -130,7 +130,13 @@ def run(command, program, folder):
         result = subprocess.run([program, *smaller(command.words)], cwd=folder, capture_output=True, text=True, timeout=900, check=False)
     except subprocess.TimeoutExpired:
         return "did not end within 15 minutes"
-    return None if result.returncode == 0 else f"exit status {result.returncode}: {result.stderr.strip()}"
+    if result.returncode != 0:
+        return f"exit status {result.returncode}: {result.stderr.strip()}"
+    printed = iter(result.stdout.splitlines())
+    for line in command.prints:
+        if not any(" ".join(line.split()) == " ".join(other.split()) for other in printed):
+            return f"does not print `{line}`, or not in this order"
+    return None
 
 
 def check_page(page, names, everything, seen):
@@ -151,7 +157,7 @@ def check_page(page, names, everything, seen):
             _, options = parsed(command.words[1:])
             files |= {value for option, value in options if option in ("--output", "--diagram", "--stats")}
             reads_typed = any(word in typed for word in command.words)
-            runs = reads_typed or (everything and str(command) not in seen and not technique_of_page(command, names))
+            runs = reads_typed or command.prints or (everything and str(command) not in seen and not technique_of_page(command, names))
             film = any(word.endswith(".mp4") for word in command.words)
             if wrong or not runs or command.words[0] == "demo" or (film and not shutil.which("ffmpeg")):
                 continue

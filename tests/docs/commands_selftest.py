@@ -26,6 +26,8 @@ WRONG = [
     ("no option --sise", "    build/release/shadowlab capture still-life \\\n        --sise 64x36 -o a.png"),
     # A file that the page gives is read by the program itself.
     ('unknown key "camra"', '`a.json`:\n\n```json\n{"camra": {}}\n```\n\n`shadowlab inspect a.json`'),
+    ("does not print `billiardz`", "```console\n$ shadowlab list scenes\nbilliards\nbilliardz\n```"),
+    ("not in this order", "```console\n$ shadowlab list scenes\ncandle\nbilliards\n```"),
 ]
 
 RIGHT = """
@@ -42,6 +44,12 @@ RIGHT = """
 ```
 
     build/release/shadowlab inspect mine.json --json
+
+```console
+$ shadowlab list scenes
+billiards
+colonnade
+```
 """
 
 
@@ -57,7 +65,7 @@ def main():
                 failures.append(f"of {text!r} it says {complaints}, not {said!r}")
         page.write_text(RIGHT, encoding="utf-8")
         complaints, looked_at, ran = check_page(page, names, False, set())
-        if complaints or (looked_at, ran) != (6, 1):
+        if complaints or (looked_at, ran) != (7, 2):
             failures.append(f"of what is right it says {complaints}, {looked_at} looked at, {ran} run")
     print("".join(line + "\n" for line in failures), end="")
     sys.exit(1 if failures else 0)
