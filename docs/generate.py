@@ -69,6 +69,11 @@ Paper: {{paper}}.
 ## What goes wrong
 
 It gets wrong: {{getsWrong}}. {UNWRITTEN}: each artefact with the parameter values that show it.
+
+## Lessons
+
+<!-- generated: artefacts -->
+<!-- end generated -->
 """
 
 
@@ -107,6 +112,16 @@ class Program:
             if s["technique"] == technique and "pass:" + s["pass"] == stage:
                 files.setdefault(s["file"], []).append(s["anchor"])
         return ", ".join(f"[{Path(file).name}](../{file}) {' '.join(map(code, anchors))}" for file, anchors in files.items())
+
+    def lessons_of(self, technique):
+        """The lessons about a technique, in the order of the course: it is the first that a lesson's file names."""
+        lessons = []
+        for lesson in self.list("lessons"):
+            file = ROOT / "assets/lessons" / f"{lesson['name']}.json"
+            named = re.search(r'"technique": "([\w-]+)"', file.read_text(encoding="utf-8"))
+            if named and named.group(1) == technique:
+                lessons.append(lesson)
+        return lessons
 
     def parameters_of(self, technique):
         return [p for p in self.parameters if p["parameter"].rpartition(".")[0] == technique]
@@ -173,6 +188,16 @@ def lessons_table(program):
     return table(["lesson", "title", "what is wrong", "what mends it"], rows)
 
 
+def artefacts_table(program, technique):
+    """What the built-in lessons show of a technique. They measure what they show: a test fails when an artefact is not there."""
+    def picture(lesson):
+        name = f"lesson-{lesson['name']}"
+        return f'<img src="images/{name}.png" alt="{lesson["title"]}: the artefact, and its mend" width="480"><br>`shadowlab lesson {lesson["name"]} -o {name}.png`'
+
+    rows = [(f"**{lesson['title']}.** {lesson['happens']}", picture(lesson)) for lesson in program.lessons_of(technique)]
+    return table(("what is wrong", "the artefact, and what mends it"), rows) if rows else "None is about this technique alone.\n"
+
+
 def quantities_table(program):
     rows = [[code(quantity["quantity"]), quantity["unit"], quantity["help"]] for quantity in program.list("quantities")]
     return table(["quantity", "unit", "what it is"], rows)
@@ -198,7 +223,7 @@ def regenerated(program, path, text):
         makers = {"techniques": lambda: techniques_table(program, path.parent), "pages": lambda: pages_list(program),
                   "parameters": lambda: parameters_table(program, technique), "passes": lambda: passes_table(program, technique),
                   "stages": lambda: stages_table(program, technique), "keys": lambda: keys_table(program),
-                  "lessons": lambda: lessons_table(program), "quantities": lambda: quantities_table(program)}
+                  "artefacts": lambda: artefacts_table(program, technique), "lessons": lambda: lessons_table(program), "quantities": lambda: quantities_table(program)}
         if name not in makers:
             sys.exit(f"generate.py: {path}: there is no generated part '{name}'; there are {', '.join(makers)}")
         return match.group(1) + "\n" + makers[name]() + "\n" + match.group(3)
@@ -230,6 +255,9 @@ def wanted_pictures(program):
             for stage in program.stages_of(path.stem):
                 pictures.setdefault(f"{path.stem}-{stage['stage']}",
                                     (path, f"capture {gallery.group(1)} -t {path.stem} --stage {stage['stage']}"))
+        if path.stem in ids and "<!-- generated: artefacts -->" in text:
+            for lesson in program.lessons_of(path.stem):
+                pictures.setdefault(f"lesson-{lesson['name']}", (path, f"lesson {lesson['name']} --size 640x360"))
     return pictures
 
 

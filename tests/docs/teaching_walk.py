@@ -3,6 +3,7 @@
 do what it does by `list keys`. It prints how long each row waited for pictures; nothing is asserted about that. Only with
 SHADOWLAB_LONG; exit status 77 says that it was left out."""
 # SPDX-License-Identifier: MIT
+import contextlib
 import json
 import os
 import subprocess
@@ -42,24 +43,20 @@ def actions_of(program):
 
 def walk(script, program, actions):
     """Seconds that each row waited."""
-    opened = {}
+    windows = {}
     waited = []
-    with tempfile.TemporaryDirectory() as folder:
-        try:
-            for row in script.rows:
-                seconds = 0.0
-                for letter, key in row.pressed:
-                    if letter not in opened:
-                        display = Display().__enter__()  # of its own, as each window has a desktop of its own
-                        opened[letter] = display, Shown(program, display, folder, *script.windows[letter], "--keep-settings", "false",
-                                                        "--size", "1280x720")
-                        opened[letter][1].hand("mousemove", *OVER_A_THING)
-                    seconds += pressed(opened[letter][1], key, actions[key])
-                waited.append(seconds)
-        finally:
-            for display, window in opened.values():
-                window.close()
-                display.__exit__()
+    with contextlib.ExitStack() as to_close:
+        folder = to_close.enter_context(tempfile.TemporaryDirectory())
+        for row in script.rows:
+            seconds = 0.0
+            for letter, key in row.pressed:
+                if letter not in windows:
+                    display = to_close.enter_context(Display())  # of its own, as each window has a desktop of its own
+                    windows[letter] = Shown(program, display, folder, *script.windows[letter], "--keep-settings", "false", "--size", "1280x720")
+                    to_close.callback(windows[letter].close)
+                    windows[letter].hand("mousemove", *OVER_A_THING)
+                seconds += pressed(windows[letter], key, actions[key])
+            waited.append(seconds)
     return waited
 
 
