@@ -4,10 +4,13 @@ A file is a fenced block below a line that ends in its name: `ball.json`: with t
 fenced block that begins with build/release/shadowlab, or code within a sentence that begins with shadowlab. Words in capitals
 (FILE, SCENE) and dots (...) stand for something else: such a line is no command. A block of the language console holds commands,
 each after "$ shadowlab", and below each of them lines that it prints.
+
+pages.py PAGE FOLDER writes the files of a page below a folder. One that has not changed is left alone: nothing is built anew.
 """
 # SPDX-License-Identifier: MIT
 import re
 import shlex
+import sys
 from pathlib import Path
 from typing import NamedTuple
 
@@ -91,6 +94,11 @@ def extract(page, folder):
     for name, contents in files_of(page.read_text(encoding="utf-8")):
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(contents, encoding="utf-8")
+        if not path.is_file() or path.read_text(encoding="utf-8") != contents:
+            path.write_text(contents, encoding="utf-8")
         names.append(name)
     return names
+
+
+if __name__ == "__main__":
+    extract(Path(sys.argv[1]), Path(sys.argv[2]))
