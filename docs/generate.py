@@ -8,7 +8,8 @@ generate.py --check      writes nothing; exits with 1 when a part is out of date
 generate.py --pictures   draws the pictures as well, with `shadowlab capture`:
                          `<!-- picture NAME: ARGUMENTS -->` asks for docs/images/NAME.png wherever it stands,
                          `<!-- lesson NAME: ARGUMENTS -->` for the same of `shadowlab lesson ARGUMENTS`,
-                         `<!-- slide NAME: ARGUMENTS -->` of `shadowlab slides ARGUMENTS`, which draw one slide, and
+                         `<!-- slide NAME: ARGUMENTS -->` of `shadowlab slides ARGUMENTS`, which draw one slide,
+                         `<!-- figure NAME: ARGUMENTS -->` for docs/images/NAME.svg of `shadowlab probe ARGUMENTS`, and
                          `<!-- gallery: ARGUMENTS -->` on a technique's page for a picture of each of its stages
                          that is not asked for by name. Files that a page gives (pages.py) may be named in its markers
 --only NAME              with --pictures: that picture alone; may be repeated
@@ -35,7 +36,7 @@ IMAGES = DOCS / "images"
 LARGEST_PICTURE = 150_000  # bytes: a clone stays small, a page loads at once
 
 BLOCK = re.compile(r"(<!-- generated: ([\w-]+) -->\n).*?(<!-- end generated -->)", re.DOTALL)
-PICTURE = re.compile(r"<!-- (picture|lesson|slide) ([\w-]+): (.+?) -->")
+PICTURE = re.compile(r"<!-- (picture|lesson|slide|figure) ([\w-]+): (.+?) -->")
 GALLERY = re.compile(r"<!-- gallery: (.+?) -->")
 LINK = re.compile(r"\]\(([^)\s#]+)(?:#[^)]*)?\)|<img src=\"([^\"]+)\"")
 UNWRITTEN = "(to be written)"
@@ -262,16 +263,17 @@ def wanted_pictures(program):
 
 
 def draw_picture(program, name, page, arguments):
-    output = IMAGES / f"{name}.png"
+    figure, slides = arguments.startswith("probe "), arguments.startswith("slides ")
+    output = IMAGES / (f"{name}.svg" if figure else f"{name}.png")
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         extract(page, folder)
-        slides = arguments.startswith("slides ")
-        # OSMesa: the same bytes on every machine with the same Mesa, whatever graphics card it has.
-        command = [os.path.abspath(program.path), *shlex.split(arguments), "--backend", "osmesa", "-o", "drawn" if slides else "drawn.png"]
-        if subprocess.run(command, cwd=folder, check=False).returncode != 0:
+        # OSMesa: the same bytes on every machine with the same Mesa, whatever graphics card it has. A figure needs none.
+        words = ["--diagram", "drawn.svg"] if figure else ["--backend", "osmesa", "-o", "drawn" if slides else "drawn.png"]
+        command = [os.path.abspath(program.path), *shlex.split(arguments), *words]
+        if subprocess.run(command, cwd=folder, check=False, stdout=subprocess.DEVNULL).returncode != 0:
             sys.exit(f"generate.py: picture {name} could not be drawn: {shlex.join(command)}")
-        drawn = sorted((folder / "drawn").glob("*.png")) if slides else [folder / "drawn.png"]
+        drawn = sorted((folder / "drawn").glob("*.png")) if slides else sorted(folder.glob("drawn.*"))
         if len(drawn) != 1:
             sys.exit(f"generate.py: picture {name} is to be one slide, not {len(drawn)}; name it with --only")
         shutil.copyfile(drawn[0], output)
@@ -316,7 +318,7 @@ def complaints_about(path, text, tracked):
             continue
         if (path.parent / target).exists():
             picture = os.path.relpath(path.parent / target, ROOT)
-            if picture.endswith(".png") and tracked is not None and picture not in tracked:
+            if picture.endswith((".png", ".svg")) and tracked is not None and picture not in tracked:
                 yield (f"{name}: git does not track {picture}, so a fresh clone would lack it; "
                        f"`git add` it (`git check-ignore -v` says whether .gitignore is in the way)")
             continue

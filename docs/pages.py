@@ -20,8 +20,8 @@ NAMED = re.compile(r"`([\w./-]+)`[^`\n]*:\s*\Z")
 TYPED = re.compile(r"^(?:    )?(build/release/shadowlab (?:.*\\\n)*.*)$", re.MULTILINE)
 MENTIONED = re.compile(r"`(?:build/release/)?(shadowlab [^`]+)`")
 PROMPT = "$ shadowlab "
-MARKER = re.compile(r"<!-- (picture|lesson|slide) [\w-]+: (.+?) -->")
-SUBCOMMANDS = {"picture": "capture", "lesson": "lesson", "slide": "slides"}
+MARKER = re.compile(r"<!-- (picture|lesson|slide|figure) [\w-]+: (.+?) -->")
+SUBCOMMANDS = {"picture": "capture", "lesson": "lesson", "slide": "slides", "figure": "probe"}
 STANDS_FOR_ANOTHER = re.compile(r"(?<![\w=./-])[A-Z]{3,}(?![\w-]|\.\w)|=[A-Z]{3,}\b|\.\.\.")
 
 
@@ -53,7 +53,8 @@ def commands_of(page, text):
                 found.append((match.start(), words))
     for match in MARKER.finditer(text):
         if "{" not in match.group(2):
-            found.append((match.start(), [SUBCOMMANDS[match.group(1)], *shlex.split(match.group(2)), "-o", "picture.png"]))
+            output = ["--diagram", "figure.svg"] if match.group(1) == "figure" else ["-o", "picture.png"]
+            found.append((match.start(), [SUBCOMMANDS[match.group(1)], *shlex.split(match.group(2)), *output]))
     commands = [(start, Command(page, text.count("\n", 0, start) + 1, words)) for start, words in found]
     for match in FENCE.finditer(text):
         if match.group(1) == "console":

@@ -20,6 +20,7 @@ from pages import ROOT, all_pages, commands_of, extract
 
 LEAST_COMMANDS = 100  # so that a pattern that no longer finds them is noticed
 SMALL = {"capture": "160x90", "measure": "96x54", "lesson": "480x270", "slides": "640x360"}
+WITH_WORDS = "400x260"  # below the picture of a step stands its title
 WITHOUT_VALUE = {"--ui", "--presenter", "--keys", "--animate", "--steps", "--measure", "--json", "--report", "--help", "--version"}
 SHORT = {"-t": "--technique", "-o": "--output", "-h": "--help"}
 
@@ -121,7 +122,7 @@ def smaller(words):
         return words
     kept = [word for i, word in enumerate(words) if word not in ("--size", "--supersample") and (i == 0 or words[i - 1] not in ("--size", "--supersample"))]
     more = ["--supersample", "1"] if subcommand == "slides" else []
-    return [*kept, "--size", SMALL[subcommand], *more]
+    return [*kept, "--size", WITH_WORDS if "--steps" in words else SMALL[subcommand], *more]
 
 
 def run(command, program, folder):
