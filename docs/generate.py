@@ -7,9 +7,12 @@ generate.py --check      writes nothing; exits with 1 when a part is out of date
                          or git does not track a picture
 generate.py --pictures   draws the pictures as well, with `shadowlab capture`:
                          `<!-- picture NAME: ARGUMENTS -->` asks for docs/images/NAME.png wherever it stands,
-                         `<!-- lesson NAME: ARGUMENTS -->` for the same of `shadowlab lesson ARGUMENTS`, and
+                         `<!-- lesson NAME: ARGUMENTS -->` for the same of `shadowlab lesson ARGUMENTS`,
+                         `<!-- slide NAME: ARGUMENTS -->` of `shadowlab slides ARGUMENTS`, which draw one slide,
+                         `<!-- figure NAME: ARGUMENTS -->` for docs/images/NAME.svg of `shadowlab probe ARGUMENTS`, and
                          `<!-- gallery: ARGUMENTS -->` on a technique's page for a picture of each of its stages
-                         that is not asked for by name
+                         that is not asked for by name. Files that a page gives (pages.py) may be named in its markers
+--only NAME              with --pictures: that picture alone; may be repeated
 --program PATH           the program to ask, build/release/shadowlab by default
 """
 # SPDX-License-Identifier: MIT
@@ -19,9 +22,13 @@ import math
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
+
+from pages import SUBCOMMANDS, extract
 
 ROOT = Path(__file__).resolve().parent.parent
 DOCS = ROOT / "docs"
@@ -29,7 +36,7 @@ IMAGES = DOCS / "images"
 LARGEST_PICTURE = 150_000  # bytes: a clone stays small, a page loads at once
 
 BLOCK = re.compile(r"(<!-- generated: ([\w-]+) -->\n).*?(<!-- end generated -->)", re.DOTALL)
-PICTURE = re.compile(r"<!-- (picture|lesson) ([\w-]+): (.+?) -->")
+PICTURE = re.compile(r"<!-- (picture|lesson|slide|figure) ([\w-]+): (.+?) -->")
 GALLERY = re.compile(r"<!-- gallery: (.+?) -->")
 LINK = re.compile(r"\]\(([^)\s#]+)(?:#[^)]*)?\)|<img src=\"([^\"]+)\"")
 UNWRITTEN = "(to be written)"
@@ -63,6 +70,11 @@ Paper: {{paper}}.
 ## What goes wrong
 
 It gets wrong: {{getsWrong}}. {UNWRITTEN}: each artefact with the parameter values that show it.
+
+## Lessons
+
+<!-- generated: artefacts -->
+<!-- end generated -->
 """
 
 
@@ -101,6 +113,16 @@ class Program:
             if s["technique"] == technique and "pass:" + s["pass"] == stage:
                 files.setdefault(s["file"], []).append(s["anchor"])
         return ", ".join(f"[{Path(file).name}](../{file}) {' '.join(map(code, anchors))}" for file, anchors in files.items())
+
+    def lessons_of(self, technique):
+        """The lessons about a technique, in the order of the course: it is the first that a lesson's file names."""
+        lessons = []
+        for lesson in self.list("lessons"):
+            file = ROOT / "assets/lessons" / f"{lesson['name']}.json"
+            named = re.search(r'"technique": "([\w-]+)"', file.read_text(encoding="utf-8"))
+            if named and named.group(1) == technique:
+                lessons.append(lesson)
+        return lessons
 
     def parameters_of(self, technique):
         return [p for p in self.parameters if p["parameter"].rpartition(".")[0] == technique]
@@ -167,6 +189,16 @@ def lessons_table(program):
     return table(["lesson", "title", "what is wrong", "what mends it"], rows)
 
 
+def artefacts_table(program, technique):
+    """What the built-in lessons show of a technique. They measure what they show: a test fails when an artefact is not there."""
+    def picture(lesson):
+        name = f"lesson-{lesson['name']}"
+        return f'<img src="images/{name}.png" alt="{lesson["title"]}: the artefact, and its mend" width="480"><br>`shadowlab lesson {lesson["name"]} -o {name}.png`'
+
+    rows = [(f"**{lesson['title']}.** {lesson['happens']}", picture(lesson)) for lesson in program.lessons_of(technique)]
+    return table(("what is wrong", "the artefact, and what mends it"), rows) if rows else "None is about this technique alone.\n"
+
+
 def quantities_table(program):
     rows = [[code(quantity["quantity"]), quantity["unit"], quantity["help"]] for quantity in program.list("quantities")]
     return table(["quantity", "unit", "what it is"], rows)
@@ -174,7 +206,8 @@ def quantities_table(program):
 
 def pages_list(program):
     ids = {t["id"] for t in program.techniques}
-    first = ["tour", "conventions", "measuring", "pixel", "outside", "source", "sequences", "scene_format", "adding_a_technique"]
+    first = ["tour", "window", "teaching", "exercises", "decks", "lessons", "measuring", "pixel", "outside", "source", "sequences",
+             "shadow-map-filters", "scene_format", "adding_a_technique", "conventions"]
     names = [p.stem for p in DOCS.glob("*.md") if p.stem not in ids and p.stem != "README"]
     lines = []
     for name in sorted(names, key=lambda n: (first.index(n) if n in first else len(first), n)):
@@ -191,7 +224,7 @@ def regenerated(program, path, text):
         makers = {"techniques": lambda: techniques_table(program, path.parent), "pages": lambda: pages_list(program),
                   "parameters": lambda: parameters_table(program, technique), "passes": lambda: passes_table(program, technique),
                   "stages": lambda: stages_table(program, technique), "keys": lambda: keys_table(program),
-                  "lessons": lambda: lessons_table(program), "quantities": lambda: quantities_table(program)}
+                  "artefacts": lambda: artefacts_table(program, technique), "lessons": lambda: lessons_table(program), "quantities": lambda: quantities_table(program)}
         if name not in makers:
             sys.exit(f"generate.py: {path}: there is no generated part '{name}'; there are {', '.join(makers)}")
         return match.group(1) + "\n" + makers[name]() + "\n" + match.group(3)
@@ -211,33 +244,52 @@ def every_technique(program):
 
 
 def wanted_pictures(program):
-    """Name of each picture, and the words of the command line that it is made with."""
+    """Name of each picture, the page that asks for it, and the words of the command line that it is made with."""
     pictures = {}
     ids = {t["id"] for t in program.techniques}
     for path in (ROOT / "README.md", *sorted(DOCS.glob("*.md"))):
         text = re.sub(r"```.*?```", "", path.read_text(encoding="utf-8"), flags=re.DOTALL)
         for kind, name, arguments in PICTURE.findall(text):
-            subcommand = "capture" if kind == "picture" else "lesson"
-            pictures[name] = f"{subcommand} " + arguments.replace("{every technique}", every_technique(program))
+            pictures[name] = path, f"{SUBCOMMANDS[kind]} " + arguments.replace("{every technique}", every_technique(program))
         gallery = GALLERY.search(text)
         if gallery and path.stem in ids:
             for stage in program.stages_of(path.stem):
                 pictures.setdefault(f"{path.stem}-{stage['stage']}",
-                                    f"capture {gallery.group(1)} -t {path.stem} --stage {stage['stage']}")
+                                    (path, f"capture {gallery.group(1)} -t {path.stem} --stage {stage['stage']}"))
+        if path.stem in ids and "<!-- generated: artefacts -->" in text:
+            for lesson in program.lessons_of(path.stem):
+                pictures.setdefault(f"lesson-{lesson['name']}", (path, f"lesson {lesson['name']} --size 640x360"))
     return pictures
 
 
-def draw_pictures(program):
+def draw_picture(program, name, page, arguments):
+    figure, slides = arguments.startswith("probe "), arguments.startswith("slides ")
+    output = IMAGES / (f"{name}.svg" if figure else f"{name}.png")
+    with tempfile.TemporaryDirectory() as folder:
+        folder = Path(folder)
+        extract(page, folder)
+        # OSMesa: the same bytes on every machine with the same Mesa, whatever graphics card it has. A figure needs none.
+        words = ["--diagram", "drawn.svg"] if figure else ["--backend", "osmesa", "-o", "drawn" if slides else "drawn.png"]
+        command = [os.path.abspath(program.path), *shlex.split(arguments), *words]
+        if subprocess.run(command, cwd=folder, check=False, stdout=subprocess.DEVNULL).returncode != 0:
+            sys.exit(f"generate.py: picture {name} could not be drawn: {shlex.join(command)}")
+        drawn = sorted((folder / "drawn").glob("*.png")) if slides else sorted(folder.glob("drawn.*"))
+        if len(drawn) != 1:
+            sys.exit(f"generate.py: picture {name} is to be one slide, not {len(drawn)}; name it with --only")
+        shutil.copyfile(drawn[0], output)
+    if output.stat().st_size > LARGEST_PICTURE:
+        sys.exit(f"generate.py: {output} has {output.stat().st_size} bytes, {LARGEST_PICTURE} is the most; choose a smaller --size")
+
+
+def draw_pictures(program, only):
     IMAGES.mkdir(exist_ok=True)
     pictures = wanted_pictures(program)
-    for name, arguments in pictures.items():
-        output = IMAGES / f"{name}.png"
-        # OSMesa: the same bytes on every machine with the same Mesa, whatever graphics card it has.
-        command = [program.path, *shlex.split(arguments), "--backend", "osmesa", "-o", str(output)]
-        if subprocess.run(command, check=False).returncode != 0:
-            sys.exit(f"generate.py: picture {name} could not be drawn: {shlex.join(command)}")
-        if output.stat().st_size > LARGEST_PICTURE:
-            sys.exit(f"generate.py: {output} has {output.stat().st_size} bytes, {LARGEST_PICTURE} is the most; choose a smaller --size")
+    for name in only:
+        if name not in pictures:
+            sys.exit(f"generate.py: no page asks for a picture {name}; there are {', '.join(sorted(pictures))}")
+    for name, (page, arguments) in pictures.items():
+        if name in only or not only:
+            draw_picture(program, name, page, arguments)
     for stale in set(IMAGES.glob("*.png")) - {IMAGES / f"{name}.png" for name in pictures}:
         stale.unlink()
     total = sum(p.stat().st_size for p in IMAGES.glob("*.png"))
@@ -266,7 +318,7 @@ def complaints_about(path, text, tracked):
             continue
         if (path.parent / target).exists():
             picture = os.path.relpath(path.parent / target, ROOT)
-            if picture.endswith(".png") and tracked is not None and picture not in tracked:
+            if picture.endswith((".png", ".svg")) and tracked is not None and picture not in tracked:
                 yield (f"{name}: git does not track {picture}, so a fresh clone would lack it; "
                        f"`git add` it (`git check-ignore -v` says whether .gitignore is in the way)")
             continue
@@ -278,6 +330,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--pictures", action="store_true")
+    parser.add_argument("--only", action="append", default=[], metavar="NAME")
     parser.add_argument("--program", default=str(ROOT / "build/release/shadowlab"))
     options = parser.parse_args()
     program = Program(options.program)
@@ -304,7 +357,7 @@ def main():
         if options.check:
             complaints += complaints_about(path, new, tracked)
     if options.pictures and not options.check:
-        draw_pictures(program)
+        draw_pictures(program, options.only)
     print("".join(complaint + "\n" for complaint in complaints), end="")
     sys.exit(1 if complaints else 0)
 

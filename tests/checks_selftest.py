@@ -146,7 +146,8 @@ def picture_complaints():
                      "docs/images/a.png": "", "docs/images/b.png": "", ".gitignore": "b.png\n",
                      "program": '#!/bin/sh\necho "{\\"$2\\": []}"\n'})
         (root / "program").chmod(0o755)
-        shutil.copy(TESTS.parent / "docs/generate.py", root / "docs")
+        for script in ("generate.py", "pages.py"):
+            shutil.copy(TESTS.parent / "docs" / script, root / "docs")
         command = [sys.executable, str(root / "docs/generate.py"), "--check", "--program", str(root / "program")]
 
         def said():

@@ -31,6 +31,10 @@ class Display:
 class Window:
     """The program's window, its reports, and hands for it."""
 
+    def begun(self, state):
+        """Whether the window can be worked with: here, when also its exact numbers are there."""
+        return state["settled"]
+
     def __init__(self, program, display, folder, *arguments, **environment):
         self.environment = {**os.environ, "DISPLAY": display.name, "XDG_CONFIG_HOME": folder, **environment}
         self.environment.pop("WAYLAND_DISPLAY", None)
@@ -41,7 +45,7 @@ class Window:
         self.state = {}
         threading.Thread(target=self._listen, daemon=True).start()
         self.first_frame = None
-        self.wait("the first picture", lambda s: s["settled"])
+        self.wait("the first picture", self.begun)
 
     def _listen(self):
         for line in self.process.stdout:

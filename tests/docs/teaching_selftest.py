@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+"""Shows that teaching_check.py bites: each fault of a made-up script must be told of, and a right one must pass."""
+# SPDX-License-Identifier: MIT
+import sys
+
+from script import scripts_of
+from teaching_check import complaints_about
+
+SLIDES, KEYS = ["one", "two", "three"], {"J", "PageDown"}
+SECTION = """## A lecture
+
+    build/release/shadowlab demo --lesson acne --presenter   # A
+
+<!-- script: made-up -->
+
+| minutes | slides | keys | what to do |
+|---|---|---|---|
+{rows}
+
+After it.
+"""
+RIGHT = "| 0-20 | `one` | A: `J` `PageDown` | say |\n| 20-50 | `two`, `three` | | say |"
+
+# (what must be said, what is written in place of what)
+WRONG = [
+    ("has no slide four", "`two`", "`four`"),
+    ("slide two comes earlier", "`two`, `three`", "`three`, `two`"),
+    ("slide one comes earlier", "`two`", "`one`"),
+    ("does not begin where", "| 20-50", "| 21-50"),
+    ("does not begin where", "| 20-50", "| 20-20"),
+    ("ends at minute 49", "20-50", "20-49"),
+    ("no key F13", "`J`", "`F13`"),
+    ("no window B", "A: `J`", "B: `J`"),
+]
+
+
+def said_of(rows):
+    (script,) = scripts_of(SECTION.format(rows=rows))
+    pressed = sum(len(row.pressed) for row in script.rows)
+    return list(complaints_about(script, SLIDES, KEYS)), script.windows, pressed
+
+
+def main():
+    failures = []
+    for said, old, new in WRONG:
+        complaints, _, _ = said_of(RIGHT.replace(old, new, 1))
+        if not any(said in complaint for complaint in complaints):
+            failures.append(f"with {new} for {old} it says {complaints}, not '{said}'")
+    if said_of(RIGHT) != ([], {"A": ["--lesson", "acne", "--presenter"]}, 2):
+        failures.append(f"of the right script it says {said_of(RIGHT)}")
+    print("".join(line + "\n" for line in failures), end="")
+    sys.exit(1 if failures else 0)
+
+
+if __name__ == "__main__":
+    main()
