@@ -143,7 +143,7 @@ TEST_F(CaptureTest, EveryStageOfEveryTechnique) {
         const std::string technique = list.substr(begin, tab - begin), stage = list.substr(tab + 1, end - tab - 1);
         // A pass may belong to a setting; then the program says so.
         const ProgramResult result =
-            run({"capture", "box.json", "-o", "x.png", "--size", "320x240", "-t", technique, "--stage", stage});
+            run({"capture", "box.json", "-o", "x.png", "--size", "160x120", "-t", technique, "--stage", stage});
         if (result.status == 0)
             ++stages;
         else

@@ -1,6 +1,9 @@
 // Planar shadows against the exact judge: on the planes that receive they must be exact, wherever light, casters and eye
 // are. The cases that are known to break careless programs are in hard_cases_gl_test.cpp.
 // SPDX-License-Identifier: MIT
+#include <cstdlib>
+#include <string_view>
+
 #include "app/session/assets.h"
 #include "techniques/foundation/scene/load.h"
 #include "techniques/foundation/scene/shapes.h"
@@ -77,6 +80,9 @@ TEST_F(PlanarTest, SeenFromBelowTogetherWithTheLight) {
 }
 
 TEST_F(PlanarTest, BuiltInScenesAreExactOnTheirPlanes) {
+    const char* const driver = std::getenv("GALLIUM_DRIVER");
+    if (driver && std::string_view(driver) == "softpipe" && !std::getenv("SHADOWLAB_LONG"))
+        GTEST_SKIP() << "takes a minute on softpipe; runs with SHADOWLAB_LONG set, and here on llvmpipe";
     OnPlanes all;
     for (const std::string& name : scene::builtInScenes(session::assetsRoot())) {
         const scene::Snapshot snapshot =

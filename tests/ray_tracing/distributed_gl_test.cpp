@@ -40,7 +40,8 @@ TEST_F(DistributedTest, SlicesGiveTheSameBytesAsOneRun) {
     for (const std::vector<std::string>& settings :
          {std::vector<std::string>{"samples=3"}, {"samples=2", "soft-shadows=analytic"}, {}, {"structure=none"}}) {
         Drawing whole(builtIn("billiards"), settings), sliced(builtIn("billiards"), settings);
-        if (settings.size() > 1) whole.view.size = sliced.view.size = kSize / 3; // closed forms take their time
+        // Closed forms take their time, and so do the default's many rays: what is tested is where a slice ends.
+        if (settings != std::vector<std::string>{"samples=3"}) whole.view.size = sliced.view.size = kSize / 3;
         EXPECT_TRUE(whole.session.render(whole.slots[0], whole.view).converged);
         int slices = 0;
         bool converged = false;
