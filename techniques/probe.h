@@ -2,11 +2,13 @@
 // that split, their tree; where patches send each other light, two of them; of a shadow what decided on it (shadow_probe.h).
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "techniques/foundation/math/types.h"
+#include "techniques/rays_probe.h"
 #include "techniques/scene_shape.h"
 #include "techniques/shadow_probe.h"
 
@@ -66,12 +68,25 @@ struct Probe {
         double formFactorJk = 0; ///< the share of what leaves j that reaches k, with what stands in between
         double formFactorKj = 0;
     };
+    /// Some of the n equations of a room whose patches exchange light: B_i - rho_i sum of F_ik B_k = what i sends of its own.
+    struct Equations {
+        std::uint32_t count = 0;            ///< n
+        std::vector<std::uint32_t> patches; ///< 1 ... n, rising: those whose rows and columns these are
+        std::vector<dvec3> reflectance;     ///< rho_i
+        std::vector<dvec3> emission;        ///< E_i, W/m^2, with what i reflects of light sources that are no patches
+        std::vector<dvec3> radiosity;       ///< B_i, W/m^2
+        std::vector<std::vector<double>> formFactors; ///< F_ik, of rows and columns as in `patches`
+        std::vector<dvec3> fromOthers;                ///< sum of F_ik B_k over all other columns, W/m^2
+    };
     std::vector<Fact> facts;
     std::vector<Segment> geometry;
     std::vector<Node> tree;
-    std::vector<Vector> vectors;           ///< at the end of the eye ray
-    std::optional<Exchange> exchange{};    ///< of a technique in which patches send each other light
-    std::optional<LightSection> section{}; ///< that the following are drawn in; none without a light
+    std::vector<Vector> vectors;               ///< at the end of the eye ray
+    std::optional<Exchange> exchange{};        ///< of a technique in which patches send each other light
+    std::optional<Equations> equations{};      ///< of the same
+    std::optional<RaysProbe> rays{};           ///< of one that sends several rays for a pixel
+    std::optional<StructureProbe> structure{}; ///< of one that traces rays with volumes or cells
+    std::optional<LightSection> section{};     ///< that the following are drawn in; none without a light
     std::optional<Decision> decision{};  ///< of a technique that decides on the spot whether a light reaches the pixel
     std::optional<VolumeProbe> volume{}; ///< of one that counts faces of volumes
     std::optional<MapProbe> map{};       ///< of one that asks a depth map

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/commands/rays_json.h"
 #include "app/commands/shadow_json.h"
 #include "app/commands/text_table.h"
 #include "techniques/foundation/scene/message_text.h"
@@ -140,6 +141,9 @@ std::string probeJson(const ProbedPixel& probed) {
                     {"rays", rays},
                     {"tree", tree},
                     {"exchange", exchangeJson(probed.probe)},
+                    {"equations", equationsJson(probed.probe)},
+                    {"samples", samplesJson(probed.probe)},
+                    {"structure", structureJson(probed.probe)},
                     {"decision", decisionJson(probed.probe)},
                     {"volume", volumeJson(probed.probe)},
                     {"map", mapJson(probed.probe)},

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/diagram/figure_drawers.h"
 #include "app/diagram/panels.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/nearest_names.h"
@@ -36,6 +37,30 @@ constexpr std::array kFigures{
         "all that the technique has to draw of the pixel: shadow volumes, texels or the projected shadow in the plane "
         "through eye, light and point; rays and their tree; two patches and their form factor",
         drawPixel},
+    Figure{"form-factor", "radiosity", "two patches with their normals, the line r between them and its angles; F_jk",
+           drawFormFactorFigure},
+    Figure{"reflector", "radiosity", "the light of a patch in all directions, I dA cos phi", drawReflectorFigure},
+    Figure{"equations", "radiosity",
+           "the radiosity equations as a matrix, some rows with the scene's numbers, the solution", drawEquations},
+    Figure{"pixel-ray", "ray-traced",
+           "projection reference point, projection plane, the pixel's centre and its ray to the first surface",
+           drawPixelRay},
+    Figure{"paths", "ray-traced", "paths of the pixel's rays, in the plane of incidence", drawPathsFigure},
+    Figure{"tree", "ray-traced", "the tree of the same rays, with intensities", drawTreeFigure},
+    Figure{"vectors", "ray-traced", "u, V, N, R, T, L and H at the first surface", drawVectorsFigure},
+    Figure{"bounding-volumes", "ray-traced with a structure of volumes",
+           "the volumes with the pixel's ray, and their tree", drawBoundingVolumes},
+    Figure{"grid", "ray-traced with the structure grid", "the cells on the pixel's ray, and what each lists", drawGrid},
+    Figure{"jitter", "ray-traced with several samples", "the pixel's subpixels, where rays pass, and their mean",
+           drawJitter},
+    Figure{"lens", "ray-traced with samples and an aperture",
+           "the pixel's rays through the lens, which meet in the object plane", drawLens},
+    Figure{"gloss", "ray-traced with samples", "reflected rays around R", drawGloss},
+    Figure{"translucency", "ray-traced with samples", "refracted rays around T", drawTranslucency},
+    Figure{"lamp", "ray-traced with samples", "shadow rays over the area of a light, and the share that is seen",
+           drawLamp},
+    Figure{"penumbra", "ray-traced", "umbra and penumbra of an extended light source in a plane", drawPenumbra},
+    Figure{"shutter", "ray-traced with samples", "a moving object at the times of the pixel's rays", drawShutter},
 };
 
 } // namespace

@@ -14,6 +14,7 @@ namespace shadowlab::diagram {
 namespace {
 
 constexpr double kFigureWidth = 1080, kGap = 40; ///< pixels; the rest of the width is for numbers
+constexpr double kLeastNumbers = 600;            ///< of that width there must be at least so much
 constexpr double kLabel = 30;                    ///< em: indices are smaller than their letters
 const dvec2 kMargin(130, 58);                    ///< pixels around what is drawn, for labels
 constexpr double kArcShare = 0.45;               ///< of the shorter of a normal and r, as it is drawn
@@ -28,6 +29,15 @@ double angleBetween(const dvec3& a, const dvec3& b) {
 std::string degrees(double angle) {
     const std::string text = std::to_string(std::round(glm::degrees(angle) * 10) / 10);
     return text.substr(0, text.find('.') + 2) + "\u00b0";
+}
+
+/// The numbers of a room that has space for no more.
+std::string oneLine(const Probe::Exchange& exchange) {
+    return "r = " + fourDigits(glm::length(exchange.k->centreWorld - exchange.j.centreWorld)) +
+           " m,  F\u2c7c\u2096 = " + fourDigits(exchange.formFactorJk) +
+           ",  F\u2096\u2c7c = " + fourDigits(exchange.formFactorKj) +
+           ",  A\u2c7c F\u2c7c\u2096 = A\u2096 F\u2096\u2c7c = " + fourDigits(exchange.j.area * exchange.formFactorJk) +
+           " m\u00b2";
 }
 
 /// What is drawn of one of the two surfaces.
@@ -188,14 +198,20 @@ void drawFormFactor(Drawing& drawing, const Box& area, const Probe::Exchange& ex
                  "Form factor F\u2c7c\u2096: the share of the light of j that reaches k",
                  {.size = kHeading, .isBold = true});
     const double below = 1.4 * kText;
+    const bool hasNumbers = area.size.x > kFigureWidth + kGap + kLeastNumbers;
     Figure figure(exchange,
-                  {area.corner + dvec2(0, 1.5 * kHeading), {kFigureWidth, area.size.y - 1.5 * kHeading - 2 * below}},
+                  {area.corner + dvec2(0, 1.5 * kHeading),
+                   {hasNumbers ? kFigureWidth : area.size.x, area.size.y - 1.5 * kHeading - 2 * below}},
                   font);
     figure.draw(drawing);
     const dvec2 foot = area.corner + dvec2(0, area.size.y - 8);
     const TextStyle small{.size = kText, .color = "#4d4d4d"};
     if (!figure.liberties().empty()) drawing.text(foot - dvec2(0, below), figure.liberties(), small);
-    if (figure.showsABack()) drawing.text(foot, "white with a dashed rim: seen from behind", small);
+    if (figure.showsABack() && hasNumbers) drawing.text(foot, "white with a dashed rim: seen from behind", small);
+    if (!hasNumbers) {
+        drawing.text(foot, oneLine(exchange), {.size = kText});
+        return;
+    }
     writeFormFactor(drawing,
                     {area.corner + dvec2(kFigureWidth + kGap, 0), {area.size.x - kFigureWidth - kGap, area.size.y}},
                     exchange, font);

@@ -216,9 +216,8 @@ void drawPaths(Drawing& drawing, const Box& area, const Probe& probe, const Show
                const image::Font& font) {
     drawing.text(area.corner + dvec2(0, kHeading), "Paths of pixel rays", {.size = kHeading, .isBold = true});
     const Box field{area.corner + dvec2(0, kHeading + 12), area.size - dvec2(0, kHeading + 12 + kText + 12)};
-    drawing.text(area.corner + dvec2(0, area.size.y - 8),
-                 "seen across the plane of incidence at S1; // : a part is left out",
-                 {.size = kText * 0.85, .color = "#4d4d4d"});
+    drawing.text(area.corner + dvec2(0, area.size.y - 8), "in the plane of incidence at S1; // : a part is left out",
+                 {.size = kText, .color = "#4d4d4d"});
     const Paths paths(probe, shown, scene);
     // Room for labels beyond the outermost lines.
     const OnSheet onSheet(paths, {field.corner + dvec2(70, 60), field.size - dvec2(140, 110)});

@@ -13,11 +13,11 @@ namespace shadowlab::diagram {
 
 namespace {
 
-constexpr double kFigureWidth = 760, kGap = 40; ///< pixels
-constexpr double kLabel = 30;                   ///< em: indices are smaller than their letters
-constexpr double kRow = 38;                     ///< pixels from one line of numbers to the next
-constexpr double kLeastCosine = 0.02;           ///< of a direction that has light enough to be shown
-constexpr int kPieces = 90, kAvoided = 15;      ///< of half a circle; so many are one line that labels avoid
+constexpr double kFigureWidth = 760, kGap = 40, kNumbersWidth = 1060; ///< pixels
+constexpr double kLabel = 30;                                         ///< em: indices are smaller than their letters
+constexpr double kRow = 38;                                           ///< pixels from one line of numbers to the next
+constexpr double kLeastCosine = 0.02;      ///< of a direction that has light enough to be shown
+constexpr int kPieces = 90, kAvoided = 15; ///< of half a circle; so many are one line that labels avoid
 const std::string kJ = "\u2c7c";
 
 /// The direction that is pointed out.
@@ -45,7 +45,8 @@ std::string degrees(double angle) {
 }
 
 void drawFigure(Drawing& drawing, const Box& area, const Way& way, const image::Font& font) {
-    const double most = area.size.y - 70; // of the length of an arrow: I dA along the normal
+    const double most =
+        std::min(area.size.y - 105, 0.46 * area.size.x); // of the length of an arrow: I dA along the normal
     const dvec2 at = area.corner + dvec2(0.5 * area.size.x, area.size.y - 46);
     const auto toward = [](double angle) { return dvec2(std::sin(angle), -std::cos(angle)); };
     Labels labels(font, area);
@@ -132,6 +133,13 @@ void drawReflector(Drawing& drawing, const Box& area, const Probe::Exchange& exc
     drawing.text(area.corner + dvec2(0, kHeading), "Radiosity of a Lambertian reflector: surface j",
                  {.size = kHeading, .isBold = true});
     const Way way = shownWay(exchange, eyeWorld);
+    const double top = 1.2 * kHeading;
+    if (area.size.x < kFigureWidth + kGap + kNumbersWidth) { // the numbers below
+        const double numbers = kHeading + 8.6 * kRow;
+        drawFigure(drawing, {area.corner + dvec2(0, top), {area.size.x, area.size.y - top - numbers}}, way, font);
+        writeNumbers(drawing, {area.corner + dvec2(0, area.size.y - numbers), {area.size.x, numbers}}, exchange.j, way);
+        return;
+    }
     drawFigure(drawing, {area.corner + dvec2(0, 1.2 * kHeading), {kFigureWidth, area.size.y - 1.2 * kHeading}}, way,
                font);
     writeNumbers(drawing,

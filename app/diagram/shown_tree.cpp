@@ -7,9 +7,6 @@ namespace shadowlab::diagram {
 
 namespace {
 
-// What is still told apart on a page that is as wide as a slide.
-constexpr int kMostEnds = 8, kMostLevels = 6;
-
 bool isShadowRay(const Probe::Node& node) { return node.light >= 0; }
 
 int levelOf(const Probe& probe, int ray) {
@@ -24,7 +21,7 @@ int levelOf(const Probe& probe, int ray) {
 
 bool ShownTree::shows(int ray) const { return std::ranges::binary_search(rays, ray); }
 
-ShownTree shownTree(const Probe& probe) {
+ShownTree shownTree(const Probe& probe, int mostEnds, int mostLevels) {
     std::vector<int> all;
     for (int i = 0; i < static_cast<int>(probe.tree.size()); ++i)
         if (!isShadowRay(probe.tree[static_cast<std::size_t>(i)])) all.push_back(i);
@@ -40,7 +37,7 @@ ShownTree shownTree(const Probe& probe) {
         const bool hangsOn = parent < 0 || shown.shows(parent);
         const bool isFirst = parent < 0 || children[static_cast<std::size_t>(parent)] == 0;
         const int endsWith = parent < 0 ? 1 : ends + (isFirst ? 0 : 1);
-        if (!hangsOn || endsWith > kMostEnds || levelOf(probe, ray) >= kMostLevels) {
+        if (!hangsOn || endsWith > mostEnds || levelOf(probe, ray) >= mostLevels) {
             ++shown.leftOut;
             shown.largestLeftOut = std::max(shown.largestLeftOut, node(ray).share);
             continue;

@@ -16,7 +16,10 @@ struct ShownTree {
     [[nodiscard]] bool shows(int ray) const;
 };
 
+// What is still told apart on a page that is as wide as a slide.
+constexpr int kMostEnds = 8, kMostLevels = 6;
+
 /// The rays that carry the largest shares of the pixel, each with all those it comes from.
-ShownTree shownTree(const Probe& probe);
+ShownTree shownTree(const Probe& probe, int mostEnds = kMostEnds, int mostLevels = kMostLevels);
 
 } // namespace shadowlab::diagram

@@ -2,62 +2,13 @@
 #include <algorithm>
 
 #include "app/diagram/panels.h"
+#include "app/diagram/tree_layout.h"
 
 namespace shadowlab::diagram {
 
 namespace {
 
 constexpr double kLevel = 142, kNodeHeight = 70, kTop = 92, kBottom = 48; ///< pixels
-
-/// Where the rays' ends stand: level by level, a parent over the middle of its children.
-class TreeLayout {
-public:
-    TreeLayout(const Probe& probe, const ShownTree& shown) : probe_(probe), shown_(shown), places_(probe.tree.size()) {
-        if (!shown.rays.empty()) place(shown.rays.front(), 0);
-    }
-    /// x in numbers of ends from the left, y in levels.
-    [[nodiscard]] dvec2 place(int ray) const { return places_[static_cast<std::size_t>(ray)]; }
-    [[nodiscard]] int ends() const { return ends_; }
-    [[nodiscard]] int levels() const { return levels_; }
-
-private:
-    void place(int ray, int level) {
-        levels_ = std::max(levels_, level + 1);
-        double first = -1, last = -1;
-        for (const int child : shown_.rays) {
-            if (probe_.tree[static_cast<std::size_t>(child)].parent != ray) continue;
-            place(child, level + 1);
-            last = place(child).x;
-            if (first < 0) first = last;
-        }
-        const double x = first < 0 ? ends_++ : 0.5 * (first + last);
-        places_[static_cast<std::size_t>(ray)] = {x, level};
-    }
-
-    const Probe& probe_;
-    const ShownTree& shown_;
-    std::vector<dvec2> places_;
-    int ends_ = 0, levels_ = 0;
-};
-
-/// As much of a text as is no wider than `width`.
-std::string shortened(const image::Font& font, std::string text, double em, double width) {
-    if (textSize(font, text, em).x <= width) return text;
-    while (!text.empty() && textSize(font, text + "...", em).x > width) {
-        do
-            text.pop_back();
-        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80); // the middle of a character
-    }
-    return text + "...";
-}
-
-/// What stands in a node: the surface and its object, or why there is none; and the intensity.
-std::string headingOf(const Probe::Node& node) {
-    if (!node.surface.empty()) return node.surface + "  " + node.object;
-    if (node.end.starts_with("not followed")) return "not followed";
-    if (node.end.starts_with("none")) return "total reflection";
-    return "background";
-}
 
 } // namespace
 
@@ -88,7 +39,9 @@ void drawTree(Drawing& drawing, const Box& area, const Probe& probe, const Shown
         drawing.rectangle(corner, {width, kNodeHeight}, isLeaf ? "#f2f2f2" : "#ffffff",
                           {isLeaf ? "#8c8c8c" : "#1a1a1a", isLeaf ? 1.5 : 2.5, false}, isLeaf ? 4 : 16);
         const bool hasIntensity = !node.end.starts_with("none");
-        drawing.text(at - dvec2(0, hasIntensity ? 6 : -8), shortened(font, headingOf(node), kText * 0.92, width - 16),
+        drawing.text(at - dvec2(0, hasIntensity ? 6 : -8),
+                     shortened(font, (node.surface.empty() ? endName(node) : node.surface + "  " + node.object),
+                               kText * 0.92, width - 16),
                      {.size = kText * 0.92, .anchor = Anchor::middle, .isBold = !isLeaf});
         if (hasIntensity)
             drawing.text(at + dvec2(0, 24),

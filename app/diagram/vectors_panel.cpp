@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kMostUnit = 200;    ///< pixels of a vector of length one
 constexpr double kArrives = 0.55;    ///< of a vector's length: u ends there, V is a little shorter
+constexpr double kWide = 800;        ///< pixels
 constexpr double kOutOfPlane = 0.05; ///< from which on a vector is said to leave the plane
 
 Stroke strokeOf(const std::string& letter) {
@@ -109,6 +110,8 @@ void drawVectors(Drawing& drawing, const Box& area, const Probe& probe, const im
     const Probe::Node& root = probe.tree.front();
     drawing.text(area.corner + dvec2(0, kHeading), "Vectors at S1, " + root.object, {.size = kHeading, .isBold = true});
     const DrawingPlane plane = planeWithNormalUp(probe);
+    // Beside the tree of a whole slide there is less room.
+    const double em = area.size.x >= kWide ? kText : 0.92 * kText;
     const double row = kText * 1.15, tableHeight = row * static_cast<double>(probe.vectors.size()) + 2 * row + 8;
     const Box figure{area.corner + dvec2(0, kHeading + 8), {area.size.x, area.size.y - kHeading - 8 - tableHeight - 4}};
     drawFigure(drawing, figure, probe, plane, font);
@@ -121,10 +124,10 @@ void drawVectors(Drawing& drawing, const Box& area, const Probe& probe, const im
         std::string words = meaning(vector.label);
         if (vector.label == "R") words += brought(probe, Probe::Role::reflection, "I_R");
         if (vector.label == "T") words += brought(probe, Probe::Role::refraction, "I_T");
-        drawing.text({x + 80, y}, words, {.size = kText * 0.92});
+        drawing.text({x + 80, y}, words, {.size = em});
         for (int axis = 0; axis < 3; ++axis)
             drawing.text({area.corner.x + area.size.x - 210 + 105 * axis, y}, fixed(vector.directionWorld[axis]),
-                         {.size = kText * 0.92, .anchor = Anchor::end});
+                         {.size = em, .anchor = Anchor::end});
         leaves = leaves || isOutOf(plane, vector.directionWorld);
         y += row;
     }
@@ -132,10 +135,10 @@ void drawVectors(Drawing& drawing, const Box& area, const Probe& probe, const im
     std::string angles;
     if (v && n) angles = "angle of incidence " + degrees(glm::dot(v->directionWorld, n->directionWorld));
     if (t && n) angles += ", of refraction " + degrees(-glm::dot(t->directionWorld, n->directionWorld));
-    drawing.text({area.corner.x, y + 4}, angles, {.size = kText * 0.92});
+    drawing.text({area.corner.x, y + 4}, angles, {.size = em});
     if (leaves)
-        drawing.text({area.corner.x, y + row}, "dashed: not in the plane of the others, seen is what falls on it",
-                     {.size = kText * 0.85, .color = "#4d4d4d"});
+        drawing.text({area.corner.x, y + row}, "dashed: not in the plane of the others",
+                     {.size = em, .color = "#4d4d4d"});
 }
 
 } // namespace shadowlab::diagram

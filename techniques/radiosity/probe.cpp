@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/radiosity/probe.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/gtc/constants.hpp>
@@ -66,6 +67,50 @@ void describePair(const KeptRoom& kept, const Sources& sources, const LightBalan
     probe.visited.push_back(
         {"r, between their centres", look::kEqualDepth, SceneShape::Kind::lines, {from.centreWorld, to.centreWorld}});
     probe.visited.push_back(outline(to, "patch k and its normal", look::kPatchK));
+}
+
+// As many rows and columns as a slide has room for.
+constexpr std::size_t kMostEquations = 5;
+
+/// The patches whose equations are told: j, its partner, and those that give j most of its light.
+std::vector<std::uint32_t> chosenPatches(const KeptRoom& kept, const LightBalance& balance, std::uint32_t j,
+                                         std::optional<std::uint32_t> partner) {
+    const std::size_t count = kept.room().patches().size();
+    std::vector<std::pair<double, std::uint32_t>> givers;
+    for (std::uint32_t k = 0; k < count; ++k) {
+        const dvec3& radiosity = balance.radiosity()[k];
+        if (k != j && k != partner)
+            givers.emplace_back(-kept.exchange().matrix(j, k) * (radiosity.r + radiosity.g + radiosity.b), k);
+    }
+    std::vector<std::uint32_t> chosen{j};
+    if (partner && *partner != j && *partner < count) chosen.push_back(*partner);
+    const std::size_t more = std::min(givers.size(), kMostEquations - chosen.size());
+    std::partial_sort(givers.begin(), givers.begin() + static_cast<std::ptrdiff_t>(more), givers.end());
+    for (std::size_t i = 0; i < more; ++i)
+        chosen.push_back(givers[i].second);
+    std::ranges::sort(chosen);
+    return chosen;
+}
+
+void describeEquations(const KeptRoom& kept, const Sources& sources, const LightBalance& balance,
+                       std::vector<std::uint32_t> chosen, Probe& probe) {
+    Probe::Equations& equations = probe.equations.emplace();
+    equations.count = static_cast<std::uint32_t>(kept.room().patches().size());
+    for (const std::uint32_t i : chosen) {
+        equations.patches.push_back(i + 1);
+        equations.reflectance.push_back(sources.reflectance[i]);
+        equations.emission.push_back(sources.first(i));
+        equations.radiosity.push_back(balance.radiosity()[i]);
+        std::vector<double>& row = equations.formFactors.emplace_back();
+        dvec3 others(0.0);
+        const double area = kept.room().allPatches()[i].area;
+        for (const std::uint32_t k : chosen)
+            row.push_back(kept.exchange().matrix(i, k) / area);
+        for (std::uint32_t k = 0; k < equations.count; ++k)
+            if (!std::ranges::binary_search(chosen, k))
+                others += kept.exchange().matrix(i, k) / area * balance.radiosity()[k];
+        equations.fromOthers.push_back(others);
+    }
 }
 
 } // namespace
@@ -137,6 +182,7 @@ void describePatch(const KeptRoom& kept, const Sources& sources, const LightBala
         const dvec3 bound = balance.solver()->errorBound().largest;
         probe.facts.push_back(probeFact("error of B by solving, at most", bound, "W/m^2"));
     }
+    describeEquations(kept, sources, balance, chosenPatches(kept, balance, j, partner), probe);
     if (partner && *partner != j && *partner < exchanging) describePair(kept, sources, balance, j, *partner, probe);
 }
 

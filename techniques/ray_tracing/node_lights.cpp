@@ -36,6 +36,7 @@ LightAtNode sampledLight(const RayWorld& world, const TreeSettings& settings, co
     at.towardWorld = scene::towardLightWorld(source, positionWorld);
     if (!(sample.solidAngle > 0)) return at;
     at.towardWorld = sample.towardWorld;
+    at.toPlace = sample.onLightCentredOffset;
     at.areaWeight = sample.areaWeight;
     at.visibility = visibilityAlong(world, settings, node, sample.onLightCentredOffset);
     if (at.visibility != trace::Visibility::lit) return at;

@@ -79,6 +79,7 @@ struct LightAtNode {
     dvec3 towardWorld{0.0};  ///< L: to its centre, or to the place on it that was chosen
     dvec3 halfwayWorld{0.0}; ///< H, between L and V
     dvec3 intensity{0.0};    ///< sent toward the viewer; zero unless lit
+    dvec3 toPlace{0.0};      ///< from the surface to that place, metres; zero: none was chosen
     double areaWeight = 1;   ///< of the sample, where the share of the light's area is asked that is seen
 };
 

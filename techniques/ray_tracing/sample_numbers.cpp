@@ -114,10 +114,21 @@ dvec2 SampleNumbers::pair(Purpose purpose, std::uint64_t place, std::uint32_t at
     const dvec2 free = chance(dimension + mixed(sample_ + (static_cast<std::uint64_t>(attempt + 1) << 32)));
     if (attempt > 0 || pattern_.spread == random) return free;
     if (pattern_.spread == lowDiscrepancy) return evenPoint(sample_, dimension);
-    const auto count = static_cast<std::uint32_t>(pattern_.count);
-    const std::uint32_t cell = shuffled(sample_ % count, count, dimension);
     const double amount = pattern_.spread == regular ? 0.0 : pattern_.jitter;
-    return inCell(static_cast<int>(cell), pattern_.count, 0.5 + amount * (free - 0.5));
+    return inCell(cellIn(dimension), pattern_.count, 0.5 + amount * (free - 0.5));
+}
+
+/// Which of `count` equal cells is the sample's.
+int SampleNumbers::cellIn(std::uint64_t dimension) const {
+    const auto count = static_cast<std::uint32_t>(pattern_.count);
+    return static_cast<int>(shuffled(sample_ % count, count, dimension));
+}
+
+std::optional<std::array<dvec2, 2>> SampleNumbers::cell(Purpose purpose, std::uint64_t place) const {
+    using enum SamplePattern::Spread;
+    if (pattern_.spread != jittered && pattern_.spread != regular) return std::nullopt;
+    const int cell = cellIn(dimensionOf(purpose, place));
+    return std::array{inCell(cell, pattern_.count, dvec2(0)), inCell(cell, pattern_.count, dvec2(1))};
 }
 
 double SampleNumbers::one(Purpose purpose) const {

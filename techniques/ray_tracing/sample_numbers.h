@@ -8,7 +8,9 @@
 // whatever order, on however many threads, hears the same.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <cstdint>
+#include <optional>
 
 #include "techniques/foundation/math/types.h"
 
@@ -37,11 +39,14 @@ public:
 
     /// Two numbers in [0, 1). `place` tells nodes and lights apart. `attempt`: later ones are free of any pattern.
     [[nodiscard]] dvec2 pair(Purpose purpose, std::uint64_t place = 0, std::uint32_t attempt = 0) const;
+    /// Lower and upper corner of the cell that such a pair lies in, where the unit square is cut into one for each sample.
+    [[nodiscard]] std::optional<std::array<dvec2, 2>> cell(Purpose purpose, std::uint64_t place = 0) const;
     /// One number in [0, 1).
     [[nodiscard]] double one(Purpose purpose) const;
 
 private:
     [[nodiscard]] std::uint64_t dimensionOf(Purpose purpose, std::uint64_t place) const;
+    [[nodiscard]] int cellIn(std::uint64_t dimension) const;
 
     SamplePattern pattern_;
     std::uint64_t pixelKey_;

@@ -32,12 +32,12 @@ double luminance(const dvec3& radiance) { return glm::dot(radiance, dvec3(0.2126
 // [anchor: eye-sample]
 EyeSample eyeSample(const trace::EyeRays& rays, const SampledSettings& settings, ivec2 pixel,
                     const SampleNumbers& numbers) {
-    const dvec2 place = dvec2(pixel) + (settings.antialias ? numbers.pair(Purpose::pixel) : dvec2(0.5));
     EyeSample sample;
-    sample.ray =
-        settings.aperture > 0
-            ? rays.throughLens(place, 0.5 * settings.aperture * onDisc(numbers.pair(Purpose::lens)), settings.focus)
-            : rays.through(place);
+    sample.place = dvec2(pixel) + (settings.antialias ? numbers.pair(Purpose::pixel) : dvec2(0.5));
+    sample.ray = settings.aperture > 0
+                     ? rays.throughLens(sample.place, 0.5 * settings.aperture * onDisc(numbers.pair(Purpose::lens)),
+                                        settings.focus)
+                     : rays.through(sample.place);
     if (settings.shutter > 0) sample.time = settings.shutter * numbers.one(Purpose::time);
     return sample;
 }

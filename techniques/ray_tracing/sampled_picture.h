@@ -29,6 +29,7 @@ struct SampledSettings {
 
 /// Where a sample's ray begins and goes, and when.
 struct EyeSample {
+    dvec2 place{0.0}; ///< in the picture, pixels from its upper left corner
     trace::Ray ray;
     double time = 0;
 };

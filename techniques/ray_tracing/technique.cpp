@@ -22,6 +22,8 @@
 #include "techniques/ray_tracing/picture.h"
 #include "techniques/ray_tracing/picture_stages.h"
 #include "techniques/ray_tracing/probe_area.h"
+#include "techniques/ray_tracing/probe_samples.h"
+#include "techniques/ray_tracing/probe_structure.h"
 #include "techniques/ray_tracing/probe_tree.h"
 #include "techniques/ray_tracing/ray_shapes.h"
 #include "techniques/ray_tracing/sampling_scene.h"
@@ -305,6 +307,9 @@ Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     const trace::EyeRays rays = tracer_.eyeRays(view.camera, view.size);
     const dvec2 centre = dvec2(pixel) + 0.5;
     const trace::SurfacePoint point = tracer_.eyePoint(rays, centre);
+    if (samplingParams_.areMany())
+        describeSamples({surfaces, sampling_.moving(), sampling_.analytic(), view.camera, view.size, pixel, light},
+                        samplingParams_.settings(treeSettings(), view.camera), point, probe);
     if (!point) return probe;
     const trace::Engine& engine = structures_.engine();
     const trace::RayTests tests = tracer_.testsOf(engine, rays, centre);
@@ -314,6 +319,7 @@ Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
                                                probeCount("looking into", tests.steps, "nodes, objects or cells")});
     trace::Ray toHit = rays.through(centre);
     toHit.farthest = tracer_.distance(rays, point) / glm::length(toHit.directionCentred);
+    describeStructure(tracer_, engine, toHit, probe);
     const std::vector<trace::StructurePart> passed = engine.passed(toHit, kMostPassed);
     if (!passed.empty())
         probe.facts.push_back(probeCount("the eye ray passes", passed.size(), passedWord(structures_.chosen())));

@@ -58,21 +58,26 @@ private:
 /// The boxes of the children, level by level; the box of the root is that of its children.
 std::vector<StructurePart> BvhEngine::parts(std::size_t most) const {
     std::vector<StructurePart> parts;
-    std::vector<std::uint32_t> level;
-    if (!bvh_->nodes.empty()) level.push_back(0);
+    struct Open {
+        std::uint32_t node;
+        int parent;
+    };
+    std::vector<Open> level;
+    if (!bvh_->nodes.empty()) level.push_back({0, -1});
     for (int depth = 0; !level.empty(); ++depth) {
-        std::vector<std::uint32_t> below;
+        std::vector<Open> below;
         std::vector<StructurePart> boxes;
-        for (const std::uint32_t index : level) {
+        for (const auto& [index, parent] : level) {
             const BvhNode& node = bvh_->nodes[index];
             for (int i = 0; i < node.count; ++i) {
-                StructurePart box{.level = depth};
+                StructurePart box{.level = depth, .parent = parent};
                 for (int axis = 0; axis < 3; ++axis) {
                     box.lowerCentred[axis] = node.planes[axis][0][i];
                     box.upperCentred[axis] = node.planes[axis][1][i];
                 }
+                const int place = static_cast<int>(parts.size() + boxes.size());
                 boxes.push_back(box);
-                if (const BvhChild child(node.children[i]); !child.isLeaf()) below.push_back(child.index());
+                if (const BvhChild child(node.children[i]); !child.isLeaf()) below.push_back({child.index(), place});
             }
         }
         if (boxes.size() > most) break;

@@ -8,6 +8,7 @@
 #pragma once
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,15 @@ struct StructurePart {
     dvec3 lowerCentred{0.0}, upperCentred{0.0}; ///< of the box
     dvec3 centreCentred{0.0};                   ///< of the ball
     double radius = 0;
+    int parent = -1; ///< of a tree: the part around it, by its place among the parts; -1: none
+    /// Of a grid's cell the triangles that it lists; of the volume around one object that object's first.
+    std::vector<std::uint32_t> primitives{};
+};
+
+/// The cells of a grid, as a whole.
+struct StructureCells {
+    dvec3 lowerCentred{0.0}, upperCentred{0.0};
+    glm::ivec3 counts{0};
 };
 
 class Engine {
@@ -66,6 +76,8 @@ public:
     [[nodiscard]] virtual std::vector<StructurePart> parts(std::size_t /*most*/) const { return {}; }
     /// Those that a ray touches before ray.farthest, of parts() or, in a grid, of all cells: of these in order.
     [[nodiscard]] virtual std::vector<StructurePart> passed(const Ray& ray, std::size_t most) const;
+    /// Of a grid.
+    [[nodiscard]] virtual std::optional<StructureCells> cells() const { return std::nullopt; }
 };
 
 /// What an engine is built over. The triangles must outlive it; a primitive's id is its place among them. Those with a

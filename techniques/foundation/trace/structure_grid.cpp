@@ -38,6 +38,10 @@ public:
     /// that do. Walls and floors, which are two triangles, would hide all the others.
     [[nodiscard]] std::vector<StructurePart> parts(std::size_t most) const override;
     [[nodiscard]] std::vector<StructurePart> passed(const Ray& ray, std::size_t most) const override;
+    [[nodiscard]] std::optional<StructureCells> cells() const override {
+        const ivec3 last = grid_.counts() - 1;
+        return StructureCells{grid_.cellBox(ivec3(0)).lowerCentred, grid_.cellBox(last).upperCentred, grid_.counts()};
+    }
 
 private:
     Grid grid_;
@@ -138,7 +142,10 @@ std::vector<StructurePart> GridEngine::passed(const Ray& ray, std::size_t most) 
     auto walk = grid_.begin(sheared, sheared.farthest);
     while (walk && passed.size() < most) {
         const Box box = grid_.cellBox(walk->cell);
-        passed.push_back({false, 0, box.lowerCentred, box.upperCentred, {}, 0});
+        const std::span<const std::uint32_t> listed = grid_.trianglesIn(walk->cell);
+        passed.push_back({.lowerCentred = box.lowerCentred,
+                          .upperCentred = box.upperCentred,
+                          .primitives = {listed.begin(), listed.end()}});
         if (sheared.farthest < walk->leave[walk->nextAxis()] || !grid_.next(*walk)) break;
     }
     return passed;

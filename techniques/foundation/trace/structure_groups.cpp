@@ -74,8 +74,13 @@ public:
         std::vector<StructurePart> parts;
         for (const Group& group : groups_)
             parts.push_back({false, 0, group.box.lowerCentred, group.box.upperCentred, {}, 0});
-        for (std::size_t i = 0; i < objects_.size() && objects_.size() <= most; ++i)
-            parts.push_back({false, 1, objects_[i].box.lowerCentred, objects_[i].box.upperCentred, {}, 0});
+        for (std::size_t g = 0; g < groups_.size() && objects_.size() <= most; ++g)
+            for (std::size_t i = groups_[g].first; i < groups_[g].first + groups_[g].count; ++i)
+                parts.push_back({.level = 1,
+                                 .lowerCentred = objects_[i].box.lowerCentred,
+                                 .upperCentred = objects_[i].box.upperCentred,
+                                 .parent = static_cast<int>(g),
+                                 .primitives = {objects_[i].triangles.front()}});
         return parts;
     }
 

@@ -59,8 +59,10 @@ public:
     }
     [[nodiscard]] std::vector<StructurePart> parts(std::size_t most) const override {
         std::vector<StructurePart> parts;
-        for (std::size_t i = 0; i < std::min(most, objects_.size()); ++i)
+        for (std::size_t i = 0; i < std::min(most, objects_.size()); ++i) {
             parts.push_back(partOf(objects_[i].volume));
+            parts.back().primitives = {objects_[i].triangles.front()};
+        }
         return parts;
     }
 

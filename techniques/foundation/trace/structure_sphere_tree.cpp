@@ -84,13 +84,19 @@ public:
     }
     [[nodiscard]] std::vector<StructurePart> parts(std::size_t most) const override {
         std::vector<StructurePart> parts;
-        std::vector<std::uint32_t> level;
-        if (!nodes_.empty()) level.push_back(0);
+        struct Open {
+            std::uint32_t node;
+            int parent;
+        };
+        std::vector<Open> level;
+        if (!nodes_.empty()) level.push_back({0, -1});
         for (int depth = 0; !level.empty() && level.size() <= most; ++depth) {
-            std::vector<std::uint32_t> below;
-            for (const std::uint32_t node : level) {
-                parts.push_back({true, depth, {}, {}, nodes_[node].ball.centreCentred, nodes_[node].ball.radius});
-                if (nodes_[node].left != 0) below.insert(below.end(), {nodes_[node].left, nodes_[node].left + 1});
+            std::vector<Open> below;
+            for (const auto& [index, parent] : level) {
+                const Node& node = nodes_[index];
+                const int place = static_cast<int>(parts.size());
+                parts.push_back({true, depth, {}, {}, node.ball.centreCentred, node.ball.radius, parent});
+                if (node.left != 0) below.insert(below.end(), {{node.left, place}, {node.left + 1, place}});
             }
             level = std::move(below);
         }
