@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The arrows between the layers, checked: app -> the contract (techniques/*.h) <- techniques/<x>, and from all of them to
 techniques/foundation and the libraries; within app/: main -> commands -> ui -> session -> measure, context;
-commands -> slides -> session -> diagram.
+commands -> slides, grading -> session -> diagram.
 
 include_check.py [ROOT] reads every C++ file, shader and CMake file of a checkout, prints FILE:LINE: WHAT for each arrow that
 points the wrong way, and exits with 1 if there is one. The rules are the functions whose names begin with `rule_`.
@@ -16,8 +16,9 @@ CPP_ENDINGS = {".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".inl", ".in"}
 SHADER_ENDINGS = {".glsl", ".vert", ".frag", ".geom"}
 # Which folders of app/ a folder of app/ includes, itself aside. "main" is main.cpp, and includes any; nothing includes it.
 APP_INCLUDES = {
-    "main": {"commands", "ui", "slides", "diagram", "measure", "session", "context"},
-    "commands": {"ui", "slides", "diagram", "measure", "session", "context"},
+    "main": {"commands", "grading", "ui", "slides", "diagram", "measure", "session", "context"},
+    "commands": {"grading", "ui", "slides", "diagram", "measure", "session", "context"},
+    "grading": {"session", "measure", "context"},
     "slides": {"diagram", "session"},
     "ui": {"measure", "session", "context"},
     "session": {"diagram", "measure", "context"},
