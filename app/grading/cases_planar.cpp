@@ -12,11 +12,12 @@ constexpr std::string_view kExact =
 
 constexpr std::array kCases = std::to_array<Case>({
     {"flat-lamp", "the projection matrix, for a lamp", 8, kExact, 3,
-     "Compare the matrix with v' = (p.l) v - (p.v) l, term by term: which of the two is the row?"},
+     "Compare the matrix with v' = (p.l) v - (p.v) l, term by term: which of the two is the row? If it is "
+     "right on the ground, and things before the ground are dark, it is the receiver's border."},
     {"flat-sun", "the same matrix for a direction: l.w = 0", 8, kExact, 2,
      "Nothing may divide by l.w: the light is a homogeneous point, and so is its shadow."},
     {"flat-above-lamp", "no anti-shadows of what is above the lamp", 8, kExact, 2,
-     "Clip where the weight of the shadow, p.l - l.w (p.v), is negative."},
+     "The weight of its shadow, p.l - l.w (p.v), is negative: leave the point homogeneous, or clip there."},
     {"flat-light-height", "a caster that reaches past the lamp's height", 12, kExact, 2,
      "Leave the point homogeneous: at the lamp's height its weight is 0, and a division by it ends the shadow."},
     {"flat-sunk", "what is below the plane casts nothing on it", 12, kExact, 2, "Clip where p.v is negative."},

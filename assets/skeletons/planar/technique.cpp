@@ -1,4 +1,4 @@
-// Planar projected shadows, with four blanks to be filled in.
+// Planar projected shadows, with three blanks to be filled in.
 //
 // The shadow of a caster on a plane is the caster itself, flattened onto the plane by a matrix that projects from the light. For
 // each plane: its pixels are tagged in the stencil buffer, the flattened casters are drawn and marked there, and then the light
@@ -139,28 +139,24 @@ private:
         glStencilFunc(GL_ALWAYS, kMarkBit, kTagBit);
         // === END OF BLANK 2
 
-        // Rows that are multiplied with a point of the caster, in view space; what is negative is clipped away.
-        dvec4 belowLight(0, 0, 0, 1), abovePlane(0, 0, 0, 1); // as they are: nothing is
-        // === BLANK 3: anti-shadows. Above the light, the line from the light through a point leads away from the plane, and the
-        // matrix finds a place on the wrong side. There the weight of the shadow, w' = p.l - l.w (p.v), is negative: clip by it.
-        // When it is right, what hangs above the lamp casts no shadow on the floor.
+        // Above the light, the line from the light through a point leads away from the plane: the weight of its shadow, w' = p.l - l.w
+        // (p.v), is negative there, and nothing with a negative weight is ever drawn. That goes well as long as nobody divides by it.
+        dvec4 abovePlane(0, 0, 0,
+                         1); // a row, times a point of the caster in view space; what is negative is clipped away
+        // === BLANK 3: below the plane. What lies there, p.v < 0, is not between the light and the plane, and still has a place in it:
+        // clip by p.v. As it is, nothing is clipped. When it is right, a ball that is half sunk into the floor has no shadow on the
+        // side of the light.
         // === END OF BLANK 3
-        // === BLANK 4: below the plane. What lies below it, p.v < 0, is not between the light and the plane: clip by that, too.
-        // When it is right, a ball that is half sunk into the floor has no shadow on the side of the light.
-        // === END OF BLANK 4
 
         const dmat4 viewFromMesh = frame.eye().viewFromWorld * scene::worldFromMesh(frame.scene().objects[caster]);
         flatten_.use();
         flatten_.set("clipFromMesh",
                      mat4(frame.eye().clipFromView * shadowFromView(planeView, lightView) * viewFromMesh));
-        flatten_.set("belowLight", vec4(belowLight * viewFromMesh));
         flatten_.set("abovePlane", vec4(abovePlane * viewFromMesh));
         glEnable(GL_CLIP_DISTANCE0);
-        glEnable(GL_CLIP_DISTANCE1);
         const std::size_t triangles = frame.scene().objects[caster].mesh->triangles.size();
         frame.buffers().mesh(caster).draw(0, static_cast<std::uint32_t>(triangles));
         glDisable(GL_CLIP_DISTANCE0);
-        glDisable(GL_CLIP_DISTANCE1);
     }
 
     /// Of a visibility picture: every surface, as if no light reached it.

@@ -4,12 +4,11 @@
 #include "attributes.glsl"
 #include "clip_position.glsl"
 #include "texcoord.glsl"
-uniform vec4 belowLight, abovePlane; // rows: times the vertex; clipped where negative
-out float gl_ClipDistance[2];
+uniform vec4 abovePlane; // a row: times the vertex; clipped where negative
+out float gl_ClipDistance[1];
 
 void main() {
     gl_Position = clipPosition(vec4(positionMesh, 1.0));
     passTexcoord();
-    gl_ClipDistance[0] = dot(belowLight, vec4(positionMesh, 1.0));
-    gl_ClipDistance[1] = dot(abovePlane, vec4(positionMesh, 1.0));
+    gl_ClipDistance[0] = dot(abovePlane, vec4(positionMesh, 1.0));
 }
