@@ -7,6 +7,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/messages.h"
 #include "app/context/signals.h"
+#include "app/session/plugins.h"
 #include "techniques/foundation/error.h"
 
 namespace {
@@ -31,7 +32,10 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         return fail(ExitStatus::overLimit, "out of memory; use a smaller scene or picture (nothing was written)");
     } catch (const std::exception& error) {
-        return fail(ExitStatus::bug, std::string("internal error: ") + error.what() +
-                                         "; this is a fault of the program, please report it with the command line");
+        const bool own = shadowlab::session::loadedPlugins().empty();
+        return fail(ExitStatus::bug,
+                    std::string("internal error: ") + error.what() +
+                        (own ? "; this is a fault of the program, please report it with the command line"
+                             : "; this is a fault of the program or of a plug-in, try without it"));
     }
 }

@@ -1,10 +1,26 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/registry.h"
+#include "techniques/added_techniques.h"
 
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/nearest_names.h"
 
 namespace shadowlab {
+
+namespace {
+
+std::vector<RegisteredTechnique>& all() {
+    static std::vector<RegisteredTechnique> list = builtInTechniques();
+    return list;
+}
+
+} // namespace
+
+std::span<const RegisteredTechnique> registeredTechniques() { return all(); }
+
+void addTechniques(std::string_view folder, std::span<const TechniqueInfo> infos) {
+    for (const TechniqueInfo& info : infos)
+        all().push_back({folder, &info});
+}
 
 const TechniqueInfo& findTechnique(std::string_view id) {
     std::vector<std::string> known;

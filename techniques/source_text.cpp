@@ -5,7 +5,9 @@
 #include <regex>
 #include <sstream>
 
+#include "techniques/added_techniques.h"
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/gl/added_shaders.h"
 #include "techniques/foundation/gl/shader_source.h"
 #include "techniques/foundation/gl/shader_text.h"
 #include "techniques/foundation/nearest_names.h"
@@ -13,6 +15,11 @@
 namespace shadowlab {
 
 namespace {
+
+std::vector<EmbeddedSource>& added() {
+    static std::vector<EmbeddedSource> sources;
+    return sources;
+}
 
 std::vector<std::string> linesOf(std::string_view text) {
     std::vector<std::string> lines;
@@ -67,12 +74,18 @@ std::vector<AnchorUse> anchorsOf(const PassInfo& pass) {
 
 SourceText SourceText::read() {
     SourceText source;
-    for (const gl::EmbeddedShader& shader : gl::embeddedShaders())
+    for (const gl::EmbeddedShader& shader : gl::allShaders())
         source.add("shaders/" + std::string(shader.name),
                    gl::shaderText(shader.name).value_or(std::string(shader.text)));
     for (const EmbeddedSource& file : embeddedSources())
         source.add(std::string(file.name), file.text);
+    for (const EmbeddedSource& file : added())
+        source.add(std::string(file.name), file.text);
     return source;
+}
+
+void addSources(std::span<const EmbeddedSource> sources) {
+    added().insert(added().end(), sources.begin(), sources.end());
 }
 
 void SourceText::add(std::string file, std::string_view text) {

@@ -9,7 +9,9 @@
 
 #include "app/commands/messages.h"
 #include "app/commands/option_values.h"
+#include "app/commands/plugin_words.h"
 #include "app/session/assets.h"
+#include "app/session/plugins.h"
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/load.h"
 
@@ -73,6 +75,8 @@ int runWithoutCommand(const CLI::App& app) {
 CLI::App* addCommand(CLI::App& app, const char* name, const char* what) {
     CLI::App* command = app.add_subcommand(name, what);
     command->allow_extras(); // refused by refuseLeftOver, after which nothing else can hide them
+    // Taken out of the words before (plugin_words.h); here for the help alone.
+    addOption(*command, "--plugin", "FILE", "a plug-in with further techniques; may be repeated");
     return command;
 }
 
@@ -106,6 +110,12 @@ InspectOptions inspectOptions(const CLI::App& command) {
 } // namespace
 
 int run(int argc, char** argv) {
+    const PluginWords given = takePluginWords({argv, argv + argc});
+    // Nothing of a plug-in that is graded runs in this process.
+    if (given.words.size() < 2 || given.words[1] != "grade")
+        for (const std::string& file : given.files)
+            session::loadPlugin(file);
+
     CLI::App app("One scene, many ways to draw its shadows, each measured against the exact answer.", "shadowlab");
     app.set_help_flag("-h,--help", "what there is to write, and ends");
     app.set_version_flag("--version", "shadowlab " SHADOWLAB_VERSION, "the program's version, and ends");
@@ -149,11 +159,20 @@ int run(int argc, char** argv) {
 
     CLI::App* listCommand = addCommand(
         app, "list", "What there is: techniques, parameters, stages, scenes, keys of the window, backends, limits");
-    addOption(*listCommand, "WHAT", "",
-              "techniques, parameters, stages, source, scenes, figures, decks, lessons, quantities (of lessons), "
-              "backends, keys "
-              "or limits");
+    addOption(
+        *listCommand, "WHAT", "",
+        "techniques, plugins, parameters, stages, source, scenes, figures, decks, lessons, quantities (of lessons), "
+        "backends, keys "
+        "or limits");
     listCommand->add_flag("--json")->description("one JSON object instead of lines with tabs");
+
+    CLI::App* newTechniqueCommand =
+        addCommand(app, "new-technique", "Writes a folder in which a technique of your own is built as a plug-in");
+    describeNewTechnique(*newTechniqueCommand);
+
+    CLI::App* gradeCommand =
+        addCommand(app, "grade", "Holds a plug-in against the truth in hard cases, and prints a score sheet");
+    describeGrade(*gradeCommand);
 
     CLI::App* inspectCommand =
         addCommand(app, "inspect", "What a mesh or a scene is made of, and what that means for each technique");
@@ -164,10 +183,13 @@ int run(int argc, char** argv) {
 
     // After the commands, which would inherit it.
     app.footer(
-        "shadowlab COMMAND --help tells more about each. `shadowlab SCENE` is short for `shadowlab demo SCENE`.");
+        "shadowlab COMMAND --help tells more about each. `shadowlab SCENE` is short for `shadowlab demo SCENE`.\n"
+        "--plugin FILE, anywhere, adds the techniques of a plug-in to those of all commands.");
 
     try {
-        app.parse(argc, argv);
+        std::vector<std::string> words(given.words.rbegin(), given.words.rend()); // CLI11 takes them from the end
+        if (!words.empty()) words.pop_back();                                     // the program's own name
+        app.parse(std::move(words));
     } catch (const CLI::CallForHelp&) {
         print(app.help());
         return 0;
@@ -196,6 +218,8 @@ int run(int argc, char** argv) {
     if (listCommand->parsed())
         return list({GivenOptions(*listCommand).required("WHAT", "for example shadowlab list techniques"),
                      listCommand->count("--json") > 0});
+    if (newTechniqueCommand->parsed()) return newTechnique(newTechniqueOptions(*newTechniqueCommand));
+    if (gradeCommand->parsed()) return grade(gradeOptions(*gradeCommand, given.files));
     if (inspectCommand->parsed()) return inspect(inspectOptions(*inspectCommand));
     if (demoCommand->parsed()) return demo(demoOptions(*demoCommand));
     return runWithoutCommand(app);

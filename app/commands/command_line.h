@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "app/commands/capture_options.h"
+#include "app/commands/grade_options.h"
 #include "app/commands/lesson_options.h"
 #include "app/commands/measure_options.h"
+#include "app/commands/new_technique_options.h"
 #include "app/commands/probe_options.h"
 #include "app/commands/slides_options.h"
 
@@ -32,6 +34,12 @@ struct ListOptions {
 };
 int list(const ListOptions& options);
 
+/// Writes the folder, and what to do next to standard output.
+int newTechnique(const NewTechniqueOptions& options);
+
+/// Prints a score sheet. 0: all cases are right; 1: some are not.
+int grade(const GradeOptions& options);
+
 struct InspectOptions {
     std::string file; ///< an .obj, a .json or the name of a built-in scene
     bool json = false;
@@ -52,7 +60,7 @@ struct DemoOptions {
 /// output.
 int demo(const DemoOptions& options);
 
-/// Parses argv and runs the subcommand; its result is the exit status. Throws Error.
+/// Loads plug-ins, parses the other words and runs the subcommand; its result is the exit status. Throws Error.
 int run(int argc, char** argv);
 
 } // namespace shadowlab::commands

@@ -16,6 +16,7 @@
 #include "app/session/lesson.h"
 #include "app/session/lesson_quantities.h"
 #include "app/session/path.h"
+#include "app/session/plugins.h"
 #include "app/ui/actions.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/nearest_names.h"
@@ -33,13 +34,27 @@ struct Table {
     std::vector<std::vector<std::string>> rows;
 };
 
+/// Where it comes from: a folder of the project, or the file of a plug-in.
+std::string placeOf(const RegisteredTechnique& technique) {
+    const session::LoadedPlugin* const plugin = session::pluginOf(technique.folder);
+    return plugin ? plugin->file : "techniques/" + std::string(technique.folder);
+}
+
 Table techniquesTable() {
     Table table{{"id", "title", "paper", "getsWrong", "folder"}, {}};
     for (const RegisteredTechnique& technique : registeredTechniques()) {
         const TechniqueInfo& info = *technique.info;
         table.rows.push_back({std::string(info.id), std::string(info.title), std::string(info.paper),
-                              std::string(info.getsWrong), "techniques/" + std::string(technique.folder)});
+                              std::string(info.getsWrong), placeOf(technique)});
     }
+    return table;
+}
+
+Table pluginsTable() {
+    Table table{{"file", "technique", "family"}, {}};
+    for (const session::LoadedPlugin& plugin : session::loadedPlugins())
+        for (const TechniqueInfo& info : plugin.techniques)
+            table.rows.push_back({plugin.file, std::string(info.id), std::string(plugin.plugin->family)});
     return table;
 }
 
@@ -220,18 +235,12 @@ std::string json(const std::string& what, const Table& table) {
 } // namespace
 
 int list(const ListOptions& options) {
-    const std::vector<std::pair<std::string, std::function<Table()>>> tables = {{"techniques", techniquesTable},
-                                                                                {"parameters", parametersTable},
-                                                                                {"stages", stagesTable},
-                                                                                {"source", sourceTable},
-                                                                                {"scenes", scenesTable},
-                                                                                {"figures", figuresTable},
-                                                                                {"decks", decksTable},
-                                                                                {"lessons", lessonsTable},
-                                                                                {"quantities", quantitiesTable},
-                                                                                {"backends", backendsTable},
-                                                                                {"keys", keysTable},
-                                                                                {"limits", limitsTable}};
+    const std::vector<std::pair<std::string, std::function<Table()>>> tables = {
+        {"techniques", techniquesTable}, {"plugins", pluginsTable},   {"parameters", parametersTable},
+        {"stages", stagesTable},         {"source", sourceTable},     {"scenes", scenesTable},
+        {"figures", figuresTable},       {"decks", decksTable},       {"lessons", lessonsTable},
+        {"quantities", quantitiesTable}, {"backends", backendsTable}, {"keys", keysTable},
+        {"limits", limitsTable}};
     std::vector<std::string> known;
     for (const auto& [name, make] : tables) {
         if (name == options.what) {

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <optional>
 
 namespace shadowlab::session {
 
-/// The folder that the environment variable SHADOWLAB_ASSETS names, else assets/ of the source tree it was built from.
+/// share/shadowlab beside the folder that the program lies in, where it was installed; none: it was built and not installed.
+std::optional<std::filesystem::path> installedShare();
+
+/// The folder that the environment variable SHADOWLAB_ASSETS names, else what was installed with the program, else assets/ of
+/// the source tree it was built from.
 std::filesystem::path assetsRoot();
 
 } // namespace shadowlab::session

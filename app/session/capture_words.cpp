@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "app/session/derived_stages.h"
+#include "app/session/plugins.h"
 #include "app/session/stepping.h"
 
 namespace shadowlab::session {
@@ -87,6 +88,8 @@ std::vector<std::string> captureWords(const Document& document, const std::files
     if (document.light > 0 && document.light < static_cast<int>(lights.size()))
         words.insert(words.end(), {"--light", lights[static_cast<std::size_t>(document.light)].name});
     words.insert(words.end(), more.begin(), more.end());
+    for (const LoadedPlugin& plugin : loadedPlugins())
+        words.insert(words.end(), {"--plugin", plugin.file});
     return words;
 }
 

@@ -9,7 +9,7 @@ namespace shadowlab::session {
 class ShaderWatch {
 public:
     /// Watches the folder that SHADOWLAB_SHADERS names, else the sources' own where they are still there, which
-    /// SHADOWLAB_SHADERS then names.
+    /// SHADOWLAB_SHADERS then names; and the folders that shaders of plug-ins were read from.
     ShaderWatch();
     /// Has anything changed since the last call? Looks at most twice a second.
     bool changed();

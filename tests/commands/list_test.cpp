@@ -44,9 +44,8 @@ TEST_F(ListTest, ParametersAreFiveColumns) {
 }
 
 TEST_F(ListTest, EveryListIsLinesAndOneJsonObject) {
-    for (const std::string what :
-         {"techniques", "parameters", "stages", "source", "scenes", "figures", "decks", "lessons", "quantities", "backends",
-          "limits"}) {
+    for (const std::string what : {"techniques", "plugins", "parameters", "stages", "source", "scenes", "figures",
+                                   "decks", "lessons", "quantities", "backends", "limits"}) {
         const auto rows = rowsOf(succeed({"list", what}).out);
         const nlohmann::json json = nlohmann::json::parse(succeed({"list", what, "--json"}).out);
         ASSERT_TRUE(json.is_object()) << what;

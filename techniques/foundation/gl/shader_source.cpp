@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/gl/added_shaders.h"
 #include "techniques/foundation/gl/shader_text.h"
 #include "techniques/foundation/nearest_names.h"
 
@@ -16,10 +17,28 @@ namespace shadowlab::gl {
 
 namespace {
 
+struct AddedShaders {
+    std::vector<EmbeddedShader> shaders;
+    std::vector<std::string> folders;
+    bool readFolders = false;
+};
+AddedShaders& added() {
+    static AddedShaders all;
+    return all;
+}
+
+std::optional<std::string> textOfFile(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return std::nullopt;
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
 std::string readText(std::string_view name, const std::string& includedFrom) {
     if (std::optional<std::string> text = shaderText(name)) return std::move(*text);
     std::vector<std::string> known;
-    for (const EmbeddedShader& shader : embeddedShaders())
+    for (const EmbeddedShader& shader : allShaders())
         known.emplace_back(shader.name);
     throw Error(ExitStatus::badInput, includedFrom + "includes \"" + std::string(name) + "\", which does not exist; " +
                                           suggestion(name, known));
@@ -60,16 +79,34 @@ struct Resolver {
 
 } // namespace
 
+std::vector<EmbeddedShader> allShaders() {
+    const std::span<const EmbeddedShader> ours = embeddedShaders();
+    std::vector<EmbeddedShader> shaders(ours.begin(), ours.end());
+    shaders.insert(shaders.end(), added().shaders.begin(), added().shaders.end());
+    return shaders;
+}
+
+void addShaders(std::span<const EmbeddedShader> shaders, std::string folder) {
+    added().shaders.insert(added().shaders.end(), shaders.begin(), shaders.end());
+    added().folders.push_back(std::move(folder));
+}
+
+const std::vector<std::string>& addedShaderFolders() { return added().folders; }
+
+void readAddedShadersFromFolders() { added().readFolders = true; }
+
 std::optional<std::string> shaderText(std::string_view name) {
-    if (const char* folder = std::getenv("SHADOWLAB_SHADERS")) {
-        if (std::ifstream file(std::string(folder) + "/" + std::string(name), std::ios::binary); file) {
-            std::ostringstream text;
-            text << file.rdbuf();
-            return text.str();
-        }
-    }
+    const auto textIn = [&](const std::string& folder) { return textOfFile(folder + "/" + std::string(name)); };
+    if (const char* folder = std::getenv("SHADOWLAB_SHADERS"))
+        if (std::optional<std::string> text = textIn(folder)) return text;
     for (const EmbeddedShader& shader : embeddedShaders())
         if (shader.name == name) return std::string(shader.text);
+    for (const EmbeddedShader& shader : added().shaders) {
+        if (shader.name != name) continue;
+        for (const std::string& folder : added().folders)
+            if (std::optional<std::string> text = textIn(folder); text && added().readFolders) return text;
+        return std::string(shader.text);
+    }
     return std::nullopt;
 }
 

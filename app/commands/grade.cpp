@@ -1,0 +1,134 @@
+// `shadowlab grade`: a score sheet for a plug-in.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "app/commands/command_line.h"
+#include "app/commands/messages.h"
+#include "app/commands/progress.h"
+#include "app/commands/text_table.h"
+#include "app/grading/grader.h"
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/nearest_names.h"
+
+namespace shadowlab::commands {
+
+namespace {
+
+constexpr int kNotAllRight = 1; // exit status: graded, and not all cases are right
+
+using grading::CaseResult;
+using grading::Sheet;
+
+std::string chosenTechnique(const GradeOptions& options, const grading::Declared& declared) {
+    if (options.technique.empty()) {
+        if (declared.techniques.size() == 1) return declared.techniques.front();
+        std::string all;
+        for (const std::string& technique : declared.techniques)
+            all += (all.empty() ? "" : ", ") + technique;
+        throw Error(ExitStatus::usage, "grade: " + options.plugin.string() + " has " +
+                                           std::to_string(declared.techniques.size()) +
+                                           " techniques; choose one of them with -t: " + all);
+    }
+    if (std::ranges::find(declared.techniques, options.technique) == declared.techniques.end())
+        throw Error(ExitStatus::usage, "grade: " + options.plugin.string() + " has no technique '" + options.technique +
+                                           "'; " + suggestion(options.technique, declared.techniques));
+    return options.technique;
+}
+
+const grading::Family& chosenFamily(const GradeOptions& options, const grading::Declared& declared) {
+    const std::string& id = options.family.empty() ? declared.family : options.family;
+    if (id.empty())
+        throw Error(ExitStatus::usage, "grade: " + options.plugin.string() +
+                                           " does not say what family it is of; add --family planar, shadow-map or "
+                                           "shadow-volume");
+    return grading::findFamily(id);
+}
+
+std::string wrongText(const CaseResult& result) { return result.wrong ? std::to_string(*result.wrong) : "-"; }
+
+std::string sheetText(const Sheet& sheet, const std::string& picture) {
+    std::string text = std::string(sheet.family->title) + ": " + sheet.candidate.technique + " (" +
+                       sheet.candidate.plugin.filename().string() + ")\n\n";
+    Rows rows{{"case", "wrong px", "limit", "points", "  idea"}};
+    for (const CaseResult& result : sheet.results)
+        rows.push_back({std::string(result.which->id), wrongText(result), std::to_string(result.which->limit),
+                        std::to_string(result.points()) + "/" + std::to_string(result.which->points),
+                        "  " + std::string(result.which->idea)});
+    rows.push_back({"sum", "", "", std::to_string(sheet.points()) + "/" + std::to_string(sheet.mostPoints()), ""});
+    text += aligned(rows);
+    for (const CaseResult& result : sheet.results) {
+        if (result.isRight()) continue;
+        text += "\n" + std::string(result.which->id) + ": ";
+        if (result.wrong)
+            text += std::to_string(result.counts.falseLit) + " pixels lit that should be dark, " +
+                    std::to_string(result.counts.falseShadow) + " dark that should be lit. ";
+        else
+            text += "no picture: " + result.failure + ". ";
+        text += std::string(result.which->hint) + "\n";
+    }
+    if (!picture.empty()) text += "\nThe first failing case: " + picture + "\n";
+    return text;
+}
+
+std::string sheetJson(const Sheet& sheet, const std::string& picture) {
+    using Json = nlohmann::ordered_json;
+    Json cases = Json::array();
+    for (const CaseResult& result : sheet.results)
+        cases.push_back({{"case", result.which->id},
+                         {"idea", result.which->idea},
+                         {"wrong", result.wrong ? Json(*result.wrong) : Json(nullptr)},
+                         {"falseLit", result.wrong ? Json(result.counts.falseLit) : Json(nullptr)},
+                         {"falseShadow", result.wrong ? Json(result.counts.falseShadow) : Json(nullptr)},
+                         {"lit", result.counts.lit},
+                         {"shadowed", result.counts.shadowed},
+                         {"limit", result.which->limit},
+                         {"reason", result.which->reason},
+                         {"points", result.points()},
+                         {"of", result.which->points},
+                         {"failure", result.failure},
+                         {"hint", result.isRight() ? "" : std::string(result.which->hint)}});
+    const Json json{{"plugin", sheet.candidate.plugin.string()},
+                    {"technique", sheet.candidate.technique},
+                    {"family", sheet.family->id},
+                    {"points", sheet.points()},
+                    {"of", sheet.mostPoints()},
+                    {"cases", cases},
+                    {"picture", picture.empty() ? Json(nullptr) : Json(picture)}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// Makes the folder. Throws Error (cannotWrite).
+void makeFolder(const std::filesystem::path& folder, const std::filesystem::path& picture) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed)
+        throw Error(ExitStatus::cannotWrite, "-o: the folder '" + folder.string() +
+                                                 "' cannot be made: " + failed.message() + "; choose another");
+    image::probeWritable(picture);
+}
+
+} // namespace
+
+int grade(const GradeOptions& options) {
+    const grading::Declared declared = grading::askPlugin(options.plugin, options.limits);
+    const grading::Candidate candidate{options.plugin, chosenTechnique(options, declared)};
+    const grading::Family& family = chosenFamily(options, declared);
+    std::filesystem::path picture;
+    if (!options.output.empty()) {
+        picture = options.output / (candidate.technique + "-first-failing.png");
+        makeFolder(options.output, picture);
+    }
+    const std::unique_ptr<context::Context> context = context::createContext(options.backend);
+    Progress progress("case", static_cast<int>(family.cases.size()));
+    const Sheet sheet = grading::grade(candidate, family, options.limits, [&](int count) { progress.done(count); });
+    if (sheet.firstFailing.rgba.empty()) picture.clear();
+    if (!picture.empty()) image::writeWhole(picture, image::encodePng(sheet.firstFailing));
+    print(options.json ? sheetJson(sheet, picture.string()) : sheetText(sheet, picture.string()));
+    return sheet.points() == sheet.mostPoints() ? 0 : kNotAllRight;
+}
+
+} // namespace shadowlab::commands

@@ -1,0 +1,148 @@
+// In a skeleton's files, and in their names, `my_shadows` stands for the namespace, `my-shadows` for the id, `My shadows` for the
+// title: so each is C++ and GLSL that editors and compilers take as it is.
+// SPDX-License-Identifier: MIT
+#include "app/session/skeletons.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+
+#include "app/session/assets.h"
+#include "app/session/plugins.h"
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_error.h"
+#include "techniques/foundation/image/output_file.h"
+#include "techniques/registry.h"
+
+namespace shadowlab::session {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Twice as long as any of ours: it stands in tables and on labels.
+constexpr std::size_t kLongestName = 40;
+
+// Namespaces that a technique's own would be mixed up with, and words that no namespace can have.
+constexpr std::array kTaken = {"app",    "commands", "context", "gl",        "glm", "image", "look", "measure",
+                               "params", "scene",    "session", "shadowlab", "std", "trace", "ui"};
+constexpr std::array kWords = {
+    "alignas",   "alignof",  "and",      "asm",     "auto",      "bitand",    "bitor",    "bool",      "break",
+    "case",      "catch",    "char",     "class",   "compl",     "concept",   "const",    "consteval", "constexpr",
+    "constinit", "continue", "decltype", "default", "delete",    "do",        "double",   "else",      "enum",
+    "explicit",  "export",   "extern",   "false",   "float",     "for",       "friend",   "goto",      "if",
+    "inline",    "int",      "long",     "main",    "mutable",   "namespace", "new",      "noexcept",  "not",
+    "nullptr",   "operator", "or",       "private", "protected", "public",    "register", "requires",  "return",
+    "short",     "signed",   "sizeof",   "static",  "struct",    "switch",    "template", "this",      "throw",
+    "true",      "try",      "typedef",  "typeid",  "typename",  "union",     "unsigned", "using",     "virtual",
+    "void",      "volatile", "while",    "xor"};
+
+std::string namespaceOf(std::string name) {
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+/// "My shadows"
+std::string titleOf(std::string name) {
+    std::ranges::replace(name, '-', ' ');
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    return name;
+}
+
+std::string renamed(std::string text, const std::string& name) {
+    const std::array<std::pair<std::string, std::string>, 3> words = {
+        {{"my_shadows", namespaceOf(name)}, {"my-shadows", name}, {"My shadows", titleOf(name)}}};
+    for (const auto& [from, to] : words)
+        for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+    return text;
+}
+
+std::string textOf(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    if (!stream) throw Error(ExitStatus::badInput, file.string() + ": cannot be read; install shadowlab again");
+    return text;
+}
+
+[[noreturn]] void failToWrite(const fs::path& folder, const std::error_code& why) {
+    throw Error(ExitStatus::cannotWrite, image::outputErrorText(folder, why.value(), false));
+}
+
+/// A folder beside the one that is to be made: removed unless it was kept.
+class TemporaryFolder {
+public:
+    explicit TemporaryFolder(const fs::path& target)
+        : path_(target.parent_path() / ("." + target.filename().string() + ".tmp." + std::to_string(::getpid()))) {
+        std::error_code failed;
+        if (!fs::create_directory(path_, failed)) failToWrite(target, failed);
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        if (!kept_) fs::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+    [[nodiscard]] const fs::path& path() const { return path_; }
+    /// rename() replaces nothing but an empty folder.
+    void keepAs(const fs::path& target) {
+        std::error_code failed;
+        fs::rename(path_, target, failed);
+        if (failed) failToWrite(target, failed);
+        kept_ = true;
+    }
+
+private:
+    fs::path path_;
+    bool kept_ = false;
+};
+
+} // namespace
+
+std::vector<std::string> skeletonNames() { return {"empty", "planar", "shadow-map", "z-fail"}; }
+
+void requireFreeName(const std::string& name) {
+    const auto refuse = [&](const std::string& why) {
+        throw Error(ExitStatus::usage, "new-technique: '" + name + "' " + why);
+    };
+    if (!isKebabCase(name))
+        refuse("is no name of a technique; use small letters, digits and hyphens between them, as my-shadows");
+    if (name.size() > kLongestName)
+        refuse("has " + std::to_string(name.size()) + " characters; use at most " + std::to_string(kLongestName));
+    const std::string space = namespaceOf(name);
+    if (std::ranges::find(kWords, space) != kWords.end() || std::ranges::find(kTaken, space) != kTaken.end())
+        refuse("cannot be the name of a namespace beside those of the program; choose another, as my-" + name);
+    for (const RegisteredTechnique& technique : registeredTechniques())
+        if (technique.info->id == name || technique.folder == space)
+            refuse("is the name of a technique that there is already; choose another, as my-" + name);
+}
+
+void writeSkeleton(const std::string& skeleton, const std::string& name, const fs::path& folder) {
+    requireFreeName(name);
+    const fs::path source = assetsRoot() / "skeletons" / skeleton;
+    std::error_code failed;
+    if (!fs::is_directory(source, failed))
+        throw Error(ExitStatus::badInput, source.string() + ": there is no such skeleton; install shadowlab again");
+    const fs::path target = fs::absolute(folder).lexically_normal();
+    const fs::path made = target.has_filename() ? target : target.parent_path();
+    if (fs::exists(fs::symlink_status(made, failed)))
+        throw Error(ExitStatus::cannotWrite,
+                    folder.string() + ": there is something of that name already; choose another folder with -o");
+    TemporaryFolder temporary(made);
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source)) {
+        const fs::path place = temporary.path() / renamed(fs::relative(entry.path(), source).string(), name);
+        if (entry.is_directory()) {
+            if (!fs::create_directories(place, failed) && failed) failToWrite(folder, failed);
+        } else {
+            if (!fs::create_directories(place.parent_path(), failed) && failed) failToWrite(folder, failed);
+            image::writeWhole(place, renamed(textOf(entry.path()), name));
+        }
+    }
+    temporary.keepAs(made);
+}
+
+} // namespace shadowlab::session
