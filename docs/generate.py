@@ -33,6 +33,12 @@ from pages import SUBCOMMANDS, extract
 ROOT = Path(__file__).resolve().parent.parent
 DOCS = ROOT / "docs"
 IMAGES = DOCS / "images"
+# Pages that are about no technique, by who looks for them; what is not listed here stands last.
+PAGES = {
+    "To use it": ["window", "measuring", "pixel", "outside", "source", "sequences", "shadow-map-filters"],
+    "To teach with it": ["teaching", "exercises", "decks", "lessons"],
+    "To build on": ["tour", "conventions", "scene_format", "adding_a_technique", "plugins"],
+}
 LARGEST_PICTURE = 150_000  # bytes: a clone stays small, a page loads at once
 
 BLOCK = re.compile(r"(<!-- generated: ([\w-]+) -->\n).*?(<!-- end generated -->)", re.DOTALL)
@@ -206,16 +212,18 @@ def quantities_table(program):
 
 def pages_list(program):
     ids = {t["id"] for t in program.techniques}
-    first = ["tour", "window", "teaching", "exercises", "decks", "lessons", "measuring", "pixel", "outside", "source", "sequences",
-             "shadow-map-filters", "scene_format", "adding_a_technique", "conventions"]
-    names = [p.stem for p in DOCS.glob("*.md") if p.stem not in ids and p.stem != "README"]
-    lines = []
-    for name in sorted(names, key=lambda n: (first.index(n) if n in first else len(first), n)):
-        text = (DOCS / f"{name}.md").read_text(encoding="utf-8")
-        title = re.search(r"^# (.+)$", text, re.MULTILINE).group(1)
-        opening = re.search(r"\n\n([^#<|`\n].+?[.:])(?:\s|$)", text, re.DOTALL)
-        lines.append(f"- [{title}]({name}.md)" + (f": {' '.join(opening.group(1).split()).rstrip(':')}" if opening else ""))
-    return "\n".join(lines) + "\n"
+    left = sorted(p.stem for p in DOCS.glob("*.md") if p.stem not in ids and p.stem != "README")
+    groups = {heading: [name for name in names if name in left] for heading, names in PAGES.items()}
+    groups["To build on"] += [name for name in left if not any(name in names for names in groups.values())]
+    return "\n".join(f"**{heading}**\n\n" + "".join(map(page_line, names)) for heading, names in groups.items())
+
+
+def page_line(name):
+    """A page's title, and the first sentence that stands on it."""
+    text = (DOCS / f"{name}.md").read_text(encoding="utf-8")
+    title = re.search(r"^# (.+)$", text, re.MULTILINE).group(1)
+    opening = re.search(r"\n\n([^#<|`\n].+?[.:])(?:\s|$)", text, re.DOTALL)
+    return f"- [{title}]({name}.md)" + (f": {' '.join(opening.group(1).split()).rstrip(':')}" if opening else "") + "\n"
 
 
 def regenerated(program, path, text):

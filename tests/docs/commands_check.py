@@ -100,9 +100,13 @@ def complaints_about(command, names, files):
                 yield f"no stage {stage} of {', '.join(techniques)}"
     what = {"lesson": "lessons", "slides": "decks"}.get(subcommand, "scenes")
     inputs = [] if subcommand == "list" else [(what, word) for word in positional]
-    inputs += [("lessons", value) for name, value in options if name == "--lesson"]
+    inputs += [(name[2:] + "s", value) for name, value in options if name in ("--lesson", "--deck")]
     inputs += [("files", value) for name, value in options if name == "--path"]
     for kind, word in inputs:
+        if kind == "decks" and word in names.inputs[kind]:
+            slides = (ROOT / f"assets/decks/{word}.json").read_text(encoding="utf-8")
+            yield from (f"the deck {word} has no slide {value}" for name, value in options
+                        if name in ("--only", "--slide") and f'"name": "{value}"' not in slides)
         if word not in names.inputs.get(kind, ()) and word not in files and not (ROOT / word).is_file():
             yield f"{word} is none of the {kind}, and no file that the page gives"
 
