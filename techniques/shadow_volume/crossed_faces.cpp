@@ -93,7 +93,7 @@ std::vector<CrossedFace> crossedFaces(const scene::Scene& scene, const CasterVol
             if (face.distance <= 0) continue;
             // Counter-clockwise from outside the volume, but for the reversed cap; all the other way round in a mirror.
             const bool counterClockwise = !left;
-            face.facesEye = counterClockwise != (part == CrossedFace::Part::topCapReversed) != mirrored;
+            face.facesEye = (counterClockwise != (part == CrossedFace::Part::topCapReversed)) != mirrored;
             crossed.push_back(face);
         }
     };
