@@ -91,7 +91,15 @@ struct Probe {
     std::optional<VolumeProbe> volume{}; ///< of one that counts faces of volumes
     std::optional<MapProbe> map{};       ///< of one that asks a depth map
     std::optional<PlaneProbe> plane{};   ///< of one that flattens casters onto planes
-    std::vector<SceneShape> visited;     ///< what of the technique's own structures the eye ray passes through
+    /// A pass of a frame, as often as it is drawn: with which light, and how many triangles it draws.
+    struct DrawnPass {
+        std::string id;
+        int light = -1; ///< index; -1: of no light
+        std::uint64_t triangles = 0;
+        std::string what; ///< which, in a few words
+    };
+    std::vector<DrawnPass> passes;   ///< of the frame that the pixel is in, in order, of a technique that tells
+    std::vector<SceneShape> visited; ///< what of the technique's own structures the eye ray passes through
 };
 
 /// Six digits, without regard to the locale, and without a sign where there is nothing.

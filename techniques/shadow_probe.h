@@ -59,6 +59,25 @@ struct VolumeProbe {
         dvec2 from{0.0}, to{0.0};
         int sign = 1; ///< +1 top cap, -1 bottom cap
     };
+    /// The volume of one caster, in the vertices and triangles of its mesh.
+    struct Caster {
+        std::size_t object = 0;          ///< index into the scene's objects
+        bool isPicked = false;           ///< it is what the pixel shows
+        bool holdsThePoint = false;      ///< the point is in its volume
+        std::vector<std::int8_t> facing; ///< sign of N.L of each triangle: +1, -1, or 0 for edge-on
+        struct OutlineEdge {
+            std::uint32_t a = 0, b = 0;  ///< vertices
+            std::uint32_t triangles = 2; ///< that meet there: 1 is a boundary
+        };
+        std::vector<OutlineEdge> outline;
+        /// Three for each triangle; of n vertices number v + n is vertex v extruded.
+        std::vector<std::uint32_t> topCap, sides, bottomCap;
+        std::vector<dvec4> extrudedWorld; ///< P' of each vertex, homogeneous: w = 0 at infinity
+        /// Where the volume ends: so many metres behind each vertex; or in a plane beyond all that receives shadows; or, with
+        /// neither, at infinity.
+        std::optional<double> distance;
+        std::optional<dvec4> endWorld; ///< the plane dot(xyz, p) + w = 0
+    };
     std::vector<Crossing> crossings; ///< by distance
     int frontsBefore = 0,
         backsBefore = 0; ///< n_f and n_b of z-pass, of sides and caps alike: between the eye and the point
@@ -70,6 +89,7 @@ struct VolumeProbe {
     int stencilCleared = 0;                ///< before any face
     int stencilBetween = 0;                ///< after the faces of one side, where they are drawn side by side
     std::vector<CapLine> caps;
+    std::vector<Caster> casters; ///< what the pixel shows, if it casts shadows, and those whose volumes hold the point
 };
 
 /// The way from the point to a texel of the map, and what it is compared with there.

@@ -147,7 +147,8 @@ std::string probeJson(const ProbedPixel& probed) {
                     {"decision", decisionJson(probed.probe)},
                     {"volume", volumeJson(probed.probe)},
                     {"map", mapJson(probed.probe)},
-                    {"plane", planeJson(probed.probe)}};
+                    {"plane", planeJson(probed.probe)},
+                    {"passes", passesJson(probed.probe)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

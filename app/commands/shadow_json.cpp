@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands/shadow_json.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace shadowlab::commands {
@@ -96,13 +97,27 @@ Json volumeJson(const Probe& probe) {
                          {"counted", crossing.counted},
                          {"uncounted", orNull(crossing.uncounted)}});
     }
+    Json casters = Json::array();
+    for (const VolumeProbe::Caster& caster : volume.casters)
+        casters.push_back({{"object", caster.object},
+                           {"picked", caster.isPicked},
+                           {"holdsThePoint", caster.holdsThePoint},
+                           {"triangles", caster.facing.size()},
+                           {"towardLight", std::ranges::count_if(caster.facing, [](int sign) { return sign > 0; })},
+                           {"outlineEdges", caster.outline.size()},
+                           {"topCap", caster.topCap.size() / 3},
+                           {"sides", caster.sides.size() / 3},
+                           {"bottomCap", caster.bottomCap.size() / 3},
+                           {"distance", caster.distance ? Json(*caster.distance) : Json()},
+                           {"endPlane", caster.endWorld ? vector(*caster.endWorld) : Json()}});
     return {{"zPass", {{"n_f", volume.frontsBefore}, {"n_b", volume.backsBefore}}},
             {"zFail", {{"n_f", volume.frontsBeyond}, {"n_b", volume.backsBeyond}}},
             {"eyeIn", volume.eyeCount},
             {"start", volume.start},
             {"count", volume.count},
             {"stencil", volume.stencil},
-            {"faces", faces}};
+            {"faces", faces},
+            {"casters", casters}};
 }
 
 Json mapJson(const Probe& probe) {
@@ -131,6 +146,17 @@ Json mapJson(const Probe& probe) {
             {"taps", tapsJson(map.taps)},
             {"search", searchJson(map)},
             {"moments", momentsJson(map)}};
+}
+
+Json passesJson(const Probe& probe) {
+    if (probe.passes.empty()) return {};
+    Json passes = Json::array();
+    for (const Probe::DrawnPass& pass : probe.passes)
+        passes.push_back({{"id", pass.id},
+                          {"light", pass.light < 0 ? Json() : Json(pass.light)},
+                          {"triangles", pass.triangles},
+                          {"what", pass.what}});
+    return passes;
 }
 
 Json planeJson(const Probe& probe) {

@@ -12,5 +12,6 @@ nlohmann::ordered_json decisionJson(const Probe& probe);
 nlohmann::ordered_json volumeJson(const Probe& probe);
 nlohmann::ordered_json mapJson(const Probe& probe);
 nlohmann::ordered_json planeJson(const Probe& probe);
+nlohmann::ordered_json passesJson(const Probe& probe);
 
 } // namespace shadowlab::commands

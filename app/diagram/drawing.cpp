@@ -47,6 +47,18 @@ void Drawing::segments(std::span<const dvec2> points, const Stroke& stroke) {
     marks_.emplace_back(Segments{{points.begin(), points.end()}, stroke});
 }
 
+void Drawing::surface(std::span<const dvec2> points, const std::string& fill, double opacity) {
+    Surface surface{{}, fill, opacity};
+    for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
+        const dvec2 &a = points[i], b = points[i + 1] - a, c = points[i + 2] - a;
+        const double turn = b.x * c.y - b.y * c.x;
+        if (turn == 0) continue; // seen from its edge
+        const std::size_t second = turn > 0 ? i + 1 : i + 2, third = turn > 0 ? i + 2 : i + 1;
+        surface.points.insert(surface.points.end(), {a, points[second], points[third]});
+    }
+    if (!surface.points.empty()) marks_.emplace_back(std::move(surface));
+}
+
 void Drawing::path(std::span<const dvec2> points, bool isClosed, const std::string& fill, const Stroke& stroke) {
     if (points.size() < 2) return;
     marks_.emplace_back(Line{{points.begin(), points.end()}, isClosed, fill, stroke});

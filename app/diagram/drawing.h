@@ -44,6 +44,12 @@ struct Segments {
     std::vector<dvec2> points; ///< two for each
     Stroke stroke;
 };
+/// Triangles as one surface: where they overlap, it covers what is below no more than once.
+struct Surface {
+    std::vector<dvec2> points; ///< three for each, all turning the same way
+    std::string fill;
+    double opacity = 1;
+};
 struct Circle {
     dvec2 centre;
     double radius;
@@ -66,7 +72,7 @@ struct ClipBegin {
     dvec2 corner, size;
 };
 struct ClipEnd {};
-using Mark = std::variant<Line, Segments, Circle, Rectangle, TextLine, ClipBegin, ClipEnd>;
+using Mark = std::variant<Line, Segments, Surface, Circle, Rectangle, TextLine, ClipBegin, ClipEnd>;
 
 class Drawing {
 public:
@@ -77,6 +83,8 @@ public:
     void arrow(dvec2 from, dvec2 to, const Stroke& stroke, double share = 1);
     /// All in one path: two points for each segment.
     void segments(std::span<const dvec2> points, const Stroke& stroke);
+    /// Triangles, three points for each, in any order, as one surface that lets through what is below it.
+    void surface(std::span<const dvec2> points, const std::string& fill, double opacity);
     /// One line through all points. `fill`: empty for none.
     void path(std::span<const dvec2> points, bool isClosed, const std::string& fill, const Stroke& stroke);
     /// `name`: what it marks, as a class of the document ("eye"); empty: nothing of its own.

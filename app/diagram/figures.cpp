@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "app/diagram/figure_drawers.h"
+#include "app/diagram/map_figures.h"
 #include "app/diagram/panels.h"
+#include "app/diagram/volume_figures.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/nearest_names.h"
 
@@ -37,6 +39,27 @@ constexpr std::array kFigures{
         "all that the technique has to draw of the pixel: shadow volumes, texels or the projected shadow in the plane "
         "through eye, light and point; rays and their tree; two patches and their form factor",
         drawPixel},
+    Figure{
+        "cameras", "shadow-map",
+        "the axes of eye and light, the shadow map across the light's frustum, and w(u,v), d(u,v), z(u,v) of the point",
+        drawCamerasFigure},
+    Figure{"passes", "shadow-map", "the passes of a frame, and how many polygons each of them draws", drawPassesFigure},
+    Figure{"count", "shadow volumes",
+           "the line that z-pass or z-fail follows, the faces of volumes that it crosses, n_f and n_b",
+           drawCountFigure},
+    Figure{"plus-one", "shadow volumes",
+           "the silhouette polygons between the eye and the pixel, +1 or −1, and the scene polygon", drawPlusOneFigure},
+    Figure{"polygon", "shadow volumes",
+           "N, L and the sign of N·L of the polygon that the pixel shows, and of one that is turned to the other side",
+           drawPolygonFigure},
+    Figure{
+        "edge", "shadow volumes",
+        "the outline edge nearest to the pixel between the two polygons that share it, and an edge that is no outline",
+        drawEdgeFigure},
+    Figure{"extrusion", "shadow volumes", "P_L, P, P' and d of a vertex of the outline", drawExtrusionFigure},
+    Figure{"volume", "shadow volumes",
+           "the volume of one caster, its caps and sides, and the curve along which it cuts other objects",
+           drawVolumeFigure},
     Figure{"form-factor", "radiosity", "two patches with their normals, the line r between them and its angles; F_jk",
            drawFormFactorFigure},
     Figure{"reflector", "radiosity", "the light of a patch in all directions, I dA cos phi", drawReflectorFigure},

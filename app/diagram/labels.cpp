@@ -20,6 +20,8 @@ constexpr double kAir = 4;         ///< pixels around a label
 constexpr double kLineCost = 240;  ///< of crossing a line: more than going to the farthest ring
 constexpr double kLeaderFrom = 26; ///< pixels from which on a thin line says what a label belongs to
 
+constexpr double kIndexDrop = 0.18; ///< em by which an index stands lower than its letter
+
 constexpr double kShortest = 6; ///< of such a line
 
 /// Does the segment touch the box? Clipped to it, by Liang and Barsky (1984).
@@ -56,9 +58,13 @@ double Labels::cost(const Box& box) const {
                            lines_, [&](const Line& line) { return touches(line.from, line.to, box); }));
 }
 
-bool Labels::place(Drawing& drawing, dvec2 anchor, const std::string& text, const TextStyle& style, double away) {
-    dvec2 size = textSize(font_, text, style.size);
-    if (style.isBold) size.x *= kBolder;
+bool Labels::place(Drawing& drawing, dvec2 anchor, const LabelText& text, const TextStyle& style, double away) {
+    const double bolder = style.isBold ? kBolder : 1, indexSize = kIndexScale * style.size;
+    const dvec2 letter = textSize(font_, text.letter, style.size);
+    const double indexWidth = text.index.empty() ? 0 : bolder * textSize(font_, text.index, indexSize).x;
+    const double restWidth = text.rest.empty() ? 0 : bolder * textSize(font_, text.rest, style.size).x;
+    const dvec2 size(bolder * letter.x + indexWidth + restWidth,
+                     letter.y + (text.index.empty() ? 0 : kIndexDrop * style.size));
     std::optional<Box> best;
     double least = std::numeric_limits<double>::infinity(), distance = 0;
     for (int ring = 0; ring < kRings; ++ring)
@@ -85,8 +91,16 @@ bool Labels::place(Drawing& drawing, dvec2 anchor, const std::string& text, cons
     }
     TextStyle placed = style;
     placed.anchor = Anchor::start;
-    const image::TextSize measured = font_.measure(text, style.size);
-    drawing.text({best->corner.x + kAir, best->corner.y + kAir + measured.baseline}, text, placed);
+    dvec2 foot = best->corner + dvec2(kAir, kAir + font_.measure(text.letter, style.size).baseline);
+    drawing.text(foot, text.letter, placed);
+    foot.x += bolder * letter.x;
+    if (!text.index.empty()) {
+        TextStyle lowered = placed;
+        lowered.size = indexSize;
+        drawing.text(foot + dvec2(0, kIndexDrop * style.size), text.index, lowered);
+        foot.x += indexWidth;
+    }
+    if (!text.rest.empty()) drawing.text(foot, text.rest, placed);
     boxes_.push_back(*best);
     return true;
 }

@@ -21,6 +21,13 @@ struct Box {
 /// Width and height of a line of text, in pixels.
 dvec2 textSize(const image::Font& font, std::string_view text, double em);
 
+/// What a label says: "P", a lowered "L", and what comes after it.
+struct LabelText {
+    std::string letter, index, rest;
+};
+constexpr double kIndexScale = 0.72; ///< of an index' size, of that of its letter
+constexpr double kLetter = 34;       ///< em of letters that have an index, so that it is read from the last row, too
+
 class Labels {
 public:
     /// All labels stay within `area`.
@@ -32,7 +39,10 @@ public:
 
     /// Writes a label near a place: `away` pixels from it at least. Where it has to go far, a thin line leads to it. Of
     /// places that are equally free the nearest. Nothing is written, and false returned, where there is no room at all.
-    bool place(Drawing& drawing, dvec2 anchor, const std::string& text, const TextStyle& style, double away = 10);
+    bool place(Drawing& drawing, dvec2 anchor, const std::string& text, const TextStyle& style, double away = 10) {
+        return place(drawing, anchor, LabelText{text, "", ""}, style, away);
+    }
+    bool place(Drawing& drawing, dvec2 anchor, const LabelText& text, const TextStyle& style, double away = 10);
 
 private:
     [[nodiscard]] double cost(const Box& box) const;

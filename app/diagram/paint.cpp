@@ -19,11 +19,11 @@ namespace {
     throw Error(ExitStatus::bug, std::string("Cairo: ") + cairo_status_to_string(status) + "; report it");
 }
 
-void setColor(cairo_t* cairo, const std::string& color) {
+void setColor(cairo_t* cairo, const std::string& color, double opacity = 1) {
     std::array<int, 3> channels{};
     for (std::size_t i = 0; i < 3; ++i)
         std::from_chars(color.data() + 1 + 2 * i, color.data() + 3 + 2 * i, channels[i], 16); // "#0072b2"
-    cairo_set_source_rgb(cairo, channels[0] / 255.0, channels[1] / 255.0, channels[2] / 255.0);
+    cairo_set_source_rgba(cairo, channels[0] / 255.0, channels[1] / 255.0, channels[2] / 255.0, opacity);
 }
 
 /// Fills and strokes the path at hand, and forgets it.
@@ -119,6 +119,16 @@ struct Brush {
             cairo_line_to(cairo, segments.points[i + 1].x, segments.points[i + 1].y);
         }
         fillAndStroke(cairo, "", segments.stroke);
+    }
+    void operator()(const Surface& surface) const {
+        for (std::size_t i = 0; i + 2 < surface.points.size(); i += 3) {
+            cairo_move_to(cairo, surface.points[i].x, surface.points[i].y);
+            cairo_line_to(cairo, surface.points[i + 1].x, surface.points[i + 1].y);
+            cairo_line_to(cairo, surface.points[i + 2].x, surface.points[i + 2].y);
+            cairo_close_path(cairo);
+        }
+        setColor(cairo, surface.fill, surface.opacity);
+        cairo_fill(cairo);
     }
     void operator()(const Circle& circle) const {
         cairo_arc(cairo, circle.centre.x, circle.centre.y, circle.radius, 0, 4 * kRightAngle);

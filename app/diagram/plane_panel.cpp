@@ -242,7 +242,7 @@ void drawPlane(Drawing& drawing, const Box& area, const Probe& probe, const scen
     labels.avoid(eyeEnd, point);
     drawLightLine(drawing, labels, sheet, probe);
     drawNormal(drawing, labels, sheet, plane);
-    sheet.drawPoint(drawing, labels);
+    sheet.drawPoint(drawing, labels, "P'");
     sheet.drawEye(drawing, labels);
     sheet.drawLight(drawing, labels);
     drawCovers(drawing, labels, sheet, probe); // last: its labels keep away from all lines

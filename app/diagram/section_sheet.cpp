@@ -177,11 +177,11 @@ void SectionSheet::drawLight(Drawing& drawing, Labels& labels) const {
     labels.place(drawing, at, name, {.size = kText, .isBold = true}, 18);
 }
 
-void SectionSheet::drawPoint(Drawing& drawing, Labels& labels) const {
+void SectionSheet::drawPoint(Drawing& drawing, Labels& labels, const std::string& name) const {
     const dvec2 at = (*this)(dvec2(0.0));
     drawing.circle(at, 8, "#1a1a1a", {"#ffffff", 2, false}, "point");
     labels.avoid({at - 9.0, dvec2(18)});
-    labels.place(drawing, at, "point", {.size = kText, .isBold = true}, 12);
+    labels.place(drawing, at, name, {.size = kText, .isBold = true}, 12);
 }
 
 void drawLegend(Drawing& drawing, const Box& area, std::span<const LegendEntry> entries, const image::Font& font) {

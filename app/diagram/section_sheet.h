@@ -38,7 +38,7 @@ public:
     void drawScene(Drawing& drawing, Labels& labels) const;
     void drawEye(Drawing& drawing, Labels& labels) const;
     void drawLight(Drawing& drawing, Labels& labels) const;
-    void drawPoint(Drawing& drawing, Labels& labels) const;
+    void drawPoint(Drawing& drawing, Labels& labels, const std::string& name = "point") const;
     /// All three, with the light's line of that colour and the eye's line to the point. `arrowAt`: the share of the light's line at
     /// which its head is.
     void drawLines(Drawing& drawing, Labels& labels, const std::string& lightColor, double arrowAt) const;

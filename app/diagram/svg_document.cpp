@@ -56,6 +56,13 @@ struct Writer {
             body += "M" + pair(segments.points[i]) + "L" + pair(segments.points[i + 1]);
         body += "\"" + attributes("", segments.stroke) + "/>\n";
     }
+    void operator()(const Surface& surface) {
+        body += "<path d=\"";
+        for (std::size_t i = 0; i + 2 < surface.points.size(); i += 3)
+            body += "M" + pair(surface.points[i]) + "L" + pair(surface.points[i + 1]) + "L" +
+                    pair(surface.points[i + 2]) + "Z";
+        body += "\"" + attributes(surface.fill, {"", 0, false}) + attribute("fill-opacity", surface.opacity) + "/>\n";
+    }
     void operator()(const Circle& circle) {
         body += "<circle" + (circle.name.empty() ? "" : " class=\"" + circle.name + "\"") +
                 attribute("cx", circle.centre.x) + attribute("cy", circle.centre.y) + attribute("r", circle.radius) +

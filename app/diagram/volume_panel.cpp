@@ -2,12 +2,10 @@
 // place of the plane is in. After the two figures of the lecture, from the scene as it is.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "app/diagram/panels.h"
-#include "app/diagram/section_sheet.h"
-#include "techniques/foundation/look.h"
+#include "app/diagram/volume_marks.h"
 
 namespace shadowlab::diagram {
 
@@ -18,33 +16,6 @@ using Crossing = VolumeProbe::Crossing;
 constexpr std::size_t kMarked = 14;   ///< crossings that are numbered: more cannot be told apart
 constexpr double kGrid = 22;          ///< pixels between the places where the count is looked up, for its numbers
 constexpr double kRoomForNumber = 34; ///< pixels around a number that have the same count
-
-/// Counts 0, 1, 2, 3, and 4 and more: lightness alone, so that no eye for colour is needed.
-std::string fillOf(int count) {
-    static constexpr std::array kFills{"#ffffff", "#e6e6e6", "#cccccc", "#b0b0b0", "#969696"};
-    return kFills[static_cast<std::size_t>(std::min(std::abs(count), 4))];
-}
-
-std::string colorOf(int sign) { return colorText(sign > 0 ? look::diverging()[7] : look::diverging()[1]); }
-
-std::string signed_(int number) {
-    return (number > 0 ? "+" : number < 0 ? "\u2212" : "") + std::to_string(std::abs(number));
-}
-
-void drawAreas(Drawing& drawing, const SectionSheet& sheet, const VolumeProbe& volume) {
-    drawing.beginClip(sheet.area().corner, sheet.area().size);
-    for (const CountedArea& area : countedAreas(volume.caps, sheet.light(), sheet.metres())) {
-        std::vector<dvec2> corners;
-        for (const dvec2& corner : area.corners)
-            corners.push_back(sheet(corner));
-        const dvec2 low = glm::min(glm::min(corners[0], corners[1]), glm::min(corners[2], corners[3]));
-        const dvec2 high = glm::max(glm::max(corners[0], corners[1]), glm::max(corners[2], corners[3]));
-        if (!sheet.area().overlaps({low, high - low})) continue;
-        // A rim of its own colour closes the seam to the next one.
-        drawing.path(corners, true, fillOf(area.count), {fillOf(area.count), 1, false});
-    }
-    drawing.endClip();
-}
 
 /// In each region of one count its number, where it has most room.
 void writeCounts(Drawing& drawing, Labels& labels, const SectionSheet& sheet, const VolumeProbe& volume) {
@@ -100,19 +71,13 @@ void writeCounts(Drawing& drawing, Labels& labels, const SectionSheet& sheet, co
                                              static_cast<double>(best / static_cast<std::size_t>(cells.x))) +
                                        0.5) *
                                           sheet.area().size / dvec2(cells);
-            labels.place(drawing, at, signed_(counts[best]), {.size = 1.3 * kText, .color = "#595959"}, 0);
+            labels.place(drawing, at, signedText(counts[best]), {.size = 1.3 * kText, .color = "#595959"}, 0);
         }
-}
-
-dvec2 placeOf(const SectionSheet& sheet, const Crossing& crossing) {
-    const dvec2 way = -glm::normalize(sheet.eye());
-    return sheet.eye() + crossing.distance * way;
 }
 
 void drawLine(Drawing& drawing, Labels& labels, const SectionSheet& sheet) {
     const dvec2 point = sheet(dvec2(0.0));
-    const dvec2 from = sheet.shows(sheet.eye()) ? sheet(sheet.eye()) : sheet.border(dvec2(0.0), sheet.eye());
-    const dvec2 to = sheet.border(dvec2(0.0), -sheet.eye());
+    const dvec2 from = lineStart(sheet), to = lineEnd(sheet);
     drawing.line(from, point, {"#1a1a1a", 4, false});
     drawing.arrow(point, to, {"#1a1a1a", 4, true});
     labels.avoid(from, point);
@@ -126,13 +91,13 @@ void drawCrossings(Drawing& drawing, Labels& labels, const SectionSheet& sheet, 
         if (++number > kMarked) break;
         if (std::isinf(crossing.distance) || !sheet.shows(placeOf(sheet, crossing))) continue;
         marks.emplace_back(sheet(placeOf(sheet, crossing)), &crossing);
-        drawing.circle(marks.back().first, 8, colorOf(crossing.sign), {"#ffffff", 2, false}, "crossing");
+        drawing.circle(marks.back().first, 8, signColor(crossing.sign), {"#ffffff", 2, false}, "crossing");
         labels.avoid({marks.back().first - 8.0, dvec2(16)});
     }
     for (const auto& [at, crossing] : marks) {
         const auto which = static_cast<std::size_t>(crossing - volume.crossings.data()) + 1;
-        labels.place(drawing, at, std::to_string(which) + ": " + signed_(crossing->sign),
-                     {.size = kText, .isBold = true, .color = colorOf(crossing->sign)}, 14);
+        labels.place(drawing, at, std::to_string(which) + ": " + signedText(crossing->sign),
+                     {.size = kText, .isBold = true, .color = signColor(crossing->sign)}, 14);
     }
 }
 
@@ -141,14 +106,14 @@ std::string rowOf(const Crossing& crossing, std::size_t number) {
                                ? "side " + std::to_string(crossing.of[0]) + "\u2013" + std::to_string(crossing.of[1])
                                : (crossing.part == VolumeProbe::Part::topCap ? "front cap " : "back cap ") +
                                      std::to_string(crossing.of[0]);
-    return std::to_string(number) + ": " + signed_(crossing.sign) + " " + crossing.object + ", " + of + ", " +
+    return std::to_string(number) + ": " + signedText(crossing.sign) + " " + crossing.object + ", " + of + ", " +
            (std::isinf(crossing.distance) ? "at infinity" : fourDigits(crossing.distance) + " m");
 }
 
 void writeNumbers(Drawing& drawing, const Box& area, const Probe& probe, const image::Font& font) {
     const VolumeProbe& volume = *probe.volume;
     TextColumn column(drawing, area, font);
-    const auto verdict = [](int count) { return signed_(count) + (count == 0 ? ", illuminated" : ", in shadow"); };
+    const auto verdict = [](int count) { return signedText(count) + (count == 0 ? ", illuminated" : ", in shadow"); };
     column.heading("Z-pass: eye to point");
     column.row("n_f = " + std::to_string(volume.frontsBefore) + ", n_b = " + std::to_string(volume.backsBefore) +
                ": n_f \u2212 n_b = " + verdict(volume.frontsBefore - volume.backsBefore));
@@ -157,7 +122,7 @@ void writeNumbers(Drawing& drawing, const Box& area, const Probe& probe, const i
                ": n_b \u2212 n_f = " + verdict(volume.backsBeyond - volume.frontsBeyond));
     column.row("The eye is in " + std::to_string(volume.eyeCount) + (volume.eyeCount == 1 ? " volume." : " volumes."));
     column.heading("This technique");
-    column.row("count " + signed_(volume.count) + ", stencil " + std::to_string(volume.stencil));
+    column.row("count " + signedText(volume.count) + ", stencil " + std::to_string(volume.stencil));
     for (const Probe::Fact& fact : probe.facts)
         if (fact.label == "decision" || fact.label == "truth" || fact.label == "error")
             column.row(fact.label + ": " + fact.value, fact.label == "error" ? "#a04000" : "#1a1a1a");
@@ -176,7 +141,7 @@ void writeNumbers(Drawing& drawing, const Box& area, const Probe& probe, const i
         const bool isFirstBeyond = crossing.beyond && (number == 1 || !volume.crossings[number - 2].beyond);
         if (number == 1 && !crossing.beyond) column.row("before the point:");
         if (isFirstBeyond) column.row("beyond the point:");
-        column.row(rowOf(crossing, number), colorOf(crossing.sign));
+        column.row(rowOf(crossing, number), signColor(crossing.sign));
         if (!crossing.uncounted.empty()) column.row("   not counted: " + crossing.uncounted);
     }
 }
@@ -197,7 +162,7 @@ void drawVolume(Drawing& drawing, const Box& area, const Probe& probe, const sce
         if (std::isfinite(crossing.distance)) places.push_back(eye + crossing.distance * way);
     const SectionSheet sheet(probe, scene, field, places);
     Labels labels(font, field);
-    drawAreas(drawing, sheet, volume);
+    drawCountedAreas(drawing, sheet, volume);
     sheet.drawScene(drawing, labels);
     drawLine(drawing, labels, sheet);
     sheet.drawPoint(drawing, labels);
@@ -209,12 +174,12 @@ void drawVolume(Drawing& drawing, const Box& area, const Probe& probe, const sce
     writeNumbers(drawing, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}},
                  probe, font);
     using enum LegendEntry::Kind;
-    const LegendEntry legend[] = {{LegendEntry::Kind::filled, fillOf(1), "in 1 volume"},
-                                  {LegendEntry::Kind::filled, fillOf(2), "in 2"},
-                                  {LegendEntry::Kind::filled, fillOf(3), "in 3"},
-                                  {LegendEntry::Kind::filled, fillOf(4), "in 4 or more"},
-                                  {dot, colorOf(1), "+1: front face, the line enters"},
-                                  {dot, colorOf(-1), "\u22121: back face, it leaves"},
+    const LegendEntry legend[] = {{LegendEntry::Kind::filled, countFill(1), "in 1 volume"},
+                                  {LegendEntry::Kind::filled, countFill(2), "in 2"},
+                                  {LegendEntry::Kind::filled, countFill(3), "in 3"},
+                                  {LegendEntry::Kind::filled, countFill(4), "in 4 or more"},
+                                  {dot, signColor(1), "+1: front face, the line enters"},
+                                  {dot, signColor(-1), "\u22121: back face, it leaves"},
                                   {line, "#1a1a1a", "z-pass"},
                                   {dashed, "#1a1a1a", "z-fail"},
                                   {line, "#4d4d4d", "caster"},

@@ -21,6 +21,12 @@ inline const vec3 kBoundaryEdge = linearFromSrgb8(0x00, 0x9E, 0x73);
 inline const vec3 kMultipleEdge = linearFromSrgb8(0xCC, 0x79, 0xA7);
 inline const vec3 kInconsistentEdge = linearFromSrgb8(0xF0, 0xE4, 0x42);
 
+// The parts of a shadow volume, each in the colour of what it is made of: polygons that face the light; silhouette edges,
+// extruded; in the lecture's volume polygons that face away from the light, extruded.
+inline const vec3 kTopCap = kTowardLight;
+inline const vec3 kVolumeSide = kSilhouette;
+inline const vec3 kBottomCap = kAwayFromLight;
+
 // The way in which a caster's volume is counted.
 inline const vec3 kDepthPass = linearFromSrgb8(0x90, 0xF0, 0xA8);
 inline const vec3 kDepthFail = linearFromSrgb8(0x00, 0x72, 0xB2);

@@ -149,6 +149,7 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     const auto hit = exactJudge(snapshot)->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
     if (!hit || light < 0 || light >= static_cast<int>(snapshot->lights.size())) return probe;
     prepare(snapshot, Deadline::max());
+    probe.passes = drawnPasses(*snapshot, view);
     const LightMaps maps =
         fit(*snapshot, view, asked(*snapshot, light), receiversInView(*snapshot, view), FitRequest::Cover::needed);
     const dvec3 pointLightRelative = hit->positionWorld - maps.originWorld;

@@ -95,6 +95,9 @@ private:
     const gl::ColorTextureArray& updateMoments(Frame& frame, KeptMap& kept, const LightMaps& maps);
     const gl::Program& lightProgram(const DrawnMap& map, bool visibilityOnly);
 
+    // drawn_passes.cpp
+    [[nodiscard]] std::vector<Probe::DrawnPass> drawnPasses(const scene::Scene& scene, const View& view) const;
+
     // averaged_light.cpp
     [[nodiscard]] bool averagesOver(const scene::Light& light) const;
     DrawnMap drawAnew(const Frame& frame, const AskedLight& asked, const LightMaps& maps, OwnMap& own);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 namespace shadowlab::shadow_volume {
 
@@ -80,7 +81,7 @@ std::vector<CrossedFace> crossedFaces(const scene::Scene& scene, const CasterVol
         fromEye.push_back(walk.fromEye(corner));
 
     std::vector<CrossedFace> crossed;
-    const auto cross = [&](CrossedFace::Part part, const std::vector<std::uint32_t>& list) {
+    const auto cross = [&](CrossedFace::Part part, std::span<const std::uint32_t> list) {
         for (std::size_t i = 0; i + 2 < list.size(); i += 3) {
             const std::array<dvec3, 3> p{fromEye[list[i]], fromEye[list[i + 1]], fromEye[list[i + 2]]};
             const bool left = walk.isLeftOf(p[0], p[1]);
@@ -97,8 +98,11 @@ std::vector<CrossedFace> crossedFaces(const scene::Scene& scene, const CasterVol
             crossed.push_back(face);
         }
     };
-    cross(CrossedFace::Part::side, caster.volume.sides);
-    cross(CrossedFace::Part::bottomCap, caster.volume.bottomCap);
+    // Of a direction at infinity all far vertices are one point: half of the sides are nothing, and so is the cap there.
+    const bool toOnePoint = !end.planeWorld && !end.distance && scene::homogeneousPositionWorld(light).w == 0;
+    const std::span sides(caster.volume.sides);
+    cross(CrossedFace::Part::side, toOnePoint ? sides.first(sides.size() / 2) : sides);
+    if (!toOnePoint) cross(CrossedFace::Part::bottomCap, caster.volume.bottomCap);
     cross(CrossedFace::Part::topCap, caster.volume.topCap);
     cross(CrossedFace::Part::topCapReversed, caster.volume.topCapReversed);
     return crossed;

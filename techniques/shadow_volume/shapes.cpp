@@ -54,8 +54,9 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
                                      std::span<const CasterVolume* const> casters, bool withCaps,
                                      const ShownVolume& shown) {
     SceneShape edges{"silhouette edges", look::kSilhouette, SceneShape::Kind::lines, {}};
-    SceneShape sides{"volume: sides", look::kMultipleEdge, SceneShape::Kind::faces, {}};
-    SceneShape caps{"volume: top and bottom cap", look::kTowardLight, SceneShape::Kind::faces, {}};
+    SceneShape sides{"volume: sides", look::kVolumeSide, SceneShape::Kind::faces, {}};
+    SceneShape top{"volume: top cap", look::kTopCap, SceneShape::Kind::faces, {}};
+    SceneShape bottom{"volume: bottom cap", look::kBottomCap, SceneShape::Kind::faces, {}};
     const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
     const dvec4 lightWorld = scene::homogeneousPositionWorld(source);
     scene::Bounds all;
@@ -86,13 +87,16 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
         for (const SilhouetteEdge& edge : silhouette)
             add(edges, {edge.a, edge.b});
         add(sides, volume.sides);
-        add(caps, volume.topCap);
-        add(caps, volume.topCapReversed);
-        add(caps, volume.bottomCap);
+        add(top, volume.topCap);
+        add(top, volume.topCapReversed);
+        add(bottom, volume.bottomCap);
     }
     std::vector<SceneShape> shapes;
     shapes.push_back(std::move(sides));
-    if (withCaps) shapes.push_back(std::move(caps));
+    if (withCaps) {
+        shapes.push_back(std::move(top));
+        shapes.push_back(std::move(bottom));
+    }
     shapes.push_back(std::move(edges));
     shapes.push_back(nearClipPyramid(scene, view, light));
     return shapes;

@@ -120,11 +120,11 @@ void StagePictures::publishSilhouettes(Frame& frame, int light, std::span<const 
 
 void StagePictures::publishFaces(Frame& frame, int light, std::span<const CasterVolume* const> casters, bool byPart,
                                  const ShownVolume& shown) const {
-    constexpr float kSideAlpha = 0.3f;   // two or three layers stay distinguishable
-    constexpr float kCapAlpha = 0.2f;    // a cap lies on the caster's own surface, which should still be recognised
-    constexpr float kHiddenShare = 0.4f; // what lies behind a surface shows through, fainter
+    // By their signs many faces lie over one another, and what is behind a surface is not counted with those before it: only
+    // by part does it show through. Top caps lie on their casters' own surfaces, which should still be recognised.
+    const float sideAlpha = byPart ? 0.3f : 0.34f, capAlpha = byPart ? 0.2f : 0.0f, hiddenShare = byPart ? 0.4f : 0.0f;
     const vec3 plus = look::diverging()[6], minus = look::diverging()[2];
-    const vec3 top = look::kTowardLight, side = look::kSilhouette, bottom = look::kMultipleEdge;
+    const vec3 top = look::kTopCap, side = look::kVolumeSide, bottom = look::kBottomCap;
     const std::vector<KeyEntry> parts = {
         {top, "top cap"},
         {side, "side"},
@@ -147,11 +147,11 @@ void StagePictures::publishFaces(Frame& frame, int light, std::span<const Caster
             faces_.set("backColor", unexposed(frame, byPart ? partColor : minus, alpha * share));
         };
         setFrontFace(object, false);
-        choose(bottom, kSideAlpha);
+        choose(bottom, sideAlpha);
         buffers.drawBottomCap();
-        choose(side, kSideAlpha);
+        choose(side, sideAlpha);
         buffers.drawSides();
-        choose(top, kCapAlpha);
+        choose(top, capAlpha);
         buffers.drawTopCap();
         setFrontFace(object, true);
         buffers.drawTopCapReversed();
@@ -164,7 +164,7 @@ void StagePictures::publishFaces(Frame& frame, int light, std::span<const Caster
         for (const bool hidden : {true, false}) {
             glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL); // the top cap lies exactly on the caster's surface
             for (const CasterVolume* caster : casters)
-                drawCaster(*caster, hidden ? kHiddenShare : 1.0f);
+                drawCaster(*caster, hidden ? hiddenShare : 1.0f);
         }
     };
     frame.drawOverTarget(byPart ? "volume-parts" : "volume-signs", light, true, draw,

@@ -8,6 +8,7 @@
 #include "techniques/foundation/scene/depth_fit.h"
 #include "techniques/probe_decision.h"
 #include "techniques/shadow_volume/crossed_faces.h"
+#include "techniques/shadow_volume/described_caster.h"
 #include "techniques/shadow_volume/eye_line.h"
 #include "techniques/shadow_volume/shapes.h"
 #include "techniques/shadow_volume/volume_technique.h"
@@ -155,6 +156,11 @@ VolumeProbe VolumeTechnique::probeVolumes(const scene::Scene& scene, const View&
     for (const CasterVolume& caster : casters_.of(light)) {
         const Way way = wayOf(scene, eyeWorld, caster, light);
         const VolumeInView seen = inView(eye, caster, source);
+        const bool isPicked = caster.object == hit.object;
+        if (isPicked && (caster.useful || !params_.cull)) {
+            probe.casters.push_back(describedCaster(scene, source, caster, shownVolume(), seen.end));
+            probe.casters.back().isPicked = true;
+        }
         probe.eyeCount += eyeCount(scene, caster, seen.end, source, eyeWorld);
         if (!seen.any || !counts(caster, way)) continue;
         if (way == Way::pass && passRule().corrected)
@@ -162,6 +168,7 @@ VolumeProbe VolumeTechnique::probeVolumes(const scene::Scene& scene, const View&
         addCaps(probe, section, scene, caster, seen.end, source);
         rules.eyeIsBeyondEnd =
             seen.end.distance || (seen.end.planeWorld && glm::dot(*seen.end.planeWorld, dvec4(eyeWorld, 1.0)) > 0);
+        int holding = eyeCount(scene, caster, seen.end, source, eyeWorld); // volumes of the caster that the point is in
         for (const CrossedFace& face : crossedFaces(scene, caster, seen.end, source, line)) {
             Crossing crossing;
             crossing.object = scene.objects[caster.object].name;
@@ -182,8 +189,14 @@ VolumeProbe VolumeTechnique::probeVolumes(const scene::Scene& scene, const View&
             crossing.way = way == Way::pass ? VolumeProbe::Way::pass : VolumeProbe::Way::fail;
             crossing.cornersWorld.assign(face.cornersWorld.begin(), face.cornersWorld.end());
             rules.count(crossing, own);
+            if (!crossing.beyond) holding += crossing.sign;
             probe.crossings.push_back(std::move(crossing));
         }
+        if (holding == 0) continue;
+        if (probe.casters.empty() || probe.casters.back().object != caster.object)
+            probe.casters.push_back(describedCaster(scene, source, caster, shownVolume(), seen.end));
+        probe.casters.back().isPicked = isPicked;
+        probe.casters.back().holdsThePoint = true;
     }
     // In the order in which they are drawn (FaceCounter): first what depth pass counts, then the others, and of either the top
     // caps of all volumes at the end. A stencil that sticks at its ends asks for the order.
@@ -258,6 +271,9 @@ Probe VolumeTechnique::probe(const scene::Snapshot& snapshot, const View& view, 
     addNumber(counting_.first.culled == GL_FRONT ? "stencil after the back faces" : "stencil after the front faces",
               volume.stencilBetween);
     addNumber("stencil", volume.stencil, countsInFloats(light) ? ", from a count in floats: not zero" : "");
+    for (const VolumeProbe::Caster& caster : volume.casters)
+        add(caster.isPicked ? "caster that the pixel shows" : "caster whose volume holds the point",
+            casterText(*snapshot, caster));
     std::size_t listed = 0;
     for (const Crossing& crossing : volume.crossings) {
         if (++listed > kListedFaces) {

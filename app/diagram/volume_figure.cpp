@@ -1,0 +1,41 @@
+// "Shadow volume": an enclosed region of space that is formed by extruding an object's outline from the light source; and where it
+// cuts other objects.
+// SPDX-License-Identifier: MIT
+#include "app/diagram/panels.h"
+#include "app/diagram/section_sheet.h"
+#include "app/diagram/volume_figures.h"
+#include "app/diagram/volume_sketch.h"
+#include "techniques/foundation/look.h"
+
+namespace shadowlab::diagram {
+
+namespace {
+
+constexpr double kBorder = 16, kLegend = 112; ///< pixels; three rows of a legend on half a slide
+
+} // namespace
+
+Diagram drawVolumeFigure(const FigureSource& source) {
+    const CasterSolid solid = casterSolid(source, true);
+    Drawing drawing(source.size);
+    const Box area{dvec2(kBorder), source.size - 2 * kBorder}, field{area.corner, area.size - dvec2(0, kLegend)};
+    const VolumeSketch sketch(source, solid, field);
+    Labels labels(source.font, field);
+    sketch.drawReceivers(drawing);
+    sketch.drawVolume(drawing, labels, 0, 0.4);
+    sketch.drawLight(drawing, labels, true);
+    sketch.nameParts(drawing, labels);
+    using enum LegendEntry::Kind;
+    std::vector<LegendEntry> legend{{filled, colorText(look::kTopCap), "top cap: faces toward the light, unchanged"},
+                                    {filled, colorText(look::kVolumeSide), "sides: outline edges, extruded"}};
+    legend.push_back({filled, colorText(look::kBottomCap),
+                      sketch.isCutOff()             ? "bottom cap: beyond this drawing"
+                      : sketch.curveWorld().empty() ? "bottom cap: extruded"
+                                                    : "bottom cap: extruded, below what it meets"});
+    if (!sketch.curveWorld().empty()) legend.push_back({line, "#1a1a1a", "where it cuts other objects"});
+    drawLegend(drawing, {{area.corner.x, area.corner.y + field.size.y}, {area.size.x, kLegend}}, legend, source.font);
+    return {std::move(drawing), "The shadow volume of " + solid.object->name +
+                                    ": its top cap, sides and bottom cap, and where it cuts other objects"};
+}
+
+} // namespace shadowlab::diagram
