@@ -7,6 +7,7 @@ With SHADOWLAB_LONG every skeleton is filled in, and every typical mistake has t
 # SPDX-License-Identifier: MIT
 import json
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -122,6 +123,21 @@ def check_misbehaving(program, plugin, place):
         expect(Path(sheet["picture"]).stat().st_size > 1000, "a picture that says so")
 
 
+def check_example_of_the_guide(program, prefix, place):
+    """The technique of docs/adding_a_technique.md, as it stands there, is a plug-in as well."""
+    guide = (HERE.parent.parent / "docs" / "adding_a_technique.md").read_text()
+    code = re.findall(r"```(?:cpp|glsl)\n(.*?)```", guide, re.DOTALL)
+    expect(len(code) == 2, "the guide has one file of C++ and one of GLSL")
+    folder = place / "guide"
+    (folder / "shaders" / "bounding_spheres").mkdir(parents=True)
+    (folder / "technique.cpp").write_text(code[0])
+    (folder / "shaders" / "bounding_spheres" / "visibility.glsl").write_text(code[1])
+    (folder / "CMakeLists.txt").write_text((place / "my-own" / "CMakeLists.txt").read_text().replace("my_own", "bounding_spheres"))
+    expect("warning" not in build(folder, prefix, "-DCMAKE_BUILD_TYPE=Debug"), "no warnings")
+    succeed(program, "measure", "still-life", "-t", "bounding-spheres", "--size", "64x48", "--plugin",
+            folder / "build" / "bounding_spheres.so")
+
+
 def check_skeleton(program, prefix, place, skeleton, mistakes):
     """As it is, it runs and is far from full marks; filled in it has all; with one mistake it has lost some."""
     blanks = SOLUTIONS[skeleton]
@@ -171,6 +187,8 @@ def main():
         own = place / "my-own" / "build" / "my_own.so"
         check_plugin_is_everywhere(program, place, own)
         check_faults_of_files(program, place, own)
+        if LONG:
+            check_example_of_the_guide(program, prefix, place)
         folder = place / "misbehaving"
         folder.mkdir()
         shutil.copy(HERE / "misbehaving.cpp", folder)
