@@ -8,6 +8,7 @@
 #include "app/commands/messages.h"
 #include "app/commands/progress.h"
 #include "app/commands/text_table.h"
+#include "app/context/context.h"
 #include "app/grading/grader.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
@@ -115,14 +116,14 @@ void makeFolder(const std::filesystem::path& folder, const std::filesystem::path
 
 int grade(const GradeOptions& options) {
     const grading::Declared declared = grading::askPlugin(options.plugin, options.limits);
-    const grading::Candidate candidate{options.plugin, chosenTechnique(options, declared)};
+    const grading::Candidate candidate{options.plugin, chosenTechnique(options, declared), options.backend};
     const grading::Family& family = chosenFamily(options, declared);
     std::filesystem::path picture;
     if (!options.output.empty()) {
         picture = options.output / (candidate.technique + "-first-failing.png");
         makeFolder(options.output, picture);
     }
-    const std::unique_ptr<context::Context> context = context::createContext(options.backend);
+    const std::unique_ptr<context::Context> context = context::createContext(context::backendFromName(options.backend));
     Progress progress("case", static_cast<int>(family.cases.size()));
     const Sheet sheet = grading::grade(candidate, family, options.limits, [&](int count) { progress.done(count); });
     if (sheet.firstFailing.rgba.empty()) picture.clear();

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/option_values.h"
+#include "app/context/context.h"
 
 namespace shadowlab::commands {
 
@@ -45,7 +46,8 @@ GradeOptions gradeOptions(const CLI::App& command, const std::vector<std::string
         std::chrono::seconds(countFrom("--time-limit", given.text("--time-limit", "30"), kMostSeconds));
     options.limits.memoryBytes =
         static_cast<std::uint64_t>(countFrom("--memory-limit", given.text("--memory-limit", "2048"), kMostMiB)) << 20;
-    options.backend = context::backendFromName(given.text("--backend", "auto"));
+    options.backend = given.text("--backend", options.backend);
+    context::backendFromName(options.backend); // throws for one that there is not
     options.json = command.count("--json") > 0;
     return options;
 }

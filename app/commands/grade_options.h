@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "app/context/context.h"
 #include "app/grading/child_program.h"
 
 namespace CLI {
@@ -20,7 +19,7 @@ struct GradeOptions {
     std::string family;           ///< empty: what the plug-in says
     std::filesystem::path output; ///< a folder; empty: no picture is written
     grading::ChildLimits limits;
-    context::Backend backend = context::Backend::automatic;
+    std::string backend = "auto";
     bool json = false;
 };
 

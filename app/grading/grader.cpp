@@ -56,12 +56,13 @@ struct Drawn {
 Drawn draw(const Candidate& candidate, const Case& which, bool visibility, const ChildLimits& limits,
            const TemporaryFolder& folder) {
     const fs::path file = folder.file(std::string(which.id) + (visibility ? "-visibility.png" : ".png"));
-    std::vector<std::string> words{"capture",  sceneOf(which).string(),
-                                   "--plugin", candidate.plugin.string(),
-                                   "-t",       candidate.technique,
-                                   "-o",       file.string(),
-                                   "--size",   std::to_string(kCaseWidth) + "x" + std::to_string(kCaseHeight),
-                                   "--labels", "false"};
+    std::vector<std::string> words{"capture",   sceneOf(which).string(),
+                                   "--plugin",  candidate.plugin.string(),
+                                   "-t",        candidate.technique,
+                                   "-o",        file.string(),
+                                   "--size",    std::to_string(kCaseWidth) + "x" + std::to_string(kCaseHeight),
+                                   "--labels",  "false",
+                                   "--backend", candidate.backend};
     if (visibility) words.insert(words.end(), {"--stage", "visibility"});
     const ChildEnd end = runChild(words, limits);
     if (end.how != ChildEnd::How::finished) return {std::nullopt, end.message};

@@ -21,6 +21,7 @@ namespace shadowlab::grading {
 struct Candidate {
     std::filesystem::path plugin;
     std::string technique;
+    std::string backend = "auto"; ///< what it draws with
 };
 
 struct CaseResult {

@@ -77,7 +77,9 @@ void stepSlides(Desk& desk, int by) {
         show(desk, *on.deck, next, by < 0);
     } catch (const Error& fault) { // the slides behind it can be shown all the same
         on.at = next;
-        on.slide = {.name = on.deck->slides()[next], .title = on.deck->slides()[next] + " cannot be shown"};
+        on.slide = session::Slide();
+        on.slide.name = on.deck->slides()[next];
+        on.slide.title = on.slide.name + " cannot be shown";
         on.stops.clear();
         on.stop = 0;
         return complain(desk, fault.what());

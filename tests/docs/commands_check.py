@@ -34,7 +34,7 @@ class Names:
         self.parameters = {p["parameter"]: p["range"] for p in self.list("parameters")}
         self.stages = {(s["technique"], s["stage"]) for s in self.list("stages")}
         self.inputs = {what: {entry["name"] for entry in self.list(what)} for what in ("scenes", "lessons", "decks")}
-        self.subcommands = set(re.findall(r"^  (\w+) ", self.told("--help"), re.MULTILINE))
+        self.subcommands = set(re.findall(r"^  ([\w-]+) ", self.told("--help"), re.MULTILINE))
         self.options = {}
 
     def list(self, what):
@@ -99,7 +99,7 @@ def complaints_about(command, names, files):
             if not any((t, stage) in names.stages for t in techniques):
                 yield f"no stage {stage} of {', '.join(techniques)}"
     what = {"lesson": "lessons", "slides": "decks"}.get(subcommand, "scenes")
-    inputs = [] if subcommand == "list" else [(what, word) for word in positional]
+    inputs = [] if subcommand in ("list", "new-technique") else [(what, word) for word in positional]
     inputs += [(name[2:] + "s", value) for name, value in options if name in ("--lesson", "--deck")]
     inputs += [("files", value) for name, value in options if name == "--path"]
     for kind, word in inputs:

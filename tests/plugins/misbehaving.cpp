@@ -24,7 +24,8 @@ void misbehave() {
     std::vector<std::vector<char>> memory;
     if (is("crashes")) *nowhere = 1;
     if (is("never-ends"))
-        for (volatile int i = 0;; i = 0) {}
+        for (volatile int i = 0;; i = 0) {
+        }
     while (is("eats-memory"))
         memory.emplace_back(std::size_t{16} << 20, 'x');
     if (is("throws")) throw std::runtime_error("the student's own words");
@@ -47,7 +48,9 @@ std::span<const TechniqueInfo> techniques() {
     if (is("lists-none")) return {};
     if (is("crashes-in-list")) std::abort();
     static const TechniqueInfo info[] = {{
-        .id = is("bad-id") ? "Bad Id" : is("taken-id") ? "shadow-map" : "misbehaving",
+        .id = is("bad-id")     ? "Bad Id"
+              : is("taken-id") ? "shadow-map"
+                               : "misbehaving",
         .title = "Misbehaving",
         .lightTypes = {scene::LightType::point},
         .passes = {std::begin(kPasses), std::end(kPasses)},
