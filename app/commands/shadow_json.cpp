@@ -63,8 +63,8 @@ Json momentsJson(const MapProbe& map) {
 const char* nameOf(VolumeProbe::Part part) {
     switch (part) {
     case VolumeProbe::Part::side: return "side";
-    case VolumeProbe::Part::topCap: return "front cap";
-    case VolumeProbe::Part::bottomCap: return "back cap";
+    case VolumeProbe::Part::topCap: return "top cap";
+    case VolumeProbe::Part::bottomCap: return "bottom cap";
     }
     return "";
 }

@@ -104,7 +104,7 @@ void drawCrossings(Drawing& drawing, Labels& labels, const SectionSheet& sheet, 
 std::string rowOf(const Crossing& crossing, std::size_t number) {
     const std::string of = crossing.part == VolumeProbe::Part::side
                                ? "side " + std::to_string(crossing.of[0]) + "\u2013" + std::to_string(crossing.of[1])
-                               : (crossing.part == VolumeProbe::Part::topCap ? "front cap " : "back cap ") +
+                               : (crossing.part == VolumeProbe::Part::topCap ? "top cap " : "bottom cap ") +
                                      std::to_string(crossing.of[0]);
     return std::to_string(number) + ": " + signedText(crossing.sign) + " " + crossing.object + ", " + of + ", " +
            (std::isinf(crossing.distance) ? "at infinity" : fourDigits(crossing.distance) + " m");
