@@ -135,6 +135,17 @@ def every_key(window, program):
     press("lesson-on", lesson("peter-panning", "artefact"))
     press("lesson-back", lesson("acne", "mend"))
     press("leave", lambda b, a: check(a["lesson"] is None, "the lesson is still on", a))
+
+    def slide(name):
+        return lambda b, a: check(a["slide"] and a["slide"]["name"] == name, f"no slide {name}", a)
+
+    press("slide-on", slide("in-shadow"))
+    press("slide-on", slide("projection"))
+    press("slide-back", slide("in-shadow"))
+    press("save-slide", lambda b, a: check(any("saved as slide" in m for m in a["messages"]), "no slide was saved", a))
+    while w.state["picked"]:  # that of the slide
+        press("leave")
+    press("leave", lambda b, a: check(a["slide"] is None, "the slides are still on", a))
     check([p["technique"] for p in w.state["panes"]] == [p["technique"] for p in before], "what was there before has not come back",
           w.state)
 
@@ -354,7 +365,7 @@ def main():
         print(f"start to first report: {window.first_frame:.2f} s")
         keys = every_key(window, program)
         written = sorted(os.listdir(folder))
-        check([n.split(".")[-1] for n in written] == ["json", "json", "png", "txt"], f"written were {written}")
+        check([n.split(".")[-1] for n in written] == ["json", "json", "json", "png", "txt"] and "slides.json" in written, f"written were {written}")
         window = Window(program, display, folder, *small)
         window.hand("mousemove", *PLACE)
         window.key("i", "panel")
