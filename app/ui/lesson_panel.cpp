@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/session/lesson_figure.h"
+#include "app/ui/band.h"
 
 namespace shadowlab::ui {
 
@@ -124,32 +125,7 @@ float lessonPanelHeight(const Desk& desk, const Theme& theme, float width) {
 }
 
 void lessonPanel(Desk& desk, const Area& area, const Theme& theme) {
-    ImGui::SetNextWindowPos({static_cast<float>(area.corner.x), static_cast<float>(area.corner.y)});
-    ImGui::SetNextWindowSize({static_cast<float>(area.size.x), static_cast<float>(area.size.y)});
-    ImGui::Begin("lesson", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
-    int by = 0;
-    if (ImGui::ArrowButton("lesson back", ImGuiDir_Left)) by = -1;
-    ImGui::SameLine();
-    if (ImGui::ArrowButton("lesson on", ImGuiDir_Right)) by = 1;
-    ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushFont(theme.heading);
-    ImGui::TextUnformatted(desk.lesson.now->text.title.c_str());
-    ImGui::SameLine();
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", stepTitle(desk.lesson).c_str());
-    ImGui::PopFont();
-    ImGui::SameLine();
-    const float hintX =
-        static_cast<float>(area.size.x) - ImGui::CalcTextSize(kHint).x - ImGui::GetStyle().WindowPadding.x;
-    if (hintX > ImGui::GetCursorPosX()) {
-        ImGui::SetCursorPosX(hintX);
-        ImGui::TextDisabled("%s", kHint);
-    } else {
-        ImGui::NewLine();
-    }
+    const int by = beginBand({"lesson", desk.lesson.now->text.title, stepTitle(desk.lesson), kHint}, area, theme);
     switch (desk.lesson.step) {
     case LessonStep::question: questionPart(desk); break;
     case LessonStep::reveal: revealPart(desk.lesson, theme); break;

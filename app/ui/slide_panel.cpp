@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/diagram/formula.h"
+#include "app/ui/band.h"
 
 namespace shadowlab::ui {
 
@@ -54,32 +55,7 @@ float slidePanelHeight(const Desk& desk, const Theme& theme, float width) {
 
 void slidePanel(Desk& desk, const Area& area, const Theme& theme) {
     const SlideDesk& on = desk.slides;
-    ImGui::SetNextWindowPos({static_cast<float>(area.corner.x), static_cast<float>(area.corner.y)});
-    ImGui::SetNextWindowSize({static_cast<float>(area.size.x), static_cast<float>(area.size.y)});
-    ImGui::Begin("slide", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav);
-    int by = 0;
-    if (ImGui::ArrowButton("slide back", ImGuiDir_Left)) by = -1;
-    ImGui::SameLine();
-    if (ImGui::ArrowButton("slide on", ImGuiDir_Right)) by = 1;
-    ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushFont(theme.heading);
-    ImGui::TextUnformatted(on.slide.title.c_str());
-    ImGui::PopFont();
-    ImGui::SameLine();
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", place(on).c_str());
-    ImGui::SameLine();
-    const float hintX =
-        static_cast<float>(area.size.x) - ImGui::CalcTextSize(kHint).x - ImGui::GetStyle().WindowPadding.x;
-    if (hintX > ImGui::GetCursorPosX()) {
-        ImGui::SetCursorPosX(hintX);
-        ImGui::TextDisabled("%s", kHint);
-    } else {
-        ImGui::NewLine();
-    }
+    const int by = beginBand({"slide", on.slide.title, place(on), kHint}, area, theme);
     for (const std::string& line : linesOf(on))
         ImGui::TextWrapped("%s", line.c_str());
     ImGui::End();
