@@ -30,7 +30,8 @@ struct Shown {
 
 /// What the desk cannot do itself: it takes a window, a file or some time. Whoever runs the desk takes them.
 struct Requests {
-    bool quit = false, screenshot = false, saveScene = false, fullScreen = false, reloadShaders = false;
+    bool quit = false, screenshot = false, saveScene = false, saveSlide = false, fullScreen = false,
+         reloadShaders = false;
     bool focusPanel = false;
     int scrollSource = 0;                   ///< half pages of the step's text: on for more than zero, else back
     bool pick = false, pickPartner = false; ///< the pixel under the mouse, as the first or the second

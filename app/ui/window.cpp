@@ -199,6 +199,7 @@ private:
             requests.scene.clear();
         }
         if (std::exchange(requests.saveScene, false)) saveScene();
+        if (std::exchange(requests.saveSlide, false)) saveAsSlide(*desk_);
         if (std::exchange(requests.screenshot, false)) saveScreenshot();
         if (std::exchange(requests.fullScreen, false)) toggleFullScreen();
         if (std::exchange(requests.reloadShaders, false)) {
