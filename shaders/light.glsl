@@ -1,6 +1,10 @@
 // One light: the irradiance it would give without shadows, and the gates that belong to visibility in every technique.
 // The C++ twin is techniques/foundation/scene/shading.h.
-uniform int lightKind; // 0 point (and sphere), 1 directional, 2 spot, 3 rect
+#ifdef LIGHT_KIND // known when the program is made: gl::useForLight
+const int lightKind = LIGHT_KIND; // 0 point (and sphere), 1 directional, 2 spot, 3 rect
+#else
+uniform int lightKind;
+#endif
 uniform vec3 lightPositionView;
 uniform vec3 lightDirectionView; // unit: the way the light travels; rect: its normal
 uniform vec3 lightIntensity;

@@ -1,6 +1,10 @@
 // The material of what is being drawn, and its reflection. The C++ twin is techniques/foundation/scene/shading.h.
 uniform vec3 diffuse;
+#ifdef DULL // nothing in the scene has highlights: gl::useForLight
+const vec3 specular = vec3(0.0);
+#else
 uniform vec3 specular;
+#endif
 uniform float shininess;
 uniform vec3 emission;
 

@@ -109,6 +109,17 @@ inline Region drawnRegion(const View& view) {
     return all ? Region{ivec2(0), view.size} : view.region;
 }
 
+/// A parameter of a technique that trades speed for error: `report` draws with each of its values.
+struct Sweep {
+    std::string_view title;         ///< "Hard map"
+    std::string_view settings = {}; ///< that all its points have, "param=value" with blanks between
+    std::string_view varies = {};   ///< the parameter that changes; empty: the settings alone are one point
+    std::string_view values = {};   ///< of it, with blanks between, the cheapest first
+    std::string_view quick = {};    ///< those that a quick report is content with; empty: all
+    bool onlyFull = false;          ///< left out of quick reports
+    enum class Lights { any, withArea, directional } lights = Lights::any; ///< those that it makes sense for
+};
+
 using Deadline = std::chrono::steady_clock::time_point;
 
 struct Progress {
@@ -153,6 +164,7 @@ struct TechniqueInfo {
     std::vector<StageInfo> stages;
     std::string_view pseudocode = {}; ///< the whole algorithm as a lecture writes it, in lines; empty: it has none
     std::vector<NamedValue> values{}; ///< of what its steps' formulas and source lines are about
+    std::vector<Sweep> sweeps{};      ///< what `report` tries; empty: its defaults
     std::unique_ptr<Technique> (*make)() = nullptr;
 };
 

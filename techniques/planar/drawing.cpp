@@ -209,13 +209,12 @@ void Planar::drawLit(const Frame& frame, const gl::Program& program, int light) 
     glStencilMask(kLitBit);
     glStencilFunc(GL_EQUAL, 0, params_.once ? kLitBit | kMarkBit : kLitBit);
     glStencilOp(GL_KEEP, GL_KEEP, GL_INVERT);
-    program.use();
+    gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
     if (const auto counted = counted_.find(light); counted != counted_.end()) {
         counted->second.counts.bind(gl::kFirstFreeUnit);
         program.set("shadowsOfPoints", gl::kFirstFreeUnit);
         program.set("lightPoints", static_cast<float>(counted->second.drawn));
     }
-    gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());
 }
 

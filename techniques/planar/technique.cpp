@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/planar/technique.h"
+#include "techniques/lights_in_view.h"
 
 #include <algorithm>
 #include <chrono>
@@ -38,6 +39,7 @@ Progress Planar::render(Frame& frame) {
     for (int light = 0; light < lights; ++light) {
         const bool sampled = isSampled(scene.lights[static_cast<std::size_t>(light)]);
         if (!sampled) counted_.erase(light);
+        const bool isNeeded = !params_.cull || mayLight(frame, light);
         const bool looksAtMarks = frame.wants("shadow-marks", light) || frame.wants("flattened", light);
         frame.pass(
             passInfo(kPasses, "clear-marks"),
@@ -47,7 +49,10 @@ Progress Planar::render(Frame& frame) {
             light);
         if (!sampled || looksAtMarks)
             frame.pass(
-                passInfo(kPasses, "shadows"), [&] { markShadows(frame, lit_[static_cast<std::size_t>(light)]); },
+                passInfo(kPasses, "shadows"),
+                [&] {
+                    if (isNeeded || looksAtMarks) markShadows(frame, lit_[static_cast<std::size_t>(light)]);
+                },
                 light);
         if (frame.wants("shadow-marks", light)) publishMarks(frame, light);
         if (frame.wants("flattened", light)) mostShadowed[light] = mostMarkedTag(frame);
@@ -64,6 +69,7 @@ Progress Planar::render(Frame& frame) {
         frame.pass(
             passInfo(kPasses, "light"),
             [&] {
+                if (!isNeeded) return;
                 gl::setAddLightState();
                 drawLit(frame, sampled ? shadeCounted_ : shade_, light);
             },
@@ -134,6 +140,12 @@ std::span<const TechniqueInfo> techniques() {
                    {"N·P_L + D", "N.P_L + D: height of the light"},
                    {"P_L", "light P_L, homogeneous"},
                    {"tag", "stencil number"}},
+        .sweeps = {{.title = "Hard shadow"},
+                   {.title = "Points of the light",
+                    .varies = "light-samples",
+                    .values = "4 16 64",
+                    .quick = "16",
+                    .lights = Sweep::Lights::withArea}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<Planar>(); },
     }};
     return info;

@@ -88,12 +88,12 @@ void SurfacePicture::drawScalar(const Frame& frame, const Values& values, bool i
 
 void SurfacePicture::drawVisibility(const Frame& frame, const Values& values, bool interpolates, int light) const {
     draw(frame, visibility_, values, interpolates,
-         [&] { gl::setLight(visibility_, frame.scene(), frame.buffers(), frame.eye(), light); });
+         [&] { gl::useForLight(visibility_, frame.scene(), frame.buffers(), frame.eye(), light); });
 }
 
 void SurfacePicture::drawVisibility(const Frame& frame, const Values& values, const Lattices& map, int light) const {
     draw(frame, visibilityMap_, values, true, [&] {
-        gl::setLight(visibilityMap_, frame.scene(), frame.buffers(), frame.eye(), light);
+        gl::useForLight(visibilityMap_, frame.scene(), frame.buffers(), frame.eye(), light);
         bind(map, visibilityMap_);
     });
 }

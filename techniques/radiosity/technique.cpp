@@ -249,6 +249,8 @@ std::span<const TechniqueInfo> techniques() {
                    {"r", "r"},
                    {"irradiance of patch j by the light", "irradiance by lights"},
                    {"I", "I = B / pi, intensity"}},
+        .sweeps = {{.title = "Patches", .varies = "patches", .values = "100 300 600 1200", .quick = "300"},
+                   {.title = "Hemicubes", .settings = "form-factors=hemicube", .onlyFull = true}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<Radiosity>(); },
     }};
     return info;

@@ -370,6 +370,18 @@ std::span<const TechniqueInfo> techniques() {
                    {"H", "H"},
                    {"toViewerWorld", "V"},
                    {"visibility", "truth"}},
+        .sweeps = {{.title = "Shadow rays"},
+                   {.title = "Receivers from an id buffer", .settings = "receivers=id-buffer"},
+                   {.title = "In a grid", .settings = "structure=grid", .onlyFull = true},
+                   {.title = "Points of the light",
+                    .settings = "antialias=false", // visibility is asked for at the pixel's centre
+                    .varies = "samples",
+                    .values = "4 16 64",
+                    .quick = "16",
+                    .lights = Sweep::Lights::withArea},
+                   {.title = "Light in closed form",
+                    .settings = "soft-shadows=analytic",
+                    .lights = Sweep::Lights::withArea}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<RayTraced>(); },
     }};
     return info;

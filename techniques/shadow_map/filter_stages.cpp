@@ -84,9 +84,7 @@ gl::Texture2D ShadowMap::drawPenumbra(const Frame& frame, int light, const Drawn
     drawn.depth->sample(gl::DepthSampling::depths);
     glDepthFunc(GL_EQUAL);
     const gl::Program& program = programsFor(drawn).penumbra;
-    program.use();
-    program.set("mode", mode);
-    drawReceivers(frame, program, light, drawn);
+    drawReceivers(frame, program, light, drawn, [&] { program.set("mode", mode); });
     return texture;
 }
 
@@ -171,19 +169,19 @@ void ShadowMap::publishKernel(Frame& frame, int light, const DrawnMap& map) {
             glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
             map.depth->sample(gl::DepthSampling::depths);
             const gl::Program& program = programsFor(map).kernel;
-            program.use();
             const glm::dmat2 kernelFromUv = glm::inverse(glm::dmat2(kernel->halfU, kernel->halfV));
-            program.set("kernelLayer", kernel->layer);
-            program.set("kernelUv", vec2(kernel->middleUv));
-            program.set("kernelX", vec2(kernelFromUv[0][0], kernelFromUv[1][0]));
-            program.set("kernelY", vec2(kernelFromUv[0][1], kernelFromUv[1][1]));
-            program.set("kernelPlane", kernel->plane);
-            program.set("kernelIsRound", kernel->isRound ? 1 : 0);
-            program.set("kernelPixel", vec2(pixel.x, size.y - 1 - pixel.y) + 0.5f); // GL counts rows from below
-            program.set("litColor", look::kEqualDepth);
-            program.set("occludedColor", look::kOccluded);
-            program.set("pixelColor", white);
-            drawReceivers(frame, program, light, map);
+            drawReceivers(frame, program, light, map, [&] {
+                program.set("kernelLayer", kernel->layer);
+                program.set("kernelUv", vec2(kernel->middleUv));
+                program.set("kernelX", vec2(kernelFromUv[0][0], kernelFromUv[1][0]));
+                program.set("kernelY", vec2(kernelFromUv[0][1], kernelFromUv[1][1]));
+                program.set("kernelPlane", kernel->plane);
+                program.set("kernelIsRound", kernel->isRound ? 1 : 0);
+                program.set("kernelPixel", vec2(pixel.x, size.y - 1 - pixel.y) + 0.5f); // GL counts rows from below
+                program.set("litColor", look::kEqualDepth);
+                program.set("occludedColor", look::kOccluded);
+                program.set("pixelColor", white);
+            });
         },
         display);
 }

@@ -5,6 +5,7 @@
 #include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/depth_fit.h"
 #include "techniques/foundation/scene/visible_receivers.h"
+#include "techniques/lights_in_view.h"
 #include "techniques/shadow_map/filter_uniforms.h"
 #include "techniques/shadow_map/seen_depth.h"
 #include "techniques/shadow_map/technique.h"
@@ -71,10 +72,20 @@ void ShadowMap::lookAt(const Frame& frame) {
     seen_.reset();
     if (cascades)
         if (const std::optional<dvec2> range = visibleDepthRange(frame)) seen_ = {view.camera, view.size, *range};
+    FittedFor now{frame.snapshot(), view.camera, view.size, params_, {}, {}};
+    if (seen_) now.visibleDepth = seen_->range;
+    const int lights = static_cast<int>(frame.scene().lights.size());
+    for (int light = 0; light < lights; ++light)
+        now.mayLight.push_back(!params_.cull || mayLight(frame, light));
+    if (now == fittedFor_) return;
     const std::vector<scene::Bounds> receivers = receiversInView(frame.scene(), view);
     fitted_.clear();
-    for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
-        fitted_.push_back(fit(frame.scene(), view, asked(frame.scene(), light), receivers, FitRequest::Cover::needed));
+    for (int light = 0; light < lights; ++light)
+        fitted_.push_back(
+            now.mayLight[static_cast<std::size_t>(light)]
+                ? fit(frame.scene(), view, asked(frame.scene(), light), receivers, FitRequest::Cover::needed)
+                : LightMaps{});
+    fittedFor_ = std::move(now);
 }
 
 std::vector<std::size_t> ShadowMap::castersOf(const scene::Scene& scene, const LightMaps& maps, const AskedLight& asked,

@@ -43,8 +43,10 @@ void ShadowMap::drawAsked(const Frame& frame, const gl::Program& asking, const g
     }
 }
 
-void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) {
+void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map,
+                              const std::function<void()>& setUniforms) {
     useForReceivers(frame, program, light, map);
+    if (setUniforms) setUniforms();
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
         const auto index = static_cast<std::size_t>(&object - frame.scene().objects.data());
         return setReceiver(frame, program, light, map, index);
@@ -52,8 +54,7 @@ void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, in
 }
 
 void ShadowMap::useForReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const {
-    program.use();
-    gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+    gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
     program.set("shadowMap", kMapUnit); // also where there is none: no unit holds textures of two kinds
     if (map.depth) {
         setReceiverUniforms(program, map.maps, params_, map.asked.filter);

@@ -82,8 +82,7 @@ void ShadowMap::publishWithoutShadows(Frame& frame) const {
         for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
             glClear(GL_STENCIL_BUFFER_BIT);
             gl::setAddLightState();
-            unshadowed_.use();
-            gl::setLight(unshadowed_, frame.scene(), frame.buffers(), frame.eye(), light);
+            gl::useForLight(unshadowed_, frame.scene(), frame.buffers(), frame.eye(), light);
             gl::drawSurfaces(unshadowed_, frame.scene(), frame.buffers(), frame.eye());
         }
     });
@@ -115,8 +114,7 @@ void ShadowMap::publishLightView(Frame& frame, int light, const DrawnMap& map) c
         sheet.setViewport(layer);
         gl::drawLightsOff(lightsOff_, frame.scene(), frame.buffers(), lightEye, isSeen);
         gl::setAddLightState();
-        unshadowed_.use();
-        gl::setLight(unshadowed_, frame.scene(), frame.buffers(), lightEye, light);
+        gl::useForLight(unshadowed_, frame.scene(), frame.buffers(), lightEye, light);
         gl::drawSurfaces(unshadowed_, frame.scene(), frame.buffers(), lightEye, isSeen);
     }
     frame.publish("light-view", light, std::move(target.color));
@@ -151,13 +149,13 @@ void ShadowMap::drawProjected(const Frame& frame, int light, const DrawnMap& map
     glDepthFunc(GL_EQUAL);
     if (map.depth) map.depth->sample(gl::DepthSampling::depths);
     const gl::Program& project = programsFor(map).project;
-    project.use();
-    project.set("mode", mode);
-    project.set("equalColor", look::kEqualDepth);
-    project.set("occludedColor", look::kOccluded);
-    project.set("nothingStoredColor", look::kNothingStored);
-    project.set("notAskedColor", look::kNotAsked);
-    drawReceivers(frame, project, light, map);
+    drawReceivers(frame, project, light, map, [&] {
+        project.set("mode", mode);
+        project.set("equalColor", look::kEqualDepth);
+        project.set("occludedColor", look::kOccluded);
+        project.set("nothingStoredColor", look::kNothingStored);
+        project.set("notAskedColor", look::kNotAsked);
+    });
 }
 
 std::vector<vec4> ShadowMap::projectedTexels(const Frame& frame, int light, const DrawnMap& map, int mode) {

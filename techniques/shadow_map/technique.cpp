@@ -2,6 +2,7 @@
 #include "techniques/shadow_map/technique.h"
 
 #include "techniques/foundation/scene/casters.h"
+#include "techniques/lights_in_view.h"
 #include "techniques/shadow_map/described.h"
 #include "techniques/shadow_map/filter_uniforms.h"
 #include "techniques/shadow_map/frusta.h"
@@ -55,6 +56,7 @@ Progress ShadowMap::render(Frame& frame) {
         frame.pass(
             passInfo(kPasses, "light"),
             [&] {
+                if (params_.cull && !mayLight(frame, light)) return;
                 glClear(GL_STENCIL_BUFFER_BIT);
                 gl::setAddLightState();
                 drawAsked(frame, lightProgram(map, false), unshadowed_, light, map);
@@ -131,6 +133,46 @@ std::span<const TechniqueInfo> techniques() {
                    {"shadowUv", "(s, t, r) = clip / w / 2 + 1/2"},
                    {"lightClip", "point in the light's clip space"},
                    {"referenceDepth", "z(u,v) as it is compared, the bias taken off"}},
+        .sweeps = {{.title = "Hard map",
+                    .settings = "filter=hard",
+                    .varies = "resolution",
+                    .values = "256 512 1024 2048 4096",
+                    .quick = "512 2048"},
+                   {.title = "Percentage-closer filter",
+                    .settings = "filter=pcf",
+                    .varies = "resolution",
+                    .values = "512 1024 2048 4096",
+                    .quick = "2048"},
+                   {.title = "Variance map",
+                    .settings = "filter=vsm",
+                    .varies = "resolution",
+                    .values = "512 1024 2048",
+                    .onlyFull = true},
+                   {.title = "Moment map",
+                    .settings = "filter=msm",
+                    .varies = "resolution",
+                    .values = "512 1024 2048",
+                    .onlyFull = true},
+                   {.title = "Cascades",
+                    .settings = "filter=hard",
+                    .varies = "cascades",
+                    .values = "2 3 4",
+                    .quick = "4",
+                    .lights = Sweep::Lights::directional},
+                   {.title = "Exact map", .settings = "exact=true"},
+                   {.title = "Alias-free map", .settings = "alias-free=true"},
+                   {.title = "Penumbra by blockers",
+                    .settings = "filter=pcss",
+                    .varies = "samples",
+                    .values = "8 16 64",
+                    .quick = "16",
+                    .lights = Sweep::Lights::withArea},
+                   {.title = "Points of the light",
+                    .settings = "filter=hard",
+                    .varies = "light-samples",
+                    .values = "4 16 64",
+                    .quick = "16",
+                    .lights = Sweep::Lights::withArea}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ShadowMap>(); },
     }};
     return info;

@@ -1,6 +1,7 @@
 // Shadow mapping: ask a depth picture taken from the light whether something stands between the light and the point.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <functional>
 #include <map>
 
 #include "techniques/frame.h"
@@ -115,7 +116,9 @@ private:
     /// Draws the receivers: with `asking` where a shadow may fall, with `plain` elsewhere.
     void drawAsked(const Frame& frame, const gl::Program& asking, const gl::Program& plain, int light,
                    const DrawnMap& map);
-    void drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map);
+    /// `setUniforms`: those of the program that are not the same for all.
+    void drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map,
+                       const std::function<void()>& setUniforms = {});
     void useForReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const;
     bool setReceiver(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map,
                      std::size_t object) const;
@@ -149,7 +152,18 @@ private:
     std::vector<scene::Bounds> bounds_;                   ///< of all objects
     std::vector<std::vector<std::size_t>> usefulCasters_; ///< per light: those whose shadow can fall on something
     std::optional<SeenDepth> seen_;
+    /// All that the fit of a frame's maps depends on.
+    struct FittedFor {
+        scene::Snapshot snapshot;
+        scene::Camera camera;
+        ivec2 size{0};
+        ShadowMapParams params;
+        std::optional<dvec2> visibleDepth;
+        std::vector<bool> mayLight; ///< by light
+        friend bool operator==(const FittedFor&, const FittedFor&) = default;
+    };
     std::vector<LightMaps> fitted_; ///< per light, for the frame that is drawn
+    FittedFor fittedFor_;
     KeptMaps kept_;
     DepthPass depthPass_;
     MomentMaker momentMaker_;

@@ -34,10 +34,10 @@ gl::Texture2D ShadowMap::drawTexelSizes(const Frame& frame, int light, const Dra
     glClear(GL_STENCIL_BUFFER_BIT);
     gl::setVisibilityState();
     const gl::Program& program = programsFor(map).texelSize;
-    program.use();
-    const dvec2 size(frame.view().size);
-    program.set("longest", static_cast<float>(glm::length(size))); // the picture's diagonal
-    drawReceivers(frame, program, light, map);
+    drawReceivers(frame, program, light, map, [&] {
+        const dvec2 size(frame.view().size);
+        program.set("longest", static_cast<float>(glm::length(size))); // the picture's diagonal
+    });
     return texture;
 }
 
@@ -81,14 +81,14 @@ void ShadowMap::publishLayers(Frame& frame, int light, const DrawnMap& map, std:
             glEnable(GL_BLEND);
             glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
             const gl::Program& program = programsFor(map).layers;
-            program.use();
-            program.set("squareTexels", static_cast<float>(squareTexels));
-            program.set("strength", 0.6f);
             std::vector<vec4> colors;
             for (const vec3& color : look::kLayers)
                 colors.emplace_back(color, 1.0f);
-            program.set("layerColors", std::span<const vec4>(colors));
-            drawReceivers(frame, program, light, map);
+            drawReceivers(frame, program, light, map, [&] {
+                program.set("squareTexels", static_cast<float>(squareTexels));
+                program.set("strength", 0.6f);
+                program.set("layerColors", std::span<const vec4>(colors));
+            });
         },
         display);
 }

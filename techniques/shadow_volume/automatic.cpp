@@ -114,6 +114,7 @@ TechniqueInfo automaticInfo() {
         .values = {{"stencil", "stencil"},
                    {"n_f - n_b", "z-pass, eye to point"},
                    {"n_b - n_f", "z-fail, point to infinity"}},
+        .sweeps = {{.title = "Each caster its way", .varies = "repair", .values = "false true"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<Automatic>(); },
     };
 }

@@ -49,10 +49,9 @@ void StagePictures::publishFacing(Frame& frame, int light) const {
         "facing", light, GL_RGBA16F,
         [&] {
             glDepthFunc(GL_EQUAL);
-            facing_.use();
+            gl::useForLight(facing_, frame.scene(), frame.buffers(), frame.eye(), light);
             facing_.set("towardColor", look::kTowardLight);
             facing_.set("awayColor", look::kAwayFromLight);
-            gl::setLight(facing_, frame.scene(), frame.buffers(), frame.eye(), light);
             gl::drawSurfaces(facing_, frame.scene(), frame.buffers(), frame.eye());
         },
         {.unit = "",

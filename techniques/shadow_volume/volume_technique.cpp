@@ -6,6 +6,7 @@
 
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/scene/visible_receivers.h"
+#include "techniques/lights_in_view.h"
 #include "techniques/shadow_volume/eye_line.h"
 #include "techniques/shadow_volume/shapes.h"
 
@@ -39,7 +40,14 @@ Progress VolumeTechnique::render(Frame& frame) {
     findReceivers(scene, frame.eye());
     const int lights = static_cast<int>(scene.lights.size());
     for (int light = 0; light < lights; ++light) {
-        chooseVolumes(frame, light);
+        const bool isNeeded = !params_.cull || mayLight(frame, light);
+        if (isNeeded) {
+            chooseVolumes(frame, light);
+        } else {
+            drawn_.clear();
+            startCount_ = 0;
+            frame.count("volumes", 0, static_cast<double>(casters_.of(light).size()), "casters");
+        }
         publishVisibility(frame, light);
         publishStencilStages(frame, light);
         clearAndCount(frame, light);
@@ -47,6 +55,7 @@ Progress VolumeTechnique::render(Frame& frame) {
         frame.pass(
             passInfo(counting_.passes, "light"),
             [&] {
+                if (!isNeeded) return;
                 gl::setAddLightState();
                 drawLit(frame, shade_, light);
             },
@@ -70,7 +79,9 @@ void VolumeTechnique::findReceivers(const scene::Scene& scene, const gl::EyeMatr
 VolumeEnd VolumeTechnique::endOf(const CasterVolume& caster, const scene::Light& light) const {
     VolumeEnd end;
     if (endsAtDistance()) end.distance = params_.extrusion;
-    if (params_.end != VolumeParams::End::receivers) return end;
+    // In the volume of what shadows nothing all ends lie in one plane with its top cap, nearer than the depth buffer can tell
+    // apart: where such volumes are drawn, they end nowhere.
+    if (params_.end != VolumeParams::End::receivers || !caster.useful) return end;
     if (!allReceiversInView_.isEmpty()) end.planeWorld = endPlaneWorld(caster.bounds, light, allReceiversInView_);
     if (!end.planeWorld) end.planeWorld = caster.endWorld;
     return end;
@@ -185,8 +196,7 @@ void VolumeTechnique::repair(Frame& frame, int light) {
 
 // [anchor: light-where-zero]
 void VolumeTechnique::drawLit(Frame& frame, const gl::Program& program, int light) const {
-    program.use();
-    gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+    gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
         // What receives no shadow ignores the count.
         glStencilFunc(object.receivesShadow ? GL_EQUAL : GL_ALWAYS, 0, params_.stencil.mask());

@@ -105,6 +105,7 @@ TechniqueInfo zfailInfo() {
         .stages = {std::begin(kStages), std::end(kStages)},
         .pseudocode = kStencilSteps,
         .values = {{"stencil", "stencil"}, {"n_b - n_f", "z-fail, point to infinity"}},
+        .sweeps = {{.title = "Counted behind", .varies = "repair", .values = "false true"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ZFail>(); },
     };
 }

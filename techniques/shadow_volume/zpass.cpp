@@ -127,6 +127,11 @@ TechniqueInfo zpassInfo() {
         .stages = {std::begin(kStages), std::end(kStages)},
         .pseudocode = kZPassSteps,
         .values = {{"stencil", "stencil"}, {"n_f - n_b", "z-pass, eye to point"}},
+        .sweeps = {{.title = "Textbook"},
+                   {.title = "Corrected for the eye",
+                    .settings = "eye-correction=true",
+                    .varies = "repair",
+                    .values = "false true"}},
         .make = []() -> std::unique_ptr<Technique> { return std::make_unique<ZPass>(); },
     };
 }

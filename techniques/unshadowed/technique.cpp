@@ -60,8 +60,7 @@ public:
 
 private:
     static void draw(const Frame& frame, const gl::Program& program, int light) {
-        program.use();
-        gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+        gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
         gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());
     }
 

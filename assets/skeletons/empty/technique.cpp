@@ -53,9 +53,8 @@ public:
 
 private:
     void drawReceivers(const Frame& frame, const gl::Program& program, int light) const {
-        program.use();
+        gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
         program.set("darkness", static_cast<float>(darkness_));
-        gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
         gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());
     }
 

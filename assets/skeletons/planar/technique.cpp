@@ -170,8 +170,7 @@ private:
     }
 
     static void drawLit(const Frame& frame, const gl::Program& program, int light) {
-        program.use();
-        gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+        gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
         gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());
     }
 

@@ -146,8 +146,7 @@ private:
 
     void drawReceivers(const Frame& frame, const gl::Program& program, int light) const {
         const auto index = static_cast<std::size_t>(light);
-        program.use();
-        gl::setLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+        gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
         maps_[index].bind(gl::kFirstFreeUnit);
         program.set("depthMap", gl::kFirstFreeUnit);
         gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {

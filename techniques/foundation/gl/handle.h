@@ -4,12 +4,15 @@
 #pragma once
 #include <glad/gl.h>
 
+#include <cstdint>
 #include <utility>
 
 namespace shadowlab::gl {
 
 /// Number of GL objects alive, over all kinds. Tests hold it against the number before.
 inline int liveObjects = 0;
+/// What they hold, as far as they say: texels and buffer contents, without what the driver adds.
+inline std::int64_t liveBytes = 0;
 
 /// `Traits` has `static GLuint create()` and `static void destroy(GLuint)`. (glad's entry points are variables and so
 /// cannot be template arguments themselves.)
@@ -27,17 +30,25 @@ public:
         if (id_ == 0) return;
         Traits::destroy(id_);
         --liveObjects;
+        liveBytes -= bytes_;
     }
-    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+    Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, 0)), bytes_(std::exchange(other.bytes_, 0)) {}
     Handle& operator=(Handle&& other) noexcept {
         std::swap(id_, other.id_);
+        std::swap(bytes_, other.bytes_);
         return *this;
+    }
+    /// From now on it counts as holding that much.
+    void holds(std::int64_t bytes) {
+        liveBytes += bytes - bytes_;
+        bytes_ = bytes;
     }
     [[nodiscard]] GLuint id() const { return id_; }
     explicit operator bool() const { return id_ != 0; }
 
 private:
     GLuint id_ = 0;
+    std::int64_t bytes_ = 0;
 };
 
 struct BufferTraits {

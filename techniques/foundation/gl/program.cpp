@@ -68,12 +68,17 @@ int shaderReloads() { return reloads; }
 
 std::vector<std::string> takeShaderFaults() { return std::exchange(faults(), {}); }
 
-void Program::use() const {
-    if (!handle_)
-        link();
-    else if (reloadsSeen_ != reloads)
-        relink();
-    glUseProgram(handle_.id());
+void Program::use() const { useWith(chosen_); }
+
+void Program::useWith(const std::vector<std::string>& moreDefines) const {
+    Linked& linked = linked_[moreDefines];
+    if (!linked.handle)
+        link(linked, moreDefines);
+    else if (linked.reloadsSeen != reloads)
+        relink(linked, moreDefines);
+    if (chosen_ != moreDefines) chosen_ = moreDefines;
+    inUse_ = &linked;
+    glUseProgram(linked.handle.id());
 }
 
 const Program& Program::cutting() const {
@@ -85,25 +90,27 @@ const Program& Program::cutting() const {
     return *cutting_;
 }
 
-void Program::relink() const {
-    reloadsSeen_ = reloads;
+void Program::relink(Linked& linked, const std::vector<std::string>& moreDefines) const {
+    linked.reloadsSeen = reloads;
     try {
-        link();
-        locations_.clear();
+        link(linked, moreDefines);
+        linked.locations.clear();
     } catch (const Error& fault) {
         faults().emplace_back(fault.what());
     }
 }
 
-void Program::link() const {
-    reloadsSeen_ = reloads;
+void Program::link(Linked& linked, const std::vector<std::string>& moreDefines) const {
+    linked.reloadsSeen = reloads;
+    std::vector<std::string> defines = defines_;
+    defines.insert(defines.end(), moreDefines.begin(), moreDefines.end());
     const Shader vertex(GL_VERTEX_SHADER), fragment(GL_FRAGMENT_SHADER);
-    const ShaderSource fragmentSource = shaderSource(fragmentFile_, defines_, substitutions_);
+    const ShaderSource fragmentSource = shaderSource(fragmentFile_, defines, substitutions_);
     compile(fragment, fragmentSource);
     ProgramHandle handle = ProgramHandle::create();
-    std::vector<std::string> vertexDefines = defines_;
+    std::vector<std::string> vertexDefines = defines;
     if (fragmentSource.text.find("gl_PrimitiveID") != std::string::npos && losesPrimitiveId()) {
-        const HandingOn handing = handingOn(shaderSource(vertexFile_, defines_, substitutions_).text, defines_);
+        const HandingOn handing = handingOn(shaderSource(vertexFile_, defines, substitutions_).text, defines);
         vertexDefines.insert(vertexDefines.end(), handing.vertexDefines.begin(), handing.vertexDefines.end());
         const Shader geometry(GL_GEOMETRY_SHADER);
         compile(geometry, {handing.geometryText, {"(geometry shader for " + vertexFile_ + ")"}});
@@ -113,21 +120,22 @@ void Program::link() const {
     glAttachShader(handle.id(), vertex.id);
     glAttachShader(handle.id(), fragment.id);
     glLinkProgram(handle.id());
-    GLint linked = 0;
-    glGetProgramiv(handle.id(), GL_LINK_STATUS, &linked);
+    GLint isLinked = 0;
+    glGetProgramiv(handle.id(), GL_LINK_STATUS, &isLinked);
     const std::string name = vertexFile_ + " + " + fragmentFile_;
-    if (!linked)
+    if (!isLinked)
         throw Error(ExitStatus::badInput, name + ": " +
                                               firstError(infoLog(handle.id(), glGetProgramiv, glGetProgramInfoLog)) +
                                               "; mend the shaders");
     label(GL_PROGRAM, handle.id(), name);
-    handle_ = std::move(handle);
+    linked.handle = std::move(handle);
 }
 
 GLint Program::location(std::string_view name) const {
-    if (const auto found = locations_.find(name); found != locations_.end()) return found->second;
+    auto& locations = inUse_->locations;
+    if (const auto found = locations.find(name); found != locations.end()) return found->second;
     const std::string key(name);
-    return locations_.emplace(key, glGetUniformLocation(handle_.id(), key.c_str())).first->second;
+    return locations.emplace(key, glGetUniformLocation(inUse_->handle.id(), key.c_str())).first->second;
 }
 
 void Program::set(std::string_view name, int value) const { glUniform1i(location(name), value); }

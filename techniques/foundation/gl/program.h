@@ -1,6 +1,7 @@
 // A linked shader program whose uniforms are set by the name they have in GLSL.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -22,6 +23,10 @@ public:
             std::vector<Substitution> substitutions = {});
     /// Compiles and links when necessary. Throws Error (badInput) with `FILE:LINE: message`.
     void use() const;
+    /// The same, made with these defines as well, from now on and until others are asked for: for what is the same all over a
+    /// draw call (the kind of a light) and so need not be asked for each pixel. Each set of defines has uniforms of its own, so
+    /// set them afterwards.
+    void useWith(const std::vector<std::string>& moreDefines) const;
 
     /// The same program, made with CUT_HOLES: for surfaces with holes, in passes that write depth (shaders/cut_holes.glsl).
     [[nodiscard]] const Program& cutting() const;
@@ -42,16 +47,22 @@ private:
         using is_transparent = void;
         std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>{}(name); }
     };
-    void link() const;
-    void relink() const;
+    /// What was compiled, with one set of further defines.
+    struct Linked {
+        ProgramHandle handle;
+        int reloadsSeen = 0;
+        std::unordered_map<std::string, GLint, NameHash, std::equal_to<>> locations;
+    };
+    void link(Linked& linked, const std::vector<std::string>& moreDefines) const;
+    void relink(Linked& linked, const std::vector<std::string>& moreDefines) const;
     [[nodiscard]] GLint location(std::string_view name) const;
     std::string vertexFile_, fragmentFile_;
     std::vector<std::string> defines_;
     std::vector<Substitution> substitutions_;
-    mutable ProgramHandle handle_;
     mutable std::unique_ptr<const Program> cutting_; ///< made when first asked for
-    mutable int reloadsSeen_ = 0;
-    mutable std::unordered_map<std::string, GLint, NameHash, std::equal_to<>> locations_;
+    mutable std::map<std::vector<std::string>, Linked> linked_;
+    mutable std::vector<std::string> chosen_; ///< the key of what use() puts to use
+    mutable Linked* inUse_ = nullptr;
 };
 
 /// From now on every program compiles its files anew before it is used again. One that no longer compiles stays as it was,

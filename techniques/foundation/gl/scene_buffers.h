@@ -65,6 +65,7 @@ BufferHandle uploadBuffer(GLenum target, const std::vector<T>& data) {
     BufferHandle buffer = BufferHandle::create();
     glBindBuffer(target, buffer.id());
     glBufferData(target, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), GL_STATIC_DRAW);
+    buffer.holds(static_cast<std::int64_t>(data.size() * sizeof(T)));
     return buffer;
 }
 

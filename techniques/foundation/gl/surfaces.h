@@ -53,9 +53,10 @@ void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, co
 void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t object,
                const dmat4& clipFromMesh);
 
-/// Sets the uniforms of shaders/light.glsl and binds the facing signs. Follow with drawSurfaces.
-void setLight(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
-              int light);
+/// Puts the program to use, as it is made for lights of this kind and the materials of this scene, sets the uniforms of
+/// shaders/light.glsl and binds the facing signs. Set other uniforms after it, and follow with drawSurfaces.
+void useForLight(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
+                 int light);
 
 /// Clears colour to the background, depth and stencil, and draws emission + ambient with depth: all lights off.
 void drawLightsOff(const Program& lightsOff, const scene::Scene& scene, const SceneBuffers& buffers,

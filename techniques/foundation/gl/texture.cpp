@@ -22,6 +22,21 @@ std::pair<GLenum, GLenum> transferFormat(GLenum internalFormat) {
     }
 }
 
+/// Of one texel, without mipmaps. 24 bits of depth are kept in 32.
+std::int64_t texelBytes(GLenum internalFormat) {
+    switch (internalFormat) {
+    case GL_R8: return 1;
+    case GL_DEPTH_COMPONENT16:
+    case GL_R16F:
+    case GL_RG8: return 2;
+    case GL_RGBA16F:
+    case GL_RG32F: return 8;
+    case GL_RGBA32F:
+    case GL_RGBA32UI: return 16;
+    default: return 4;
+    }
+}
+
 void requireSize(GLint limit, int wanted, std::string_view what) {
     if (wanted > limit)
         throw Error(ExitStatus::overLimit, std::string(what) + " needs " + std::to_string(wanted) +
@@ -58,6 +73,7 @@ Texture2D::Texture2D(GLenum internalFormat, ivec2 size, std::string_view name)
     glBindTexture(GL_TEXTURE_2D, handle_.id());
     const auto [format, type] = transferFormat(internalFormat);
     glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internalFormat), size.x, size.y, 0, format, type, nullptr);
+    handle_.holds(texelBytes(internalFormat) * size.x * size.y);
     sampleNearestClamped(GL_TEXTURE_2D);
     label(GL_TEXTURE, handle_.id(), name);
     if (glGetError() == GL_OUT_OF_MEMORY)
@@ -76,6 +92,7 @@ DepthTextureArray::DepthTextureArray(GLenum internalFormat, int side, int layers
     glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(internalFormat), side, side, layers, 0, GL_DEPTH_COMPONENT,
                  GL_FLOAT, nullptr);
+    handle_.holds(texelBytes(internalFormat) * side * side * layers);
     sampleNearestClamped(GL_TEXTURE_2D_ARRAY);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
@@ -111,6 +128,7 @@ IdTextureArray::IdTextureArray(int side, int layers, std::string_view name)
     requireSize(limitOf(GL_MAX_TEXTURE_SIZE), side, name);
     glBindTexture(GL_TEXTURE_2D_ARRAY, handle_.id());
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32UI, side, side, layers, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+    handle_.holds(texelBytes(GL_R32UI) * side * side * layers);
     sampleNearestClamped(GL_TEXTURE_2D_ARRAY);
     label(GL_TEXTURE, handle_.id(), name);
     requireMemory(side, layers, name);
@@ -129,6 +147,8 @@ ColorTextureArray::ColorTextureArray(GLenum internalFormat, int side, int layers
     const auto [format, type] = transferFormat(internalFormat);
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, static_cast<GLint>(internalFormat), side, side, layers, 0, format, type,
                  nullptr);
+    const std::int64_t base = texelBytes(internalFormat) * side * side * layers;
+    handle_.holds(mipmaps ? base * 4 / 3 : base); // a quarter of a level for the next one
     sampleNearestClamped(GL_TEXTURE_2D_ARRAY);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
@@ -165,6 +185,7 @@ BufferTexture::BufferTexture(GLenum format, const void* texels, std::size_t coun
     glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
     glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(std::max<std::size_t>(1, count) * kTexelBytes),
                  count == 0 ? &none : texels, GL_STATIC_DRAW);
+    buffer_.holds(static_cast<std::int64_t>(std::max<std::size_t>(1, count) * kTexelBytes));
     glBindTexture(GL_TEXTURE_BUFFER, handle_.id());
     glTexBuffer(GL_TEXTURE_BUFFER, format, buffer_.id());
     label(GL_TEXTURE, handle_.id(), name);
@@ -186,6 +207,7 @@ ByteBufferTexture::ByteBufferTexture(const std::vector<std::int8_t>& bytes, std:
     const std::int8_t none = 0; // a buffer of no bytes is not a complete texture
     glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(std::max<std::size_t>(1, bytes.size())),
                  bytes.empty() ? &none : bytes.data(), GL_STATIC_DRAW);
+    buffer_.holds(static_cast<std::int64_t>(std::max<std::size_t>(1, bytes.size())));
     glBindTexture(GL_TEXTURE_BUFFER, handle_.id());
     glTexBuffer(GL_TEXTURE_BUFFER, GL_R8I, buffer_.id());
     label(GL_TEXTURE, handle_.id(), name);

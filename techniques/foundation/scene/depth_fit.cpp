@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "techniques/foundation/scene/clip_polygon.h"
@@ -61,15 +62,32 @@ double nearestOfTriangles(const Object& object, const dmat4& clipFromWorld) {
     return nearest;
 }
 
+/// View depth of the nearest corner of a box, in view or not.
+double leastDepth(const Bounds& box, const dmat4& clipFromWorld) {
+    const dvec4 row(clipFromWorld[0].w, clipFromWorld[1].w, clipFromWorld[2].w, clipFromWorld[3].w);
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 8; ++i)
+        least = std::min(least, glm::dot(row, dvec4(box.corner(i), 1.0)));
+    return least;
+}
+
 } // namespace
 
 Camera withTightNear(const Camera& camera, const Scene& scene, std::span<const Bounds> bounds, double aspect) {
     const dmat4 clipFromWorld = clipFromView(camera, aspect) * viewFromWorld(camera);
+    // Boxes from near to far: once one begins behind what was found, the others have nothing nearer. Rounding is far less than
+    // the clearance.
+    std::vector<std::pair<double, std::size_t>> beginning(bounds.size());
+    for (std::size_t o = 0; o < bounds.size(); ++o)
+        beginning[o] = {leastDepth(bounds[o], clipFromWorld), o};
+    std::ranges::sort(beginning);
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t o = 0; o < scene.objects.size(); ++o)
+    for (const auto& [depth, o] : beginning) {
+        if (depth > nearest) break;
         nearest = std::min(nearest, scene.objects[o].mesh->triangles.size() <= kFewTriangles
                                         ? nearestOfTriangles(scene.objects[o], clipFromWorld)
                                         : nearestOfBox(bounds[o], clipFromWorld, camera.positionWorld));
+    }
     Camera tight = camera;
     if (nearest < std::numeric_limits<double>::infinity()) tight.near = std::max(camera.near, kClearance * nearest);
     return tight;

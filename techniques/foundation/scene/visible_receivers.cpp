@@ -4,6 +4,7 @@
 #include <array>
 
 #include "techniques/foundation/scene/clip_polygon.h"
+#include "techniques/foundation/scene/view_planes.h"
 
 namespace shadowlab::scene {
 
@@ -13,14 +14,6 @@ namespace {
 constexpr std::size_t kFewTriangles = 16;
 
 using Planes = std::array<dvec4, 5>;
-
-/// Left, right, bottom, top and near plane of that part of the view, in the world: positive inside.
-Planes planesWorld(const dmat4& clipFromWorld, const PicturePart& part) {
-    const dmat4 transposed = glm::transpose(clipFromWorld);
-    return {transposed * dvec4(1, 0, 0, -part.lower.x), transposed * dvec4(-1, 0, 0, part.upper.x),
-            transposed * dvec4(0, 1, 0, -part.lower.y), transposed * dvec4(0, -1, 0, part.upper.y),
-            transposed * dvec4(0, 0, 1, 1)};
-}
 
 void includeVisible(Bounds& visible, std::vector<dvec4> polygonWorld, const Planes& planes) {
     for (const dvec4& plane : planes)
