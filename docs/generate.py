@@ -35,8 +35,9 @@ DOCS = ROOT / "docs"
 IMAGES = DOCS / "images"
 # Pages that are about no technique, by who looks for them; what is not listed here stands last.
 PAGES = {
-    "To use it": ["window", "measuring", "pixel", "outside", "source", "sequences", "shadow-map-filters"],
-    "To teach with it": ["teaching", "exercises", "decks", "lessons"],
+    "To use it": ["window", "measuring", "report", "performance", "pixel", "outside", "source", "sequences",
+                  "shadow-map-filters"],
+    "To teach with it": ["teaching", "exercises", "decks", "lessons", "hard-cases"],
     "To build on": ["tour", "conventions", "scene_format", "adding_a_technique", "plugins"],
 }
 LARGEST_PICTURE = 150_000  # bytes: a clone stays small, a page loads at once

@@ -130,6 +130,10 @@ int run(int argc, char** argv) {
         app, "measure", "What techniques get wrong, pixel by pixel against the exact answer, and what they cost");
     describeMeasure(*measureCommand);
 
+    CLI::App* reportCommand = addCommand(
+        app, "report", "Speed against error: every technique's sweeps on scenes, as a page, charts, CSV and JSON");
+    describeReport(*reportCommand);
+
     CLI::App* probeCommand =
         addCommand(app, "probe", "What a technique knows about one pixel: facts, vectors, and the tree of its rays");
     describeProbe(*probeCommand);
@@ -212,6 +216,10 @@ int run(int argc, char** argv) {
     }
     if (captureCommand->parsed()) return capture(captureOptions(*captureCommand));
     if (measureCommand->parsed()) return measure(measureOptions(*measureCommand));
+    if (reportCommand->parsed()) {
+        const ReportOptions options = reportOptions(*reportCommand);
+        return options.isHard ? reportHard(options) : report(options);
+    }
     if (probeCommand->parsed()) return probe(probeOptions(*probeCommand));
     if (lessonCommand->parsed()) return lesson(lessonOptions(*lessonCommand));
     if (slidesCommand->parsed()) return slides(slidesOptions(*slidesCommand));

@@ -11,6 +11,7 @@
 #include "app/commands/measure_options.h"
 #include "app/commands/new_technique_options.h"
 #include "app/commands/probe_options.h"
+#include "app/commands/report_options.h"
 #include "app/commands/slides_options.h"
 
 namespace shadowlab::commands {
@@ -19,6 +20,11 @@ int capture(const CaptureOptions& options);
 
 /// Prints what was measured to standard output.
 int measure(const MeasureOptions& options);
+
+/// Writes a report into a folder, or puts the parts of one together.
+int report(const ReportOptions& options);
+/// The same of the hard cases. 0: all are as they have to be; 1: some are not.
+int reportHard(const ReportOptions& options);
 
 /// Prints what a technique knows about one pixel to standard output.
 int probe(const ProbeOptions& options);

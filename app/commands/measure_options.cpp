@@ -10,10 +10,7 @@
 
 namespace shadowlab::commands {
 
-namespace {
-
-/// `all` stands for every technique that says what it makes of a light.
-std::vector<std::string> techniquesFrom(const std::vector<std::string>& texts) {
+std::vector<std::string> measuredTechniquesFrom(const std::vector<std::string>& texts) {
     std::vector<std::string> ids = splitAtCommas(texts);
     if (ids != std::vector<std::string>{"all"}) return ids;
     ids.clear();
@@ -22,8 +19,6 @@ std::vector<std::string> techniquesFrom(const std::vector<std::string>& texts) {
             ids.emplace_back(technique.info->id);
     return ids;
 }
-
-} // namespace
 
 void describeMeasure(CLI::App& command) {
     const auto add = [&](const char* names, const char* value, const char* help) {
@@ -49,7 +44,7 @@ MeasureOptions measureOptions(const CLI::App& command) {
     const GivenOptions given(command);
     MeasureOptions options;
     options.scene = given.required("SCENE", "shadowlab measure SCENE");
-    if (given.has("--technique")) options.techniques = techniquesFrom(given.texts("--technique"));
+    if (given.has("--technique")) options.techniques = measuredTechniquesFrom(given.texts("--technique"));
     options.size = sizeFrom("--size", given.text("--size", "1280x720"), kLongestMeasuredSide);
     options.settings = given.texts("--set");
     options.light = given.text("--light");

@@ -31,6 +31,9 @@ struct MeasureOptions {
     std::vector<std::filesystem::path> allowed;
 };
 
+/// Ids with commas between them; `all` stands for every technique that says what it makes of a light.
+std::vector<std::string> measuredTechniquesFrom(const std::vector<std::string>& texts);
+
 void describeMeasure(CLI::App& command);
 
 /// From what was written to what is meant. Throws Error (usage, overLimit).

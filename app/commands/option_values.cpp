@@ -55,6 +55,11 @@ void addOption(CLI::App& command, const std::string& names, const std::string& v
     option->type_name(value);
 }
 
+void addArguments(CLI::App& command, const std::string& name, const std::string& help) {
+    constexpr int kAnyNumber = CLI::detail::expected_max_vector_size;
+    command.add_option(name, help)->expected(1, kAnyNumber)->take_all()->allow_extra_args(true)->type_name("");
+}
+
 /// The name's ending tells what is in a file, and keeps a slip of the hand from overwriting a scene or a mesh. What
 /// stands for a device or a pipe may have any name.
 void requireEnding(const std::string& option, const std::filesystem::path& path, const std::string& ending) {

@@ -39,6 +39,9 @@ private:
 /// `value` stands for the word in the help text. How often it may be given is up to those who ask.
 void addOption(CLI::App& command, const std::string& names, const std::string& value, const std::string& help);
 
+/// Adds an argument without a name of its own that may be written several times.
+void addArguments(CLI::App& command, const std::string& name, const std::string& help);
+
 /// Refuses an output whose name does not end in `ending`.
 void requireEnding(const std::string& option, const std::filesystem::path& path, const std::string& ending);
 

@@ -12,7 +12,8 @@ void describeSlides(CLI::App& command) {
     const auto add = [&](const char* names, const char* value, const char* help) {
         addOption(command, names, value, help);
     };
-    add("DECK", "", "a built-in name (`list decks`) or a .json deck; may be repeated (default: all built-in decks)");
+    addArguments(command, "DECK",
+                 "a built-in name (`list decks`) or a .json deck; may be repeated (default: all built-in decks)");
     add("-o,--output", "DIR", "the folder that the slides are written into; it is made where there is none");
     add("--only", "SLIDE", "draws that slide alone, and no page of all; several with commas between them");
     add("--size", "WxH", "width and height of the slides in pixels (default 1920x1080; 4K is 3840x2160)");

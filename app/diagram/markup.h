@@ -1,6 +1,8 @@
 // Text inside of SVG and HTML.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -8,5 +10,8 @@ namespace shadowlab::diagram {
 
 /// With the signs that markup is made of written as such. No control character is allowed there; each becomes a blank.
 std::string escapedMarkup(std::string_view text);
+
+/// Bytes as letters (RFC 4648, section 4), for data URIs.
+std::string base64(std::span<const std::uint8_t> bytes);
 
 } // namespace shadowlab::diagram

@@ -48,7 +48,7 @@ ShownState StateReader::read(std::span<const JsonObject* const> levels) {
         state.light = oneOf(lightOf, "light", lightOf.text("light"), names);
     }
     // A stage of all slots is that of slots further out, or beside them; slots further in have their own.
-    const JsonObject& slotsAt = having(levels, {"slots"});
+    const JsonObject& slotsAt = having(levels, {"slots", "technique"});
     const JsonObject& stageAt = having(levels, {"stage", "step"});
     const bool isOfThem =
         hasStage(stageAt) && std::ranges::find(levels, &stageAt) >= std::ranges::find(levels, &slotsAt);
@@ -101,21 +101,29 @@ void StateReader::loadScene(const JsonObject& object, ShownState& state) {
 }
 
 void StateReader::readSlots(const JsonObject& object, const JsonObject* stageOf, ShownState& state) {
+    if (object.find("technique")) {
+        readSlot(object, stageOf, state);
+        return;
+    }
     for (const JsonValue& value : object.array("slots")) {
         const JsonObject slot(document_, value, "slot " + std::to_string(state.slots.size() + 1),
                               {"technique", "stage", "step"});
-        PaneState pane;
-        pane.technique = slot.text("technique");
-        const TechniqueInfo& info = saidAt(document_, slot.require("technique", "\"shadow-map\"").offset,
-                                           [&]() -> const TechniqueInfo& { return findTechnique(pane.technique); });
-        pane.stage = readStage(stageOf ? *stageOf : slot, info, state);
-        state.slots.push_back(std::move(pane));
+        readSlot(slot, stageOf, state);
     }
     if (state.slots.empty())
         object.fail("slots", R"(is missing or empty; write for example [{"technique": "shadow-map"}])");
     if (state.slots.size() > kPanes)
         object.fail("slots", "has more techniques than the " + std::to_string(kPanes) +
                                  " that the window shows; leave some out");
+}
+
+void StateReader::readSlot(const JsonObject& slot, const JsonObject* stageOf, ShownState& state) {
+    PaneState pane;
+    pane.technique = slot.text("technique");
+    const TechniqueInfo& info = saidAt(document_, slot.require("technique", "\"shadow-map\"").offset,
+                                       [&]() -> const TechniqueInfo& { return findTechnique(pane.technique); });
+    pane.stage = readStage(stageOf ? *stageOf : slot, info, state);
+    state.slots.push_back(std::move(pane));
 }
 
 /// Settings are checked by slots like those of a capture, and written down as the panes keep them.

@@ -22,12 +22,13 @@ public:
 
     /// The state that the levels say, from what is common to all pictures to what is this one's own: of scene, layout, light and
     /// slots the last that is there counts; cameras, lights and settings are changed one level after another. `stage` is
-    /// that of all slots; `step` names a pass in its place. Throws Error (badInput) with FILE:LINE:COLUMN, and all that loading a scene throws.
+    /// that of all slots; `step` names a pass in its place; `technique` stands for a single slot. Throws Error (badInput) with FILE:LINE:COLUMN, and all that loading a scene throws.
     ShownState read(std::span<const scene::JsonObject* const> levels);
 
 private:
     void loadScene(const scene::JsonObject& object, ShownState& state);
     void readSlots(const scene::JsonObject& object, const scene::JsonObject* stageOf, ShownState& state);
+    void readSlot(const scene::JsonObject& slot, const scene::JsonObject* stageOf, ShownState& state);
     std::string readStage(const scene::JsonObject& object, const TechniqueInfo& info, const ShownState& state);
     void readSettings(std::span<const scene::JsonObject* const> levels, ShownState& state);
 

@@ -7,21 +7,6 @@ namespace shadowlab::slides {
 
 namespace {
 
-/// RFC 4648.
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-    static constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t three = 0;
-        for (std::size_t k = 0; k < 3; ++k)
-            three = three << 8 | (i + k < bytes.size() ? bytes[i + k] : 0u);
-        for (std::size_t k = 0; k < 4; ++k)
-            text += i + k > bytes.size() ? '=' : kDigits[three >> (18 - 6 * k) & 63];
-    }
-    return text;
-}
-
 // A slide fills the window as far as its shape allows. Without scripts all slides stand one below the other, as in print.
 constexpr std::string_view kStyle = R"(
 :root { color-scheme: light }
@@ -122,7 +107,7 @@ std::string htmlPage(const session::Deck& deck, const std::vector<PageSlide>& sl
         page += "<section id=\"" + slide.name + "\" aria-label=\"" + place + ": " +
                 diagram::escapedMarkup(slide.title) + "\">\n<h2>" + diagram::escapedMarkup(slide.title) +
                 "</h2>\n<img alt=\"" + diagram::escapedMarkup(slide.alt.empty() ? slide.title : slide.alt) +
-                "\" src=\"data:image/png;base64," + base64(slides[i].png) + "\">\n";
+                "\" src=\"data:image/png;base64," + diagram::base64(slides[i].png) + "\">\n";
         if (const std::string words = toldWords(slide); !words.empty())
             page += "<div class=\"told\">" + words + "</div>\n";
         if (!slide.caption.empty()) page += "<p class=\"caption\">" + diagram::escapedMarkup(slide.caption) + "</p>\n";

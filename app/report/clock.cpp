@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "app/report/clock.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+
+#include "app/measure/frame_times.h"
+#include "app/report/spread.h"
+
+namespace shadowlab::report {
+
+namespace {
+
+using SteadyClock = std::chrono::steady_clock;
+
+double elapsedMs(SteadyClock::time_point since) {
+    return std::chrono::duration<double, std::milli>(SteadyClock::now() - since).count();
+}
+
+/// Of this process in memory. 0 where the system does not say.
+double residentMegabytes() {
+    std::ifstream file("/proc/self/statm");
+    double all = 0, resident = 0;
+    file >> all >> resident;
+    return file ? resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / (1 << 20) : 0;
+}
+
+// A turn takes about so long at most: ten seconds for a round of thirty points, in which a machine's speed seldom changes.
+constexpr double kTurnMs = 400;
+
+} // namespace
+
+session::Moment Clock::momentOf(int frame) {
+    const session::Motion motion{.frames = 360, .orbitLightDegrees = 360.0, .orbitCameraDegrees = {}, .path = {}};
+    session::Moment moment = session::momentAt(motion, base_, frame % motion.frames, previous_);
+    previous_ = moment.snapshot;
+    return moment;
+}
+
+session::RenderedFrame Clock::draw(session::Slot& slot, const session::Moment& moment, bool timesPasses) {
+    session_.setScene(moment.snapshot);
+    View view;
+    view.camera = moment.camera;
+    view.size = size_;
+    FrameRequest request;
+    request.timePasses = timesPasses;
+    return session_.render(slot, view, request);
+}
+
+double Clock::encode(session::Slot& slot, const session::Moment& moment) {
+    const SteadyClock::time_point start = SteadyClock::now();
+    const gl::Texture2D encoded = encoder_.encodeInPlace(slot.target.color, moment.snapshot->exposure);
+    glFinish();
+    return elapsedMs(start);
+}
+
+void Clock::first(const std::string& name, session::Slot& slot, Times& times) {
+    const double before = residentMegabytes();
+    const session::Moment moment = momentOf(0);
+    times.firstMs[name] = draw(slot, moment).frameMs;
+    times.residentMegabytes[name] = std::max(0.0, residentMegabytes() - before);
+    const SteadyClock::time_point start = SteadyClock::now();
+    draw(slot, momentOf(1));
+    usualMs_[name] = elapsedMs(start);
+}
+
+Turn Clock::turn(const std::string& name, session::Slot& slot, int round) {
+    const double usualMs = std::max(usualMs_[name], 0.1);
+    const int most = static_cast<int>(kTurnMs / usualMs);
+    const int counted = std::clamp(most, 1, length_.counted);
+    const int warming = std::clamp(most - counted, 0, length_.warming);
+    const int resting = std::clamp(most, 1, length_.resting);
+    Turn turn;
+    int frame = round * (length_.warming + length_.counted);
+    session::Moment moment;
+    for (int i = 0; i < warming + counted; ++i) {
+        moment = momentOf(frame++);
+        const session::RenderedFrame drawn = draw(slot, moment);
+        const double encodeMs = encode(slot, moment);
+        if (i < warming) continue;
+        turn.frame.push_back(drawn.frameMs + encodeMs);
+        turn.prepare.push_back(drawn.prepareMs);
+        turn.draw.push_back(drawn.frameMs - drawn.prepareMs);
+        turn.encode.push_back(encodeMs);
+    }
+    for (int i = 0; i < resting; ++i) {
+        const double drawMs = draw(slot, moment).frameMs;
+        turn.atRest.push_back(drawMs + encode(slot, moment));
+    }
+    for (const gl::PassTimer::Result& pass : draw(slot, momentOf(frame), true).result.passMs)
+        turn.passes.push_back({pass.name, pass.elapsedMs});
+    return turn;
+}
+
+std::optional<Costs> costsOf(const Times& times, const std::string& point, const std::string& yardstick) {
+    Costs costs;
+    std::vector<double> frame, prepare, draw, encode, atRest, shadow;
+    std::map<std::string, std::vector<double>> passes;
+    std::vector<std::string> order;
+    const auto add = [](std::vector<double>& to, const std::vector<double>& more) {
+        to.insert(to.end(), more.begin(), more.end());
+    };
+    for (const Times::Round& round : times.rounds) {
+        const auto turn = round.find(point);
+        if (turn == round.end()) continue;
+        add(frame, turn->second.frame), add(prepare, turn->second.prepare), add(draw, turn->second.draw);
+        add(encode, turn->second.encode), add(atRest, turn->second.atRest);
+        for (const Costs::Pass& pass : turn->second.passes) {
+            if (!passes.contains(pass.id)) order.push_back(pass.id);
+            passes[pass.id].push_back(pass.ms);
+        }
+        if (const auto base = round.find(yardstick); base != round.end())
+            shadow.push_back(measure::median(turn->second.frame) - measure::median(base->second.frame));
+    }
+    if (frame.empty()) return std::nullopt;
+    costs.frames = static_cast<int>(frame.size());
+    costs.frame = spreadOf(frame), costs.prepare = spreadOf(prepare), costs.draw = spreadOf(draw);
+    costs.encode = spreadOf(encode), costs.atRest = spreadOf(atRest), costs.shadow = spreadOf(shadow);
+    for (const std::string& id : order)
+        costs.passes.push_back({id, measure::median(passes[id])});
+    if (const auto first = times.firstMs.find(point); first != times.firstMs.end()) costs.firstMs = first->second;
+    if (const auto grown = times.residentMegabytes.find(point); grown != times.residentMegabytes.end())
+        costs.residentMegabytes = grown->second;
+    return costs;
+}
+
+} // namespace shadowlab::report

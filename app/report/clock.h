@@ -1,0 +1,62 @@
+// What points cost: they take turns, some frames at a time, so that whatever else the machine does meets all of them alike.
+//
+// The light goes on by one degree from frame to frame, and nothing that follows from it can be kept. The first frames of a turn do
+// not count: caches are full of what the point before left there. Then the light rests for a frame or two: what is kept is.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/report/results.h"
+#include "app/session/motion.h"
+#include "app/session/picture.h"
+#include "app/session/session.h"
+
+namespace shadowlab::report {
+
+/// How long a turn is. Frames of 100 ms and more get fewer, down to one: they wait for nothing that could disturb them.
+struct TurnLength {
+    int warming = 3, counted = 5, resting = 2;
+};
+
+/// What was measured of a point in one turn. Milliseconds, one for each frame that counts.
+struct Turn {
+    std::vector<double> frame, prepare, draw, encode, atRest;
+    std::vector<Costs::Pass> passes; ///< of one more frame, a clock around each pass
+};
+
+/// What was measured of all points of a group: `rounds` of turns, by the point's name.
+struct Times {
+    using Round = std::map<std::string, Turn>;
+    std::vector<Round> rounds;
+    std::map<std::string, double> firstMs, residentMegabytes;
+};
+
+class Clock {
+public:
+    Clock(session::Session& session, scene::Snapshot base, ivec2 size, TurnLength length)
+        : session_(session), base_(std::move(base)), size_(size), length_(length) {}
+
+    /// The first frame of a new slot. Remembers how long frames of it are.
+    void first(const std::string& name, session::Slot& slot, Times& times);
+    /// One turn in the given round, which says where the light is.
+    Turn turn(const std::string& name, session::Slot& slot, int round);
+
+private:
+    session::RenderedFrame draw(session::Slot& slot, const session::Moment& moment, bool timesPasses = false);
+    double encode(session::Slot& slot, const session::Moment& moment);
+    session::Moment momentOf(int frame);
+
+    session::Session& session_;
+    scene::Snapshot base_, previous_;
+    ivec2 size_;
+    TurnLength length_;
+    session::PictureEncoder encoder_;
+    std::map<std::string, double> usualMs_;
+};
+
+/// The costs of one point of those times; `yardstick` is the point that shadows are counted from. None: not measured.
+std::optional<Costs> costsOf(const Times& times, const std::string& point, const std::string& yardstick);
+
+} // namespace shadowlab::report

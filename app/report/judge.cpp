@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "app/report/judge.h"
+
+#include <algorithm>
+#include <array>
+
+#include "techniques/foundation/gl/handle.h"
+#include "techniques/foundation/image/png.h"
+
+namespace shadowlab::report {
+
+namespace {
+
+using image::Color8;
+using image::Image;
+using measure::Verdict;
+
+// Light greys: the two colours of errors stand out, also in print (docs/conventions.md has what they mean).
+constexpr Color8 kBackground{255, 255, 255}, kLit{222, 222, 222}, kShadowed{150, 150, 150}, kTurnedAway{120, 120, 120},
+    kTie{90, 90, 90}, kFalseLit{230, 159, 0}, kFalseShadow{0, 114, 178}, kStray{204, 121, 167};
+
+Color8 colorOf(Verdict verdict, trace::Visibility visibility) {
+    switch (verdict) {
+    case Verdict::falseLit: return kFalseLit;
+    case Verdict::falseShadow: return kFalseShadow;
+    case Verdict::stray: return kStray;
+    case Verdict::tie: return kTie;
+    case Verdict::background:
+    case Verdict::correct: break;
+    }
+    switch (visibility) {
+    case trace::Visibility::noSurface: break;
+    case trace::Visibility::turnedAway: return kTurnedAway;
+    case trace::Visibility::shadowed: return kShadowed;
+    case trace::Visibility::lit: return kLit;
+    }
+    return kBackground;
+}
+
+bool isWrong(Verdict verdict) {
+    return verdict == Verdict::falseLit || verdict == Verdict::falseShadow || verdict == Verdict::stray;
+}
+
+int factorFor(int from, int to) { return std::max(1, from / to); }
+
+bool publishes(const TechniqueInfo& info, std::string_view stage) {
+    return std::ranges::find(info.stages, stage, &StageInfo::id) != info.stages.end();
+}
+
+} // namespace
+
+Image reduced(const Image& picture, int width) {
+    const int factor = factorFor(picture.width, width);
+    Image small(picture.width / factor, picture.height / factor);
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            vec3 sum(0);
+            for (int k = 0; k < factor * factor; ++k) {
+                const Color8 color = picture.at(x * factor + k % factor, y * factor + k / factor);
+                sum += vec3(image::linearFromSrgb(color.r), image::linearFromSrgb(color.g),
+                            image::linearFromSrgb(color.b));
+            }
+            sum /= static_cast<float>(factor * factor);
+            small.set(x, y, {image::srgbFromLinear(sum.r), image::srgbFromLinear(sum.g), image::srgbFromLinear(sum.b)});
+        }
+    return small;
+}
+
+Image errorMap(const measure::Truth& truth, const measure::Judgement& judgement, int width) {
+    const int factor = factorFor(truth.size.x, width);
+    Image map(truth.size.x / factor, truth.size.y / factor);
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x) {
+            std::size_t shown = truth.index(x * factor + factor / 2, y * factor + factor / 2);
+            for (int k = 0; k < factor * factor; ++k)
+                if (const std::size_t pixel = truth.index(x * factor + k % factor, y * factor + k / factor);
+                    isWrong(judgement.verdicts[pixel]))
+                    shown = pixel;
+            map.set(x, y, colorOf(judgement.verdicts[shown], truth.visibility[shown]));
+        }
+    return map;
+}
+
+Judge::Judge(session::Session& session, const View& view, int light) : session_(session), view_(view), light_(light) {
+    // What belongs to the scene is made now, and is no technique's own: buffers, and the facing signs of every light.
+    session::Slot first = session::Session::makeSlot("unshadowed");
+    session_.render(first, view_);
+}
+
+Judge::Judged Judge::judge(session::Slot& slot) {
+    const session::LightTruth asked = session_.truthFor(slot, light_);
+    const measure::Truth& truth = session_.truth(view_, asked);
+    if (!boundaries_.contains(asked.of)) boundaries_.emplace(asked.of, measure::trueBoundary(truth));
+    const std::vector<measure::BoundaryEdge>& boundary = boundaries_.at(asked.of);
+
+    Judged judged;
+    Errors& errors = judged.errors;
+    const std::int64_t before = gl::liveBytes;
+    session_.render(slot, view_);
+    const std::int64_t target = 12ll * view_.size.x * view_.size.y; // RGBA16F and depth with stencil
+    errors.glMegabytes = static_cast<double>(gl::liveBytes - before - target) / (1 << 20);
+
+    FrameRequest request;
+    request.stages = {{"visibility", light_}};
+    if (publishes(*slot.info, "texel-size")) request.stages.push_back({"texel-size", light_});
+    const session::RenderedFrame rendered = session_.render(slot, view_, request);
+    const session::VisibilityImage visibility =
+        session::readVisibility(session::findStage(rendered, {"visibility", light_}));
+    const measure::SlotErrors found = measure::judgeSlot(truth, boundary, visibility.greyAlpha);
+    std::optional<measure::Grid<float>> texelPx;
+    if (request.stages.size() > 1)
+        texelPx = session::readTexelSizes(session::findStage(rendered, {"texel-size", light_}));
+
+    const measure::Counts& counts = found.judgement.counts;
+    errors.truth = asked.of;
+    errors.pixels = counts.pixels, errors.lit = counts.lit, errors.shadowed = counts.shadowed;
+    errors.turnedAway = counts.turnedAway, errors.ties = counts.ties;
+    errors.falseLit = counts.falseLit, errors.falseShadow = counts.falseShadow;
+    errors.rmse = counts.rmse;
+    errors.edgeErrorPx = found.edgeErrorPx;
+    errors.core =
+        measure::coreErrors(truth, found.judgement, measure::distanceToBoundary(boundary, view_.size), texelPx);
+    errors.converged = rendered.converged;
+    for (const Counter& counter : rendered.result.counters) {
+        errors.counters.push_back({counter.id, counter.unit, counter.built, counter.of});
+        if (counter.id == "served" && counter.of > 0) errors.served = counter.built / counter.of;
+    }
+    const float exposure = session_.snapshot()->exposure;
+    judged.picturePng = image::encodePng(reduced(encoder_.encode(slot.target.color, exposure)));
+    judged.errorPng = image::encodePng(errorMap(truth, found.judgement));
+    return judged;
+}
+
+} // namespace shadowlab::report

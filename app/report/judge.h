@@ -1,0 +1,45 @@
+// How wrong one point is: its visibility held against the truth, and two small pictures of it.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <map>
+
+#include "app/measure/slot_errors.h"
+#include "app/report/results.h"
+#include "app/session/picture.h"
+#include "app/session/session.h"
+#include "techniques/foundation/image/image.h"
+
+namespace shadowlab::report {
+
+/// Width in pixels of the pictures behind each point: a page of some hundred points stays below what a browser opens at once.
+constexpr int kPictureWidth = 320;
+
+/// A whole number of pixels to one, so that the smaller picture is at least that wide. Mean in linear light.
+image::Image reduced(const image::Image& picture, int width = kPictureWidth);
+
+/// Where a technique is right and wrong, a colour for each pixel; reduced like the picture, but a wrong pixel keeps its colour
+/// however many right ones it shares its place with.
+image::Image errorMap(const measure::Truth& truth, const measure::Judgement& judgement, int width = kPictureWidth);
+
+/// Judges the points of one view of one light. Needs a current GL context.
+class Judge {
+public:
+    /// The session shows the scene, and lives as long as the judge.
+    Judge(session::Session& session, const View& view, int light);
+
+    struct Judged {
+        Errors errors;
+        std::vector<std::uint8_t> picturePng, errorPng;
+    };
+    /// Draws the slot, which is new: what it holds afterwards is counted as its own.
+    Judged judge(session::Slot& slot);
+
+private:
+    session::Session& session_;
+    const View& view_;
+    int light_;
+    session::PictureEncoder encoder_;
+    std::map<measure::TruthOf, std::vector<measure::BoundaryEdge>> boundaries_;
+};
+
+} // namespace shadowlab::report

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "app/report/store.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <set>
+
+#include "app/report/json_parts.h"
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_file.h"
+
+namespace shadowlab::report {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> bytesOf(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || !fs::is_regular_file(file)) return std::nullopt;
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+std::vector<std::uint8_t> pictureOf(const fs::path& file) {
+    const std::string bytes = bytesOf(file).value_or("");
+    return {bytes.begin(), bytes.end()};
+}
+
+/// What `read` makes of a file; none where there is no file.
+template <typename Read>
+auto readJson(const fs::path& file, const Read& read) -> std::optional<decltype(read(Json()))> {
+    const std::optional<std::string> text = bytesOf(file);
+    if (!text) return std::nullopt;
+    try {
+        return read(Json::parse(*text));
+    } catch (const Json::exception&) {
+        throw Error(ExitStatus::badInput,
+                    file.string() + ": is no part of a report that this program wrote; delete it");
+    }
+}
+
+void writeJson(const fs::path& file, const Json& json) {
+    // A scene's name may hold bytes that are no UTF-8; JSON may not.
+    image::writeWhole(file, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void makeFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw Error(ExitStatus::cannotWrite,
+                    "-o: the folder '" + folder.string() + "' cannot be made: " + error.message() + "; choose another");
+}
+
+std::string endingOf(const Shard& shard) {
+    return "-" + std::to_string(shard.number) + "-of-" + std::to_string(shard.count) + ".json";
+}
+
+/// What two plans differ in, for who is to be told.
+std::string difference(const Plan& a, const Plan& b) {
+    if (a.program != b.program) return "of version " + a.program + ", this is " + b.program;
+    if (a.size != b.size)
+        return "of pictures of " + std::to_string(a.size.x) + "x" + std::to_string(a.size.y) + ", not " +
+               std::to_string(b.size.x) + "x" + std::to_string(b.size.y);
+    if (a.isQuick != b.isQuick) return a.isQuick ? "a quick one" : "not a quick one";
+    if (a.renderer != b.renderer) return "drawn by '" + a.renderer + "', not '" + b.renderer + "'";
+    return "of other scenes, techniques or lights";
+}
+
+} // namespace
+
+std::string fileName(const std::string& name) {
+    std::string safe;
+    for (const char c : name) {
+        const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                             std::string_view("-_=@.").find(c) != std::string_view::npos;
+        safe += isPlain ? c : '_';
+    }
+    if (safe.starts_with('.')) safe.front() = '_';
+    constexpr std::size_t kLongest = 120; // file systems take 255 bytes, endings included
+    std::string blanksOnly = name;
+    std::ranges::replace(blanksOnly, ' ', '_');
+    const bool isClear = !name.empty() && name.find('_') == std::string::npos; // "a b" and "a_b" are two names
+    if (isClear && safe == blanksOnly && safe.size() <= kLongest) return safe;
+    std::uint64_t hash = 14695981039346656037ull; // FNV-1a, Fowler, Noll and Vo
+    for (const char c : name)
+        hash = (hash ^ static_cast<std::uint8_t>(c)) * 1099511628211ull;
+    char number[20];
+    std::snprintf(number, sizeof number, "-%016llx", static_cast<unsigned long long>(hash));
+    return safe.substr(0, kLongest) + number;
+}
+
+fs::path Store::groupFolder(const PlannedGroup& group) const {
+    return folder_ / "parts" / fileName(group.title + "@" + group.light);
+}
+
+void Store::begin(const Plan& plan) const {
+    const fs::path file = folder_ / "plan.json";
+    if (const auto before = readJson(file, planFromJson)) {
+        if (*before != plan)
+            throw Error(ExitStatus::badInput, file.string() + ": the report here is " + difference(*before, plan) +
+                                                  "; choose another folder with -o, or delete this one");
+    } else {
+        makeFolder(folder_);
+        makeFolder(folder_ / "parts");
+        writeJson(file, toJson(plan));
+    }
+    for (const PlannedGroup& group : plan.groups)
+        makeFolder(groupFolder(group));
+}
+
+Plan Store::plan() const {
+    const fs::path file = folder_ / "plan.json";
+    const auto plan = readJson(file, planFromJson);
+    if (!plan)
+        throw Error(ExitStatus::badInput,
+                    file.string() +
+                        ": no such file, so this folder holds no report; name folders that `report -o` made");
+    return *plan;
+}
+
+std::optional<Judge::Judged> Store::judged(const PlannedGroup& group, const PointKey& point) const {
+    const fs::path base = groupFolder(group) / fileName(point.name());
+    const auto errors = readJson(base.string() + ".json", errorsFromJson);
+    if (!errors) return std::nullopt;
+    return Judge::Judged{*errors, pictureOf(base.string() + ".png"), pictureOf(base.string() + "-errors.png")};
+}
+
+void Store::keep(const PlannedGroup& group, const PointKey& point, const Judge::Judged& judged) const {
+    const std::string base = (groupFolder(group) / fileName(point.name())).string();
+    image::writeWhole(base + ".png", judged.picturePng);
+    image::writeWhole(base + "-errors.png", judged.errorPng);
+    writeJson(base + ".json", toJson(judged.errors)); // last: with it the point counts as known
+}
+
+Times Store::times(const PlannedGroup& group, const Shard& shard) const {
+    return readJson(groupFolder(group) / ("times" + endingOf(shard)), timesFromJson).value_or(Times{});
+}
+
+void Store::keep(const PlannedGroup& group, const Shard& shard, const Times& times) const {
+    writeJson(groupFolder(group) / ("times" + endingOf(shard)), toJson(times));
+}
+
+void Store::keep(const Shard& shard, const Machine& machine) const {
+    writeJson(folder_ / "parts" / ("machine" + endingOf(shard)), toJson(machine));
+}
+
+std::vector<Shard> Store::shards() const {
+    std::vector<Shard> shards;
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "parts", error)) {
+        Shard shard;
+        int read = 0;
+        const std::string name = entry.path().filename().string();
+        const int values = std::sscanf(name.c_str(), "machine-%d-of-%d.json%n", &shard.number, &shard.count, &read);
+        if (values == 2 && read == static_cast<int>(name.size())) shards.push_back(shard);
+    }
+    std::ranges::sort(shards, {}, [](const Shard& s) { return std::pair(s.count, s.number); });
+    return shards;
+}
+
+Machine Store::machine(const Shard& shard) const {
+    return readJson(folder_ / "parts" / ("machine" + endingOf(shard)), machineFromJson).value_or(Machine{});
+}
+
+void Store::takeOver(const Store& other) const {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(other.folder_ / "parts")) {
+        if (!entry.is_regular_file() || entry.path().filename().string().starts_with('.'))
+            continue; // a dot: half-written
+        const fs::path relative = entry.path().lexically_relative(other.folder_), target = folder_ / relative;
+        const std::string bytes = bytesOf(entry.path()).value_or("");
+        const bool isMeasured =
+            relative.filename().string().starts_with("times-") || relative.filename().string().starts_with("machine-");
+        if (const auto before = bytesOf(target); before && *before != bytes && !isMeasured)
+            throw Error(ExitStatus::badInput, entry.path().string() +
+                                                  ": another of the reports has this point with other results; merge "
+                                                  "only reports of one program on one kind of machine");
+        image::writeWhole(target, bytes);
+    }
+}
+
+} // namespace shadowlab::report

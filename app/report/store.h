@@ -1,0 +1,56 @@
+// A report's folder: the plan, and what is known of it so far, a file for each point and one for the times of each group.
+//
+//     DIR/plan.json                             what all shards of the report have in common
+//     DIR/parts/GROUP/POINT.json, .png, -errors.png
+//     DIR/parts/GROUP/times-1-of-1.json         rewritten whole after every round
+//     DIR/parts/machine-1-of-1.json
+//
+// Every file is whole or not there, so a report goes on from wherever it was stopped.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <optional>
+
+#include "app/report/clock.h"
+#include "app/report/judge.h"
+#include "app/report/plan.h"
+
+namespace shadowlab::report {
+
+class Store {
+public:
+    explicit Store(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    /// Makes the folder, or finds the report that was begun in it. Throws Error: badInput where it holds another one.
+    void begin(const Plan& plan) const;
+    /// The plan of a folder. Throws Error (badInput) where there is none, or one that cannot be read.
+    [[nodiscard]] Plan plan() const;
+
+    [[nodiscard]] std::optional<Judge::Judged> judged(const PlannedGroup& group, const PointKey& point) const;
+    void keep(const PlannedGroup& group, const PointKey& point, const Judge::Judged& judged) const;
+
+    /// Of that shard; empty: none so far.
+    [[nodiscard]] Times times(const PlannedGroup& group, const Shard& shard) const;
+    void keep(const PlannedGroup& group, const Shard& shard, const Times& times) const;
+    void keep(const Shard& shard, const Machine& machine) const;
+
+    /// The shards that have left anything here, in their order.
+    [[nodiscard]] std::vector<Shard> shards() const;
+    [[nodiscard]] Machine machine(const Shard& shard) const;
+
+    /// Takes over all parts of another report. Throws Error (badInput) where both have a point and do not agree.
+    void takeOver(const Store& other) const;
+
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+
+private:
+    [[nodiscard]] std::filesystem::path groupFolder(const PlannedGroup& group) const;
+
+    std::filesystem::path folder_;
+};
+
+/// As a file name: what may mean something to a file system or a shell becomes '_', with a number behind that tells names apart
+/// which have become the same.
+std::string fileName(const std::string& name);
+
+} // namespace shadowlab::report
