@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """The arrows between the layers, checked: app -> the contract (techniques/*.h) <- techniques/<x>, and from all of them to
-techniques/foundation and the libraries; within app/: main -> commands -> ui, slides, grading -> session -> diagram,
+techniques/foundation and the libraries; within app/: main -> commands -> ui, slides, report, grading, hard -> session -> diagram,
 measure, context.
 
 include_check.py [ROOT] reads every C++ file, shader and CMake file of a checkout, prints FILE:LINE: WHAT for each arrow that
@@ -16,10 +16,12 @@ CPP_ENDINGS = {".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".inl", ".in"}
 SHADER_ENDINGS = {".glsl", ".vert", ".frag", ".geom"}
 # Which folders of app/ a folder of app/ includes, itself aside. "main" is main.cpp, and includes any; nothing includes it.
 APP_INCLUDES = {
-    "main": {"commands", "grading", "ui", "slides", "diagram", "measure", "session", "context"},
-    "commands": {"grading", "ui", "slides", "diagram", "measure", "session", "context"},
+    "main": {"commands", "grading", "hard", "ui", "slides", "report", "diagram", "measure", "session", "context"},
+    "commands": {"grading", "hard", "ui", "slides", "report", "diagram", "measure", "session", "context"},
     "grading": {"session", "measure", "context"},
     "slides": {"diagram", "session"},
+    "report": {"diagram", "measure", "session", "context"},
+    "hard": {"diagram", "session", "measure"},
     "ui": {"diagram", "measure", "session", "context"},
     "session": {"diagram", "measure", "context"},
     "diagram": set(),

@@ -21,7 +21,7 @@ from pages import ROOT, all_pages, commands_of, extract
 LEAST_COMMANDS = 100  # so that a pattern that no longer finds them is noticed
 SMALL = {"capture": "160x90", "measure": "96x54", "lesson": "480x270", "slides": "640x360"}
 WITH_WORDS = "400x260"  # below the picture of a step stands its title
-WITHOUT_VALUE = {"--ui", "--presenter", "--keys", "--animate", "--steps", "--measure", "--json", "--report", "--help", "--version"}
+WITHOUT_VALUE = {"--ui", "--presenter", "--keys", "--animate", "--steps", "--measure", "--json", "--report", "--help", "--version", "--quick", "--hard"}
 SHORT = {"-t": "--technique", "-o": "--output", "-h": "--help"}
 
 
@@ -99,7 +99,8 @@ def complaints_about(command, names, files):
             if not any((t, stage) in names.stages for t in techniques):
                 yield f"no stage {stage} of {', '.join(techniques)}"
     what = {"lesson": "lessons", "slides": "decks"}.get(subcommand, "scenes")
-    inputs = [] if subcommand in ("list", "new-technique") else [(what, word) for word in positional]
+    merges = subcommand == "report" and positional[:1] == ["merge"]  # the words after it are folders of parts
+    inputs = [] if subcommand in ("list", "new-technique") or merges else [(what, word) for word in positional]
     inputs += [(name[2:] + "s", value) for name, value in options if name in ("--lesson", "--deck")]
     inputs += [("files", value) for name, value in options if name == "--path"]
     for kind, word in inputs:

@@ -1,0 +1,210 @@
+// What the parameter `cull` leaves out cannot be seen: the same bytes with it and without, in every built-in scene and in
+// random ones.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/session/assets.h"
+#include "app/session/session.h"
+#include "app/session/settings.h"
+#include "techniques/foundation/gl/read_back.h"
+#include "techniques/foundation/scene/casters.h"
+#include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/picture_part.h"
+#include "tests/support/gl_fixture.h"
+#include "tests/support/random_scenes.h"
+#include "tests/support/scenes.h"
+
+namespace shadowlab {
+namespace {
+
+constexpr ivec2 kSize{96, 64};
+// Of thirteen kinds of maps each is tried ten times, of the others all in every scene; a thousand take minutes.
+constexpr unsigned kRandomScenes = 65, kRandomScenesLong = 1000;
+
+struct Variant {
+    std::string name, technique;
+    std::vector<std::string> settings;
+};
+
+/// A technique with settings, once as it is and once with nothing left out. Its slots see all scenes, one after the other: what
+/// they keep of one must not show in the next.
+struct Culled {
+    std::string name;
+    std::vector<session::Slot> slots = {}; ///< cull = true, cull = false
+    int scenesWithLess = 0;                ///< in which something was left out
+
+    explicit Culled(const Variant& variant) : name(variant.name) {
+        for (const char* cull : {"cull=true", "cull=false"}) {
+            slots.push_back(session::Session::makeSlot(variant.technique));
+            const std::string slot = std::to_string(slots.size()) + ":" + variant.technique + ".";
+            std::vector<std::string> full = {slot + cull};
+            for (const std::string& setting : variant.settings)
+                full.push_back(slot + setting);
+            session::applySettings(slots, full);
+        }
+    }
+};
+
+std::vector<Culled> culled(const std::vector<Variant>& variants) {
+    std::vector<Culled> all;
+    for (const Variant& variant : variants)
+        all.emplace_back(variant);
+    return all;
+}
+
+struct Drawn {
+    std::vector<vec4> picture;
+    std::vector<vec4> visibility; ///< of the last light
+    double built = 0;             ///< the technique's own count of what it drew for shadows
+};
+
+Drawn draw(session::Session& session, session::Slot& slot) {
+    const scene::Scene& scene = *session.snapshot();
+    View view;
+    view.camera = scene.camera;
+    view.size = kSize;
+    FrameRequest request;
+    if (!scene.lights.empty()) request.stages.push_back({"visibility", static_cast<int>(scene.lights.size()) - 1});
+    const session::RenderedFrame frame = session.render(slot, view, request);
+    Drawn drawn{.picture = gl::readTexels(slot.target.color), .visibility = {}};
+    for (const StageKey& stage : request.stages)
+        drawn.visibility = gl::readTexels(session::findStage(frame, stage).texture);
+    for (const Counter& counter : frame.result.counters)
+        if (counter.id == "volumes" || counter.id == "caster-draws" || counter.id == "flattened")
+            drawn.built += counter.built;
+    return drawn;
+}
+
+std::size_t differing(const std::vector<vec4>& a, const std::vector<vec4>& b) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        count += a[i] != b[i];
+    return count;
+}
+
+class CullingTest : public testing::GlTest {
+protected:
+    /// The number of pixels compared.
+    static std::size_t compare(const scene::Snapshot& snapshot, Culled& culled, const std::string& what) {
+        session::Session session(snapshot);
+        const Drawn with = draw(session, culled.slots[0]), without = draw(session, culled.slots[1]);
+        culled.scenesWithLess += with.built < without.built;
+        EXPECT_LE(with.built, without.built) << what;
+        EXPECT_EQ(differing(with.picture, without.picture), 0u) << culled.name << ", picture of " << what;
+        EXPECT_EQ(differing(with.visibility, without.visibility), 0u) << culled.name << ", visibility in " << what;
+        return with.picture.size() + with.visibility.size();
+    }
+};
+
+std::vector<Variant> volumesAndPlanes() {
+    return {{"planar", "planar", {}},
+            {"z-pass", "shadow-volume-zpass", {}},
+            {"z-pass, corrected", "shadow-volume-zpass", {"eye-correction=true"}},
+            {"z-pass, to infinity", "shadow-volume-zpass", {"eye-correction=true", "volume-end=infinity"}},
+            {"z-fail", "shadow-volume-zfail", {}},
+            {"z-fail, to infinity", "shadow-volume-zfail", {"volume-end=infinity"}},
+            {"chosen, repaired", "shadow-volume", {}}};
+}
+
+/// Small maps: their texels are large, and kernels reach far.
+std::vector<Variant> maps() {
+    std::vector<Variant> all;
+    for (const char* settings :
+         {"filter=hard", "filter=pcf", "filter=pcf fit=scene", "filter=disc", "filter=pcss", "filter=vsm",
+          "filter=evsm", "filter=msm", "filter=pcf cascades=3", "filter=hard warp=lispsm",
+          "filter=pcf bias-mode=slope-scaled", "filter=hard bias-mode=dual-depth", "exact=true"}) {
+        Variant variant{std::string("map, ") + settings, "shadow-map", {"resolution=128"}};
+        std::istringstream words(settings);
+        for (std::string word; words >> word;)
+            variant.settings.push_back(word);
+        all.push_back(std::move(variant));
+    }
+    return all;
+}
+
+/// A flat caster behind which there is nothing: volumes of it count nothing, but in a map it would shadow itself, which is why
+/// maps leave it out, and what cull = false is there to show. So here it is no caster.
+scene::Snapshot withoutUselessCasters(scene::Scene scene) {
+    std::vector<int> useful(scene.objects.size());
+    for (const scene::Light& light : scene.lights)
+        for (const std::size_t caster : scene::usefulCasters(scene, light))
+            ++useful[caster];
+    for (std::size_t o = 0; o < scene.objects.size(); ++o)
+        if (useful[o] < static_cast<int>(scene.lights.size())) scene.objects[o].castsShadow = false;
+    scene.revisions = {};
+    return testing::snapshot(std::move(scene));
+}
+
+/// The classic mistake: what is not in view casts no shadow.
+scene::Snapshot withoutCastersOutOfView(scene::Scene scene) {
+    const double aspect = static_cast<double>(kSize.x) / kSize.y;
+    const dmat4 clipFromWorld = scene::clipFromView(scene.camera, aspect) * scene::viewFromWorld(scene.camera);
+    for (scene::Object& object : scene.objects)
+        if (!scene::mayTouch(scene::boundsWorld(object), clipFromWorld, scene::PicturePart{}))
+            object.castsShadow = false;
+    scene.revisions = {};
+    return testing::snapshot(std::move(scene));
+}
+
+TEST_F(CullingTest, NothingThatIsLeftOutIsSeenInRandomScenes) {
+    const unsigned scenes = std::getenv("SHADOWLAB_LONG") ? kRandomScenesLong : kRandomScenes;
+    std::vector<Culled> always = culled(volumesAndPlanes()), inTurn = culled(maps());
+    std::size_t compared = 0, mapScenes = 0;
+    for (unsigned number = 0; number < scenes; ++number) {
+        const scene::Scene scene = testing::randomScene(number);
+        const scene::Snapshot snapshot = testing::snapshot(scene), forMaps = withoutUselessCasters(scene);
+        const std::string what = "scene " + std::to_string(number);
+        for (Culled& each : always)
+            compared += compare(snapshot, each, what);
+        for (unsigned i = 0; i < 2; ++i, ++mapScenes)
+            compared += compare(forMaps, inTurn[(2 * number + i) % inTurn.size()], what);
+    }
+    // Nine comparisons of a picture and at least one visibility each.
+    EXPECT_GE(compared, std::size_t{9} * 2 * kSize.x * kSize.y * scenes);
+    for (const Culled& each : always)
+        EXPECT_GE(each.scenesWithLess, static_cast<int>(scenes / 2))
+            << each.name << " leaves out too little to prove anything";
+    int withLess = 0;
+    for (const Culled& each : inTurn)
+        withLess += each.scenesWithLess;
+    EXPECT_GE(withLess, static_cast<int>(mapScenes / 4)) << "maps leave out too little to prove anything";
+}
+
+TEST_F(CullingTest, NothingThatIsLeftOutIsSeenInBuiltInScenes) {
+    std::vector<Culled> all = culled(volumesAndPlanes());
+    std::vector<Culled> ofMaps = culled({{"map", "shadow-map", {}}, {"map, hard", "shadow-map", {"filter=hard"}}});
+    const scene::LoadOptions options{.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}};
+    int compared = 0;
+    for (const std::string& name : scene::builtInScenes(options.assetsRoot)) {
+        const scene::Snapshot snapshot = scene::loadScene(name, options);
+        if (snapshot->lights.empty()) continue;
+        for (Culled& each : all)
+            compare(snapshot, each, name);
+        const scene::Snapshot forMaps = withoutUselessCasters(*snapshot);
+        for (Culled& each : ofMaps)
+            compare(forMaps, each, name);
+        ++compared;
+    }
+    EXPECT_GE(compared, 10);
+}
+
+/// Would the comparison see a cull that leaves out too much?
+TEST_F(CullingTest, LeavingOutWhatIsNotInViewIsSeen) {
+    constexpr unsigned kScenes = 60;
+    session::Slot slot = session::Session::makeSlot("shadow-volume-zfail");
+    int seen = 0;
+    for (unsigned number = 0; number < kScenes; ++number) {
+        const scene::Scene scene = testing::randomScene(number);
+        session::Session right(testing::snapshot(scene)), naive(withoutCastersOutOfView(scene));
+        seen += differing(draw(right, slot).picture, draw(naive, slot).picture) > 0;
+    }
+    EXPECT_GE(seen, 3) << "of " << kScenes << " scenes";
+}
+
+} // namespace
+} // namespace shadowlab

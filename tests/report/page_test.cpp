@@ -1,0 +1,198 @@
+// The page of a report: well formed, with all that it shows inside of it, whatever names it is given.
+// SPDX-License-Identifier: MIT
+#include "app/report/page.h"
+
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "tests/report/made_up.h"
+
+namespace shadowlab::report {
+namespace {
+
+std::size_t countOf(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size()))
+        ++count;
+    return count;
+}
+
+/// What lies between a tag and its end is no markup.
+std::string without(std::string text, const std::string& tag) {
+    for (std::size_t at = text.find("<" + tag + ">"); at != std::string::npos; at = text.find("<" + tag + ">")) {
+        const std::size_t end = text.find("</" + tag + ">", at);
+        if (end == std::string::npos) break;
+        text.erase(at, end + tag.size() + 3 - at);
+    }
+    return text;
+}
+
+/// Every tag that is opened is closed, in turn. Returns how many there are.
+int expectBalanced(const std::string& page) {
+    const std::string html = without(without(page, "script"), "style");
+    static const std::set<std::string> kVoid{"meta", "br"};
+    std::vector<std::string> open;
+    int count = 0;
+    for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
+        if (html[at + 1] == '!') continue;
+        const std::size_t end = html.find('>', at);
+        if (end == std::string::npos) {
+            ADD_FAILURE() << "a tag without an end";
+            return count;
+        }
+        const bool closes = html[at + 1] == '/', isWhole = html[end - 1] == '/';
+        const std::size_t begin = at + (closes ? 2 : 1);
+        const std::string name = html.substr(begin, html.find_first_of(" />\n", begin) - begin);
+        EXPECT_EQ(std::count(html.begin() + static_cast<std::ptrdiff_t>(at),
+                             html.begin() + static_cast<std::ptrdiff_t>(end), '"') %
+                      2,
+                  0)
+            << html.substr(at, end - at);
+        ++count;
+        if (closes) {
+            if (open.empty() || open.back() != name) {
+                ADD_FAILURE() << "</" << name << "> ends " << (open.empty() ? "nothing" : open.back());
+                return count;
+            }
+            open.pop_back();
+        } else if (!isWhole && !kVoid.contains(name)) {
+            open.push_back(name);
+        }
+    }
+    EXPECT_TRUE(open.empty());
+    return count;
+}
+
+std::vector<std::uint8_t> fromBase64(const std::string& text) {
+    const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::vector<std::uint8_t> bytes;
+    std::uint32_t bits = 0, held = 0;
+    for (const char c : text) {
+        if (c == '=') break;
+        const std::size_t digit = digits.find(c);
+        if (digit == std::string::npos) return {};
+        bits = bits << 6 | static_cast<std::uint32_t>(digit);
+        if ((held += 6) >= 8) bytes.push_back(static_cast<std::uint8_t>(bits >> (held -= 8)));
+    }
+    return bytes;
+}
+
+TEST(ReportPageTest, IsBalancedAndEveryLinkHasItsEnd) {
+    const std::string page = htmlPage(madeReport());
+    EXPECT_GT(expectBalanced(page), 3000);
+    std::set<std::string> ids;
+    static const std::regex kId(R"re( id="([^"]*)")re"), kLink(R"re(href="#([^"]*)")re");
+    for (auto it = std::sregex_iterator(page.begin(), page.end(), kId); it != std::sregex_iterator(); ++it)
+        EXPECT_TRUE(ids.insert((*it)[1]).second) << (*it)[1] << " names two places";
+    int links = 0;
+    for (auto it = std::sregex_iterator(page.begin(), page.end(), kLink); it != std::sregex_iterator(); ++it, ++links)
+        EXPECT_TRUE(ids.contains((*it)[1])) << (*it)[1];
+    EXPECT_GE(links, 60 + 120); // a marker and two pictures for each of 60 points
+}
+
+TEST(ReportPageTest, EveryPictureIsInItOnceAndComesBackWhole) {
+    const Report report = madeReport();
+    std::set<std::vector<std::uint8_t>> expected, found;
+    for (const Group& group : report.groups)
+        for (const Point& point : group.points)
+            expected.insert({point.picturePng, point.errorPng});
+    const std::string page = htmlPage(report), begin = "data:image/png;base64,";
+    for (std::size_t at = page.find(begin); at != std::string::npos; at = page.find(begin, at + 1)) {
+        const std::size_t from = at + begin.size();
+        EXPECT_TRUE(found.insert(fromBase64(page.substr(from, page.find('"', from) - from))).second) << "written twice";
+    }
+    EXPECT_GE(found.size(), 10u);
+    EXPECT_EQ(found, expected);
+    EXPECT_EQ(countOf(page, "<use href="), 120u);
+}
+
+TEST(ReportPageTest, AsksNoNetwork) {
+    const std::string page = htmlPage(madeReport());
+    EXPECT_EQ(countOf(page, "http"), countOf(page, "xmlns=\"http://www.w3.org/2000/svg\"")); // a name, not an address
+    EXPECT_EQ(countOf(page, "url("), 0u);
+    EXPECT_EQ(countOf(page, "@import"), 0u);
+    EXPECT_EQ(countOf(page, "src="), 0u);
+}
+
+TEST(ReportPageTest, HostileNamesAreText) {
+    const std::string hostile = "</script><script>alert('1')</script>\" onload=\"x' & <b>";
+    Report report = madeReport();
+    report.machines[0] = {hostile, hostile, hostile, hostile, hostile, hostile, 1, 1, 1, 1};
+    for (Group& group : report.groups) {
+        group.scene = group.light = group.exactness.why = hostile;
+        for (Growth& growth : group.growth)
+            growth.technique = growth.sweep = growth.varies = hostile;
+        for (Point& point : group.points) {
+            point.key = {hostile, {hostile}, hostile, hostile, 1};
+            point.command = hostile;
+            point.errors.counters = {{hostile, hostile, 1, 2}};
+            point.costs->passes = {{hostile, 1}};
+        }
+    }
+    const std::string page = htmlPage(report);
+    EXPECT_GT(expectBalanced(page), 3000);
+    EXPECT_EQ(countOf(page, "<script"), 1u);
+    EXPECT_EQ(countOf(page, "\" onload"), 0u);
+    EXPECT_EQ(countOf(page, "<b> "), 0u);
+    EXPECT_GE(countOf(page, "&lt;/script&gt;"), 60u);
+}
+
+TEST(ReportPageTest, TheSummaryTellsEveryVerdict) {
+    Report report = madeReport();
+    Group base = report.groups[0];
+    report.groups.assign(6, base);
+    report.groups[1].exactness = {19, 1, 1.7, 2.4, ""};
+    report.groups[2].exactness = {{}, 1, 0, 0, ""};
+    report.groups[3].exactness = {19, {}, 0, 0, ""};
+    report.groups[4].exactness = {};
+    report.groups[5].exactness.why = "";
+    const std::string page = htmlPage(report);
+    for (const char* words :
+         {"In 1 of 3 comparisons", "more than 2 times</td>", "within 2 times</td>", "no exact point</td>",
+          "all exact</td>", "nothing to compare</td>", "the reason is not known"})
+        EXPECT_NE(page.find(words), std::string::npos) << words;
+    EXPECT_NE(page.find(base.exactness.why), std::string::npos);
+}
+
+TEST(ReportPageTest, WhatHasNotBeenMeasuredIsTold) {
+    Report report = madeReport();
+    report.groups[1].points.clear();
+    report.groups[1].exactness = {};
+    report.groups[1].growth.clear();
+    Point& point = report.groups[0].points[4];
+    point.costs.reset();
+    point.picturePng.clear();
+    point.errorPng = {'G', 'I', 'F'};
+    report.machines.clear();
+    const std::string page = htmlPage(report);
+    EXPECT_GT(expectBalanced(page), 1500);
+    EXPECT_NE(page.find("not measured yet"), std::string::npos);
+    EXPECT_NE(page.find("No technique has been measured here"), std::string::npos);
+    EXPECT_EQ(countOf(page, "No picture was kept"), 2u);
+    EXPECT_GT(expectBalanced(htmlPage({})), 20);
+}
+
+TEST(ReportPageTest, RowsHaveAsManyCellsAsHeads) {
+    const std::string page = htmlPage(madeReport());
+    std::size_t heads = 0, rows = 0;
+    const std::string text = std::regex_replace(page, std::regex("\n"), " ");
+    for (std::size_t at = text.find("<tr>"); at != std::string::npos; at = text.find("<tr>", at + 1)) {
+        const std::string row = text.substr(at, text.find("</tr>", at) - at);
+        const std::size_t cells = countOf(row, "<td") + countOf(row, "<th ");
+        if (countOf(row, "<td") == 0) {
+            heads = cells;
+            continue;
+        }
+        EXPECT_EQ(cells, heads) << row.substr(0, 200);
+        ++rows;
+    }
+    EXPECT_GE(rows, 2u + 60 + 4 + 1); // summary, points, growth, machine
+    EXPECT_EQ(countOf(page, "colspan=\"14\""), 60u);
+}
+
+TEST(ReportPageTest, TheSameReportGivesTheSameBytes) { EXPECT_EQ(htmlPage(madeReport()), htmlPage(madeReport())); }
+
+} // namespace
+} // namespace shadowlab::report

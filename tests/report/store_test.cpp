@@ -1,0 +1,134 @@
+// What is kept in a report's folder comes back as it was, and what is no part of a report is refused by name.
+// SPDX-License-Identifier: MIT
+#include "app/report/store.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/report/assemble.h"
+#include "app/report/json_parts.h"
+#include "techniques/foundation/error.h"
+#include "tests/foundation/scene/scene_files.h"
+
+namespace shadowlab::report {
+namespace {
+
+PlannedGroup madeUpGroup() {
+    return {"room \"x\".json",
+            "room, \"x\"",
+            "key",
+            "0123456789abcdef",
+            {{"unshadowed", {}, "", "", 0},
+             {"shadow-map", {"filter=hard", "resolution=512"}, "Hard map", "resolution", 512}}};
+}
+
+Plan madeUpPlan() { return {"0.1", {64, 48}, true, "renderer", {madeUpGroup()}}; }
+
+Judge::Judged madeUpErrors(int wrong) {
+    Judge::Judged judged;
+    judged.errors.pixels = 3000, judged.errors.lit = 2000, judged.errors.shadowed = 1000;
+    judged.errors.falseLit = wrong;
+    judged.errors.rmse = 1.0 / 3;
+    judged.errors.edgeErrorPx = 0.1 + 0.2; // no decimal fraction: every digit has to come back
+    judged.errors.counters = {{"casters", "objects", 3, 12}};
+    judged.picturePng = {1, 2, 0, 255};
+    judged.errorPng = {4};
+    return judged;
+}
+
+Times madeUpTimes() {
+    Times times;
+    times.rounds.push_back({{"unshadowed", {{10, 11}, {0, 0}, {9, 10}, {1, 1}, {9}, {{"light", 5.5}}}},
+                            {"shadow-map filter=hard resolution=512", {{20}, {1}, {18}, {1}, {12}, {{"depth", 3}}}}});
+    times.firstMs = {{"unshadowed", 50}};
+    times.residentMegabytes = {{"unshadowed", 1.5}};
+    return times;
+}
+
+class ReportStoreTest : public ::testing::Test {
+protected:
+    scene::TempFolder folder;
+    Store store{folder.path() / "a"};
+};
+
+TEST_F(ReportStoreTest, EveryDigitComesBack) {
+    const Plan plan = madeUpPlan();
+    store.begin(plan);
+    EXPECT_EQ(store.plan(), plan);
+    EXPECT_FALSE(store.judged(plan.groups[0], plan.groups[0].points[1]));
+    store.keep(plan.groups[0], plan.groups[0].points[1], madeUpErrors(7));
+    const auto judged = store.judged(plan.groups[0], plan.groups[0].points[1]);
+    ASSERT_TRUE(judged);
+    EXPECT_EQ(toJson(judged->errors), toJson(madeUpErrors(7).errors));
+    EXPECT_EQ(judged->errors.edgeErrorPx, 0.1 + 0.2);
+    EXPECT_EQ(judged->picturePng, madeUpErrors(7).picturePng);
+    store.keep(plan.groups[0], {1, 1}, madeUpTimes());
+    EXPECT_EQ(toJson(store.times(plan.groups[0], {1, 1})), toJson(madeUpTimes()));
+    EXPECT_TRUE(store.times(plan.groups[0], {2, 3}).rounds.empty());
+}
+
+TEST_F(ReportStoreTest, AnotherReportIsRefusedAndSaysWhatIsOther) {
+    store.begin(madeUpPlan());
+    store.begin(madeUpPlan()); // the same goes on
+    Plan other = madeUpPlan();
+    other.size.x = 65;
+    try {
+        store.begin(other);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.status(), ExitStatus::badInput);
+        EXPECT_NE(std::string(error.what()).find("64x48, not 65x48"), std::string::npos) << error.what();
+    }
+}
+
+TEST_F(ReportStoreTest, WhatIsNoPartOfAReportIsNamed) {
+    store.begin(madeUpPlan());
+    const auto path = folder.path() / "a" / "plan.json";
+    for (const char* text : {"", "{", "[]", "{\"program\": 3}", "null"}) {
+        std::ofstream(path) << text;
+        EXPECT_THROW((void)store.plan(), Error) << text;
+    }
+    EXPECT_THROW((void)Store(folder.path() / "none").plan(), Error);
+}
+
+TEST_F(ReportStoreTest, PartsThatDisagreeAreNotMerged) {
+    const Plan plan = madeUpPlan();
+    const Store other(folder.path() / "b");
+    for (const Store* each : {static_cast<const Store*>(&store), &other}) {
+        each->begin(plan);
+        each->keep(plan.groups[0], plan.groups[0].points[0], madeUpErrors(1));
+    }
+    store.takeOver(other); // the same
+    EXPECT_EQ(missingPoints(store, plan).size(), 1u);
+    other.keep(plan.groups[0], plan.groups[0].points[0], madeUpErrors(2));
+    EXPECT_THROW(store.takeOver(other), Error);
+    EXPECT_EQ(store.judged(plan.groups[0], plan.groups[0].points[0])->errors.falseLit, 1);
+}
+
+TEST_F(ReportStoreTest, TheReportFollowsFromThePartsAlone) {
+    const Plan plan = madeUpPlan();
+    store.begin(plan);
+    store.keep(Shard{}, Machine{});
+    for (std::size_t i = 0; i < 2; ++i)
+        store.keep(plan.groups[0], plan.groups[0].points[i], madeUpErrors(100 - 50 * static_cast<int>(i)));
+    store.keep(plan.groups[0], Shard{}, madeUpTimes());
+    const Report report = assemble(store);
+    ASSERT_EQ(report.groups.size(), 1u);
+    const Point& map = report.groups[0].points.at(1);
+    ASSERT_TRUE(map.costs);
+    EXPECT_EQ(map.costs->frame.median, 20);
+    EXPECT_EQ(map.costs->shadow.median, 20 - 10.5); // of one round: less the yardstick's median
+    EXPECT_TRUE(map.onFront);
+    EXPECT_TRUE(report.groups[0].points[0].isYardstick);
+    EXPECT_EQ(map.command, "shadowlab measure 'room \"x\".json' -t shadow-map --set shadow-map.filter=hard --set "
+                           "shadow-map.resolution=512 --light key --size 64x48 --frames 30 --orbit-light 30");
+    const std::string csv = reportCsv(report);
+    EXPECT_NE(csv.find("\"room, \"\"x\"\"\",key,centre,shadow-map,filter=hard resolution=512,Hard map,3000,"),
+              std::string::npos)
+        << csv;
+    EXPECT_EQ(Json::parse(reportJson(report)).at("groups").at(0).at("points").size(), 2u);
+}
+
+} // namespace
+} // namespace shadowlab::report
