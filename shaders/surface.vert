@@ -6,6 +6,7 @@
 #include "attributes.glsl"
 #include "clip_position.glsl"
 #include "texcoord.glsl"
+#include "triangle.glsl"
 uniform mat4 viewFromMesh;
 uniform mat3 normalViewFromMesh;
 uniform mat4 lightRelativeFromMesh;
@@ -20,6 +21,7 @@ out vec3 positionWorld;
 void main() {
     gl_Position = clipPosition(vec4(positionMesh, 1.0));
     passTexcoord();
+    passTriangle();
     positionView = (viewFromMesh * vec4(positionMesh, 1.0)).xyz;
     normalView = normalViewFromMesh * normalMesh;
     positionLightRelative = (lightRelativeFromMesh * vec4(positionMesh, 1.0)).xyz;

@@ -7,21 +7,21 @@ uniform usamplerBuffer cellTable;
 uniform samplerBuffer cellBorders;
 uniform samplerBuffer patchValues;
 uniform samplerBuffer borderValues;
-#include "facing.glsl" // has triangleBase
+flat in int triangleOfScene;
 
 const uint kLeaf = 0x80000000u;
 const uint kNoCell = 0xffffffffu;
 
 // Metres in the plane of the face.
 vec2 placeOnFace(vec3 positionOnMesh) {
-    int first = 2 * (triangleBase + gl_PrimitiveID);
+    int first = 2 * triangleOfScene;
     vec4 position = vec4(positionOnMesh, 1.0);
     return vec2(dot(texelFetch(cellPlaces, first), position), dot(texelFetch(cellPlaces, first + 1), position));
 }
 
 // The cell of a place, or kNoCell.
 uint cellAt(vec2 place) {
-    uvec4 roots = texelFetch(cellRoots, triangleBase + gl_PrimitiveID);
+    uvec4 roots = texelFetch(cellRoots, triangleOfScene);
     uint next = gl_FrontFacing ? roots.x : roots.y;
     while ((next & kLeaf) == 0u) {
         vec4 line = texelFetch(cellLines, int(next));

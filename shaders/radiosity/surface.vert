@@ -3,6 +3,7 @@
 #include "attributes.glsl"
 #include "clip_position.glsl"
 #include "texcoord.glsl"
+#include "triangle.glsl"
 uniform mat4 viewFromMesh;
 out vec3 positionOnMesh;
 out vec3 positionView;
@@ -10,6 +11,7 @@ out vec3 positionView;
 void main() {
     gl_Position = clipPosition(vec4(positionMesh, 1.0));
     passTexcoord();
+    passTriangle();
     positionOnMesh = positionMesh;
     positionView = (viewFromMesh * vec4(positionMesh, 1.0)).xyz;
 }

@@ -41,16 +41,30 @@ vec3 linearColor(vec4 texel) { return texel.g > 0.5 ? vec3(texel.r) : kNoValue; 
 vec3 linearColor(vec4 texel) { return texel.a < 0.5 ? kNoValue : texel.rgb; }
 #endif
 
-// IEC 61966-2-1.
+// IEC 61966-2-1: 12.92 c for dark colours, 1.055 c^(1/2.4) - 0.055 for all others. That power is t^(5/3) of the fourth root t,
+// smooth enough for a polynomial (minimax, found by Remez' exchange) that is never off by more than a 2800th of a byte's step.
+// Where there is no graphics card a power costs three times as much, in every pixel of every frame.
 vec3 srgbFromLinear(vec3 color) {
-    return mix(12.92 * color, 1.055 * pow(color, vec3(1.0 / 2.4)) - 0.055, greaterThan(color, vec3(0.0031308)));
+    vec3 t = sqrt(sqrt(color));
+    vec3 bright = vec3(0.068207979);
+    bright = bright * t - 0.318415992;
+    bright = bright * t + 0.657188290;
+    bright = bright * t - 0.852957453;
+    bright = bright * t + 1.365921050;
+    bright = bright * t + 0.139604136;
+    bright = bright * t - 0.059546609;
+    return mix(12.92 * color, bright, greaterThan(color, vec3(0.0031308)));
 }
 
 void main() {
+#ifdef ONE_SAMPLE
+    vec3 sum = linearColor(texture(source, gl_FragCoord.xy / vec2(textureSize(source, 0)))); // the nearest: cheaper than a fetch
+#else
     ivec2 first = ivec2(gl_FragCoord.xy) * supersample;
     vec3 sum = vec3(0.0);
     for (int y = 0; y < supersample; ++y)
         for (int x = 0; x < supersample; ++x) sum += linearColor(texelFetch(source, first + ivec2(x, y), 0));
+#endif
     vec3 color = clamp(sum / float(supersample * supersample), 0.0, 1.0);
 #ifdef GROUND
     // Rec. 709 luminance; as much of white is added as app/session/verdict_panels.cpp adds.

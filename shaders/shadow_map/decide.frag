@@ -8,6 +8,7 @@
 // of the same sheet there: that is found by walking from the point to the centre.
 #include "light.glsl"
 #include "facing.glsl"
+flat in int triangleOfScene;
 in vec3 positionView;
 #include "shadow_map/lookup.glsl"
 uniform usampler2DArray firstTriangles; // of each texel's centre
@@ -70,7 +71,7 @@ float decide(int layer) {
     float certain = kCertain + kPerPixel * (length(dFdx(texel)) + length(dFdy(texel)));
     if (!(certain < kMostUncertain)) return kAskRay;
     ivec3 address = ivec3(floor(texel), layer);
-    uint first = texelFetch(firstTriangles, address, 0).r, own = uint(triangleBase + gl_PrimitiveID);
+    uint first = texelFetch(firstTriangles, address, 0).r, own = uint(triangleOfScene);
     float edge = texelFetch(edgeDepths, address, 0).r;
     if (first == kNothing) return edge < 1.0 ? kAskRay : kLit;
     float slope = (abs(place.slope.x) + abs(place.slope.y)) / resolution;

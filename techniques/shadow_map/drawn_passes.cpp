@@ -42,10 +42,8 @@ std::vector<Probe::DrawnPass> ShadowMap::drawnPasses(const scene::Scene& scene, 
         std::uint64_t lit = 0;
         for (std::size_t object = 0; object < scene.objects.size(); ++object) {
             if (!isSeen(object)) continue;
-            const auto part = splits ? shadowedPart(maps, std::span(&bounds_[object], 1), clipFromWorld) : std::nullopt;
-            const bool any = !part || glm::all(glm::lessThan(part->lower, part->upper));
-            const bool rest = part && !(any && isWithin(bounds_[object], *part, clipFromWorld));
-            lit += triangles(object) * (static_cast<std::uint64_t>(any) + static_cast<std::uint64_t>(rest));
+            const Asking how = splits ? askingOf(maps, bounds_[object], clipFromWorld) : Asking{};
+            lit += triangles(object) * (static_cast<std::uint64_t>(how.asks) + static_cast<std::uint64_t>(how.rest));
         }
         passes.push_back({"light", light, lit, "from the eye, with the map"});
     }

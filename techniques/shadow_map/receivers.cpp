@@ -29,17 +29,16 @@ void ShadowMap::drawAsked(const Frame& frame, const gl::Program& asking, const g
     // Object by object, as gl::drawSurfaces does: of two surfaces at one depth the first drawn is the visible one. The stencil
     // lets each pixel be lit once: what was asked is not drawn again with the rest of its object.
     for (std::size_t object = 0; object < frame.scene().objects.size(); ++object) {
-        const auto part = shadowedPart(map.maps, std::span(&bounds_[object], 1), clipFromWorld);
+        const Asking how = askingOf(map.maps, bounds_[object], clipFromWorld);
         const auto draw = [&](const gl::Program& program) {
             program.use();
             gl::drawSurface(program, frame.scene(), frame.buffers(), eye, object,
                             [&](const scene::Object&) { return setReceiver(frame, program, light, map, object); });
         };
-        const bool any = !part || glm::all(glm::lessThan(part->lower, part->upper));
-        frame.scissorTo(part);
-        if (any) draw(asking);
+        frame.scissorTo(how.where);
+        if (how.asks) draw(asking);
         frame.scissorTo(std::nullopt);
-        if (part && !(any && isWithin(bounds_[object], *part, clipFromWorld))) draw(plain);
+        if (how.rest) draw(plain);
     }
 }
 

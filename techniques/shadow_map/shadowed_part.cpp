@@ -18,12 +18,48 @@ std::array<dvec4, 5> sidesWorld(const LightMaps& maps, int layer) {
             transposed * dvec4(0, -1, 0, 1), transposed * dvec4(0, 0, 0, 1)};
 }
 
+/// Makes the part larger by what of the box lies inside of all sides, as the eye sees it.
+void include(scene::PicturePart& part, const scene::Bounds& box, std::span<const dvec4> sidesWorld,
+             const dmat4& clipFromWorld) {
+    const dvec4 nearWorld = glm::transpose(clipFromWorld) * dvec4(0, 0, 1, 1);
+    for (int face = 0; face < 6; ++face) {
+        std::vector<dvec4> polygon = scene::boxFaceWorld(box, face);
+        for (const dvec4& side : sidesWorld)
+            polygon = scene::clippedPolygon(polygon, side);
+        polygon = scene::clippedPolygon(polygon, nearWorld);
+        for (const dvec4& cornerWorld : polygon) {
+            const dvec4 clip = clipFromWorld * cornerWorld;
+            part.lower = glm::min(part.lower, dvec2(clip) / clip.w);
+            part.upper = glm::max(part.upper, dvec2(clip) / clip.w);
+        }
+    }
+}
+
+scene::PicturePart inPicture(const scene::PicturePart& part) {
+    return {glm::max(part.lower, dvec2(-1)), glm::min(part.upper, dvec2(1))};
+}
+
+double area(const scene::PicturePart& part) {
+    const dvec2 size = glm::max(part.upper - part.lower, dvec2(0));
+    return size.x * size.y;
+}
+
+/// Does all of the box certainly lie in that part of the picture?
+bool isWithin(const scene::Bounds& bounds, const scene::PicturePart& part, const dmat4& clipFromWorld) {
+    for (int i = 0; i < 8; ++i) {
+        const dvec4 clip = clipFromWorld * dvec4(bounds.corner(i), 1.0);
+        if (clip.z <= -clip.w) return false; // before the near plane, or behind the eye
+        const dvec2 place = dvec2(clip) / clip.w;
+        if (!glm::all(glm::greaterThan(place, part.lower)) || !glm::all(glm::lessThan(place, part.upper))) return false;
+    }
+    return true;
+}
+
 } // namespace
 
 std::optional<scene::PicturePart> shadowedPart(const LightMaps& maps, std::span<const scene::Bounds> receivers,
                                                const dmat4& clipFromWorld) {
     if (maps.layout == Layout::cube) return std::nullopt;
-    const dvec4 nearWorld = glm::transpose(clipFromWorld) * dvec4(0, 0, 1, 1);
     scene::PicturePart part{dvec2(1), dvec2(-1)};
     for (const scene::Bounds& box : receivers) {
         // Of a box that the eye is in, or the light, the surfaces may be seen where none of the box's own sides are.
@@ -35,31 +71,22 @@ std::optional<scene::PicturePart> shadowedPart(const LightMaps& maps, std::span<
     for (int layer = 0; layer < maps.layers(); ++layer) {
         const std::array<dvec4, 5> sides = sidesWorld(maps, layer);
         for (const scene::Bounds& box : receivers)
-            for (int face = 0; face < 6; ++face) {
-                std::vector<dvec4> polygon = scene::boxFaceWorld(box, face);
-                for (const dvec4& side : sides)
-                    polygon = scene::clippedPolygon(polygon, side);
-                polygon = scene::clippedPolygon(polygon, nearWorld);
-                for (const dvec4& cornerWorld : polygon) {
-                    const dvec4 clip = clipFromWorld * cornerWorld;
-                    part.lower = glm::min(part.lower, dvec2(clip) / clip.w);
-                    part.upper = glm::max(part.upper, dvec2(clip) / clip.w);
-                }
-            }
+            include(part, box, sides, clipFromWorld);
     }
-    part.lower = glm::max(part.lower, dvec2(-1));
-    part.upper = glm::min(part.upper, dvec2(1));
-    return part;
+    return inPicture(part);
 }
 
-bool isWithin(const scene::Bounds& bounds, const scene::PicturePart& part, const dmat4& clipFromWorld) {
-    for (int i = 0; i < 8; ++i) {
-        const dvec4 clip = clipFromWorld * dvec4(bounds.corner(i), 1.0);
-        if (clip.z <= -clip.w) return false; // before the near plane, or behind the eye
-        const dvec2 place = dvec2(clip) / clip.w;
-        if (!glm::all(glm::greaterThan(place, part.lower)) || !glm::all(glm::lessThan(place, part.upper))) return false;
-    }
-    return true;
+Asking askingOf(const LightMaps& maps, const scene::Bounds& object, const dmat4& clipFromWorld) {
+    const std::optional<scene::PicturePart> part = shadowedPart(maps, std::span(&object, 1), clipFromWorld);
+    if (!part) return {};
+    if (!glm::all(glm::lessThan(part->lower, part->upper))) return {.asks = false, .where = part, .rest = true};
+    if (isWithin(object, *part, clipFromWorld)) return {.asks = true, .where = part, .rest = false};
+    scene::PicturePart all{dvec2(1), dvec2(-1)};
+    include(all, object, {}, clipFromWorld);
+    // A second time all of its vertices are transformed and all of its pixels tested: measured, with a software renderer, as
+    // much as a map costs in half of them.
+    if (area(*part) > 0.5 * area(inPicture(all))) return {};
+    return {.asks = true, .where = part, .rest = true};
 }
 
 } // namespace shadowlab::shadow_map

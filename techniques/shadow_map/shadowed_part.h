@@ -14,7 +14,13 @@ namespace shadowlab::shadow_map {
 std::optional<scene::PicturePart> shadowedPart(const LightMaps& maps, std::span<const scene::Bounds> receivers,
                                                const dmat4& clipFromWorld);
 
-/// Does all of the box certainly lie in that part of the picture?
-bool isWithin(const scene::Bounds& bounds, const scene::PicturePart& part, const dmat4& clipFromWorld);
+/// How an object is drawn with a light's maps.
+struct Asking {
+    bool asks = true;                        ///< the maps, for some of its pixels,
+    std::optional<scene::PicturePart> where; ///< which lie here; none: anywhere
+    bool rest = false;                       ///< and once more without asking, for its other pixels
+};
+/// What to do with the object in these bounds. To draw it twice pays only where the maps need not be asked for most of it.
+Asking askingOf(const LightMaps& maps, const scene::Bounds& object, const dmat4& clipFromWorld);
 
 } // namespace shadowlab::shadow_map

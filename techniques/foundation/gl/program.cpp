@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/gl/program.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/gl/debug.h"
-#include "techniques/foundation/gl/primitive_id.h"
 
 namespace shadowlab::gl {
 
@@ -105,18 +105,9 @@ void Program::link(Linked& linked, const std::vector<std::string>& moreDefines) 
     std::vector<std::string> defines = defines_;
     defines.insert(defines.end(), moreDefines.begin(), moreDefines.end());
     const Shader vertex(GL_VERTEX_SHADER), fragment(GL_FRAGMENT_SHADER);
-    const ShaderSource fragmentSource = shaderSource(fragmentFile_, defines, substitutions_);
-    compile(fragment, fragmentSource);
+    compile(fragment, shaderSource(fragmentFile_, defines, substitutions_));
     ProgramHandle handle = ProgramHandle::create();
-    std::vector<std::string> vertexDefines = defines;
-    if (fragmentSource.text.find("gl_PrimitiveID") != std::string::npos && losesPrimitiveId()) {
-        const HandingOn handing = handingOn(shaderSource(vertexFile_, defines, substitutions_).text, defines);
-        vertexDefines.insert(vertexDefines.end(), handing.vertexDefines.begin(), handing.vertexDefines.end());
-        const Shader geometry(GL_GEOMETRY_SHADER);
-        compile(geometry, {handing.geometryText, {"(geometry shader for " + vertexFile_ + ")"}});
-        glAttachShader(handle.id(), geometry.id);
-    }
-    compile(vertex, shaderSource(vertexFile_, vertexDefines, substitutions_));
+    compile(vertex, shaderSource(vertexFile_, defines, substitutions_));
     glAttachShader(handle.id(), vertex.id);
     glAttachShader(handle.id(), fragment.id);
     glLinkProgram(handle.id());
@@ -129,6 +120,10 @@ void Program::link(Linked& linked, const std::vector<std::string>& moreDefines) 
                                               "; mend the shaders");
     label(GL_PROGRAM, handle.id(), name);
     linked.handle = std::move(handle);
+}
+
+bool Program::isMadeWith(std::string_view define) const {
+    return std::ranges::find(defines_, define) != defines_.end();
 }
 
 GLint Program::location(std::string_view name) const {

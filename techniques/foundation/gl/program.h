@@ -31,6 +31,10 @@ public:
     /// The same program, made with CUT_HOLES: for surfaces with holes, in passes that write depth (shaders/cut_holes.glsl).
     [[nodiscard]] const Program& cutting() const;
 
+    /// Does the program in use read this uniform? Those that the linker removed it does not.
+    [[nodiscard]] bool reads(std::string_view name) const { return location(name) >= 0; }
+    [[nodiscard]] bool isMadeWith(std::string_view define) const;
+
     /// Set a uniform of the program in use. A name the linker removed as unused is ignored.
     void set(std::string_view name, int value) const;
     void set(std::string_view name, float value) const;

@@ -13,20 +13,25 @@
 namespace shadowlab::gl {
 
 /// Attribute locations of every vertex shader (shaders/attributes.glsl has the same numbers).
-enum Attribute : GLuint { kPositionMesh = 0, kNormalMesh = 1, kExtrudable = 2, kTexcoordMesh = 3 };
+enum Attribute : GLuint { kPositionMesh = 0, kNormalMesh = 1, kExtrudable = 2, kTexcoordMesh = 3, kTriangleOfMesh = 4 };
 
 /// Vertex and index buffers of one mesh.
 class MeshBuffers {
 public:
     explicit MeshBuffers(const scene::Mesh& mesh);
-    /// Draws a run of triangles in the mesh's own order; gl_PrimitiveID counts from 0 at `firstTriangle`.
+    /// Draws a run of triangles in the mesh's own order.
     void draw(std::uint32_t firstTriangle, std::uint32_t triangleCount) const;
-    /// Three floats per vertex, tightly packed: for drawing the very same positions with other indices.
+    /// The same for programs that ask which triangle they draw (shaders/triangle.glsl). Positions, order and so depths are the
+    /// same, but there are more vertices: each triangle's last one is its own.
+    void drawNumbered(std::uint32_t firstTriangle, std::uint32_t triangleCount) const;
+    /// Three floats per vertex, tightly packed, the mesh's own vertices first: for drawing the very same positions with other
+    /// indices.
     [[nodiscard]] GLuint positionBuffer() const { return positions_.id(); }
 
 private:
-    BufferHandle positions_, normals_, texcoords_, indices_;
-    VertexArrayHandle vertexArray_;
+    void bindAttributes(const scene::Mesh& mesh) const;
+    BufferHandle positions_, normals_, texcoords_, numbers_, indices_, numberedIndices_;
+    VertexArrayHandle vertexArray_, numberedArray_;
 };
 
 class SceneBuffers {

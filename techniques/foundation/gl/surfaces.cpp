@@ -45,6 +45,13 @@ void setObject(const Program& program, const scene::Scene& scene, const EyeMatri
     program.set("emitsFromFrontOnly", rectSurface ? 1 : 0);
 }
 
+void drawRun(const Program& program, const SceneBuffers& buffers, std::size_t index, std::uint32_t first,
+             std::uint32_t count) {
+    if (!program.reads("triangleBase")) return buffers.mesh(index).draw(first, count);
+    program.set("triangleBase", buffers.triangleBase(index));
+    buffers.mesh(index).drawNumbered(first, count);
+}
+
 void drawPart(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t index,
               std::size_t partIndex) {
     const scene::Object& object = scene.objects[index];
@@ -54,8 +61,7 @@ void drawPart(const Program& program, const scene::Scene& scene, const SceneBuff
     program.set("specular", material.specular);
     program.set("shininess", material.shininess);
     program.set("emission", material.emission);
-    program.set("triangleBase", buffers.triangleBase(index) + static_cast<int>(part.firstTriangle));
-    buffers.mesh(index).draw(part.firstTriangle, part.triangleCount);
+    drawRun(program, buffers, index, part.firstTriangle, part.triangleCount);
 }
 
 /// The variant of a program that cuts holes, in use, with this mask.
@@ -134,23 +140,23 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
     const scene::Mesh& mesh = *scene.objects[object].mesh;
     program.use();
     program.set("clipFromMesh", mat4(clipFromMesh));
-    program.set("triangleBase", buffers.triangleBase(object));
     if (!buffers.hasHoles(object))
-        return buffers.mesh(object).draw(0, static_cast<std::uint32_t>(mesh.triangles.size()));
+        return drawRun(program, buffers, object, 0, static_cast<std::uint32_t>(mesh.triangles.size()));
     for (std::size_t part = 0; part < mesh.parts.size(); ++part) {
         const Texture2D* mask = buffers.mask(object, part);
         const Program& chosen = mask ? useCutting(program, *mask) : program;
         chosen.use();
         chosen.set("clipFromMesh", mat4(clipFromMesh));
-        chosen.set("triangleBase", buffers.triangleBase(object) + static_cast<int>(mesh.parts[part].firstTriangle));
-        buffers.mesh(object).draw(mesh.parts[part].firstTriangle, mesh.parts[part].triangleCount);
+        drawRun(chosen, buffers, object, mesh.parts[part].firstTriangle, mesh.parts[part].triangleCount);
     }
 }
 
 void useForLight(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
                  int light) {
     const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
-    program.useWith(knownBefore(scene, source));
+    // Of a visibility there is too little to save: one program for all kinds.
+    program.useWith(program.isMadeWith("VISIBILITY_ONLY") ? std::vector<std::string>{} : knownBefore(scene, source));
+    program.set("lightKind", lightKind(source.type)); // where the program was not made for it
     const dvec3 directionWorld =
         source.type == scene::LightType::rect ? scene::rectNormalWorld(source) : source.directionWorld;
     const double halfConeRadians = source.coneDegrees * glm::pi<double>() / 360.0;
