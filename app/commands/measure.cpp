@@ -69,6 +69,10 @@ int measure(const MeasureOptions& options) {
         measurement.addFrame(session::momentAt(motion, base, frame));
         progress.done(frame + 1);
     }
+    for (int turn = 0; turn < measurement.turns(); ++turn) {
+        context::throwIfInterrupted();
+        measurement.timeTurn(turn);
+    }
     const Measured measured{base->name,
                             base->lights[static_cast<std::size_t>(light)].name,
                             std::string(context->backend()),

@@ -52,7 +52,7 @@ session::RenderedFrame Clock::draw(session::Slot& slot, const session::Moment& m
 
 double Clock::encode(session::Slot& slot, const session::Moment& moment) {
     const SteadyClock::time_point start = SteadyClock::now();
-    const gl::Texture2D encoded = encoder_.encodeInPlace(slot.target.color, moment.snapshot->exposure);
+    picture_ = encoder_.encodeInPlace(slot.target.color, moment.snapshot->exposure, 1, {}, std::move(picture_));
     glFinish();
     return elapsedMs(start);
 }

@@ -53,6 +53,7 @@ private:
     ivec2 size_;
     TurnLength length_;
     session::PictureEncoder encoder_;
+    gl::Texture2D picture_;
     std::map<std::string, double> usualMs_;
 };
 

@@ -41,6 +41,9 @@ std::vector<std::uint8_t> litMask(const Truth& truth) {
     return lit;
 }
 
+// Frames of a turn: enough for caches to be those of the technique, few enough for turns to alternate within a second.
+constexpr std::size_t kTurnFrames = 12, kWarmingFrames = 3;
+
 } // namespace
 
 Measurement::Measurement(Session& session, std::vector<Slot>& slots, int light, ivec2 size)
@@ -52,7 +55,7 @@ Measurement::Measurement(Session& session, std::vector<Slot>& slots, int light, 
 }
 
 void Measurement::addFrame(const Moment& moment) {
-    const bool first = !before_;
+    const bool first = moments_.empty();
     session_.setScene(moment.snapshot);
     View view;
     view.camera = moment.camera;
@@ -70,32 +73,48 @@ void Measurement::addFrame(const Moment& moment) {
         const Judged& judged = truths.at(asked.of);
         if (first) measured.result.firstPrepareMs = session_.render(slot, view).prepareMs;
 
-        if (before_) {
-            session_.setScene(before_->snapshot);
-            View viewBefore = view;
-            viewBefore.camera = before_->camera;
-            session_.render(slot, viewBefore);
-            session_.setScene(moment.snapshot);
-        }
-        const Clock::time_point start = Clock::now();
-        const RenderedFrame looked = session_.render(slot, view);
-        const gl::Texture2D encoded = encoder_.encodeInPlace(slot.target.color, moment.snapshot->exposure);
-        glFinish();
-        measured.result.times.addFrame(elapsedMs(start), looked.prepareMs);
-        if (!first) measured.result.counters = looked.result.counters;
-
         FrameRequest request;
-        request.timePasses = true;
         request.stages = {{"visibility", light_}};
         if (publishes(*slot.info, "texel-size")) request.stages.push_back({"texel-size", light_});
         const RenderedFrame rendered = session_.render(slot, view, request);
-        measured.result.times.addPasses(rendered.result.passMs);
         const VisibilityImage visibility = readVisibility(findStage(rendered, {"visibility", light_}));
         measured.flips.addFrame(litOutsideTies(visibility, judged.truth, asked, view), litMask(judged.truth),
                                 lengthPx(judged.boundary));
+        measured.result.counters = rendered.result.counters;
         if (first) judgeFirst(measured, rendered, visibility, judged, *reference);
     }
-    before_ = moment;
+    moments_.push_back(moment);
+}
+
+int Measurement::turns() const { return static_cast<int>((moments_.size() + kTurnFrames - 1) / kTurnFrames); }
+
+void Measurement::timeTurn(int turn) {
+    const std::size_t first = kTurnFrames * static_cast<std::size_t>(turn), frames = moments_.size();
+    const std::size_t end = std::min(first + kTurnFrames, frames), warming = std::min(kWarmingFrames, frames);
+    for (Entry& measured : entries_) {
+        for (std::size_t before = warming; before > 0; --before)
+            draw(*measured.slot, moments_[(first + frames - before) % frames], false);
+        for (std::size_t i = first; i < end; ++i) {
+            const Clock::time_point start = Clock::now();
+            const RenderedFrame drawn = draw(*measured.slot, moments_[i], false);
+            picture_ = encoder_.encodeInPlace(measured.slot->target.color, moments_[i].snapshot->exposure, 1, {},
+                                              std::move(picture_));
+            glFinish();
+            measured.result.times.addFrame(elapsedMs(start), drawn.prepareMs);
+        }
+        for (std::size_t i = first; i < end; ++i)
+            measured.result.times.addPasses(draw(*measured.slot, moments_[i], true).result.passMs);
+    }
+}
+
+RenderedFrame Measurement::draw(Slot& slot, const Moment& moment, bool timesPasses) {
+    session_.setScene(moment.snapshot);
+    View view;
+    view.camera = moment.camera;
+    view.size = size_;
+    FrameRequest request;
+    request.timePasses = timesPasses;
+    return session_.render(slot, view, request);
 }
 
 Measurement::Judged Measurement::truthOf(const View& view, const LightTruth& light, bool first) {
@@ -135,7 +154,6 @@ void Measurement::judgeFirst(Entry& measured, const RenderedFrame& rendered, con
         texelPx = readTexelSizes(findStage(rendered, {"texel-size", light_}));
     result.coreErrors = coreErrors(truth, errors.judgement, distanceToBoundary(boundary, size_), texelPx);
     result.converged = rendered.converged;
-    result.counters = rendered.result.counters;
     for (const Counter& counter : result.counters)
         if (counter.id == "served" && counter.of > 0) result.served = counter.built / counter.of;
 

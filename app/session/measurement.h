@@ -1,9 +1,9 @@
 // Measuring: every technique draws the same frames, and each of its pixels is held against the truth.
 //
-// A frame is drawn twice. Once as if somebody only looked at it: that is the time of the frame. And once with a clock
-// around every pass and with its visibility kept, which costs a little more and is not counted. Techniques take turns
-// frame by frame, so that whatever else the machine does meets all of them alike. Judging in between leaves caches cold and
-// processors asleep; so the frame before is drawn again first, as it would have been in a sequence that nobody judges.
+// First every frame is judged. Then the sequence is drawn again as if somebody only looked at it: that is the time of a frame,
+// because judging in between would leave caches cold and processors asleep; and once more with a clock around every pass, which
+// costs a little and is not counted. Techniques take turns of some frames each, so that whatever else the machine does meets
+// all of them alike; the frames before those of a turn are drawn first and do not count.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -49,9 +49,11 @@ public:
     /// All of them must live as long as the measurement. Needs a current GL context.
     Measurement(Session& session, std::vector<Slot>& slots, int light, ivec2 size);
 
-    /// The next frame of the sequence. The first one is judged, and drawn once before it counts: what the driver
-    /// compiles on first use is no part of the technique.
+    /// Judges the next frame of the sequence; the first one in all ways.
     void addFrame(const Moment& moment);
+    /// How long the frames are that were added: in so many turns, 0 and up. Of a single frame, nothing moves before it.
+    [[nodiscard]] int turns() const;
+    void timeTurn(int turn);
 
     [[nodiscard]] std::vector<TechniqueErrors> results() const;
     /// What the first frame's truth took, ties included; without the tree, which is kept from frame to frame. Where some
@@ -81,13 +83,15 @@ private:
                     const Judged& judged, const Shown& reference);
     Shown shown(const Slot& slot) const;
     Shown referencePicture(const View& view);
+    RenderedFrame draw(Slot& slot, const Moment& moment, bool timesPasses);
 
     Session& session_;
     std::vector<Entry> entries_;
     PictureEncoder encoder_;
+    gl::Texture2D picture_; ///< the last one that was timed
     int light_;
     ivec2 size_;
-    std::optional<Moment> before_; ///< the last one; none: the next is the first
+    std::vector<Moment> moments_; ///< that were added
     double truthMs_ = 0;
 };
 

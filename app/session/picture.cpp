@@ -26,11 +26,11 @@ PictureEncoder::PictureEncoder()
       visibility_(encoderOf({"VISIBILITY"})) {}
 
 gl::Texture2D PictureEncoder::encodeInPlace(const gl::Texture2D& radiance, float exposure, int supersample,
-                                            const Region& region) const {
+                                            const Region& region, gl::Texture2D old) const {
     const gl::Program& program = supersample == 1 ? oneSample_ : radiance_;
     program.use();
     program.set("exposure", exposure);
-    return draw(program, radiance, supersample, region);
+    return draw(program, radiance, supersample, region, std::move(old));
 }
 
 gl::Texture2D PictureEncoder::encodeInPlace(const Stage& stage, StageKind kind, float exposure, int supersample) const {
@@ -68,9 +68,10 @@ image::Image PictureEncoder::encode(const Stage& stage, StageKind kind, float ex
 }
 
 gl::Texture2D PictureEncoder::draw(const gl::Program& program, const gl::Texture2D& source, int supersample,
-                                   const Region& region) {
+                                   const Region& region, gl::Texture2D old) {
     const ivec2 size = source.size() / supersample;
-    gl::Texture2D encoded(GL_RGBA8, size, "encoded picture");
+    gl::Texture2D encoded =
+        old && old.size() == size ? std::move(old) : gl::Texture2D(GL_RGBA8, size, "encoded picture");
     const gl::Framebuffer framebuffer(&encoded, nullptr, "encoded picture");
     gl::setBaselineState();
     glDisable(GL_DEPTH_TEST);

@@ -19,9 +19,9 @@ public:
     /// The radiance in a target: exposure, clamp, sRGB. `supersample` N averages N x N texels in linear light first.
     [[nodiscard]] image::Image encode(const gl::Texture2D& radiance, float exposure, int supersample = 1) const;
     /// The same, left on the graphics card: what a frame costs when somebody only looks at it. Outside of a region that
-    /// is not empty nothing is written.
+    /// is not empty nothing is written. `old`: a picture that nobody needs any more, to be drawn over if it has the size.
     [[nodiscard]] gl::Texture2D encodeInPlace(const gl::Texture2D& radiance, float exposure, int supersample = 1,
-                                              const Region& region = {}) const;
+                                              const Region& region = {}, gl::Texture2D old = {}) const;
     [[nodiscard]] gl::Texture2D encodeInPlace(const Stage& stage, StageKind kind, float exposure,
                                               int supersample = 1) const;
 
@@ -37,7 +37,7 @@ public:
 
 private:
     [[nodiscard]] static gl::Texture2D draw(const gl::Program& program, const gl::Texture2D& source, int supersample,
-                                            const Region& region);
+                                            const Region& region, gl::Texture2D old = {});
     gl::Program radiance_, oneSample_, ground_, swatches_, palette_,
         visibility_; ///< shaders/session/encode.frag, of each kind
 };

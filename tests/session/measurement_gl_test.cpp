@@ -22,6 +22,11 @@ using trace::Visibility;
 
 constexpr ivec2 kSize{320, 240};
 
+void timeAll(Measurement& measurement) {
+    for (int turn = 0; turn < measurement.turns(); ++turn)
+        measurement.timeTurn(turn);
+}
+
 class MeasurementTest : public testing::GlTest {
 protected:
     static std::vector<Slot> slots(const std::vector<std::string>& ids, const std::vector<std::string>& settings = {}) {
@@ -37,6 +42,7 @@ protected:
         Measurement measurement(session, slots, light, kSize);
         for (int frame = 0; frame < motion.frames; ++frame)
             measurement.addFrame(momentAt(motion, snapshot, frame));
+        timeAll(measurement);
         return measurement.results();
     }
     static Result measure(const scene::Scene& scene, const std::string& id,
@@ -113,6 +119,7 @@ Result measurePainted(const scene::Snapshot& snapshot, const Painted::Change& ch
     Measurement measurement(session, slots, 0, kSize);
     for (int frame = 0; frame < motion.frames; ++frame)
         measurement.addFrame(momentAt(motion, snapshot, frame));
+    timeAll(measurement);
     return measurement.results()[0];
 }
 

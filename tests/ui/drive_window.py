@@ -154,6 +154,7 @@ def every_key(window, program):
         press(action, changed("camera"))
     press("left")
     press("reset-camera", changed("camera"))
+    w.wait("what was said of the saved slide to go", lambda s: not s["messages"] and s["settled"])
     check(w.state["picture"] == finished, "the scene's own camera shows another picture", w.state)
     press("select-next", changed("selection"))
     check(w.state["selection"] == w.state["lights"][0]["name"], "no light is selected", w.state)
