@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/shadowed_part.h"
 
+#include <algorithm>
 #include <array>
 
 #include "techniques/foundation/scene/clip_polygon.h"
@@ -9,13 +10,28 @@ namespace shadowlab::shadow_map {
 
 namespace {
 
-/// The sides of a map, and the plane through the light, in the world: positive inside.
-std::array<dvec4, 5> sidesWorld(const LightMaps& maps, int layer) {
+/// The sides of a map, the plane through the light, and the eye's near plane, in the world: positive inside.
+std::array<dvec4, 6> planesAround(const LightMaps& maps, int layer, const dvec4& nearWorld) {
     dmat4 lightRelativeFromWorld(1.0);
     lightRelativeFromWorld[3] = dvec4(-maps.originWorld, 1.0);
     const dmat4 transposed = glm::transpose(maps.lightClipFromLightRelative(layer) * lightRelativeFromWorld);
-    return {transposed * dvec4(1, 0, 0, 1), transposed * dvec4(-1, 0, 0, 1), transposed * dvec4(0, 1, 0, 1),
-            transposed * dvec4(0, -1, 0, 1), transposed * dvec4(0, 0, 0, 1)};
+    return {transposed * dvec4(1, 0, 0, 1),  transposed * dvec4(-1, 0, 0, 1), transposed * dvec4(0, 1, 0, 1),
+            transposed * dvec4(0, -1, 0, 1), transposed * dvec4(0, 0, 0, 1),  nearWorld};
+}
+
+/// Most boxes lie inside of all planes, or beyond one of them, and need not be cut.
+enum class Side { inside, between, beyond };
+
+Side sideOf(const scene::Bounds& box, std::span<const dvec4> planes) {
+    Side side = Side::inside;
+    for (const dvec4& plane : planes) {
+        int inside = 0;
+        for (int i = 0; i < 8; ++i)
+            inside += glm::dot(plane, dvec4(box.corner(i), 1.0)) >= 0 ? 1 : 0;
+        if (inside == 0) return Side::beyond;
+        if (inside < 8) side = Side::between;
+    }
+    return side;
 }
 
 } // namespace
@@ -32,20 +48,24 @@ std::optional<scene::PicturePart> shadowedPart(const LightMaps& maps, std::span<
                                 glm::all(glm::greaterThanEqual(box.upperWorld, maps.originWorld));
         if (!flat && (holdsLight || !scene::isBeyondNearPlane(box, clipFromWorld))) return std::nullopt;
     }
+    const auto include = [&](const dvec4& cornerWorld) {
+        const dvec4 clip = clipFromWorld * cornerWorld;
+        part.lower = glm::min(part.lower, dvec2(clip) / clip.w);
+        part.upper = glm::max(part.upper, dvec2(clip) / clip.w);
+    };
     for (int layer = 0; layer < maps.layers(); ++layer) {
-        const std::array<dvec4, 5> sides = sidesWorld(maps, layer);
-        for (const scene::Bounds& box : receivers)
-            for (int face = 0; face < 6; ++face) {
+        const std::array<dvec4, 6> planes = planesAround(maps, layer, nearWorld);
+        for (const scene::Bounds& box : receivers) {
+            const Side side = sideOf(box, planes);
+            for (int corner = 0; corner < 8 && side == Side::inside; ++corner)
+                include(dvec4(box.corner(corner), 1.0));
+            for (int face = 0; face < 6 && side == Side::between; ++face) {
                 std::vector<dvec4> polygon = scene::boxFaceWorld(box, face);
-                for (const dvec4& side : sides)
-                    polygon = scene::clippedPolygon(polygon, side);
-                polygon = scene::clippedPolygon(polygon, nearWorld);
-                for (const dvec4& cornerWorld : polygon) {
-                    const dvec4 clip = clipFromWorld * cornerWorld;
-                    part.lower = glm::min(part.lower, dvec2(clip) / clip.w);
-                    part.upper = glm::max(part.upper, dvec2(clip) / clip.w);
-                }
+                for (const dvec4& plane : planes)
+                    polygon = scene::clippedPolygon(polygon, plane);
+                std::ranges::for_each(polygon, include);
             }
+        }
     }
     part.lower = glm::max(part.lower, dvec2(-1));
     part.upper = glm::min(part.upper, dvec2(1));

@@ -36,7 +36,7 @@ Progress VolumeTechnique::render(Frame& frame) {
     if (frame.wants("lights-off")) frame.publishTarget("lights-off");
 
     frame.count("volumes-rebuilt", static_cast<double>(casters_.takeRebuilt()), static_cast<double>(casters_.count()));
-    repair_.beginFrame();
+    keepRepair(frame);
     findReceivers(scene, frame.eye());
     const int lights = static_cast<int>(scene.lights.size());
     for (int light = 0; light < lights; ++light) {
@@ -185,6 +185,15 @@ void VolumeTechnique::publishCount(Frame& frame, std::string_view stage, int lig
         pictures_.publishCount(frame, stage, light, floats_.read());
     else
         pictures_.publishCount(frame, stage, light, bothSigns);
+}
+
+/// To read the count back and look at all its edges again costs more than all else in a frame in which nothing has moved.
+void VolumeTechnique::keepRepair(const Frame& frame) {
+    const View& view = frame.view();
+    const auto [corner, size] = drawnRegion(view);
+    CountedFor now{frame.snapshot(), view.camera, view.size, corner, size, params_, rules(), gl::shaderReloads()};
+    repair_.beginFrame(now == repairedFor_);
+    repairedFor_ = std::move(now);
 }
 
 void VolumeTechnique::repair(Frame& frame, int light) {

@@ -73,6 +73,7 @@ private:
     [[nodiscard]] bool countsInFloats(int light) const;
     void publishCount(Frame& frame, std::string_view stage, int light, bool bothSigns);
     void count(Frame& frame, const CountPass& pass, int light);
+    void keepRepair(const Frame& frame);
     void repair(Frame& frame, int light);
     void drawLit(Frame& frame, const gl::Program& program, int light) const;
     void publishVisibility(Frame& frame, int light);
@@ -98,6 +99,17 @@ private:
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
     StagePictures pictures_;
     RepairPass repair_;
+    /// All that a frame's counts depend on.
+    struct CountedFor {
+        scene::Snapshot snapshot;
+        scene::Camera camera;
+        ivec2 size{0}, regionCorner{0}, regionSize{0};
+        VolumeParams params;
+        CountRules rules;
+        int shaderReloads = 0;
+        friend bool operator==(const CountedFor&, const CountedFor&) = default;
+    };
+    CountedFor repairedFor_;
 };
 
 } // namespace shadowlab::shadow_volume
