@@ -80,6 +80,7 @@ void ShadowMap::lookAt(const Frame& frame) {
     if (now == fittedFor_) return;
     const std::vector<scene::Bounds> receivers = receiversInView(frame.scene(), view);
     fitted_.clear();
+    askedParts_.clear();
     for (int light = 0; light < lights; ++light)
         fitted_.push_back(
             now.mayLight[static_cast<std::size_t>(light)]

@@ -22,25 +22,38 @@ void ShadowMap::drawAsked(const Frame& frame, const gl::Program& asking, const g
         drawReceivers(frame, asking, light, map);
         return;
     }
-    const gl::EyeMatrices& eye = frame.eye();
-    const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
+    // The maps of the frame may be asked in the next one as well, those of single points of a light are asked once.
+    const bool isOfFrame = map.maps == fitted_[static_cast<std::size_t>(light)];
+    std::vector<AskedPart> own;
+    std::vector<AskedPart>& parts = isOfFrame ? askedParts_[light] : own;
+    if (parts.empty()) parts = askedParts(frame, map.maps);
     useForReceivers(frame, plain, light, map);
     useForReceivers(frame, asking, light, map);
     // Object by object, as gl::drawSurfaces does: of two surfaces at one depth the first drawn is the visible one. The stencil
     // lets each pixel be lit once: what was asked is not drawn again with the rest of its object.
     for (std::size_t object = 0; object < frame.scene().objects.size(); ++object) {
-        const auto part = shadowedPart(map.maps, std::span(&bounds_[object], 1), clipFromWorld);
+        const AskedPart& asked = parts[object];
         const auto draw = [&](const gl::Program& program) {
             program.use();
-            gl::drawSurface(program, frame.scene(), frame.buffers(), eye, object,
+            gl::drawSurface(program, frame.scene(), frame.buffers(), frame.eye(), object,
                             [&](const scene::Object&) { return setReceiver(frame, program, light, map, object); });
         };
-        const bool any = !part || glm::all(glm::lessThan(part->lower, part->upper));
-        frame.scissorTo(part);
-        if (any) draw(asking);
+        frame.scissorTo(asked.part);
+        if (asked.any()) draw(asking);
         frame.scissorTo(std::nullopt);
-        if (part && !(any && isWithin(bounds_[object], *part, clipFromWorld))) draw(plain);
+        if (asked.part && !asked.holdsObject) draw(plain);
     }
+}
+
+std::vector<ShadowMap::AskedPart> ShadowMap::askedParts(const Frame& frame, const LightMaps& maps) const {
+    const dmat4 clipFromWorld = frame.eye().clipFromView * frame.eye().viewFromWorld;
+    std::vector<AskedPart> parts;
+    for (const scene::Bounds& box : bounds_) {
+        AskedPart asked{shadowedPart(maps, std::span(&box, 1), clipFromWorld)};
+        asked.holdsObject = asked.part && asked.any() && isWithin(box, *asked.part, clipFromWorld);
+        parts.push_back(asked);
+    }
+    return parts;
 }
 
 void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map,

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 
+#include "techniques/foundation/scene/picture_part.h"
 #include "techniques/frame.h"
 #include "techniques/shadow_map/alias_free_pass.h"
 #include "techniques/shadow_map/exact_pass.h"
@@ -113,6 +114,13 @@ private:
     void setExactUniforms(const gl::Program& program, int light, const DrawnMap& map) const;
     void setObjectUniforms(const Frame& frame, const gl::Program& program, int light, std::size_t index) const;
 
+    /// Where in the picture the shadow of a caster can fall on an object; none: anywhere, as far as is known.
+    struct AskedPart {
+        std::optional<scene::PicturePart> part;
+        [[nodiscard]] bool any() const { return !part || glm::all(glm::lessThan(part->lower, part->upper)); }
+        bool holdsObject = false; ///< all of it
+    };
+    [[nodiscard]] std::vector<AskedPart> askedParts(const Frame& frame, const LightMaps& maps) const;
     /// Draws the receivers: with `asking` where a shadow may fall, with `plain` elsewhere.
     void drawAsked(const Frame& frame, const gl::Program& asking, const gl::Program& plain, int light,
                    const DrawnMap& map);
@@ -164,6 +172,7 @@ private:
     };
     std::vector<LightMaps> fitted_; ///< per light, for the frame that is drawn
     FittedFor fittedFor_;
+    std::map<int, std::vector<AskedPart>> askedParts_; ///< per light: where the fitted maps are asked, once they were
     KeptMaps kept_;
     DepthPass depthPass_;
     MomentMaker momentMaker_;
