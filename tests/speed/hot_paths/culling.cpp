@@ -28,9 +28,12 @@ struct Field {
     explicit Field(std::int64_t objects) {
         scene.lights.push_back(testing::pointLight({4, 9, 3}));
         const auto torus = std::make_shared<const scene::Mesh>(scene::makeTorus(0.2, 0.08, {8, 5}));
+        // The more, the closer together: the same share of them is in view, and at its border.
+        const auto columns = static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(objects))));
+        const double step = 9.4 / static_cast<double>(columns);
         for (std::int64_t i = 0; i < objects; ++i) {
-            const auto column = static_cast<double>(i % 64), row = static_cast<double>(i / 64);
-            testing::addObject(scene, *torus, testing::translation({0.15 * column - 4.7, 0.3, 0.15 * row - 4.7}));
+            const auto column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
+            testing::addObject(scene, *torus, testing::translation({step * column - 4.7, 0.3, step * row - 4.7}));
         }
         bounds = scene::objectBounds(scene);
         eye = gl::eyeMatrices(scene.camera, kSize);
