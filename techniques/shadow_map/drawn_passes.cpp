@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/picture_part.h"
-#include "techniques/shadow_map/shadowed_part.h"
 #include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {

@@ -1,6 +1,6 @@
 // The maps that a frame needs: fitted to what the eye sees, and drawn where they are not what they should be.
 // SPDX-License-Identifier: MIT
-#include <set>
+#include <algorithm>
 
 #include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/depth_fit.h"
@@ -80,6 +80,7 @@ void ShadowMap::lookAt(const Frame& frame) {
     if (now == fittedFor_) return;
     const std::vector<scene::Bounds> receivers = receiversInView(frame.scene(), view);
     fitted_.clear();
+    askings_.clear();
     for (int light = 0; light < lights; ++light)
         fitted_.push_back(
             now.mayLight[static_cast<std::size_t>(light)]
@@ -118,7 +119,7 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
     KeptMap& kept = kept_.of(light, fitted_.size(), allTexels, maps, params_.resolution, format, params_.exact);
     kept.depth.clampToEdge(params_.border == ShadowMapParams::Border::edge);
 
-    std::set<std::size_t> drawn; // in any layer
+    std::vector<bool> drawn(scene.objects.size(), false); // in any layer
     for (int layer = 0; layer < maps.layers(); ++layer) {
         const LayerOrigin origin{scene.revisions.geometry,
                                  scene.revisions.transforms,
@@ -137,11 +138,12 @@ DrawnMap ShadowMap::updateMap(Frame& frame, int light) {
         }
         if (redraw) kept.momentsAreCurrent = false;
         drawnFrom = origin;
-        drawn.insert(origin.casters.begin(), origin.casters.end());
+        for (const std::size_t caster : origin.casters)
+            drawn[caster] = true;
         frame.count("maps-redrawn", redraw ? 1 : 0, 1, "maps");
         frame.count("caster-draws", static_cast<double>(origin.casters.size()), allCasters, "objects, each per map");
     }
-    frame.count("casters", static_cast<double>(drawn.size()), allCasters, "objects");
+    frame.count("casters", static_cast<double>(std::ranges::count(drawn, true)), allCasters, "objects");
     frame.count("map-texels", layerTexels * maps.layers(), 0, "texels");
     if (!asked.filter.usesMoments()) kept.moments.reset();
     return {.maps = maps,

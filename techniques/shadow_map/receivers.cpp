@@ -1,7 +1,6 @@
 // Drawing the receivers with a light's map: asked only where the shadow of a caster can fall.
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/filter_uniforms.h"
-#include "techniques/shadow_map/shadowed_part.h"
 #include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {
@@ -22,17 +21,20 @@ void ShadowMap::drawAsked(const Frame& frame, const gl::Program& asking, const g
         drawReceivers(frame, asking, light, map);
         return;
     }
-    const gl::EyeMatrices& eye = frame.eye();
-    const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
+    // The maps of the frame may be asked in the next one as well, those of single points of a light are asked once.
+    const bool isOfFrame = map.maps == fitted_[static_cast<std::size_t>(light)];
+    std::vector<Asking> own;
+    std::vector<Asking>& ways = isOfFrame ? askings_[light] : own;
+    if (ways.empty()) ways = askings(frame, map.maps);
     useForReceivers(frame, plain, light, map);
     useForReceivers(frame, asking, light, map);
     // Object by object, as gl::drawSurfaces does: of two surfaces at one depth the first drawn is the visible one. The stencil
     // lets each pixel be lit once: what was asked is not drawn again with the rest of its object.
     for (std::size_t object = 0; object < frame.scene().objects.size(); ++object) {
-        const Asking how = askingOf(map.maps, bounds_[object], clipFromWorld);
+        const Asking& how = ways[object];
         const auto draw = [&](const gl::Program& program) {
             program.use();
-            gl::drawSurface(program, frame.scene(), frame.buffers(), eye, object,
+            gl::drawSurface(program, frame.scene(), frame.buffers(), frame.eye(), object,
                             [&](const scene::Object&) { return setReceiver(frame, program, light, map, object); });
         };
         frame.scissorTo(how.where);
@@ -40,6 +42,14 @@ void ShadowMap::drawAsked(const Frame& frame, const gl::Program& asking, const g
         frame.scissorTo(std::nullopt);
         if (how.rest) draw(plain);
     }
+}
+
+std::vector<Asking> ShadowMap::askings(const Frame& frame, const LightMaps& maps) const {
+    const dmat4 clipFromWorld = frame.eye().clipFromView * frame.eye().viewFromWorld;
+    std::vector<Asking> ways;
+    for (const scene::Bounds& box : bounds_)
+        ways.push_back(askingOf(maps, box, clipFromWorld));
+    return ways;
 }
 
 void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map,

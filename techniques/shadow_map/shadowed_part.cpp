@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/shadowed_part.h"
 
+#include <algorithm>
 #include <array>
 
 #include "techniques/foundation/scene/clip_polygon.h"
@@ -9,29 +10,48 @@ namespace shadowlab::shadow_map {
 
 namespace {
 
-/// The sides of a map, and the plane through the light, in the world: positive inside.
-std::array<dvec4, 5> sidesWorld(const LightMaps& maps, int layer) {
+dvec4 nearPlaneWorld(const dmat4& clipFromWorld) { return glm::transpose(clipFromWorld) * dvec4(0, 0, 1, 1); }
+
+/// The sides of a map, the plane through the light, and the eye's near plane, in the world: positive inside.
+std::array<dvec4, 6> planesAround(const LightMaps& maps, int layer, const dvec4& nearWorld) {
     dmat4 lightRelativeFromWorld(1.0);
     lightRelativeFromWorld[3] = dvec4(-maps.originWorld, 1.0);
     const dmat4 transposed = glm::transpose(maps.lightClipFromLightRelative(layer) * lightRelativeFromWorld);
-    return {transposed * dvec4(1, 0, 0, 1), transposed * dvec4(-1, 0, 0, 1), transposed * dvec4(0, 1, 0, 1),
-            transposed * dvec4(0, -1, 0, 1), transposed * dvec4(0, 0, 0, 1)};
+    return {transposed * dvec4(1, 0, 0, 1),  transposed * dvec4(-1, 0, 0, 1), transposed * dvec4(0, 1, 0, 1),
+            transposed * dvec4(0, -1, 0, 1), transposed * dvec4(0, 0, 0, 1),  nearWorld};
 }
 
-/// Makes the part larger by what of the box lies inside of all sides, as the eye sees it.
-void include(scene::PicturePart& part, const scene::Bounds& box, std::span<const dvec4> sidesWorld,
+/// Most boxes lie inside of all planes, or beyond one of them, and need not be cut.
+enum class Side { inside, between, beyond };
+
+Side sideOf(const scene::Bounds& box, std::span<const dvec4> planes) {
+    Side side = Side::inside;
+    for (const dvec4& plane : planes) {
+        int inside = 0;
+        for (int i = 0; i < 8; ++i)
+            inside += glm::dot(plane, dvec4(box.corner(i), 1.0)) >= 0 ? 1 : 0;
+        if (inside == 0) return Side::beyond;
+        if (inside < 8) side = Side::between;
+    }
+    return side;
+}
+
+/// Makes the part larger by what of the box lies inside of all planes, as the eye sees it. One of them is the eye's near plane.
+void include(scene::PicturePart& part, const scene::Bounds& box, std::span<const dvec4> planesWorld,
              const dmat4& clipFromWorld) {
-    const dvec4 nearWorld = glm::transpose(clipFromWorld) * dvec4(0, 0, 1, 1);
-    for (int face = 0; face < 6; ++face) {
+    const auto includeCorner = [&](const dvec4& cornerWorld) {
+        const dvec4 clip = clipFromWorld * cornerWorld;
+        part.lower = glm::min(part.lower, dvec2(clip) / clip.w);
+        part.upper = glm::max(part.upper, dvec2(clip) / clip.w);
+    };
+    const Side side = sideOf(box, planesWorld);
+    for (int corner = 0; corner < 8 && side == Side::inside; ++corner)
+        includeCorner(dvec4(box.corner(corner), 1.0));
+    for (int face = 0; face < 6 && side == Side::between; ++face) {
         std::vector<dvec4> polygon = scene::boxFaceWorld(box, face);
-        for (const dvec4& side : sidesWorld)
-            polygon = scene::clippedPolygon(polygon, side);
-        polygon = scene::clippedPolygon(polygon, nearWorld);
-        for (const dvec4& cornerWorld : polygon) {
-            const dvec4 clip = clipFromWorld * cornerWorld;
-            part.lower = glm::min(part.lower, dvec2(clip) / clip.w);
-            part.upper = glm::max(part.upper, dvec2(clip) / clip.w);
-        }
+        for (const dvec4& plane : planesWorld)
+            polygon = scene::clippedPolygon(polygon, plane);
+        std::ranges::for_each(polygon, includeCorner);
     }
 }
 
@@ -60,6 +80,7 @@ bool isWithin(const scene::Bounds& bounds, const scene::PicturePart& part, const
 std::optional<scene::PicturePart> shadowedPart(const LightMaps& maps, std::span<const scene::Bounds> receivers,
                                                const dmat4& clipFromWorld) {
     if (maps.layout == Layout::cube) return std::nullopt;
+    const dvec4 nearWorld = nearPlaneWorld(clipFromWorld);
     scene::PicturePart part{dvec2(1), dvec2(-1)};
     for (const scene::Bounds& box : receivers) {
         // Of a box that the eye is in, or the light, the surfaces may be seen where none of the box's own sides are.
@@ -69,9 +90,9 @@ std::optional<scene::PicturePart> shadowedPart(const LightMaps& maps, std::span<
         if (!flat && (holdsLight || !scene::isBeyondNearPlane(box, clipFromWorld))) return std::nullopt;
     }
     for (int layer = 0; layer < maps.layers(); ++layer) {
-        const std::array<dvec4, 5> sides = sidesWorld(maps, layer);
+        const std::array<dvec4, 6> planes = planesAround(maps, layer, nearWorld);
         for (const scene::Bounds& box : receivers)
-            include(part, box, sides, clipFromWorld);
+            include(part, box, planes, clipFromWorld);
     }
     return inPicture(part);
 }
@@ -82,7 +103,8 @@ Asking askingOf(const LightMaps& maps, const scene::Bounds& object, const dmat4&
     if (!glm::all(glm::lessThan(part->lower, part->upper))) return {.asks = false, .where = part, .rest = true};
     if (isWithin(object, *part, clipFromWorld)) return {.asks = true, .where = part, .rest = false};
     scene::PicturePart all{dvec2(1), dvec2(-1)};
-    include(all, object, {}, clipFromWorld);
+    const dvec4 nearWorld = nearPlaneWorld(clipFromWorld);
+    include(all, object, std::span(&nearWorld, 1), clipFromWorld);
     // A second time all of its vertices are transformed and all of its pixels tested: measured, with a software renderer, as
     // much as a map costs in half of them.
     if (area(*part) > 0.5 * area(inPicture(all))) return {};

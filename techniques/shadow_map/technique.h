@@ -11,6 +11,7 @@
 #include "techniques/shadow_map/kept_maps.h"
 #include "techniques/shadow_map/moment_maps.h"
 #include "techniques/shadow_map/receiver_uniforms.h"
+#include "techniques/shadow_map/shadowed_part.h"
 
 namespace shadowlab::shadow_map {
 
@@ -113,6 +114,7 @@ private:
     void setExactUniforms(const gl::Program& program, int light, const DrawnMap& map) const;
     void setObjectUniforms(const Frame& frame, const gl::Program& program, int light, std::size_t index) const;
 
+    [[nodiscard]] std::vector<Asking> askings(const Frame& frame, const LightMaps& maps) const;
     /// Draws the receivers: with `asking` where a shadow may fall, with `plain` elsewhere.
     void drawAsked(const Frame& frame, const gl::Program& asking, const gl::Program& plain, int light,
                    const DrawnMap& map);
@@ -164,6 +166,7 @@ private:
     };
     std::vector<LightMaps> fitted_; ///< per light, for the frame that is drawn
     FittedFor fittedFor_;
+    std::map<int, std::vector<Asking>> askings_; ///< per light: how objects ask the fitted maps, once they have
     KeptMaps kept_;
     DepthPass depthPass_;
     MomentMaker momentMaker_;

@@ -57,6 +57,7 @@ bool Casters::buildNext(const scene::Snapshot& snapshot, Construction constructi
 }
 
 void Casters::begin(const scene::Scene& scene) {
+    ++revision_;
     const std::size_t objects = scene.objects.size();
     places_.resize(objects);
     bounds_.resize(objects);

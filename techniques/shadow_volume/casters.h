@@ -74,6 +74,8 @@ public:
     [[nodiscard]] int overlaps(int light) const { return overlaps_[static_cast<std::size_t>(light)]; }
     /// The boxes of all objects, in their order.
     [[nodiscard]] std::span<const scene::Bounds> bounds() const { return bounds_; }
+    /// Another number whenever the casters of the lights may be others, or elsewhere in memory.
+    [[nodiscard]] std::uint64_t revision() const { return revision_; }
     /// How many volumes there are, for all lights together.
     [[nodiscard]] std::size_t count() const;
     /// How many of them were built since this was last asked.
@@ -98,6 +100,7 @@ private:
     std::size_t next_ = 0;            ///< the first light whose volumes may be out of date
     std::vector<std::int8_t> facing_; ///< of the caster in hand; kept for its memory
     std::size_t rebuilt_ = 0;
+    std::uint64_t revision_ = 0;
 };
 
 } // namespace shadowlab::shadow_volume

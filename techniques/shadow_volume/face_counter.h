@@ -22,6 +22,7 @@ struct PassRule {
     /// The walk may start in a volume: it starts with the eye's own count (eye_line.h), nothing is cut off at the near
     /// plane, and the top caps that lie before it count as well.
     bool corrected = false;
+    friend bool operator==(const PassRule&, const PassRule&) = default;
 };
 
 struct FailRule {
@@ -29,6 +30,7 @@ struct FailRule {
     bool clamp = true;        ///< depth, for what lies beyond the far plane
     bool lessOrEqual = false; ///< depth test of the faces
     bool farPlane = false;    ///< there is one, just beyond the scene
+    friend bool operator==(const FailRule&, const FailRule&) = default;
 };
 
 /// How the counter behaves at its ends: it wraps around, or it sticks there.
@@ -36,12 +38,14 @@ struct StencilRule {
     int bits = 8; ///< of it that are used
     bool wrap = true;
     [[nodiscard]] GLuint mask() const { return (1u << bits) - 1u; }
+    friend bool operator==(const StencilRule&, const StencilRule&) = default;
 };
 
 /// What a count is made of.
 struct CountRules {
     PassRule pass;
     FailRule fail;
+    friend bool operator==(const CountRules&, const CountRules&) = default;
 };
 
 class FaceCounter {

@@ -44,9 +44,8 @@ CountedPart readCount(const Frame& frame, const StencilRule& stencil) {
 } // namespace
 
 void RepairPass::mend(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil) {
-    const bool known = decided_.contains(light);
     const Repair& repair = decided(frame, light, volumes, stencil);
-    if (!known) {
+    if (told_.insert(light).second) {
         frame.count("repaired-pixels", static_cast<double>(repair.lookedAt), static_cast<double>(repair.pixels.size()),
                     "pixels");
         frame.count("pixels-changed", static_cast<double>(repair.changed), static_cast<double>(repair.lookedAt),

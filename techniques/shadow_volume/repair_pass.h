@@ -5,6 +5,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <map>
+#include <set>
 
 #include "techniques/frame.h"
 #include "techniques/shadow_volume/face_counter.h"
@@ -36,11 +37,14 @@ public:
     /// Makes ready for asking with rays. False when the time came before it was done.
     bool prepare(const scene::Snapshot& snapshot, Deadline deadline) { return tracer_.advance(snapshot, deadline); }
 
-    /// What was decided belongs to the frame before.
-    void beginFrame() { decided_.clear(); }
+    /// What was decided for the frame before is kept where that has counted the very same.
+    void beginFrame(bool sameAsBefore) {
+        if (!sameAsBefore) decided_.clear();
+        told_.clear();
+    }
 
-    /// Mends the count that the target's stencil holds for a light. `volumes` are those that were counted. A second time in
-    /// one frame only writes what the first one found: the same volumes give the same count.
+    /// Mends the count that the target's stencil holds for a light. `volumes` are those that were counted. A second time only
+    /// writes what the first one found: the same volumes give the same count.
     void mend(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil);
 
     /// The same count, and what mending it does, as a stage; the stencil stays as it is.
@@ -52,7 +56,8 @@ private:
     void writeBits(const Frame& frame, const Repair& repair, const StencilRule& stencil) const;
 
     trace::SceneTracer tracer_;
-    std::map<int, Repair> decided_; ///< per light, in this frame
+    std::map<int, Repair> decided_; ///< per light
+    std::set<int> told_;            ///< lights whose counters this frame has
     gl::Program flip_{"fullscreen.vert", "shadow_volume/marked.frag"};
 };
 

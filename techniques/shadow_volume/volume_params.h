@@ -18,6 +18,7 @@ struct VolumeParams {
     enum class Counter { automatic, stencil, floats } counter = Counter::automatic;
     StencilRule stencil;
     bool repair = false;
+    friend bool operator==(const VolumeParams&, const VolumeParams&) = default;
 };
 
 params::ParamList describe(VolumeParams& params);

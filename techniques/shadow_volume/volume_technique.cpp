@@ -36,8 +36,7 @@ Progress VolumeTechnique::render(Frame& frame) {
     if (frame.wants("lights-off")) frame.publishTarget("lights-off");
 
     frame.count("volumes-rebuilt", static_cast<double>(casters_.takeRebuilt()), static_cast<double>(casters_.count()));
-    repair_.beginFrame();
-    findReceivers(scene, frame.eye());
+    keepWhatRests(frame);
     const int lights = static_cast<int>(scene.lights.size());
     for (int light = 0; light < lights; ++light) {
         const bool isNeeded = !params_.cull || mayLight(frame, light);
@@ -64,6 +63,21 @@ Progress VolumeTechnique::render(Frame& frame) {
     for (int light = 0; light < lights; ++light)
         publishOverPicture(frame, light);
     return {};
+}
+
+/// To choose volumes, to read their count back and to look at all their edges again costs more than all else in a frame in which
+/// nothing has moved.
+void VolumeTechnique::keepWhatRests(const Frame& frame) {
+    const View& view = frame.view();
+    const auto [corner, size] = drawnRegion(view);
+    CountedFor now{frame.snapshot(), view.camera,         view.size,          corner, size, params_,
+                   rules(),          casters_.revision(), gl::shaderReloads()};
+    const bool rests = now == countedFor_;
+    repair_.beginFrame(rests);
+    if (rests) return;
+    countedFor_ = std::move(now);
+    kept_.clear();
+    findReceivers(frame.scene(), frame.eye());
 }
 
 void VolumeTechnique::findReceivers(const scene::Scene& scene, const gl::EyeMatrices& eye) {
@@ -106,24 +120,33 @@ bool VolumeTechnique::counts(const CasterVolume& caster, Way way) const {
     return caster.useful || !params_.cull || (way == Way::pass && !passRule().corrected);
 }
 
-void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
+VolumeTechnique::ChosenVolumes VolumeTechnique::chosen(const Frame& frame, int light) {
     const std::vector<CasterVolume>& casters = casters_.upload(light);
     const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
-    drawn_.clear();
-    startCount_ = 0;
+    ChosenVolumes chosen;
     for (std::size_t i = 0; i < casters.size(); ++i) {
         const CasterVolume& caster = casters[i];
         const Way way = wayOf(frame.scene(), frame.camera().positionWorld, caster, light);
         const VolumeInView seen = inView(frame.eye(), caster, source);
         if (!seen.any || !counts(caster, way)) continue;
-        drawn_.push_back({.seen = seen, .way = way});
+        chosen.volumes.push_back({.seen = seen, .way = way});
         if (params_.extrudeOn == VolumeParams::ExtrudeOn::cpu)
-            drawn_.back().extruded =
+            chosen.volumes.back().extruded =
                 &casters_.extrude(light, i, extrusionOf(frame.scene().objects[caster.object], source, seen.end));
         if (way == Way::pass && passRule().corrected)
-            startCount_ += eyeCount(frame.scene(), caster, seen.end, source, frame.camera().positionWorld);
+            chosen.startCount += eyeCount(frame.scene(), caster, seen.end, source, frame.camera().positionWorld);
     }
-    frame.count("volumes", static_cast<double>(drawn_.size()), static_cast<double>(casters.size()), "casters");
+    return chosen;
+}
+
+void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
+    const auto known = kept_.find(light);
+    const ChosenVolumes& chosen =
+        known != kept_.end() ? known->second : kept_.emplace(light, this->chosen(frame, light)).first->second;
+    drawn_ = chosen.volumes;
+    startCount_ = chosen.startCount;
+    frame.count("volumes", static_cast<double>(drawn_.size()), static_cast<double>(casters_.of(light).size()),
+                "casters");
     const auto passing = std::ranges::count(drawn_, Way::pass, &CountedVolume::way);
     frame.count("depth-pass", static_cast<double>(passing), static_cast<double>(drawn_.size()), "volumes");
 }

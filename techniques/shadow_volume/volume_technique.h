@@ -62,11 +62,18 @@ protected:
 private:
     [[nodiscard]] ShownVolume shownVolume() const;
     [[nodiscard]] std::vector<const CasterVolume*> usefulCasters(int light) const;
+    void keepWhatRests(const Frame& frame);
     void findReceivers(const scene::Scene& scene, const gl::EyeMatrices& eye);
     [[nodiscard]] VolumeEnd endOf(const CasterVolume& caster, const scene::Light& light) const;
     [[nodiscard]] VolumeInView inView(const gl::EyeMatrices& eye, const CasterVolume& caster,
                                       const scene::Light& light) const;
     [[nodiscard]] bool counts(const CasterVolume& caster, Way way) const;
+    /// Volumes of a light that can change a pixel.
+    struct ChosenVolumes {
+        std::vector<CountedVolume> volumes;
+        int startCount = 0; ///< of the stencil: how many of those counted with depth pass the eye is in
+    };
+    ChosenVolumes chosen(const Frame& frame, int light);
     void chooseVolumes(Frame& frame, int light);
     void clearAndCount(Frame& frame, int light);
     void clearCount(Frame& frame, int light);
@@ -89,8 +96,8 @@ private:
     Casters casters_;
     std::vector<scene::Bounds> receiversInView_; ///< around what of each may be seen
     scene::Bounds allReceiversInView_;
-    std::vector<CountedVolume> drawn_; ///< volumes of the current light that can change a pixel
-    int startCount_ = 0;               ///< of the stencil: how many of those counted with depth pass the eye is in
+    std::vector<CountedVolume> drawn_; ///< of the current light
+    int startCount_ = 0;               ///< likewise
     FaceCounter counter_;
     FloatCount floats_;
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
@@ -98,6 +105,19 @@ private:
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
     StagePictures pictures_;
     RepairPass repair_;
+    /// All that a frame's counts depend on.
+    struct CountedFor {
+        scene::Snapshot snapshot;
+        scene::Camera camera;
+        ivec2 size{0}, regionCorner{0}, regionSize{0};
+        VolumeParams params;
+        CountRules rules;
+        std::uint64_t castersRevision = 0;
+        int shaderReloads = 0;
+        friend bool operator==(const CountedFor&, const CountedFor&) = default;
+    };
+    CountedFor countedFor_;             ///< for this are:
+    std::map<int, ChosenVolumes> kept_; ///< per light
 };
 
 } // namespace shadowlab::shadow_volume

@@ -94,7 +94,8 @@ void Program::relink(Linked& linked, const std::vector<std::string>& moreDefines
     linked.reloadsSeen = reloads;
     try {
         link(linked, moreDefines);
-        linked.locations.clear();
+        linked.uniforms.clear();
+        linked.last = nullptr;
     } catch (const Error& fault) {
         faults().emplace_back(fault.what());
     }
@@ -127,10 +128,19 @@ bool Program::isMadeWith(std::string_view define) const {
 }
 
 GLint Program::location(std::string_view name) const {
-    auto& locations = inUse_->locations;
-    if (const auto found = locations.find(name); found != locations.end()) return found->second;
-    const std::string key(name);
-    return locations.emplace(key, glGetUniformLocation(inUse_->handle.id(), key.c_str())).first->second;
+    Uniform* const before = inUse_->last;
+    if (before && before->next && before->next->first == name) {
+        inUse_->last = &before->next->second;
+        return inUse_->last->location;
+    }
+    auto found = inUse_->uniforms.find(name);
+    if (found == inUse_->uniforms.end()) {
+        const std::string key(name);
+        found = inUse_->uniforms.emplace(key, Uniform{glGetUniformLocation(inUse_->handle.id(), key.c_str())}).first;
+    }
+    if (before) before->next = &*found; // places in an unordered_map stay where they are
+    inUse_->last = &found->second;
+    return found->second.location;
 }
 
 void Program::set(std::string_view name, int value) const { glUniform1i(location(name), value); }

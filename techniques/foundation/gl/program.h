@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "techniques/foundation/gl/handle.h"
@@ -51,11 +52,18 @@ private:
         using is_transparent = void;
         std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>{}(name); }
     };
+    /// Where a uniform is, and which one was set after it the last time: objects set the same ones in the same order, so that
+    /// next time it is most likely the one that is asked for, and no name has to be looked up.
+    struct Uniform {
+        GLint location = -1;
+        std::pair<const std::string, Uniform>* next = nullptr;
+    };
     /// What was compiled, with one set of further defines.
     struct Linked {
         ProgramHandle handle;
         int reloadsSeen = 0;
-        std::unordered_map<std::string, GLint, NameHash, std::equal_to<>> locations;
+        std::unordered_map<std::string, Uniform, NameHash, std::equal_to<>> uniforms;
+        Uniform* last = nullptr; ///< that was set
     };
     void link(Linked& linked, const std::vector<std::string>& moreDefines) const;
     void relink(Linked& linked, const std::vector<std::string>& moreDefines) const;

@@ -1,5 +1,5 @@
-// Whole frames of the techniques that rasterise, by triangles, lights and pixels; of the shadow map also by texels. The light moves
-// from frame to frame, so that nothing is kept.
+// Whole frames of the techniques, by triangles, lights and pixels; of the shadow map also by texels, of shadow volumes by the pixels
+// that they cover, of radiosity by patches. The light moves from frame to frame, so that nothing is kept.
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
@@ -49,19 +49,97 @@ void mapByTexels(benchmark::State& state, const char* filter) {
     state.SetComplexityN(state.range(0) * state.range(0));
 }
 
+/// What counting alone costs: 16 strips stand beside the picture, and a low sun draws the volume of each over all of it, between the eye
+/// and the floor. Little is drawn but pixels, each some thirty times.
+void stencilFill(benchmark::State& state, const char* technique) {
+    scene::Scene scene = testing::floorScene();
+    scene.objects.clear();
+    testing::addObject(scene, scene::makeQuad({60, 60}));
+    scene.camera.positionWorld = {0, 10, 6};
+    for (int i = 0; i < 16; ++i) {
+        const dvec4 middle(-29, 0.8 + 0.1 * i, 0, 1);
+        testing::addObject(scene, scene::makeQuad({0.5, 60}),
+                           dmat4(dvec4(0, 1, 0, 0), dvec4(-1, 0, 0, 0), dvec4(0, 0, 1, 0), middle));
+    }
+    scene.lights = {testing::directionalLight({1, -0.005, 0})}; // 0.3 m down on its way
+    const auto width = static_cast<int>(state.range(0));
+    const ivec2 size(width, width * 9 / 16);
+    drawMoving(state, technique, scene, size);
+    state.SetComplexityN(std::int64_t{size.x} * size.y);
+}
+
+/// From nothing to the first picture: form factors between all pairs of patches, the solution, the light map.
+void radiosityByPatches(benchmark::State& state) {
+    const scene::Scene scene = testing::simpleScene();
+    View view;
+    view.camera = scene.camera;
+    view.size = {320, 180};
+    for (auto _ : state) {
+        session::Session session(testing::snapshot(scene));
+        std::vector<session::Slot> slots;
+        slots.push_back(session::Session::makeSlot("radiosity"));
+        session::applySettings(slots, {"radiosity.patches=" + std::to_string(state.range(0))});
+        session.render(slots[0], view);
+    }
+    state.SetComplexityN(state.range(0));
+}
+BENCHMARK(radiosityByPatches)
+    ->RangeMultiplier(2)
+    ->Range(75, 600)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime() // on all cores
+    ->Complexity(benchmark::oNSquared);
+
+/// Of a room that is solved: the eye moves.
+void radiosityByPixels(benchmark::State& state) {
+    const scene::Scene scene = testing::simpleScene();
+    session::Session session(testing::snapshot(scene));
+    std::vector<session::Slot> slots;
+    slots.push_back(session::Session::makeSlot("radiosity"));
+    session::applySettings(slots, {"radiosity.patches=75"});
+    const auto width = static_cast<int>(state.range(0));
+    View view;
+    view.camera = scene.camera;
+    view.size = {width, width * 9 / 16};
+    session.render(slots[0], view);
+    for (auto _ : state) {
+        view.camera.positionWorld.x += 0.001;
+        session.render(slots[0], view);
+    }
+    state.SetComplexityN(std::int64_t{view.size.x} * view.size.y);
+}
+BENCHMARK(radiosityByPixels)
+    ->RangeMultiplier(2)
+    ->Range(160, 1280)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Complexity(benchmark::oN);
+
 const int registered = [] {
-    for (const char* technique :
-         {"unshadowed", "planar", "shadow-map", "shadow-volume-zpass", "shadow-volume-zfail", "shadow-volume"}) {
+    for (const char* technique : {"unshadowed", "planar", "shadow-map", "shadow-volume-zpass", "shadow-volume-zfail",
+                                  "shadow-volume", "ray-traced"}) {
         const auto add = [&](const char* what, void (*run)(benchmark::State&, const char*)) {
             return benchmark::RegisterBenchmark((std::string(what) + "/" + technique).c_str(), run, technique)
                 ->Unit(benchmark::kMillisecond)
                 ->UseRealTime()
                 ->Complexity(benchmark::oN);
         };
-        add("frameByTriangles", frameByTriangles)->RangeMultiplier(4)->Range(1 << 10, 1 << 16);
+        // Rays go down a tree, which stays as it is while the light moves alone; all others draw every triangle.
+        const bool isTraced = std::string_view(technique) == "ray-traced";
+        add("frameByTriangles", frameByTriangles)
+            ->RangeMultiplier(4)
+            ->Range(1 << 10, 1 << 16)
+            ->Complexity(isTraced ? benchmark::oLogN : benchmark::oN);
         add("frameByLights", frameByLights)->RangeMultiplier(2)->Range(1, 8);
         add("frameByPixels", frameByPixels)->RangeMultiplier(2)->Range(160, 1280);
     }
+    for (const char* technique : {"shadow-volume-zpass", "shadow-volume-zfail"})
+        benchmark::RegisterBenchmark((std::string("stencilFill/") + technique).c_str(), stencilFill, technique)
+            ->Unit(benchmark::kMillisecond)
+            ->UseRealTime()
+            ->RangeMultiplier(2)
+            ->Range(160, 1280)
+            ->Complexity(benchmark::oN);
     for (const char* filter : {"hard", "pcf", "vsm"})
         benchmark::RegisterBenchmark((std::string("mapByTexels/") + filter).c_str(), mapByTexels, filter)
             ->Unit(benchmark::kMillisecond)

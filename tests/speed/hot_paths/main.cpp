@@ -7,7 +7,7 @@
 //
 // The second form is for a machine on which others work as well: all benchmarks take turns at random, and medians are printed.
 // Lines that end in _BigO are the fit, those in _RMS how far the times are from it. N is what the name says: triangles, lights,
-// pixels, texels, rays. Frames are drawn on the graphics card if there is one, else by Mesa; which it is, is printed first.
+// objects, pixels, texels, patches, rays. To be run from the folder that holds assets/. Frames are drawn on the graphics card if there is one, else by Mesa; which it is, is printed first.
 // The benches beside this folder, of one question each, hold ways to do one thing against each other.
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>

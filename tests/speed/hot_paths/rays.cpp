@@ -1,12 +1,16 @@
-// The tree that rays are asked of: building it, and rays of three kinds, by triangles; the exact predicate, by rays.
+// The structures that rays are asked of, a tree and a grid: building them, and rays of three kinds, by triangles; the sign that decides
+// whether a ray hits, by how close it comes to an edge.
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
 #include <chrono>
+#include <cmath>
+#include <limits>
 #include <random>
+#include <string>
 
 #include "techniques/foundation/trace/engine.h"
-#include "techniques/foundation/trace/exact_sign.h"
+#include "techniques/foundation/trace/ray_triangle.h"
 #include "techniques/foundation/trace/world_triangles.h"
 #include "tests/speed/hot_paths/meshes.h"
 
@@ -16,29 +20,40 @@ namespace {
 constexpr std::int64_t kFewest = 1 << 10, kMost = 1 << 18;
 constexpr std::size_t kRays = 4096;
 
-/// A knot's triangles and the tree over them.
-struct Tree {
+/// A knot's triangles and a structure over them.
+struct Structured {
     trace::WorldTriangles world;
+    trace::Structure structure;
     std::unique_ptr<trace::Engine> engine;
-    explicit Tree(std::int64_t triangles) : world(trace::worldTriangles(speed::knotScene(triangles))) { build(); }
+    Structured(trace::Structure kind, std::int64_t triangles)
+        : world(trace::worldTriangles(speed::knotScene(triangles))), structure(kind) {
+        build();
+    }
     void build() {
-        engine = trace::makeEngine(trace::Structure::bvh, {world.triangles, {}});
+        engine = trace::makeEngine(structure, {world.triangles, {}});
         while (!engine->advance(std::chrono::steady_clock::time_point::max())) {
         }
     }
 };
 
-void treeBuilding(benchmark::State& state) {
-    Tree tree(state.range(0));
+void building(benchmark::State& state, trace::Structure structure) {
+    Structured structured(structure, state.range(0));
     for (auto _ : state)
-        tree.build();
-    state.SetComplexityN(static_cast<std::int64_t>(tree.world.triangles.size()));
+        structured.build();
+    state.SetComplexityN(static_cast<std::int64_t>(structured.world.triangles.size()));
 }
-BENCHMARK(treeBuilding)
+BENCHMARK_CAPTURE(building, tree, trace::Structure::bvh)
     ->RangeMultiplier(4)
     ->Range(kFewest, kMost)
     ->Unit(benchmark::kMillisecond)
+    ->UseRealTime() // on all cores
     ->Complexity(benchmark::oNLogN);
+// As many cells as triangles, about, and each triangle is put into a few.
+BENCHMARK_CAPTURE(building, grid, trace::Structure::grid)
+    ->RangeMultiplier(4)
+    ->Range(kFewest, kMost)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity(benchmark::oN);
 
 enum Kind { fromTheEye, towardTheLight, anywhere };
 
@@ -57,43 +72,71 @@ std::vector<trace::Ray> raysOf(Kind kind) {
 }
 
 /// Of 4096 rays each: the nearest hit, or for shadow rays whether there is any.
-void rays(benchmark::State& state, Kind kind) {
-    const Tree tree(state.range(0));
+void rays(benchmark::State& state, trace::Structure structure, Kind kind) {
+    const Structured structured(structure, state.range(0));
     const std::vector<trace::Ray> rays = raysOf(kind);
     for (auto _ : state)
         for (const trace::Ray& ray : rays) {
             if (kind == towardTheLight)
-                benchmark::DoNotOptimize(tree.engine->any(ray));
+                benchmark::DoNotOptimize(structured.engine->any(ray));
             else
-                benchmark::DoNotOptimize(tree.engine->closest(ray));
+                benchmark::DoNotOptimize(structured.engine->closest(ray));
         }
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * kRays));
-    state.SetComplexityN(static_cast<std::int64_t>(tree.world.triangles.size()));
+    state.SetComplexityN(static_cast<std::int64_t>(structured.world.triangles.size()));
 }
-BENCHMARK_CAPTURE(rays, fromTheEye, fromTheEye)
-    ->RangeMultiplier(4)
-    ->Range(kFewest, kMost)
-    ->Complexity(benchmark::oLogN);
-BENCHMARK_CAPTURE(rays, towardTheLight, towardTheLight)
-    ->RangeMultiplier(4)
-    ->Range(kFewest, kMost)
-    ->Complexity(benchmark::oLogN);
-BENCHMARK_CAPTURE(rays, anywhere, anywhere)->RangeMultiplier(4)->Range(kFewest, kMost)->Complexity(benchmark::oLogN);
 
-/// The sign that says on which side of an edge a ray passes, where double leaves it open: the three vectors lie in one plane.
-void exactPredicate(benchmark::State& state) {
+/// Cells that a ray passes on its way through a grid: as many as there are along an edge of it.
+double cellsAlongEdge(benchmark::IterationCount triangles) { return std::cbrt(static_cast<double>(triangles)); }
+
+const int registered = [] {
+    static constexpr std::pair<const char*, Kind> kinds[] = {
+        {"fromTheEye", fromTheEye}, {"towardTheLight", towardTheLight}, {"anywhere", anywhere}};
+    for (const auto& [name, kind] : kinds) {
+        // Down a tree: its depth.
+        benchmark::RegisterBenchmark((std::string("rays/tree/") + name).c_str(), rays, trace::Structure::bvh, kind)
+            ->RangeMultiplier(4)
+            ->Range(kFewest, kMost)
+            ->Complexity(benchmark::oLogN);
+        benchmark::RegisterBenchmark((std::string("rays/grid/") + name).c_str(), rays, trace::Structure::grid, kind)
+            ->RangeMultiplier(4)
+            ->Range(kFewest, kMost)
+            ->Complexity(cellsAlongEdge);
+    }
+    return 0;
+}();
+
+/// How the sign is found that says on which side of an edge a ray passes.
+enum class Digits {
+    ofDouble, ///< the ray passes far from the edge, which one comparison tells: nearly all
+    twice,    ///< closer than double can tell; here always, as the bound is said to be infinite
+    all,      ///< the three vectors lie in one plane
+};
+
+void sign(benchmark::State& state, Digits digits) {
     std::mt19937 random(2);
     std::uniform_real_distribution<double> real(-3, 3);
     std::vector<dvec3> points;
-    for (std::int64_t i = 0; i < 3 * state.range(0); ++i)
+    for (std::int64_t i = 0; i < 4 * state.range(0); ++i)
         points.emplace_back(real(random), real(random), real(random));
+    const double bound = digits == Digits::ofDouble ? 0 : std::numeric_limits<double>::infinity();
     for (auto _ : state)
-        for (std::size_t i = 0; i + 2 < points.size(); i += 3)
-            benchmark::DoNotOptimize(
-                trace::exactTripleSign(points[i + 1] - points[i], points[i], points[i + 1], points[i + 2]));
+        for (std::size_t i = 0; i + 3 < points.size(); i += 4) {
+            const dvec3 direction = digits == Digits::all ? points[i + 1] - points[i] : points[i + 3];
+            const trace::ShearedRay ray({.originCentred = points[i], .directionCentred = direction});
+            benchmark::DoNotOptimize(trace::certainSide(points[i].x, bound, ray, points[i + 1], points[i + 2]));
+        }
     state.SetComplexityN(state.range(0));
 }
-BENCHMARK(exactPredicate)->RangeMultiplier(4)->Range(1 << 8, 1 << 14)->Complexity(benchmark::oN);
+BENCHMARK_CAPTURE(sign, ofDouble, Digits::ofDouble)
+    ->RangeMultiplier(4)
+    ->Range(1 << 8, 1 << 14)
+    ->Complexity(benchmark::oN);
+BENCHMARK_CAPTURE(sign, twiceTheDigits, Digits::twice)
+    ->RangeMultiplier(4)
+    ->Range(1 << 8, 1 << 14)
+    ->Complexity(benchmark::oN);
+BENCHMARK_CAPTURE(sign, allDigits, Digits::all)->RangeMultiplier(4)->Range(1 << 8, 1 << 14)->Complexity(benchmark::oN);
 
 } // namespace
 } // namespace shadowlab

@@ -37,6 +37,22 @@ void facingSigns(benchmark::State& state) {
 }
 BENCHMARK(facingSigns)->RangeMultiplier(4)->Range(kFewest, kMost)->Complexity(benchmark::oN);
 
+/// The silhouette alone, from signs that are known: every edge is looked at.
+void silhouette(benchmark::State& state) {
+    const auto mesh = std::make_shared<const scene::Mesh>(speed::knot(state.range(0)));
+    const shadow_volume::EdgeTable edges = shadow_volume::edgeTable(scene::buildTopology(*mesh));
+    std::vector<std::int8_t> signs(mesh->triangles.size());
+    scene::FacingPlanes(mesh).findSigns(dvec4(3, 9, 2, 1), signs);
+    for (auto _ : state) {
+        std::uint32_t found = 0;
+        shadow_volume::forEachSilhouetteEdge(edges, signs,
+                                             [&](std::uint32_t, std::uint32_t, int, std::uint32_t) { ++found; });
+        benchmark::DoNotOptimize(found);
+    }
+    state.SetComplexityN(static_cast<std::int64_t>(signs.size()));
+}
+BENCHMARK(silhouette)->RangeMultiplier(4)->Range(kFewest, kMost)->Complexity(benchmark::oN);
+
 /// Silhouette, sides and caps, from signs that are known.
 void volumeConstruction(benchmark::State& state) {
     const auto mesh = std::make_shared<const scene::Mesh>(speed::knot(state.range(0)));
