@@ -16,7 +16,12 @@ struct Column {
 
     /// "shadow-map exact=true"
     [[nodiscard]] std::string title() const;
-    [[nodiscard]] session::PaneState state() const { return {technique, "", {{technique, values}}}; }
+    /// As the reader of cases makes it: what has only defaults has no settings at all.
+    [[nodiscard]] session::PaneState state() const {
+        session::PaneState state{technique, "", {}};
+        if (!values.empty()) state.settings[technique] = values;
+        return state;
+    }
 };
 
 /// In the order of the registry; only techniques that say what they make of one light (stage `visibility`).

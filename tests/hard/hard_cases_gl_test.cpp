@@ -81,6 +81,21 @@ TEST_F(HardCasesTest, TheTableHasAColumnForEveryTechnique) {
     EXPECT_GE(found.size(), 8u);
 }
 
+// A limit that names no column, or one that is right, says something that is not so.
+TEST_F(HardCasesTest, LimitsAreOfWhatIsWrong) {
+    const std::vector<Column> all = columns();
+    std::size_t reasons = 0, limits = 0;
+    for (Case one : allCases(loading())) {
+        if (one.limits.empty()) continue;
+        one.checks.clear();
+        limits += one.limits.size();
+        for (const Cell& cell : runWholeCase(one, true, all).cells)
+            reasons += cell.standing == Standing::wrong && !cell.reason.empty();
+    }
+    EXPECT_EQ(reasons, limits);
+    EXPECT_GE(limits, 6u);
+}
+
 // A case without anything in shadow proves nothing, however right the picture is; one whose careless version is no worse is red.
 TEST_F(HardCasesTest, TheSuiteItselfCanBeRed) {
     std::vector<Case> cases = allCases(loading());
