@@ -29,6 +29,12 @@ struct Check {
     std::vector<Expectation> expectations;
 };
 
+/// Why a technique is wrong before the case's scene, where that is known and has its reason.
+struct Limit {
+    session::PaneState slot;
+    std::string why;
+};
+
 /// Without so many pixels, nothing is proved.
 struct Least {
     int lit = 0, shadowed = 0;
@@ -46,6 +52,8 @@ struct Case {
     std::vector<Check> checks;
     std::vector<std::string> tests;      ///< that hold the case, SUITE.NAME
     std::vector<std::string> naiveTests; ///< in which a careless version that is no setting fails
+    std::string withoutNaive;            ///< why there is no careless version; empty: there is one
+    std::vector<Limit> limits;
 };
 
 /// Where in the list of cases one stands: family P, M, V, R, F, then number, then letter.

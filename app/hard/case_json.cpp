@@ -45,7 +45,7 @@ public:
         : file_(file), document_(text, file, scene::Limits{}.jsonDepth, "a hard case, starting with {"),
           top_(document_, document_.root(), "the case",
                {"case", "title", "why", "scene", "camera", "lights", "light", "size", "smallSize", "least", "checks",
-                "tests", "naiveTests"}),
+                "tests", "naiveTests", "withoutNaive", "limits"}),
           states_(document_, file_, options) {}
 
     Case read() {
@@ -60,6 +60,7 @@ public:
         one.least = least();
         one.tests = names("tests");
         one.naiveTests = names("naiveTests");
+        if (top_.find("withoutNaive")) one.withoutNaive = session::shortText(top_, "withoutNaive", kLongestWhy);
         if (top_.find("scene")) {
             // The case's own scene needs some technique to be read; any will do.
             const std::array<const JsonObject*, 2> levels{&top_, &unshadowed_};
@@ -67,11 +68,14 @@ public:
             if (one.picture->scene->lights.empty()) top_.fail("scene", "has no light; add one, or leave it out");
             for (const JsonValue& value : top_.array("checks"))
                 one.checks.push_back(check(value, one.checks.size() + 1));
+            for (const JsonValue& value : top_.array("limits"))
+                one.limits.push_back(limit(value, one.limits.size() + 1));
         } else {
-            for (const char* key : {"camera", "lights", "light", "size", "smallSize", "least", "checks"})
+            for (const char* key : {"camera", "lights", "light", "size", "smallSize", "least", "checks", "limits"})
                 if (top_.find(key)) top_.fail(key, "is about a scene, and there is none; write \"scene\"");
             if (one.tests.empty()) top_.fail("tests", "is missing or empty: a case without a scene is held by tests");
         }
+        requireNaive(one);
         return one;
     }
 
@@ -133,6 +137,23 @@ private:
                 naive.fail("set", "changes nothing; write the setting that makes it careless");
         }
         return check;
+    }
+    Limit limit(const JsonValue& value, std::size_t number) {
+        const JsonObject keys(document_, value, "limit " + std::to_string(number), {"technique", "set", "why"});
+        const std::array<const JsonObject*, 2> levels{&top_, &keys};
+        return {states_.read(levels).slots.front(), session::shortText(keys, "why", kLongestWhy)};
+    }
+    /// A check that nothing careless has failed may be one that sees nothing.
+    void requireNaive(const Case& one) const {
+        const bool hasNaive = !one.naiveTests.empty() || std::ranges::any_of(one.checks, [](const Check& check) {
+            return check.naive.has_value();
+        });
+        if (hasNaive && !one.withoutNaive.empty())
+            top_.fail("withoutNaive", "says why there is no careless version, and there is one; leave it out");
+        if (!hasNaive && one.withoutNaive.empty())
+            top_.fail("case",
+                      R"(has no careless version; write "naive" in a check, "naiveTests", or in "withoutNaive" why )"
+                      "there is none");
     }
     Expectation expectation(const JsonValue& value, const JsonObject& check, std::size_t number) {
         const JsonObject keys(document_, value, "expectation " + std::to_string(number) + " of " + check.what(),

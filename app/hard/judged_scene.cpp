@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "app/report/judge.h"
+#include "app/session/motion.h"
 #include "techniques/foundation/error.h"
 
 namespace shadowlab::hard {
@@ -12,7 +14,7 @@ JudgedScene::JudgedScene(const session::ShownState& state, ivec2 size) : session
     view_.size = size;
 }
 
-JudgedFrame JudgedScene::draw(const session::PaneState& technique) {
+JudgedFrame JudgedScene::draw(const session::PaneState& technique, Timing timing) {
     std::vector<session::Slot> slots = session::slotsOf({technique});
     session::Slot& slot = slots.front();
     const auto publishes = [&](std::string_view stage) {
@@ -29,6 +31,8 @@ JudgedFrame JudgedScene::draw(const session::PaneState& technique) {
     const session::RenderedFrame rendered = session_.render(slot, view_, request);
     JudgedFrame frame;
     frame.ms = rendered.frameMs;
+    for (const Counter& counter : rendered.result.counters)
+        if (counter.id == "served" && counter.of > 0) frame.served = counter.built / counter.of;
     frame.picture = encoder_.encode(slot.target.color, session_.snapshot()->exposure);
     frame.visibility = session::readVisibility(session::findStage(rendered, {"visibility", light_}));
     std::optional<measure::Grid<float>> texelPx;
@@ -39,7 +43,18 @@ JudgedFrame JudgedScene::draw(const session::PaneState& technique) {
     frame.errors = measure::judgeSlot(truth, boundary, frame.visibility.greyAlpha);
     frame.coreErrors =
         measure::coreErrors(truth, frame.errors.judgement, measure::distanceToBoundary(boundary, view_.size), texelPx);
+    frame.errorMap = report::errorMap(truth, frame.errors.judgement);
+    if (timing == Timing::again) frame.ms = msWithLightMoved(slot);
     return frame;
+}
+
+double JudgedScene::msWithLightMoved(session::Slot& slot) {
+    const scene::Snapshot atRest = session_.snapshot();
+    const session::Motion turn{.frames = 360, .orbitLightDegrees = 360.0, .orbitCameraDegrees = {}, .path = {}};
+    session_.setScene(session::momentAt(turn, atRest, 1).snapshot);
+    const double ms = session_.render(slot, view_).frameMs;
+    session_.setScene(atRest);
+    return ms;
 }
 
 } // namespace shadowlab::hard

@@ -14,10 +14,12 @@ namespace shadowlab::hard {
 /// What came of one technique's frame.
 struct JudgedFrame {
     image::Image picture;
+    image::Image errorMap; ///< report::errorMap()
     session::VisibilityImage visibility;
     measure::SlotErrors errors;
     int coreErrors = 0;
-    double ms = 0; ///< prepare and render, to the end of the GL work
+    double served = 1; ///< share of the pixels with a surface that the technique serves at all
+    double ms = 0;     ///< prepare and render, to the end of the GL work
 };
 
 class JudgedScene {
@@ -28,10 +30,16 @@ public:
     [[nodiscard]] bool shows(const session::ShownState& state) const {
         return state.scene == session_.snapshot() && state.camera == view_.camera && state.light == light_;
     }
+    enum class Timing {
+        first, ///< the frame that is judged: shaders are compiled, and all is prepared from nothing
+        again, ///< one more frame, in which the light has gone on by one degree and nothing that follows from it can be kept
+    };
     /// Throws Error (badInput) for a technique that does not say what it makes of one light.
-    JudgedFrame draw(const session::PaneState& technique);
+    JudgedFrame draw(const session::PaneState& technique, Timing timing = Timing::first);
 
 private:
+    double msWithLightMoved(session::Slot& slot);
+
     session::Session session_;
     session::PictureEncoder encoder_;
     View view_;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <regex>
 #include <set>
@@ -9,13 +10,14 @@
 #include "app/hard/run_case.h"
 #include "app/session/assets.h"
 #include "techniques/foundation/error.h"
+#include "techniques/registry.h"
 #include "tests/support/gl_fixture.h"
 
 namespace shadowlab::hard {
 namespace {
 
 // Fewer, and files have been lost.
-constexpr std::size_t kLeastCases = 18, kLeastCareless = 20;
+constexpr std::size_t kLeastCases = 80, kLeastChecks = 57, kLeastCareless = 40;
 
 scene::LoadOptions loading() { return {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}}; }
 
@@ -42,8 +44,56 @@ TEST_F(HardCasesTest, AreRightAndCarelessVersionsAreCaught) {
                 EXPECT_TRUE(*row.caught) << "the careless version passes: the check sees nothing";
             }
         }
-    EXPECT_GE(checks, kLeastCases);
+    EXPECT_GE(checks, kLeastChecks);
     EXPECT_GE(careless, kLeastCareless);
+}
+
+// What asks rays wherever a rasteriser may err is right before every scene, whoever the case is about.
+TEST_F(HardCasesTest, WhatIsExactByItsNatureIsRightBeforeAllScenes) {
+    std::vector<Column> exact = columns();
+    std::erase_if(exact, [](const Column& column) { return !column.isExact; });
+    EXPECT_GE(exact.size(), 6u);
+    std::size_t compared = 0, limits = 0, reasons = 0;
+    for (Case one : allCases(loading())) {
+        one.checks.clear();
+        limits += one.limits.size();
+        for (const Cell& cell : runWholeCase(one, true, exact).cells) {
+            EXPECT_TRUE(cell.standing == Standing::exact || !cell.reason.empty())
+                << one.id << ", " << cell.column << ": " << toText(cell.standing) << ", " << cell.wrong() << " wrong, "
+                << cell.coreErrors << " core errors";
+            reasons += !cell.reason.empty();
+            ++compared;
+        }
+    }
+    EXPECT_GE(compared, 150u);
+    EXPECT_LE(reasons, limits);
+}
+
+// Columns are every technique of the list, once as it is, in the order of the list.
+TEST_F(HardCasesTest, TheTableHasAColumnForEveryTechnique) {
+    std::vector<std::string> expected, found;
+    for (const RegisteredTechnique& technique : registeredTechniques())
+        if (std::ranges::find(technique.info->stages, "visibility", &StageInfo::id) != technique.info->stages.end())
+            expected.emplace_back(technique.info->id);
+    for (const Column& column : columns())
+        if (column.values.empty()) found.push_back(column.technique);
+    EXPECT_EQ(found, expected);
+    EXPECT_GE(found.size(), 8u);
+}
+
+// A limit that names no column, or one that is right, says something that is not so.
+TEST_F(HardCasesTest, LimitsAreOfWhatIsWrong) {
+    const std::vector<Column> all = columns();
+    std::size_t reasons = 0, limits = 0;
+    for (Case one : allCases(loading())) {
+        if (one.limits.empty()) continue;
+        one.checks.clear();
+        limits += one.limits.size();
+        for (const Cell& cell : runWholeCase(one, true, all).cells)
+            reasons += cell.standing == Standing::wrong && !cell.reason.empty();
+    }
+    EXPECT_EQ(reasons, limits);
+    EXPECT_GE(limits, 6u);
 }
 
 // A case without anything in shadow proves nothing, however right the picture is; one whose careless version is no worse is red.
@@ -107,6 +157,8 @@ TEST(HardCaseFilesTest, WhatACaseMayNotSayIsNamedByItsPlace) {
     refused("planar.clip=false", "planar.clip=true", "changes nothing");
     refused("\"planar\"", "\"planer\"", "planar");
     refused("\"wrong\"", "\"differing\"", "from");
+    refused(R"(, "naive": {"set": ["planar.clip=false"]})", "", "careless");
+    refused(R"("scene": )", R"("withoutNaive": "None.", "scene": )", "careless");
 }
 
 TEST(HardCaseFilesTest, StandInTheOrderOfTheList) {

@@ -92,6 +92,20 @@ TEST(ScaledToClosure, ClosesARoomKeepsItReciprocalAndSaysWhatItChanged) {
     EXPECT_EQ(rooms, 16);
 }
 
+// What a program does that makes each row sum to one on its own: A_i F_ij is not A_j F_ji any more.
+TEST(ScaledToClosure, RowsScaledOneByOneAreNotReciprocal) {
+    constexpr double kError = 0.02;
+    const testing::Room room = roomWithErrors(17, kError, 1);
+    const std::vector<double> sums = rowSums(room.exchange, room.areas);
+    double most = 0;
+    for (std::size_t i = 0; i < room.areas.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            most = std::max(most, std::abs(sums[j] / sums[i] - 1)); // S_ij / sum_i beside S_ij / sum_j
+    EXPECT_GT(most, 0.1 * kError);
+    const ScaledExchange scaled = scaledToClosure(room.exchange, room.areas, Closure::closedRoom);
+    EXPECT_LE(reciprocityResidual(scaled.exchange, room.areas), 1e-12);
+}
+
 TEST(ScaledToClosure, LeavesAloneWhatIsRight) {
     const testing::Room cube = testing::cube(.5, .5, .5);
     const ScaledExchange scaled = scaledToClosure(cube.exchange, cube.areas, Closure::closedRoom);

@@ -1,0 +1,30 @@
+// The columns of the table of techniques and cases: every registered technique as it is by default, and every way of one that is
+// by its nature exact.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/session/pane.h"
+
+namespace shadowlab::hard {
+
+struct Column {
+    std::string technique;  ///< id
+    session::Values values; ///< what differs from its defaults
+    bool isExact = false;   ///< it asks rays wherever the rasteriser may err: no pixel may be wrong but ties
+
+    /// "shadow-map exact=true"
+    [[nodiscard]] std::string title() const;
+    /// As the reader of cases makes it: what has only defaults has no settings at all.
+    [[nodiscard]] session::PaneState state() const {
+        session::PaneState state{technique, "", {}};
+        if (!values.empty()) state.settings[technique] = values;
+        return state;
+    }
+};
+
+/// In the order of the registry; only techniques that say what they make of one light (stage `visibility`).
+std::vector<Column> columns();
+
+} // namespace shadowlab::hard

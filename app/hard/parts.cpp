@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "app/hard/parts.h"
+
+#include <fstream>
+#include <iterator>
+
+#include "app/hard/results_json.h"
+#include "app/report/digest.h"
+#include "app/report/store.h"
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_file.h"
+
+namespace shadowlab::hard {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string textOf(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void makeFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw Error(ExitStatus::cannotWrite,
+                    "-o: the folder '" + folder.string() + "' cannot be made: " + error.message() + "; choose another");
+}
+
+} // namespace
+
+Parts::Parts(fs::path folder, std::string madeBy) : folder_(std::move(folder)), madeBy_(std::move(madeBy)) {
+    makeFolder(folder_ / "parts");
+    makeFolder(folder_ / "pictures");
+}
+
+fs::path Parts::fileOf(const Case& one) const { return folder_ / "parts" / (report::fileName(one.id) + ".json"); }
+
+std::string Parts::madeFrom(const Case& one) const {
+    std::string text = madeBy_ + "\n" + textOf(one.file);
+    if (one.picture) text += report::digestOf(*one.picture->scene);
+    for (const Check& check : one.checks) {
+        text += " " + report::digestOf(*check.right.scene);
+        for (const Expectation& expected : check.expectations)
+            if (expected.from) text += " " + report::digestOf(*expected.from->scene);
+    }
+    return text;
+}
+
+std::optional<CaseResult> Parts::find(const Case& one) const {
+    std::error_code ignored;
+    if (!fs::is_regular_file(fileOf(one), ignored)) return std::nullopt;
+    try {
+        const Json part = Json::parse(textOf(fileOf(one)));
+        if (part.at("madeFrom") != madeFrom(one)) return std::nullopt;
+        return caseResultFromJson(part.at("result"));
+    } catch (const Json::exception&) {
+        return std::nullopt; // nothing is lost but the time to run the case again
+    }
+}
+
+void Parts::write(const Pictures& pictures) const {
+    if (pictures.name.empty()) return;
+    const std::string base = (folder_ / "pictures" / pictures.name).string();
+    image::writeWhole(base + ".png", pictures.picturePng);
+    image::writeWhole(base + "-errors.png", pictures.errorPng);
+}
+
+void Parts::keep(const Case& one, const CaseResult& result) const {
+    for (const Row& row : result.rows) {
+        write(row.right);
+        if (row.naive) write(*row.naive);
+    }
+    for (const Cell& cell : result.cells)
+        write(cell.pictures);
+    // Last: with it the case counts as known.
+    const Json part{{"madeFrom", madeFrom(one)}, {"result", toJson(result)}};
+    image::writeWhole(fileOf(one), part.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+void Parts::discard() const {
+    std::error_code ignored; // what stays is found to be old, or used again: neither does harm
+    fs::remove_all(folder_ / "parts", ignored);
+}
+
+std::string madeBy(const std::string& renderer, bool small, std::span<const Column> columns) {
+    std::string text = std::string(SHADOWLAB_VERSION) + ", " + renderer + (small ? ", small" : ", full size");
+    for (const Column& column : columns)
+        text += ", " + column.title();
+    return text;
+}
+
+} // namespace shadowlab::hard

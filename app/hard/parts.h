@@ -1,0 +1,45 @@
+// What is known of a run of the hard cases so far, in its folder: it goes on from wherever it was stopped.
+//
+//     DIR/parts/P2b.json                    a case that is done
+//     DIR/pictures/P2b-planar.png, -errors.png
+//
+// Every file is whole or not there. A part counts only if it was made from what the case is made from now: the program's version,
+// the renderer, the size, the techniques, the case's file and its scenes. The parts of a run that came to its end are taken away,
+// so the next one measures everything anew.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/hard/case.h"
+#include "app/hard/columns.h"
+#include "app/hard/results.h"
+
+namespace shadowlab::hard {
+
+class Parts {
+public:
+    /// Makes the folders. Throws Error (cannotWrite). `madeBy`: whatever all parts of one run have in common.
+    Parts(std::filesystem::path folder, std::string madeBy);
+
+    /// What came of the case; none: it has not been run, or has changed since.
+    [[nodiscard]] std::optional<CaseResult> find(const Case& one) const;
+    void keep(const Case& one, const CaseResult& result) const;
+    /// All is done, and written elsewhere.
+    void discard() const;
+
+private:
+    [[nodiscard]] std::filesystem::path fileOf(const Case& one) const;
+    [[nodiscard]] std::string madeFrom(const Case& one) const;
+    void write(const Pictures& pictures) const;
+
+    std::filesystem::path folder_;
+    std::string madeBy_;
+};
+
+/// Version, renderer, size and techniques, in words.
+std::string madeBy(const std::string& renderer, bool small, std::span<const Column> columns);
+
+} // namespace shadowlab::hard
