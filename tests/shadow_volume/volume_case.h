@@ -31,9 +31,6 @@ struct Least {
 
 class VolumeCase : public GlTest {
 protected:
-    void SetUp() override;
-    void TearDown() override;
-
     /// The truth of a picture, as far as it can be drawn here.
     [[nodiscard]] JudgedPicture judged(const scene::Scene& scene, int light = 0, ivec2 size = kCaseSize) const;
 
@@ -50,11 +47,7 @@ protected:
                          const std::vector<std::string>& settings) {
         return picture.differing(draw(picture, technique, settings));
     }
-    [[nodiscard]] bool hasGate() const { return hasGate_; }
     [[nodiscard]] static bool isRenderer(std::string_view name);
-
-private:
-    bool hasGate_ = true;
 };
 
 } // namespace shadowlab::testing

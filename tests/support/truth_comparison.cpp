@@ -96,7 +96,6 @@ TruthComparison JudgedPicture::compare(const session::VisibilityImage& image) co
     for (int y = 0; y < size_.y; ++y)
         for (int x = 0; x < size_.x; ++x) {
             const Visibility truth = truth_.at(x, y);
-            if (leavesOutTurnedAway_ && truth == Visibility::turnedAway) continue;
             ++result.compared;
             result.background += truth == Visibility::noSurface;
             result.turnedAway += truth == Visibility::turnedAway;
@@ -125,7 +124,6 @@ int JudgedPicture::differing(const session::VisibilityImage& image) const {
     for (int y = 0; y < size_.y; ++y)
         for (int x = 0; x < size_.x; ++x) {
             const Visibility truth = truth_.at(x, y);
-            if (leavesOutTurnedAway_ && truth == Visibility::turnedAway) continue;
             const bool covered = image.alpha(x, y) == 255, lit = image.grey(x, y) > 127;
             count += covered != (truth != Visibility::noSurface) || lit != (truth == Visibility::lit);
         }

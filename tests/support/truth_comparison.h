@@ -38,8 +38,6 @@ public:
     /// How many pixels differ from the truth at their centres, ties included: for faults of thousands of pixels, each of which
     /// would have to be asked whether it is a tie.
     [[nodiscard]] int differing(const session::VisibilityImage& image) const;
-    /// From now on pixels that turn away from the light are not compared, nor counted: where there is no facing gate.
-    void leaveOutTurnedAway() { leavesOutTurnedAway_ = true; }
 
     [[nodiscard]] const scene::Snapshot& snapshot() const { return snapshot_; }
     [[nodiscard]] ivec2 size() const { return size_; }
@@ -58,7 +56,6 @@ private:
     trace::ExactVisibility judge_;
     measure::Grid<std::optional<trace::EyeHit>> hits_;
     measure::Grid<trace::Visibility> truth_;
-    bool leavesOutTurnedAway_ = false;
     mutable std::map<std::size_t, bool> ties_;               ///< of the pixels that were asked for
     mutable std::optional<measure::Grid<float>> distancePx_; ///< found when first asked for
 };
