@@ -147,6 +147,7 @@ public:
         const std::vector<dvec2> steps = frontSteps();
         for (std::size_t i = 1; i < steps.size(); ++i)
             labels.avoid(steps[i - 1], steps[i]);
+        labels.avoid({kLeft, kBottom}, {kRight, kBottom}); // below it, nothing is wrong
         int number = 0;
         for (const std::size_t i : frontOf(group_))
             labels.place(drawing_, placeOf(group_.points[i]), std::to_string(++number),
