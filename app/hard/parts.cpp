@@ -21,19 +21,11 @@ std::string textOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-void makeFolder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        throw Error(ExitStatus::cannotWrite,
-                    "-o: the folder '" + folder.string() + "' cannot be made: " + error.message() + "; choose another");
-}
-
 } // namespace
 
 Parts::Parts(fs::path folder, std::string madeBy) : folder_(std::move(folder)), madeBy_(std::move(madeBy)) {
-    makeFolder(folder_ / "parts");
-    makeFolder(folder_ / "pictures");
+    report::makeFolder(folder_ / "parts");
+    report::makeFolder(folder_ / "pictures");
 }
 
 fs::path Parts::fileOf(const Case& one) const { return folder_ / "parts" / (report::fileName(one.id) + ".json"); }

@@ -3,28 +3,9 @@
 
 #include "app/hard/results_json.h"
 #include "app/hard/words.h"
+#include "app/report/csv.h"
 
 namespace shadowlab::hard {
-
-namespace {
-
-/// In quotes where it holds what would end a field.
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
-std::string lineOf(const std::vector<std::string>& fields) {
-    std::string line;
-    for (std::size_t i = 0; i < fields.size(); ++i)
-        line += (i ? "," : "") + field(fields[i]);
-    return line + "\r\n";
-}
-
-} // namespace
 
 std::string hardJson(const std::vector<CaseResult>& results, const std::string& renderer) {
     Json cases = Json::array();
@@ -41,14 +22,14 @@ std::string hardCsv(const std::vector<CaseResult>& results) {
         const std::string tests = joined(result.tests), naiveTests = joined(result.naiveTests);
         for (const Row& row : result.rows)
             for (const Measured& m : row.measured)
-                csv += lineOf({result.id, result.title, row.title, row.technique, joined(row.settings), m.quantity,
-                               m.bound, numberText(m.value), m.naive ? numberText(*m.naive) : "",
-                               joined(row.naiveSettings), std::to_string(row.counts.lit),
-                               std::to_string(row.counts.shadowed), std::to_string(row.counts.ties),
-                               std::string(toText(row.outcome)), caughtText(row), tests, naiveTests});
+                csv += report::csvLine({result.id, result.title, row.title, row.technique, joined(row.settings),
+                                        m.quantity, m.bound, numberText(m.value), m.naive ? numberText(*m.naive) : "",
+                                        joined(row.naiveSettings), std::to_string(row.counts.lit),
+                                        std::to_string(row.counts.shadowed), std::to_string(row.counts.ties),
+                                        std::string(toText(row.outcome)), caughtText(row), tests, naiveTests});
         if (result.rows.empty())
-            csv += lineOf({result.id, result.title, "", "", "", "", "", "", "", "", "", "", "", "held by tests", "",
-                           tests, naiveTests});
+            csv += report::csvLine({result.id, result.title, "", "", "", "", "", "", "", "", "", "", "",
+                                    "held by tests", "", tests, naiveTests});
     }
     return csv;
 }
@@ -60,12 +41,12 @@ std::string matrixCsv(const std::vector<CaseResult>& results) {
     for (const CaseResult& result : results)
         for (const Cell& cell : result.cells) {
             const measure::Counts& c = cell.counts;
-            csv +=
-                lineOf({result.id, result.title, cell.column, cell.isExact ? "yes" : "no",
-                        std::string(toText(cell.standing)), std::to_string(cell.wrong()), std::to_string(c.falseLit),
-                        std::to_string(c.falseShadow), std::to_string(c.stray), std::to_string(cell.coreErrors),
-                        numberText(100 * cell.served), numberText(cell.ms), std::to_string(c.lit),
-                        std::to_string(c.shadowed), std::to_string(c.turnedAway), std::to_string(c.ties), cell.reason});
+            csv += report::csvLine({result.id, result.title, cell.column, cell.isExact ? "yes" : "no",
+                                    std::string(toText(cell.standing)), std::to_string(cell.wrong()),
+                                    std::to_string(c.falseLit), std::to_string(c.falseShadow), std::to_string(c.stray),
+                                    std::to_string(cell.coreErrors), numberText(100 * cell.served), numberText(cell.ms),
+                                    std::to_string(c.lit), std::to_string(c.shadowed), std::to_string(c.turnedAway),
+                                    std::to_string(c.ties), cell.reason});
         }
     return csv;
 }

@@ -31,7 +31,11 @@ public:
             add(value);
         add(values.size());
     }
-    [[nodiscard]] std::uint64_t value() const { return value_; }
+    [[nodiscard]] std::string digits() const {
+        std::array<char, 20> text{};
+        std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(value_));
+        return text.data();
+    }
 
 private:
     std::uint64_t value_ = 14695981039346656037ull;
@@ -72,9 +76,13 @@ std::string digestOf(const scene::Scene& scene) {
         add(hash, material);
     for (const scene::Object& object : scene.objects)
         add(hash, object);
-    std::array<char, 20> text{};
-    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash.value()));
-    return text.data();
+    return hash.digits();
+}
+
+std::string digestOf(const std::string& text) {
+    Hash hash;
+    hash.add(text.data(), text.size());
+    return hash.digits();
 }
 
 } // namespace shadowlab::report

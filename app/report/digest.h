@@ -1,4 +1,4 @@
-// A number for what a scene shows: equal scenes have equal ones, wherever their files lie.
+// Numbers for what a scene shows, and for texts: equal scenes have equal ones, wherever their files lie.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
@@ -9,5 +9,6 @@ namespace shadowlab::report {
 
 /// Sixteen hexadecimal digits over all that a picture of the scene depends on.
 std::string digestOf(const scene::Scene& scene);
+std::string digestOf(const std::string& text);
 
 } // namespace shadowlab::report

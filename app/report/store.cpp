@@ -8,6 +8,7 @@
 #include <iterator>
 #include <set>
 
+#include "app/report/digest.h"
 #include "app/report/json_parts.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
@@ -47,14 +48,6 @@ void writeJson(const fs::path& file, const Json& json) {
     image::writeWhole(file, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-void makeFolder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        throw Error(ExitStatus::cannotWrite,
-                    "-o: the folder '" + folder.string() + "' cannot be made: " + error.message() + "; choose another");
-}
-
 std::string endingOf(const Shard& shard) {
     return "-" + std::to_string(shard.number) + "-of-" + std::to_string(shard.count) + ".json";
 }
@@ -72,6 +65,14 @@ std::string difference(const Plan& a, const Plan& b) {
 
 } // namespace
 
+void makeFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw Error(ExitStatus::cannotWrite,
+                    "-o: the folder '" + folder.string() + "' cannot be made: " + error.message() + "; choose another");
+}
+
 std::string fileName(const std::string& name) {
     std::string safe;
     for (const char c : name) {
@@ -85,12 +86,7 @@ std::string fileName(const std::string& name) {
     std::ranges::replace(blanksOnly, ' ', '_');
     const bool isClear = !name.empty() && name.find('_') == std::string::npos; // "a b" and "a_b" are two names
     if (isClear && safe == blanksOnly && safe.size() <= kLongest) return safe;
-    std::uint64_t hash = 14695981039346656037ull; // FNV-1a, Fowler, Noll and Vo
-    for (const char c : name)
-        hash = (hash ^ static_cast<std::uint8_t>(c)) * 1099511628211ull;
-    char number[20];
-    std::snprintf(number, sizeof number, "-%016llx", static_cast<unsigned long long>(hash));
-    return safe.substr(0, kLongest) + number;
+    return safe.substr(0, kLongest) + "-" + digestOf(name);
 }
 
 fs::path Store::groupFolder(const PlannedGroup& group) const {

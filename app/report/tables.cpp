@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "app/report/assemble.h"
+#include "app/report/csv.h"
 #include "app/report/json_parts.h"
 
 namespace shadowlab::report {
@@ -46,15 +47,6 @@ std::string number(double value) {
     std::array<char, 32> text{};
     const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
     return {text.data(), end};
-}
-
-/// In quotes where it holds what would end a field.
-std::string field(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -137,9 +129,7 @@ std::string reportCsv(const Report& report) {
             }
             fields.push_back(point.onFront ? "true" : "false");
             fields.push_back(point.command);
-            for (std::size_t i = 0; i < fields.size(); ++i)
-                csv += (i ? "," : "") + field(fields[i]);
-            csv += "\r\n";
+            csv += csvLine(fields);
         }
     return csv;
 }
