@@ -25,6 +25,8 @@ namespace {
 constexpr ivec2 kSize{96, 64};
 // Of thirteen kinds of maps each is tried ten times, of the others all in every scene; a thousand take minutes.
 constexpr unsigned kRandomScenes = 65, kRandomScenesLong = 1000;
+// Of the thousand, those with a receiver that is stretched askew, and shadows at an acute corner of it.
+constexpr unsigned kAskew[] = {381, 631, 757};
 
 struct Variant {
     std::string name, technique;
@@ -138,6 +140,15 @@ scene::Snapshot withoutUselessCasters(scene::Scene scene) {
         if (useful[o] < static_cast<int>(scene.lights.size())) scene.objects[o].castsShadow = false;
     scene.revisions = {};
     return testing::snapshot(std::move(scene));
+}
+
+/// A face of an object that is stretched askew has no right angles.
+TEST_F(CullingTest, ShadowsReachTheAcuteCornersOfAskewReceivers) {
+    Culled planar(Variant{"planar", "planar", {}});
+    for (const unsigned number : kAskew)
+        EXPECT_GE(compare(testing::snapshot(testing::randomScene(number)), planar, "scene " + std::to_string(number)),
+                  std::size_t{2} * kSize.x * kSize.y);
+    EXPECT_GE(planar.scenesWithLess, 1);
 }
 
 /// The classic mistake: what is not in view casts no shadow.

@@ -80,7 +80,10 @@ bool mayShadow(const scene::Bounds& box, const gl::EyeMatrices& eye, const Proje
         if (allOutside(border * eye.clipFromView)) return false;
     // The four edges of the frame: half spaces through them, their inside where the opposite corner is.
     for (std::size_t i = 0; i < 4; ++i) {
-        const dvec3 inward = glm::normalize(frameView[(i + 3) % 4] - frameView[i]);
+        // Of an object that is stretched askew the frame is no rectangle: inward is at right angles to the edge.
+        const dvec3 along = glm::normalize(frameView[(i + 1) % 4] - frameView[i]);
+        const dvec3 across = frameView[(i + 3) % 4] - frameView[i];
+        const dvec3 inward = glm::normalize(across - along * glm::dot(across, along));
         if (allOutside({inward, -glm::dot(inward, frameView[i])})) return false;
     }
     return true;
