@@ -4,17 +4,21 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/session/assets.h"
 #include "app/session/session.h"
 #include "app/session/settings.h"
+#include "techniques/foundation/gl/id_buffer.h"
 #include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/scene/casters.h"
 #include "techniques/foundation/scene/load.h"
 #include "techniques/foundation/scene/picture_part.h"
+#include "techniques/foundation/trace/exact_visibility.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/scenes.h"
@@ -82,24 +86,69 @@ Drawn draw(session::Session& session, session::Slot& slot) {
     return drawn;
 }
 
-std::size_t differing(const std::vector<vec4>& a, const std::vector<vec4>& b) {
-    std::size_t count = 0;
+/// The pixels in which they differ.
+std::vector<std::size_t> differing(const std::vector<vec4>& a, const std::vector<vec4>& b) {
+    std::vector<std::size_t> pixels;
     for (std::size_t i = 0; i < a.size(); ++i)
-        count += a[i] != b[i];
-    return count;
+        if (a[i] != b[i]) pixels.push_back(i);
+    return pixels;
 }
+
+/// Which pixels show a triangle that the ray through their centre misses: the rasteriser moves corners to 1/256 of a pixel, and
+/// so a rim a little outward. The point that is seen there lies beyond that rim, on a surface that has ended, and no answer is
+/// right: the sides of a volume that begin at the rim lie behind such a point or before it, as rounding will have it. With the
+/// volume left out there is nothing to round.
+class Rims {
+public:
+    explicit Rims(const scene::Snapshot& snapshot) : judge_(snapshot), camera_(snapshot->camera) {
+        buffers_.update(snapshot);
+        gl::IdBuffer idBuffer;
+        idBuffer.draw(*snapshot, buffers_, gl::eyeMatrices(camera_, kSize), kSize);
+        ids_ = idBuffer.read();
+    }
+    [[nodiscard]] bool beyond(std::size_t pixel) const {
+        const dvec2 centre = dvec2(pixel % kSize.x, pixel / kSize.x) + 0.5;
+        const auto hit = judge_.eyeHit(camera_, centre, kSize);
+        return ids_[pixel] != gl::IdBuffer::kNone &&
+               (!hit || static_cast<std::uint32_t>(buffers_.triangleBase(hit->object)) + hit->triangle != ids_[pixel]);
+    }
+
+private:
+    gl::SceneBuffers buffers_;
+    trace::ExactVisibility judge_;
+    scene::Camera camera_;
+    std::vector<std::uint32_t> ids_;
+};
 
 class CullingTest : public testing::GlTest {
 protected:
     /// The number of pixels compared.
-    static std::size_t compare(const scene::Snapshot& snapshot, Culled& culled, const std::string& what) {
+    std::size_t compare(const scene::Snapshot& snapshot, Culled& culled, const std::string& what) {
         session::Session session(snapshot);
         const Drawn with = draw(session, culled.slots[0]), without = draw(session, culled.slots[1]);
         culled.scenesWithLess += with.built < without.built;
         EXPECT_LE(with.built, without.built) << what;
-        EXPECT_EQ(differing(with.picture, without.picture), 0u) << culled.name << ", picture of " << what;
-        EXPECT_EQ(differing(with.visibility, without.visibility), 0u) << culled.name << ", visibility in " << what;
+        const std::size_t wrong = outsideRims(snapshot, differing(with.picture, without.picture), what) +
+                                  outsideRims(snapshot, differing(with.visibility, without.visibility), what);
+        EXPECT_EQ(wrong, 0u) << culled.name << ", pixels of the picture and of the visibility in " << what;
         return with.picture.size() + with.visibility.size();
+    }
+
+    /// Pixels beyond a rim (see Rims) in which a picture differed: each as the name of its scene and its number.
+    std::set<std::pair<std::string, std::size_t>> beyondRims_;
+
+private:
+    std::size_t outsideRims(const scene::Snapshot& snapshot, const std::vector<std::size_t>& pixels,
+                            const std::string& what) {
+        if (pixels.empty()) return 0;
+        const Rims rims(snapshot);
+        std::size_t count = 0;
+        for (const std::size_t pixel : pixels)
+            if (rims.beyond(pixel))
+                beyondRims_.emplace(what, pixel);
+            else
+                ++count;
+        return count;
     }
 };
 
@@ -175,6 +224,9 @@ TEST_F(CullingTest, NothingThatIsLeftOutIsSeenInRandomScenes) {
         for (unsigned i = 0; i < 2; ++i, ++mapScenes)
             compared += compare(forMaps, inTurn[(2 * number + i) % inTurn.size()], what);
     }
+    // A rim has some hundred pixels, of which one in a few hundred is beyond it; and in few scenes anything is left out that
+    // begins at the rim of a surface in view. Of the first thousand scenes eleven have such pixels.
+    EXPECT_LE(beyondRims_.size(), std::size_t{1} + scenes / 50);
     // Nine comparisons of a picture and at least one visibility each.
     EXPECT_GE(compared, std::size_t{9} * 2 * kSize.x * kSize.y * scenes);
     for (const Culled& each : always)
@@ -202,6 +254,7 @@ TEST_F(CullingTest, NothingThatIsLeftOutIsSeenInBuiltInScenes) {
         ++compared;
     }
     EXPECT_GE(compared, 10);
+    EXPECT_EQ(beyondRims_.size(), 0u);
 }
 
 /// Would the comparison see a cull that leaves out too much?
@@ -212,7 +265,7 @@ TEST_F(CullingTest, LeavingOutWhatIsNotInViewIsSeen) {
     for (unsigned number = 0; number < kScenes; ++number) {
         const scene::Scene scene = testing::randomScene(number);
         session::Session right(testing::snapshot(scene)), naive(withoutCastersOutOfView(scene));
-        seen += differing(draw(right, slot).picture, draw(naive, slot).picture) > 0;
+        seen += !differing(draw(right, slot).picture, draw(naive, slot).picture).empty();
     }
     EXPECT_GE(seen, 3) << "of " << kScenes << " scenes";
 }
