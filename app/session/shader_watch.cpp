@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/shader_watch.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <vector>
 
@@ -18,7 +17,7 @@ ShaderWatch::ShaderWatch() {
         folder_ = SHADOWLAB_SOURCE_SHADERS;
         // Only once a file in it is saved: until then the program shows what it was built with.
     }
-    seen_ = newest();
+    seen_ = listing();
 }
 
 bool ShaderWatch::changed() {
@@ -26,16 +25,16 @@ bool ShaderWatch::changed() {
     const auto now = std::chrono::steady_clock::now();
     if (now - looked_ < kBetweenLooks) return false;
     looked_ = now;
-    const auto latest = newest();
+    Listing latest = listing();
     if (latest == seen_) return false;
-    seen_ = latest;
+    seen_ = std::move(latest);
     if (!folder_.empty()) ::setenv("SHADOWLAB_SHADERS", folder_.c_str(), 1);
     gl::readAddedShadersFromFolders();
     return true;
 }
 
-std::filesystem::file_time_type ShaderWatch::newest() const {
-    auto latest = std::filesystem::file_time_type::min(); // zero is in the year 2174
+ShaderWatch::Listing ShaderWatch::listing() const {
+    Listing files;
     std::vector<std::filesystem::path> folders(gl::addedShaderFolders().begin(), gl::addedShaderFolders().end());
     if (!folder_.empty()) folders.push_back(folder_);
     for (const std::filesystem::path& folder : folders) {
@@ -44,10 +43,14 @@ std::filesystem::file_time_type ShaderWatch::newest() const {
              file.increment(failed)) {
             std::error_code gone; // an editor may be replacing it just now
             const auto written = std::filesystem::last_write_time(file->path(), gone);
-            if (!gone) latest = std::max(latest, written);
+            if (gone) continue;
+            const std::uintmax_t size = std::filesystem::is_regular_file(file->path(), gone)
+                                            ? std::filesystem::file_size(file->path(), gone)
+                                            : 0; // no file: another size than any shader has
+            files[file->path()] = {written, size};
         }
     }
-    return latest;
+    return files;
 }
 
 } // namespace shadowlab::session

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
+#include <map>
+#include <utility>
 
 namespace shadowlab::session {
 
@@ -15,9 +18,12 @@ public:
     bool changed();
 
 private:
-    [[nodiscard]] std::filesystem::file_time_type newest() const;
+    /// Of every file: its path, when it was written, and how long it is. A file that is deleted, or replaced by an older one,
+    /// is a change, too.
+    using Listing = std::map<std::filesystem::path, std::pair<std::filesystem::file_time_type, std::uintmax_t>>;
+    [[nodiscard]] Listing listing() const;
     std::filesystem::path folder_;
-    std::filesystem::file_time_type seen_{};
+    Listing seen_;
     std::chrono::steady_clock::time_point looked_{};
 };
 

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 
 #include <nlohmann/json.hpp>
 
+#include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/scene/file_access.h"
 
 namespace shadowlab::session {
 
@@ -23,8 +24,13 @@ std::filesystem::path windowMemoryFile() {
 
 WindowMemory readWindowMemory(const std::filesystem::path& file) {
     WindowMemory memory;
-    std::ifstream stream(file);
-    const auto json = nlohmann::json::parse(stream, nullptr, false);
+    constexpr std::uint64_t kLargest = 65536; // bytes; it has seven numbers
+    nlohmann::json json;
+    try {
+        json = nlohmann::json::parse(scene::readFile(file, kLargest), nullptr, false);
+    } catch (const Error&) {
+        // Not there yet, or nothing that this program wrote: the window begins as for the first time.
+    }
     if (!json.is_object()) return memory;
     const auto flag = [&](const char* key, bool& value) {
         if (json.contains(key) && json[key].is_boolean()) value = json[key].get<bool>();

@@ -44,11 +44,15 @@ Screen::Screen(Desk& desk, std::filesystem::path fontFile)
 Screen::~Screen() = default;
 
 void Screen::fit(ivec2 windowPixels, float contentScale) {
-    ImGui::GetIO().DisplaySize = {static_cast<float>(windowPixels.x), static_cast<float>(windowPixels.y)};
     if (windowPixels.x < 1 || windowPixels.y < 1) {
         size_ = ivec2(0);
         return;
     }
+    // What of a window is larger than any picture may be stays black.
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    windowPixels = glm::min(windowPixels, ivec2(most));
+    ImGui::GetIO().DisplaySize = {static_cast<float>(windowPixels.x), static_cast<float>(windowPixels.y)};
     const float em = typeSize(windowPixels, contentScale, desk_.shown.presenter);
     if (em != theme_.em || desk_.shown.presenter != theme_.presenter || !theme_.text) {
         theme_ = applyTheme(em, desk_.shown.presenter, fontFile_);

@@ -2,6 +2,7 @@
 #include "app/ui/window.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -135,7 +136,13 @@ private:
         glBindFramebuffer(GL_READ_FRAMEBUFFER, screen_->framebuffer().id());
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
         glDisable(GL_SCISSOR_TEST);
-        glBlitFramebuffer(0, 0, pixels.x, pixels.y, 0, 0, pixels.x, pixels.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        const ivec2 drawn = screen_->framebuffer().size(); // from the upper left corner on
+        if (drawn != pixels) {
+            glClearColor(0, 0, 0, 1);
+            glClear(GL_COLOR_BUFFER_BIT);
+        }
+        glBlitFramebuffer(0, 0, drawn.x, drawn.y, 0, pixels.y - drawn.y, drawn.x, pixels.y, GL_COLOR_BUFFER_BIT,
+                          GL_NEAREST);
         glfwSwapBuffers(window_);
         gl::check("window");
         report();
@@ -294,7 +301,8 @@ private:
     void drop(int count, const char** paths) {
         for (int i = 0; i < count; ++i) {
             const std::filesystem::path path = std::filesystem::absolute(paths[i]);
-            const std::string ending = path.extension().string();
+            std::string ending = path.extension().string();
+            std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
             if (ending == ".json" || ending == ".obj")
                 desk_->requests.scene = path.string();
             else

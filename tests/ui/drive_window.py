@@ -2,12 +2,11 @@
 """Drives the window as a hand would: a display of its own (Xvfb), real keys and a real mouse (xdotool), and what the
 program says is on its screen (`demo --report`).
 
-drive_window.py PROGRAM tries every key of `list keys`, the mouse, and resizes (a thousand of them with SHADOWLAB_LONG). It never
-waits by the clock: each step ends when a report shows what was asked for, or fails after TIMEOUT seconds without one.
+drive_window.py PROGRAM tries every key of `list keys`, the mouse, and all steps of all techniques. It never waits by the clock:
+each step ends when a report shows what was asked for, or fails after TIMEOUT seconds without one.
 """
 # SPDX-License-Identifier: MIT
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -15,8 +14,6 @@ import tempfile
 from picked_pixels import picking
 from window_driver import TIMEOUT, Display, Window, check, pane
 
-DEBIAN_PYTHON = "/usr/bin/python3"  # the one that has the package python3-xlib, whatever else is first in the PATH
-DROP = os.path.join(os.path.dirname(os.path.abspath(__file__)), "drop_file.py")
 SKY = 70  # row of the window, in which the first pane shows the background
 PLACE = (100, 400)  # of the mouse: in the first pane, away from handles and the split line
 
@@ -234,24 +231,6 @@ def every_step(window):
     w.close()
 
 
-def shaders(window, folder):
-    """A saved shader is compiled at once; one that does not compile leaves the picture, and a message until it is mended."""
-    w = window
-    finished = w.state["picture"]
-    path = os.path.join(folder, "shaders", "light.glsl")
-    with open(path, encoding="utf-8") as file:
-        good = file.read()
-    for text, shown in ((good + "\nfloat oops = ;\n", lambda m: any("light.glsl" in one for one in m)),
-                        (good, lambda m: not any("light.glsl" in one for one in m))):
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
-        w.wait("what the window says of a saved shader", lambda s: shown(s["messages"]) and s["settled"], fresh=True)
-        check(not any(p["fault"] for p in w.state["panes"]), "a pane is broken", w.state)
-    w.wait("the message to go", lambda s: not s["messages"] and s["settled"])
-    check(w.state["picture"] == finished, "the mended shader draws another picture", w.state)
-    w.close()
-
-
 def mouse(window):
     """Orbit, pan, wheel, split line, a handle: each by dragging."""
     w = window
@@ -306,57 +285,6 @@ def mouse(window):
     w.close()
 
 
-def rough_days(window, folder):
-    """Many resizes, a broken scene: no fault stays, and no GL object is lost."""
-    w = window
-    identity = subprocess.run(["xdotool", "search", "--name", "^Shadowlab$"], env=w.environment, capture_output=True,
-                              text=True, check=True).stdout.split()[0]
-    start = w.state
-    rounds = 1000 if os.environ.get("SHADOWLAB_LONG") else 60
-    for i in range(rounds):
-        w.hand("windowsize", identity, 300 + i * 37 % 900, 200 + i * 53 % 700)
-    w.hand("windowsize", identity, *start["size"])
-    end = w.wait("the first size again", lambda s: s["size"] == start["size"] and s["settled"])
-    check(end["glObjects"] == start["glObjects"],
-          f"{start['glObjects']} GL objects before {rounds} resizes, {end['glObjects']} after")
-    check(all(not p["fault"] for p in end["panes"]), "a fault stays", end)
-    w.hand("windowunmap", identity)
-    w.hand("windowmap", identity)
-    w.hand("mousemove", *PLACE)
-    w.key("h", "keys")
-    w.key("h", "keys")
-    check(w.state["picture"] == start["picture"], "minimised and back, it shows another picture", w.state)
-
-    def drop(name, text, expected):
-        path = os.path.join(folder, name)
-        if text is not None:
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(text)
-        subprocess.run([DEBIAN_PYTHON, DROP, identity, path], env=w.environment, check=True)
-        return w.wait(f"what comes of dropping {name}", lambda s: expected(s, path) and s["settled"])
-
-    def refused(*words):
-        return lambda s, path: any(path in m and all(word in m for word in words) for m in s["messages"])
-
-    for name, text, words in (("broken.json", '{\n  "camera": {"position": [0, 1, 2]},,\n}\n', (":2:",)),
-                              ("wrong.json", '{"camera": {"position": [3, 2, 5], "target": [0, 0, 0]},\n "lights": [{"typ": 1}]}\n',
-                               (":2:", "typ", ";")),
-                              ("broken.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", (":4:", "9")),
-                              ("empty.obj", "", ()), ("gone.json", None, ()), ("notes.txt", "hello", (".json", ".obj"))):
-        after = drop(name, text, refused(*words))
-        check(after["scene"] == start["scene"] and after["camera"] == start["camera"] and after["lights"] == start["lights"],
-              f"{name} changed the scene", after)
-        check(all(not p["fault"] for p in after["panes"]), f"{name} left a fault in a pane", after)
-    check(len(after["messages"]) <= 2, "messages pile up", after)
-    w.key("Escape", "leave")
-    check(not w.state["messages"], "a message stays", w.state)
-    check(after["glObjects"] == start["glObjects"], "refused files left GL objects behind", after)
-    drop("good one.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n",
-         lambda s, path: s["scene"] == path)
-    check(w.state["picture"] != start["picture"], "the dropped mesh is not seen")
-    w.close()
-
-
 def main():
     program = os.path.abspath(sys.argv[1])
     with Display() as display, tempfile.TemporaryDirectory() as folder:
@@ -376,14 +304,9 @@ def main():
         window.key("i", "panel")
         picking(window, PLACE, SKY)
         window = Window(program, display, folder, *small)
-        rough_days(window, folder)
-        window = Window(program, display, folder, *small)
         window.hand("mousemove", *PLACE)
         every_step(window)
-        sources = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "shaders")
-        copy = shutil.copytree(sources, os.path.join(folder, "shaders"))
-        shaders(Window(program, display, folder, *small, SHADOWLAB_SHADERS=copy), folder)
-        print(f"{keys} keys, mouse and resizes: all as expected")
+        print(f"{keys} keys and the mouse: all as expected")
 
 
 if __name__ == "__main__":

@@ -108,6 +108,19 @@ TEST_F(ScreenTest, SizesFromNothingToLargeKeepEveryObject) {
         gl::check("resize");
     }
     EXPECT_EQ(drawn, 7) << "all but those of no size";
+    // To a screen of other density and back, as a window does that is dragged from one to the other.
+    for (const float scale : {2.0f, 1.5f, 0.75f, 3.0f, 1.0f}) {
+        lab.screen.fit({320, 200}, scale);
+        EXPECT_TRUE(lab.screen.frame(0.03));
+        gl::check("another density");
+    }
+    // Larger than any texture: as much as there can be is drawn.
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    lab.screen.fit({most + 100, 40}, 1);
+    EXPECT_TRUE(lab.screen.frame(0.03));
+    EXPECT_EQ(lab.screen.framebuffer().size(), ivec2(most, 40));
+    lab.screen.fit({320, 200}, 1);
     settle(lab.screen);
     EXPECT_EQ(gl::liveObjects, before);
     EXPECT_EQ(pixels(lab.screen).size(), picture.size());

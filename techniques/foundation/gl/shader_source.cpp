@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
+#include <filesystem>
 #include <regex>
 #include <sstream>
 #include <utility>
@@ -12,6 +12,7 @@
 #include "techniques/foundation/gl/added_shaders.h"
 #include "techniques/foundation/gl/shader_text.h"
 #include "techniques/foundation/nearest_names.h"
+#include "techniques/foundation/scene/file_access.h"
 
 namespace shadowlab::gl {
 
@@ -27,12 +28,18 @@ AddedShaders& added() {
     return all;
 }
 
+// No shader of a person's making is larger; a file that is was not meant.
+constexpr std::uint64_t kLargestFile = std::uint64_t{1} << 20;
+
+/// Nothing where there is no such file.
 std::optional<std::string> textOfFile(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return std::nullopt;
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
+    std::error_code failed;
+    if (!std::filesystem::exists(path, failed) && !failed) return std::nullopt;
+    try {
+        return scene::readFile(path, kLargestFile); // a FIFO or a device never makes it wait
+    } catch (const Error& fault) {
+        throw Error(ExitStatus::badInput, fault.what());
+    }
 }
 
 std::string readText(std::string_view name, const std::string& includedFrom) {
@@ -40,8 +47,10 @@ std::string readText(std::string_view name, const std::string& includedFrom) {
     std::vector<std::string> known;
     for (const EmbeddedShader& shader : allShaders())
         known.emplace_back(shader.name);
-    throw Error(ExitStatus::badInput, includedFrom + "includes \"" + std::string(name) + "\", which does not exist; " +
-                                          suggestion(name, known));
+    // All hundred names would be no help.
+    throw Error(ExitStatus::badInput,
+                includedFrom + "includes \"" + std::string(name) + "\", which does not exist; " +
+                    (nearestNames(name, known).empty() ? "mend the name, or add the file" : suggestion(name, known)));
 }
 
 struct Resolver {
