@@ -11,6 +11,7 @@
 #include "app/report/digest.h"
 #include "app/report/machine.h"
 #include "app/session/assets.h"
+#include "app/session/plugins.h"
 #include "app/session/settings.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/scene/load.h"
@@ -28,6 +29,12 @@ struct Effort {
     report::TurnLength turn;
 };
 constexpr Effort kQuickEffort{3, {.warming = 2, .counted = 3, .resting = 1}};
+
+/// And says where it is to be looked at.
+void writeAll(const report::Store& store) {
+    report::writeOutputs(store, report::assemble(store));
+    print((store.folder() / "index.html").string() + "\n");
+}
 
 class Reporter {
 public:
@@ -49,9 +56,15 @@ public:
             work += static_cast<int>(group.points.size()) * (1 + effort_.rounds);
         Progress progress("report: step", work, Progress::Remaining::told);
         progress_ = &progress;
-        for (const PlannedGroup& group : groups)
-            measureGroup(group);
-        report::writeOutputs(store_, report::assemble(store_));
+        try {
+            for (const PlannedGroup& group : groups)
+                measureGroup(group);
+        } catch (const context::Interrupted&) {
+            note("interrupted; the same command goes on from here");
+            throw;
+        }
+        if (measured_ == 0) note("all of it was measured before; for new times choose another folder");
+        writeAll(store_);
         return 0;
     }
 
@@ -87,7 +100,8 @@ private:
         if (techniques.empty()) techniques = measuredTechniquesFrom({"all"});
         std::erase(techniques, report::kYardstick);
         techniques.emplace(techniques.begin(), report::kYardstick);
-        report::Plan plan{SHADOWLAB_VERSION, options_.size, options_.isQuick, context::glRenderer(), {}};
+        report::Plan plan{SHADOWLAB_VERSION,     options_.size,  options_.isQuick,
+                          context::glRenderer(), furtherWords(), {}};
         for (const Shown& shown : scenes_) {
             const scene::Light& light = shown.scene->lights[static_cast<std::size_t>(shown.light)];
             PlannedGroup group{shown.asked, shown.scene->name, light.name, report::digestOf(*shown.scene), {}};
@@ -98,6 +112,16 @@ private:
             plan.groups.push_back(std::move(group));
         }
         return plan;
+    }
+
+    [[nodiscard]] std::vector<std::string> furtherWords() const {
+        std::vector<std::string> words;
+        if (options_.backend != context::Backend::automatic) words = {"--backend", std::string(context_->backend())};
+        for (const std::filesystem::path& folder : options_.allowed)
+            words.insert(words.end(), {"--allow", folder.string()});
+        for (const session::LoadedPlugin& plugin : session::loadedPlugins())
+            words.insert(words.end(), {"--plugin", plugin.file});
+        return words;
     }
 
     void measureGroup(const PlannedGroup& group) {
@@ -133,6 +157,7 @@ private:
             }
             times.rounds.push_back(std::move(turns));
             store_.keep(group, options_.shard, times);
+            ++measured_;
         }
     }
 
@@ -147,6 +172,7 @@ private:
             if (!store_.judged(group, group.points[i])) {
                 if (!judge) judge.emplace(session, view, shown.light);
                 store_.keep(group, group.points[i], judge->judge(slots[i]));
+                ++measured_;
             }
             step(1);
         }
@@ -164,12 +190,19 @@ private:
     std::unique_ptr<context::Context> context_;
     Progress* progress_ = nullptr;
     int done_ = 0;
+    int measured_ = 0; ///< points and rounds that were not known before
 };
 
 int mergeReports(const ReportOptions& options) {
     std::vector<report::Store> stores;
-    for (const std::filesystem::path& folder : options.merged)
+    for (const std::filesystem::path& folder : options.merged) {
+        std::error_code absent;
+        if (std::filesystem::equivalent(folder, options.output, absent))
+            throw Error(ExitStatus::usage,
+                        "-o: '" + options.output.string() +
+                            "' is one of the parts, and would no longer be one; choose another folder");
         stores.emplace_back(folder);
+    }
     const report::Plan plan = stores.front().plan();
     for (std::size_t i = 1; i < stores.size(); ++i)
         if (stores[i].plan() != plan)
@@ -181,10 +214,10 @@ int mergeReports(const ReportOptions& options) {
     for (const report::Store& part : stores)
         store.takeOver(part);
     if (const std::vector<std::string> missing = report::missingPoints(store, plan); !missing.empty())
-        throw Error(ExitStatus::badInput, std::to_string(missing.size()) +
-                                              " points are in none of the parts, the first is '" + missing.front() +
+        throw Error(ExitStatus::badInput, "points that are in none of the parts: " + std::to_string(missing.size()) +
+                                              ", the first is '" + missing.front() +
                                               "'; run the shards that are missing, and merge them, too");
-    report::writeOutputs(store, report::assemble(store));
+    writeAll(store);
     return 0;
 }
 

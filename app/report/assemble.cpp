@@ -45,9 +45,12 @@ std::string commandFor(const Plan& plan, const PlannedGroup& group, const PointK
     std::string command = "shadowlab measure " + quoted(group.scene) + " -t " + point.technique;
     for (const std::string& setting : point.settings)
         command += " --set " + quoted(point.technique + "." + setting);
-    return command + " --light " + quoted(group.light) + " --size " + std::to_string(plan.size.x) + "x" +
-           std::to_string(plan.size.y) + " --frames " + std::to_string(kFrames) + " --orbit-light " +
-           std::to_string(kFrames); // one degree a frame
+    command += " --light " + quoted(group.light) + " --size " + std::to_string(plan.size.x) + "x" +
+               std::to_string(plan.size.y) + " --frames " + std::to_string(kFrames) + " --orbit-light " +
+               std::to_string(kFrames); // one degree a frame
+    for (const std::string& word : plan.furtherWords)
+        command += " " + quoted(word);
+    return command;
 }
 
 Report assemble(const Store& store) {

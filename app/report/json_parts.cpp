@@ -27,11 +27,8 @@ Json toJson(const Plan& plan) {
                           {"digest", group.digest},
                           {"points", points}});
     }
-    return {{"program", plan.program},
-            {"size", {plan.size.x, plan.size.y}},
-            {"quick", plan.isQuick},
-            {"renderer", plan.renderer},
-            {"groups", groups}};
+    return {{"program", plan.program},   {"size", {plan.size.x, plan.size.y}}, {"quick", plan.isQuick},
+            {"renderer", plan.renderer}, {"furtherWords", plan.furtherWords},  {"groups", groups}};
 }
 
 Plan planFromJson(const Json& json) {
@@ -39,6 +36,7 @@ Plan planFromJson(const Json& json) {
               ivec2(json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>()),
               json.at("quick"),
               json.at("renderer"),
+              json.at("furtherWords").get<std::vector<std::string>>(),
               {}};
     for (const Json& group : json.at("groups")) {
         PlannedGroup planned{group.at("scene"), group.at("title"), group.at("light"), group.at("digest"), {}};

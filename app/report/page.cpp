@@ -104,7 +104,8 @@ std::string introduction(const Report& report) {
            "boundary, "
            "both in pixels. Judged by the area: RMSE of visibility. A point is on the <em>Pareto front</em> where no "
            "other is "
-           "both cheaper and less wrong.</p>\n<p>Choose a point's name for its picture, its error map, and the command "
+           "both cheaper and less wrong; <em>unshadowed</em>, the yardstick, casts no shadow and is never on "
+           "it.</p>\n<p>Choose a point's name for its picture, its error map, and the command "
            "that "
            "measures it again; choose the head of a column to sort by it.</p>\n";
 }

@@ -67,7 +67,7 @@ std::string heads(const Group& group) {
     const std::string error = group.truth == measure::TruthOf::area ? "error: RMSE" : "error [px]";
     std::string html = "<thead><tr><th scope=\"col\" class=\"text name\">point</th>";
     for (const std::string& head :
-         {std::string("frame [ms]"), std::string("95 % interval"), std::string("95 of 100 below"),
+         {std::string("frame [ms]"), std::string("95 % interval, by width"), std::string("95 of 100 below"),
           std::string("prepare [ms]"), std::string("draw [ms]"), std::string("shadows alone [ms]"),
           std::string("at rest [ms]"), error, std::string("wrong pixels"), std::string("served [%]"),
           std::string("OpenGL [MB]"), std::string("process [MB]"), std::string("Pareto front")})

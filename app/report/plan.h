@@ -40,6 +40,8 @@ struct Plan {
     ivec2 size{0};
     bool isQuick = false;
     std::string renderer; ///< another one draws other pixels
+    /// What else was said and belongs to the command that repeats a point: the backend, folders allowed, plug-ins.
+    std::vector<std::string> furtherWords;
     std::vector<PlannedGroup> groups;
     friend bool operator==(const Plan&, const Plan&) = default;
 };

@@ -100,6 +100,11 @@ void Store::begin(const Plan& plan) const {
             throw Error(ExitStatus::badInput, file.string() + ": the report here is " + difference(*before, plan) +
                                                   "; choose another folder with -o, or delete this one");
     } else {
+        for (const char* name : {"index.html", "report.json", "points.csv", "charts", "parts"})
+            if (std::error_code absent; fs::exists(fs::symlink_status(folder_ / name, absent)))
+                throw Error(ExitStatus::cannotWrite, (folder_ / name).string() +
+                                                         ": is not of a report that was begun here, and would be "
+                                                         "overwritten; choose another folder with -o");
         makeFolder(folder_);
         makeFolder(folder_ / "parts");
         writeJson(file, toJson(plan));
@@ -121,7 +126,9 @@ Plan Store::plan() const {
 std::optional<Judge::Judged> Store::judged(const PlannedGroup& group, const PointKey& point) const {
     const fs::path base = groupFolder(group) / fileName(point.name());
     const auto errors = readJson(base.string() + ".json", errorsFromJson);
-    if (!errors) return std::nullopt;
+    std::error_code absent;
+    for (const char* ending : {".png", "-errors.png"}) // without its pictures it has to be drawn again
+        if (!errors || !fs::is_regular_file(base.string() + ending, absent)) return std::nullopt;
     return Judge::Judged{*errors, pictureOf(base.string() + ".png"), pictureOf(base.string() + "-errors.png")};
 }
 

@@ -123,7 +123,8 @@ void LightMap::fill(OfLight& map, const LightSource& source, std::size_t block) 
         const auto hides = [&](const dvec3& fromCentred, const dvec3& toCentred) {
             if (!point.receivesShadow) return false;
             const dvec3 way = toCentred - fromCentred;
-            return tracer_.isBlocked({fromCentred, way, nearest_ / glm::length(way), 1}, trace::kNoPrimitive);
+            return tracer_.isBlocked({fromCentred, way, nearest_ / glm::length(way), 1 - trace::kContact},
+                                     trace::kNoPrimitive); // a light may lie in a corner of a face
         };
         const Arriving arriving = radiosity::arrivingAt(point.positionCentred, point.normal, source, hides);
         map.arriving[i] = vec4(vec3(arriving.irradiance), static_cast<float>(arriving.seenArea));

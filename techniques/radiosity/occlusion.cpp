@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "techniques/foundation/trace/scene_tracer.h"
 #include "techniques/foundation/trace/shaft.h"
 
 namespace shadowlab::radiosity {
@@ -75,11 +76,13 @@ Blockers Occlusion::between(const Polygon& a, const Polygon& b, const Blockers* 
 }
 
 bool Occlusion::hideAll(const Blockers& blockers, const Polygon& a, const Polygon& b) const {
+    // A light in a corner of a face is in its plane, and on one side or the other as rounding will have it.
+    const double touching = touchingIn(boxOf(a), boxOf(b));
     return std::ranges::any_of(blockers, [&](std::uint32_t number) {
         const Face& face = faces_.all[number];
         const auto allOn = [&](const Polygon& p, double side) {
-            return std::ranges::all_of(p.corners(),
-                                       [&](const dvec3& corner) { return side * face.plane.height(corner) > 0; });
+            return std::ranges::all_of(
+                p.corners(), [&](const dvec3& corner) { return side * face.plane.height(corner) > touching; });
         };
         if (!((allOn(a, 1) && allOn(b, -1)) || (allOn(a, -1) && allOn(b, 1)))) return false;
         for (const dvec3& from : a.corners())
@@ -105,7 +108,9 @@ Blockers::const_iterator Occlusion::hider(const Blockers& blockers, const dvec3&
         const Outline& outline = outlines_[number];
         const double from = outline.plane.height(fromCentred), to = outline.plane.height(toCentred);
         if (!((from > 0 && to < 0) || (from < 0 && to > 0))) return false;
-        const dvec3 off = fromCentred + from / (from - to) * (toCentred - fromCentred) - outline.centre;
+        const double share = from / (from - to);
+        if (share < trace::kContact || share > 1 - trace::kContact) return false; // it touches an end
+        const dvec3 off = fromCentred + share * (toCentred - fromCentred) - outline.centre;
         return glm::dot(off, off) <= outline.squaredRadius &&
                isPierced(faces_.all[number].polygon, fromCentred, toCentred);
     });

@@ -45,7 +45,8 @@ protected:
 
 TEST_F(ReportTest, WritesEveryPointWithCostAndErrorAndHowToRepeatIt) {
     const ProgramResult result = succeed(small("out"));
-    EXPECT_EQ(result.out + result.err, "") << "nobody sits at a terminal";
+    EXPECT_EQ(result.out, "out/index.html\n");
+    EXPECT_EQ(result.err, "") << "nobody sits at a terminal";
     for (const char* file : {"index.html", "points.csv", "report.json", "plan.json", "charts/box@key.svg"})
         EXPECT_GT(fileContent(folder.path() / "out" / file).size(), 0u) << file;
 
@@ -92,7 +93,7 @@ TEST_F(ReportTest, ItsPartsMakeTheWhole) {
         succeed(small(std::string("part-") + part, {"--shard", std::string(part) + "/3"}));
     // One alone is no whole.
     const ProgramResult early = run({"report", "merge", "part-1", "part-3", "-o", "early"});
-    expectOneLine(early, 3, {"points are in none of the parts"});
+    expectOneLine(early, 3, {"points that are in none of the parts"});
     succeed({"report", "merge", "part-1", "part-2", "part-3", "-o", "merged"});
     EXPECT_EQ(withoutTimes(json("merged")).dump(1), withoutTimes(json("whole")).dump(1));
     for (const Json& point : json("merged").at("groups")[0].at("points"))
@@ -135,15 +136,25 @@ TEST_F(ReportTest, GoesOnWhereItWasStopped) {
 
     succeed(small("out"));
     for (const auto& [name, time] : known())
-        if (before.contains(name) && !name.starts_with("times"))
+        if (before.contains(name) && !name.starts_with("times")) {
             EXPECT_EQ(time, before.at(name)) << name << " was judged twice";
+        }
     succeed(small("uninterrupted"));
     EXPECT_EQ(withoutTimes(json("out")).dump(1), withoutTimes(json("uninterrupted")).dump(1));
 
     // A third time there is nothing left to do, and nothing changes.
     const std::string first = fileContent(folder.path() / "out" / "report.json");
-    succeed(small("out"));
+    const ProgramResult again = run(small("out"));
+    expectOneLine(again, 0, {"measured before"});
     EXPECT_EQ(fileContent(folder.path() / "out" / "report.json"), first);
+    // Pictures that are lost are drawn again, and the same.
+    const std::string page = fileContent(folder.path() / "out" / "index.html");
+    int lost = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(parts))
+        lost += entry.path().extension() == ".png" && std::filesystem::remove(entry.path()) ? 1 : 0;
+    EXPECT_GE(lost, 10);
+    succeed(small("out"));
+    EXPECT_EQ(fileContent(folder.path() / "out" / "index.html"), page);
     expectOneLine(run(small("out", {"--light", "sun"})), 3, {"plan.json", "other scenes, techniques or lights"});
 }
 
@@ -179,6 +190,10 @@ TEST_F(ReportTest, Refusals) {
     expectRefused({"report", "box.json", "--hard", "-o", "out"}, 2, {"--hard"});
     folder.write("file", "no folder");
     expectRefused({"report", "box.json", "-o", "file"}, 4, {"file"});
+    std::filesystem::create_directory(folder.path() / "foreign");
+    folder.write("foreign/index.html", "somebody's page");
+    expectRefused({"report", "box.json", "-o", "foreign"}, 4, {"foreign/index.html", "-o"});
+    expectRefused({"report", "merge", "foreign", "-o", "foreign"}, 2, {"one of the parts"});
     folder.write("plan.json", "{");
     expectRefused({"report", "merge", ".", "-o", "out"}, 3, {"plan.json"});
 }

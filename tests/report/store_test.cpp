@@ -23,7 +23,7 @@ PlannedGroup madeUpGroup() {
              {"shadow-map", {"filter=hard", "resolution=512"}, "Hard map", "resolution", 512}}};
 }
 
-Plan madeUpPlan() { return {"0.1", {64, 48}, true, "renderer", {madeUpGroup()}}; }
+Plan madeUpPlan() { return {"0.1", {64, 48}, true, "renderer", {}, {madeUpGroup()}}; }
 
 Judge::Judged madeUpErrors(int wrong) {
     Judge::Judged judged;
