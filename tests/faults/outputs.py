@@ -1,0 +1,69 @@
+"""Outputs, surroundings and command lines: what cannot be written, what is missing on the machine, what nobody can have meant."""
+# SPDX-License-Identifier: MIT
+import os
+
+from row import Row, scene
+
+SCENE = {"s.json": scene()}
+
+
+def capture_to(output, *more):
+    return ["capture", "s.json", "-o", output, "--size", "32x24", *more]
+
+
+def refused(title, words, status, *says, files=None, **further):
+    return Row(title, {**SCENE, **(files or {})}, words, status, list(says), **further)
+
+
+def drawn(title, writes, words, *says, files=None, **further):
+    return Row(title, {**SCENE, **(files or {})}, words, 0, list(says), writes, **further)
+
+
+def link_to(target):
+    return lambda path: path.symlink_to(target)
+
+
+OUTPUTS = [
+    refused("a folder for a picture", capture_to("d.png"), 4, "d.png", files={"d.png/inner": ""}),
+    refused("a folder that is not there", capture_to("gone/x.png"), 4, "gone"),
+    refused("a file for a folder", capture_to("s.json/x.png"), 4, "s.json"),
+    refused("a name of 300 letters", capture_to("n" * 300 + ".png"), 4, "too long"),
+    refused("a device that is full", capture_to("full.png"), 4, "full.png", files={"full.png": link_to("/dev/full")}),
+    refused("a folder of the kernel's", capture_to("/proc/x.png"), 4, "/proc/x.png"),
+    refused("the scene for its picture", ["capture", "l.png", "-o", "l.png"], 3, "l.png", files={"l.png": link_to("s.json")}),
+    refused("a picture of no size", ["capture", "s.json", "-o", "x.png", "--size", "0x0"], 2, "'0x0'"),
+    refused("a picture beyond the limit", ["capture", "s.json", "-o", "x.png", "--size", "20000x20"], 6, "16384"),
+    refused("a map of a size that no card has", capture_to("x.png", "-t", "shadow-map", "--set", "shadow-map.resolution=100000"), 2, "100000"),
+    refused("samples of none", capture_to("x.png", "-t", "ray-traced", "--set", "ray-traced.samples=-1"), 2, "-1"),
+    refused("nothing at all to do", ["capture"], 2, "SCENE"),
+    refused("an option nobody knows", capture_to("x.png", "--siez", "8x8"), 2, '"--size"'),
+    refused("an option of 100,000 letters", capture_to("x.png", "--" + "o" * 100000), 2, "--help"),
+    refused("a value of 100,000 letters", ["capture", "s.json", "-o", "x.png", "--size", "8" * 100000], 2, "--size"),
+    refused("an option without its value", ["capture", "s.json", "-o", "x.png", "--size"], 2, "--size"),
+    refused("bytes that are no UTF-8", capture_to("x.png", "-t", "\udcff\udcfe"), 2, "\\xff"),
+    refused("an escape sequence in an option", capture_to("x.png", "--\x1b[31m"), 2, "\\x1b"),
+    refused("an unknown built-in scene", ["capture", "still-lief", "-o", "x.png"], 3, "still-life"),
+    refused("a file called -x without --", ["capture", "-x", "-o", "x.png"], 2, "-x"),
+    drawn("a file called -x behind --", ["x.png"], ["capture", "-o", "x.png", "--size", "32x24", "--", "-x.json"], files={"-x.json": scene()}),
+    drawn("an output that exists", ["x.png"], capture_to("x.png"), files={"x.png": "an old picture"}),
+    drawn("an output through a link", ["target.png"], capture_to("x.png"), files={"x.png": link_to("target.png"), "target.png": "an old picture"}),
+    drawn("no home", ["x.png"], capture_to("x.png"), environment={"HOME": ""}),
+    drawn("a home that is not there", ["x.png"], capture_to("x.png"), environment={"HOME": "/nowhere", "XDG_CONFIG_HOME": "/nowhere"}),
+    drawn("a locale that is not there", ["x.png"], capture_to("x.png"), environment={"LC_ALL": "xx_YY.UTF-8", "LANG": "xx_YY.UTF-8"}),
+    drawn("no temporary folder", ["x.png"], capture_to("x.png"), environment={"TMPDIR": "/nowhere"}),
+    refused("a card of OpenGL 2.1", capture_to("x.png", "--backend", "osmesa"), 5, "2.1",
+            environment={"MESA_GL_VERSION_OVERRIDE": "2.1", "MESA_GLSL_VERSION_OVERRIDE": "120"}),
+    refused("a card of OpenGL 3.2", capture_to("x.png", "--backend", "egl"), 5, "3.2",
+            environment={"MESA_GL_VERSION_OVERRIDE": "3.2", "MESA_GLSL_VERSION_OVERRIDE": "150"}),
+    refused("a window without a display", capture_to("x.png", "--backend", "window"), 5, "display"),
+    refused("a display that is not there", capture_to("x.png", "--backend", "window"), 5, "display", environment={"DISPLAY": ":8888"}),
+    refused("shaders that are broken", capture_to("x.png", "-t", "unshadowed"), 3, "light.glsl", files={"shaders/light.glsl": "float ;\n"},
+            environment={"SHADOWLAB_SHADERS": "shaders"}),
+    refused("a pipe for a shader", capture_to("x.png", "-t", "unshadowed"), 3, "light.glsl", files={"shaders/light.glsl": os.mkfifo},
+            environment={"SHADOWLAB_SHADERS": "shaders"}),
+    drawn("a folder of shaders that is not there", ["x.png"], capture_to("x.png"), environment={"SHADOWLAB_SHADERS": "nowhere"}),
+    refused("a scene that is also the picture's folder", capture_to("s.json/"), 2, "s.json"),
+    refused("a report into a file", ["report", "s.json", "-t", "unshadowed", "--quick", "--size", "32x24", "-o", "s.json"], 4, "s.json"),
+    refused("slides into a file", ["slides", "-o", "s.json"], 4, "s.json"),
+    refused("a new technique in a folder that is there", ["new-technique", "here"], 4, "here", files={"here/inner": ""}),
+]
