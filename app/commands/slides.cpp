@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <system_error>
 
 #include "app/commands/command_line.h"
 #include "app/commands/messages.h"
@@ -16,6 +15,7 @@
 #include "app/slides/pages.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
 #include "techniques/foundation/image/png.h"
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/message_text.h"
@@ -27,11 +27,7 @@ namespace {
 using session::Deck;
 
 void makeFolder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw Error(ExitStatus::cannotWrite,
-                    "-o: the folder '" + folder.string() + "' cannot be made: " + error.message() + "; choose another");
+    image::makeFolders(folder);
     image::probeWritable(folder / "slide.png");
 }
 

@@ -5,7 +5,10 @@
 #define GLFW_INCLUDE_NONE // GL comes from glad, never from the system's GL/gl.h
 #include <GLFW/glfw3.h>
 
+#include <cstdlib>
+
 #include "app/context/backends.h"
+#include "app/context/display_loss.h"
 
 namespace shadowlab::context {
 namespace {
@@ -26,8 +29,13 @@ public:
     GlfwLibrary() {
         if (users()++ > 0) return;
         lastError().clear();
+        // libGL prints remarks about every driver that it cannot load; ours stay one line. The user's own setting wins.
+        ::setenv("LIBGL_DEBUG", "quiet", 0);
         glfwSetErrorCallback(onGlfwError);
-        if (glfwInit()) return;
+        if (glfwInit()) {
+            endWhenDisplayIsGone();
+            return;
+        }
         --users();
         throw Unavailable("GLFW: " + lastError(), kNeedsDisplay);
     }
@@ -58,9 +66,9 @@ public:
         glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, options.debug ? GLFW_TRUE : GLFW_FALSE);
         window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
         if (window_) return;
-        const std::string refusal = lastError();
-        throw Unavailable("found " + describeLegacy() + " where OpenGL 3.3 core is needed: GLFW: " + refusal,
-                          kNewerDriver);
+        const std::string refusal = lastError(), found = describeLegacy();
+        throw Unavailable("found " + found + " where OpenGL 3.3 core is needed: GLFW: " + refusal,
+                          found == kNoOpenGl ? kInstallWindowDrivers : kNewerDriver);
     }
     ~GlfwContext() override {
         letGo();
@@ -83,7 +91,7 @@ private:
         glfwDefaultWindowHints();
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
         GLFWwindow* const window = glfwCreateWindow(1, 1, "", nullptr, nullptr);
-        if (!window) return "no OpenGL";
+        if (!window) return kNoOpenGl;
         glfwMakeContextCurrent(window);
         const std::string found = describeGl(glfwGetProcAddress);
         glfwMakeContextCurrent(nullptr);

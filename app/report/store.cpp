@@ -12,6 +12,7 @@
 #include "app/report/json_parts.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
 
 namespace shadowlab::report {
 
@@ -65,14 +66,6 @@ std::string difference(const Plan& a, const Plan& b) {
 
 } // namespace
 
-void makeFolder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        throw Error(ExitStatus::cannotWrite,
-                    "-o: the folder '" + folder.string() + "' cannot be made: " + error.message() + "; choose another");
-}
-
 std::string fileName(const std::string& name) {
     std::string safe;
     for (const char c : name) {
@@ -100,12 +93,11 @@ void Store::begin(const Plan& plan) const {
             throw Error(ExitStatus::badInput, file.string() + ": the report here is " + difference(*before, plan) +
                                                   "; choose another folder with -o, or delete this one");
     } else {
-        makeFolder(folder_);
-        makeFolder(folder_ / "parts");
+        image::makeFolders(folder_ / "parts");
         writeJson(file, toJson(plan));
     }
     for (const PlannedGroup& group : plan.groups)
-        makeFolder(groupFolder(group));
+        image::makeFolders(groupFolder(group));
 }
 
 Plan Store::plan() const {
