@@ -51,9 +51,9 @@ public:
         for (const std::string& name : names)
             decks.emplace_back(name, loading);
         checkOnly(decks);
+        context_ = context::createContext(options_.backend); // before the folders: without graphics none is left behind
         makeFolder(options_.output);
         makeFolder(options_.output / "pictures");
-        context_ = context::createContext(options_.backend);
         if (const int limit = context::largestSide();
             std::max(options_.look.size.x, options_.look.size.y) * options_.look.supersample > limit)
             throw Error(ExitStatus::overLimit, "a picture needs more samples on a side than the " +

@@ -18,17 +18,21 @@ namespace {
 constexpr const char* kMessage = "shadowlab: no graphics context any more: the X server has closed the connection to "
                                  "the display; start the program again in a desktop session that runs\n";
 
+int told = STDERR_FILENO;
+
 using IoErrorHandler = int (*)(void* display);
 
 int onDisplayGone(void*) {
     image::removeTemporariesNow();
-    if (::write(STDERR_FILENO, kMessage, std::strlen(kMessage)) < 0) {
+    if (::write(told, kMessage, std::strlen(kMessage)) < 0) {
         // Nobody is left to be told: the exit status says the same.
     }
     ::_exit(static_cast<int>(ExitStatus::noContext));
 }
 
 } // namespace
+
+void tellLossOfDisplayOn(int descriptor) { told = descriptor; }
 
 void endWhenDisplayIsGone() {
     static const Library xlib{"libX11.so.6"};

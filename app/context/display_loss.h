@@ -5,7 +5,10 @@
 namespace shadowlab::context {
 
 /// From now on the program ends with one line and the status of missing graphics when the X server has gone. Xlib alone
-/// would print a line of its own and exit(1). To be called when the window library runs; does nothing without Xlib.
+/// would print a line of its own and exit(1). Does nothing without Xlib.
 void endWhenDisplayIsGone();
+
+/// The descriptor for that line, while standard error leads elsewhere.
+void tellLossOfDisplayOn(int descriptor);
 
 } // namespace shadowlab::context
