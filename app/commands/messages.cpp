@@ -3,6 +3,7 @@
 #include "app/commands/messages.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -40,6 +41,9 @@ void print(std::string_view text) {
             text.remove_prefix(static_cast<std::size_t>(written));
         } else if (errno == EPIPE) {
             return;
+        } else if (errno == EAGAIN || errno == EWOULDBLOCK) { // a pipe that its owner made non-blocking
+            pollfd waiting{STDOUT_FILENO, POLLOUT, 0};
+            ::poll(&waiting, 1, -1);
         } else if (errno != EINTR) {
             throw Error(ExitStatus::cannotWrite, image::outputErrorText("standard output", errno, false));
         }

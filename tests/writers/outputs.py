@@ -28,6 +28,7 @@ class Output:
     prepared_by: list = field(default_factory=list)  # commands that fill the folder first
     without: list = field(default_factory=list)  # of what they made, what is taken away again
     once: bool = False  # a second run is refused: what it would make is there
+    appends: bool = False  # a second run adds to what the first has made
     program: str = "shadowlab"
 
 
@@ -49,7 +50,8 @@ LONG = SHORT + [
     Output("technique", ["new-technique", "my-own", "-o", "FOLDER/my-own"], once=True),
     Output("merged report", ["report", "merge", "made/report", "-o", "FOLDER"], prepared_by=[[*REPORT, "made/report"]]),
     Output("window settings", ["window-settings", "FOLDER"], program="writer_trial"),
-    Output("slide of the window", ["slide", "FOLDER"], {"slides.json": '{"title": "T", "slides": [\n]}\n'}, program="writer_trial"),
+    Output("slide of the window", ["slide", "FOLDER"], {"slides.json": DECK.replace("box.json", "still-life")}, appends=True,
+           program="writer_trial"),
 ]
 CARELESS = Output("careless writer", ["careless", "FOLDER"], {"careless.json": '{"a": 0, "b": 0}\n'}, program="writer_trial")
 
