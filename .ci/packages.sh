@@ -12,8 +12,8 @@ build_packages=(
     libegl1 libgl1-mesa-dri libosmesa6
 )
 # To run the tests as well: xvfb and xauth are the display of those that need one, xdotool the hands at its keys and mouse,
-# python3-xlib those that drop files on it.
-test_packages=(python3 python3-xlib xauth xdotool xvfb)
+# python3-xlib those that drop files on it. locales: one with a decimal comma is made of it.
+test_packages=(locales python3 python3-xlib xauth xdotool xvfb)
 
 # Debian's own tools and libraries, whatever else (conda, pyenv, a home-made cmake) is installed and first in the PATH.
 use_debian_tools() {

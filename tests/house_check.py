@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """House rules that a program can check: a licence line in every source file, files short enough to read, nothing left undone,
-no path of one machine, and nothing at the top level that does not belong there. house_check.py [ROOT] prints FILE:LINE: WHAT
+no path of one machine, no output but by the one writer, and nothing at the top level that does not belong there. house_check.py [ROOT] prints FILE:LINE: WHAT
 and exits with 1 if a rule is broken."""
 # SPDX-License-Identifier: MIT
 import re
@@ -22,6 +22,10 @@ SPDX_ALONE = re.compile(rf"\s*(?://|#|/\*)\s*{SPDX} [\w.+-]+(?:\s*\*/)?\s*")
 UNDONE = re.compile(rf"\b(?:{MARKS})\b")
 ONE_MACHINE = re.compile(r"(?<![\w./{}$>~-])/(?:home|root|Users|work|mnt|media|workspace|builds?)/[\w.-]")
 
+# Nothing but these opens files to write, or moves them.
+WRITERS = "techniques/foundation/image/output_f"
+WRITES = re.compile(r"\b(?:ofstream|fopen|freopen|fwrite|O_CREAT)\b|::(?:rename|copy_file|create_director\w+)\(")
+
 
 def violations_of(file, text):
     lines = text.splitlines()
@@ -36,6 +40,8 @@ def violations_of(file, text):
     for number, line in enumerate(lines, 1):
         if UNDONE.search(line):
             yield number, "is not finished: do it, or say in the issue tracker that it is missing"
+        if path.parts[0] in ("app", "techniques") and not file.startswith(WRITERS) and WRITES.search(line):
+            yield number, "writes by itself; outputs go through output_file.h and output_folder.h, so that they are whole or not there"
         if ONE_MACHINE.search(line):
             yield number, "names a path of one machine"
 

@@ -12,6 +12,7 @@
 #include "app/grading/grader.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
 #include "techniques/foundation/image/png.h"
 #include "techniques/foundation/nearest_names.h"
 
@@ -102,16 +103,6 @@ std::string sheetJson(const Sheet& sheet, const std::string& picture) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// Makes the folder. Throws Error (cannotWrite).
-void makeFolder(const std::filesystem::path& folder, const std::filesystem::path& picture) {
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (failed)
-        throw Error(ExitStatus::cannotWrite, "-o: the folder '" + folder.string() +
-                                                 "' cannot be made: " + failed.message() + "; choose another");
-    image::probeWritable(picture);
-}
-
 } // namespace
 
 int grade(const GradeOptions& options) {
@@ -121,7 +112,8 @@ int grade(const GradeOptions& options) {
     std::filesystem::path picture;
     if (!options.output.empty()) {
         picture = options.output / (candidate.technique + "-first-failing.png");
-        makeFolder(options.output, picture);
+        image::makeFolders(options.output);
+        image::probeWritable(picture);
     }
     const std::unique_ptr<context::Context> context = context::createContext(context::backendFromName(options.backend));
     Progress progress("case", static_cast<int>(family.cases.size()));

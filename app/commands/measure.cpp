@@ -46,6 +46,7 @@ void sayWhatIsProved(const measure::Counts& truth, const std::string& scene, con
 } // namespace
 
 int measure(const MeasureOptions& options) {
+    std::unique_ptr<context::Context> context; // before all that lives in it, so that it is destroyed after them
     std::vector<session::Slot> slots;
     for (const std::string& id : options.techniques) {
         slots.push_back(session::Session::makeSlot(id));
@@ -57,7 +58,7 @@ int measure(const MeasureOptions& options) {
     const int light = lightToMeasure(*base, options.light);
     const session::Motion motion = motionOf(options.motion, *base);
 
-    const std::unique_ptr<context::Context> context = context::createContext(options.backend);
+    context = context::createContext(options.backend);
     if (const int limit = context::largestSide(); std::max(options.size.x, options.size.y) > limit)
         throw Error(ExitStatus::overLimit, "this OpenGL driver draws pictures of up to " + std::to_string(limit) +
                                                " pixels on a side; choose a smaller --size");

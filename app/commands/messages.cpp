@@ -3,6 +3,7 @@
 #include "app/commands/messages.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -19,8 +20,16 @@ namespace {
 
 constexpr std::size_t kLongestMessage = 2000; ///< bytes; a path may have 4096, but nobody reads that
 
+/// Something long is left out in the middle: a message begins with what is wrong, and ends with what to do.
+std::string shortened(std::string_view sentence) {
+    constexpr std::size_t kEnd = 400;
+    if (sentence.size() <= kLongestMessage) return std::string(sentence);
+    return std::string(sentence.substr(0, kLongestMessage - kEnd - 10)) + " [...] " +
+           std::string(sentence.substr(sentence.size() - kEnd));
+}
+
 void say(const char* prefix, std::string_view sentence) {
-    std::fprintf(stderr, "%s%s\n", prefix, scene::shown(sentence, kLongestMessage).c_str());
+    std::fprintf(stderr, "%s%s\n", prefix, scene::shown(shortened(sentence), kLongestMessage).c_str());
 }
 
 } // namespace
@@ -40,6 +49,9 @@ void print(std::string_view text) {
             text.remove_prefix(static_cast<std::size_t>(written));
         } else if (errno == EPIPE) {
             return;
+        } else if (errno == EAGAIN || errno == EWOULDBLOCK) { // a pipe that its owner made non-blocking
+            pollfd waiting{STDOUT_FILENO, POLLOUT, 0};
+            ::poll(&waiting, 1, -1);
         } else if (errno != EINTR) {
             throw Error(ExitStatus::cannotWrite, image::outputErrorText("standard output", errno, false));
         }

@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <system_error>
 
 #include "app/commands/command_line.h"
 #include "app/commands/messages.h"
@@ -16,6 +15,7 @@
 #include "app/slides/pages.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
 #include "techniques/foundation/image/png.h"
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/message_text.h"
@@ -27,11 +27,7 @@ namespace {
 using session::Deck;
 
 void makeFolder(const std::filesystem::path& folder) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
-        throw Error(ExitStatus::cannotWrite,
-                    "-o: the folder '" + folder.string() + "' cannot be made: " + error.message() + "; choose another");
+    image::makeFolders(folder);
     image::probeWritable(folder / "slide.png");
 }
 
@@ -55,9 +51,9 @@ public:
         for (const std::string& name : names)
             decks.emplace_back(name, loading);
         checkOnly(decks);
+        context_ = context::createContext(options_.backend); // before the folders: without graphics none is left behind
         makeFolder(options_.output);
         makeFolder(options_.output / "pictures");
-        context_ = context::createContext(options_.backend);
         if (const int limit = context::largestSide();
             std::max(options_.look.size.x, options_.look.size.y) * options_.look.supersample > limit)
             throw Error(ExitStatus::overLimit, "a picture needs more samples on a side than the " +

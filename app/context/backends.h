@@ -24,6 +24,9 @@ inline constexpr const char* kInstallEgl = "apt install libegl1 libgl1-mesa-dri"
 inline constexpr const char* kInstallOsmesa =
     "apt install libosmesa6, or take --backend egl (Mesa 25.1 dropped OSMesa)";
 inline constexpr const char* kInstallDrivers = "apt install libgl1-mesa-dri, or take --backend osmesa";
+inline constexpr const char* kInstallEglDrivers = "apt install libegl-mesa0 libgl1-mesa-dri, or take --backend osmesa";
+inline constexpr const char* kInstallWindowDrivers =
+    "apt install libgl1 libgl1-mesa-dri, or take --backend egl or osmesa";
 inline constexpr const char* kNewerDriver = "take a newer driver, and unset MESA_GL_VERSION_OVERRIDE if it is set";
 
 /// Keeps track of which context is current. EGL, GLX and OSMesa each have their own idea of it and do not know of each
@@ -56,6 +59,9 @@ private:
 std::unique_ptr<Context> createEglContext(bool debug);
 std::unique_ptr<Context> createOsmesaContext();
 std::unique_ptr<Context> createHiddenWindowContext(bool debug);
+
+/// What is found where nothing is.
+inline constexpr const char* kNoOpenGl = "no OpenGL";
 
 /// "OpenGL 2.1 Mesa 22.3.6 (llvmpipe)" from a context's own glGetString, for messages before glad is loaded.
 std::string describeGl(void (*(*load)(const char*))());

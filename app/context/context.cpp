@@ -63,7 +63,7 @@ std::string describeGl(void (*(*load)(const char*))()) {
     const auto getString = reinterpret_cast<GetString>(load("glGetString"));
     const auto* version = getString ? reinterpret_cast<const char*>(getString(GL_VERSION)) : nullptr;
     const auto* renderer = getString ? reinterpret_cast<const char*>(getString(GL_RENDERER)) : nullptr;
-    if (!version) return "no OpenGL";
+    if (!version) return kNoOpenGl;
     return std::string("OpenGL ") + version + (renderer ? std::string(" (") + renderer + ")" : "");
 }
 

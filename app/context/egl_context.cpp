@@ -103,7 +103,7 @@ public:
     EglContext(EGLDisplay display, bool debug) : display_(display) {
         // Displays are never terminated: EGL hands out the same one again, and another context may still use it.
         EGLint major = 0, minor = 0;
-        if (display_ == EGL_NO_DISPLAY) throw Unavailable("no display", kInstallDrivers);
+        if (display_ == EGL_NO_DISPLAY) throw Unavailable("no display", kInstallEglDrivers);
         if (!egl().initialize(display_, &major, &minor)) throw Unavailable(errorText(), kInstallDrivers);
         if (!egl().bindApi(EGL_OPENGL_API)) throw Unavailable("only OpenGL ES", kInstallDrivers);
         const char* const extensions = egl().queryString(display_, EGL_EXTENSIONS);
@@ -153,8 +153,8 @@ private:
     /// What there is instead of 3.3, by asking for a context of any version.
     std::string describeLegacy() const {
         const EGLContext context = egl().createContext(display_, config_, EGL_NO_CONTEXT, nullptr);
-        if (context == EGL_NO_CONTEXT) return "no OpenGL";
-        std::string found = "no OpenGL";
+        if (context == EGL_NO_CONTEXT) return kNoOpenGl;
+        std::string found = kNoOpenGl;
         if (egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context))
             found = describeGl(egl().getProcAddress);
         egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);

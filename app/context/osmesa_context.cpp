@@ -39,9 +39,9 @@ using Buffer = std::array<unsigned char, 4>;
 /// What this machine has instead of 3.3, by asking for a context of any version.
 std::string describeLegacy() {
     const OsContext context = osmesa().createLegacy(kRgba, nullptr);
-    if (!context) return "no OpenGL";
+    if (!context) return kNoOpenGl;
     Buffer pixel{};
-    std::string found = "no OpenGL";
+    std::string found = kNoOpenGl;
     if (osmesa().makeCurrent(context, pixel.data(), kUnsignedByte, 1, 1)) found = describeGl(osmesa().getProcAddress);
     osmesa().makeCurrent(nullptr, nullptr, 0, 0, 0);
     osmesa().destroy(context);

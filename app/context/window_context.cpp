@@ -5,7 +5,13 @@
 #define GLFW_INCLUDE_NONE // GL comes from glad, never from the system's GL/gl.h
 #include <GLFW/glfw3.h>
 
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdlib>
+
 #include "app/context/backends.h"
+#include "app/context/display_loss.h"
 
 namespace shadowlab::context {
 namespace {
@@ -20,6 +26,35 @@ void onGlfwError(int, const char* description) { lastError() = description; }
 constexpr const char* kNeedsDisplay =
     "start it in a desktop session (or under xvfb-run), or take --backend egl or osmesa, which need no display";
 
+/// Keeps drivers and Xlib from printing while it lives: libGL remarks on every driver that it cannot load, the last of them
+/// whatever it is told. Ours stay one line. Who has set LIBGL_DEBUG wants to read them.
+class SilentDrivers {
+public:
+    SilentDrivers() : kept_(std::getenv("LIBGL_DEBUG") ? -1 : ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0)) {
+        const int nowhere = kept_ < 0 ? -1 : ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+        if (nowhere < 0) return;
+        tellLossOfDisplayOn(kept_);
+        ::dup2(nowhere, STDERR_FILENO);
+        ::close(nowhere);
+    }
+    ~SilentDrivers() {
+        if (kept_ < 0) return;
+        ::dup2(kept_, STDERR_FILENO);
+        tellLossOfDisplayOn(STDERR_FILENO);
+        ::close(kept_);
+    }
+    SilentDrivers(const SilentDrivers&) = delete;
+    SilentDrivers& operator=(const SilentDrivers&) = delete;
+
+private:
+    int kept_; ///< standard error, or -1: then nothing is kept from printing
+};
+
+GLFWwindow* createWindow(int width, int height, const char* title) {
+    const SilentDrivers silent;
+    return glfwCreateWindow(width, height, title, nullptr, nullptr);
+}
+
 /// Keeps GLFW running while there is a window.
 class GlfwLibrary {
 public:
@@ -27,6 +62,8 @@ public:
         if (users()++ > 0) return;
         lastError().clear();
         glfwSetErrorCallback(onGlfwError);
+        endWhenDisplayIsGone();
+        const SilentDrivers silent;
         if (glfwInit()) return;
         --users();
         throw Unavailable("GLFW: " + lastError(), kNeedsDisplay);
@@ -56,11 +93,11 @@ public:
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE); // macOS gives a core profile no other way
         glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, options.debug ? GLFW_TRUE : GLFW_FALSE);
-        window_ = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
+        window_ = createWindow(options.width, options.height, options.title.c_str());
         if (window_) return;
-        const std::string refusal = lastError();
-        throw Unavailable("found " + describeLegacy() + " where OpenGL 3.3 core is needed: GLFW: " + refusal,
-                          kNewerDriver);
+        const std::string refusal = lastError(), found = describeLegacy();
+        throw Unavailable("found " + found + " where OpenGL 3.3 core is needed: GLFW: " + refusal,
+                          found == kNoOpenGl ? kInstallWindowDrivers : kNewerDriver);
     }
     ~GlfwContext() override {
         letGo();
@@ -82,8 +119,8 @@ private:
     static std::string describeLegacy() {
         glfwDefaultWindowHints();
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-        GLFWwindow* const window = glfwCreateWindow(1, 1, "", nullptr, nullptr);
-        if (!window) return "no OpenGL";
+        GLFWwindow* const window = createWindow(1, 1, "");
+        if (!window) return kNoOpenGl;
         glfwMakeContextCurrent(window);
         const std::string found = describeGl(glfwGetProcAddress);
         glfwMakeContextCurrent(nullptr);

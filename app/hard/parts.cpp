@@ -9,6 +9,7 @@
 #include "app/report/store.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
 
 namespace shadowlab::hard {
 
@@ -24,8 +25,8 @@ std::string textOf(const fs::path& file) {
 } // namespace
 
 Parts::Parts(fs::path folder, std::string madeBy) : folder_(std::move(folder)), madeBy_(std::move(madeBy)) {
-    report::makeFolder(folder_ / "parts");
-    report::makeFolder(folder_ / "pictures");
+    image::makeFolders(folder_ / "parts");
+    image::makeFolders(folder_ / "pictures");
 }
 
 fs::path Parts::fileOf(const Case& one) const { return folder_ / "parts" / (report::fileName(one.id) + ".json"); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdio>
 #include <map>
 
@@ -22,8 +23,9 @@ bool isBetter(const Point& a, const Point& b) {
 
 std::string ms(double value) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), value < 10 ? "%.2f ms" : "%.1f ms", value);
-    return text.data();
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed,
+                                            value < 10 ? 2 : 1); // knows no locale
+    return (error == std::errc{} ? std::string(text.data(), end) : "?") + " ms";
 }
 
 std::string percent(double share) {

@@ -7,6 +7,7 @@
 #include "app/report/chart.h"
 #include "app/report/page.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
 
 namespace shadowlab::report {
 
@@ -87,7 +88,7 @@ void writeOutputs(const Store& store, const Report& report) {
     const std::filesystem::path& folder = store.folder();
     image::writeWhole(folder / "report.json", reportJson(report));
     image::writeWhole(folder / "points.csv", reportCsv(report));
-    std::filesystem::create_directories(folder / "charts");
+    image::makeFolders(folder / "charts");
     for (const Group& group : report.groups)
         image::writeWhole(folder / "charts" / (fileName(group.name()) + ".svg"), costErrorChart(group, report.size));
     image::writeWhole(folder / "index.html", htmlPage(report));

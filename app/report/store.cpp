@@ -2,6 +2,7 @@
 #include "app/report/store.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <fstream>
 #include <functional>
@@ -12,6 +13,7 @@
 #include "app/report/json_parts.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
 
 namespace shadowlab::report {
 
@@ -19,10 +21,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+[[noreturn]] void failToRead(const fs::path& path) {
+    throw Error(ExitStatus::badInput, path.string() + ": cannot be read; look at its permissions, or delete it");
+}
+
+/// None where there is no such file. One that cannot be read is not taken for one that is not there, and written anew.
 std::optional<std::string> bytesOf(const fs::path& file) {
+    std::error_code ignored;
+    if (!fs::is_regular_file(file, ignored)) return std::nullopt;
     std::ifstream stream(file, std::ios::binary);
-    if (!stream || !fs::is_regular_file(file)) return std::nullopt;
-    return std::string(std::istreambuf_iterator<char>(stream), {});
+    std::string bytes(std::istreambuf_iterator<char>(stream), {});
+    if (!stream) failToRead(file);
+    return bytes;
 }
 
 std::vector<std::uint8_t> pictureOf(const fs::path& file) {
@@ -65,14 +75,6 @@ std::string difference(const Plan& a, const Plan& b) {
 
 } // namespace
 
-void makeFolder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error)
-        throw Error(ExitStatus::cannotWrite,
-                    "-o: the folder '" + folder.string() + "' cannot be made: " + error.message() + "; choose another");
-}
-
 std::string fileName(const std::string& name) {
     std::string safe;
     for (const char c : name) {
@@ -105,12 +107,11 @@ void Store::begin(const Plan& plan) const {
                 throw Error(ExitStatus::cannotWrite, (folder_ / name).string() +
                                                          ": is not of a report that was begun here, and would be "
                                                          "overwritten; choose another folder with -o");
-        makeFolder(folder_);
-        makeFolder(folder_ / "parts");
+        image::makeFolders(folder_ / "parts");
         writeJson(file, toJson(plan));
     }
     for (const PlannedGroup& group : plan.groups)
-        makeFolder(groupFolder(group));
+        image::makeFolders(groupFolder(group));
 }
 
 Plan Store::plan() const {
@@ -154,7 +155,12 @@ void Store::keep(const Shard& shard, const Machine& machine) const {
 std::vector<Shard> Store::shards() const {
     std::vector<Shard> shards;
     std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder_ / "parts", error)) {
+    fs::directory_iterator entries;
+    do {
+        entries = fs::directory_iterator(folder_ / "parts", error);
+    } while (error.value() == EINTR); // on file systems of a network
+    if (error) failToRead(folder_ / "parts");
+    for (const fs::directory_entry& entry : entries) {
         Shard shard;
         int read = 0;
         const std::string name = entry.path().filename().string();

@@ -49,9 +49,6 @@ private:
     std::filesystem::path folder_;
 };
 
-/// With all folders above it, where they are not there. Throws Error (cannotWrite).
-void makeFolder(const std::filesystem::path& folder);
-
 /// As a file name: what may mean something to a file system or a shell becomes '_', with a number behind that tells names apart
 /// which have become the same.
 std::string fileName(const std::string& name);

@@ -3,8 +3,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/skeletons.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -13,8 +11,8 @@
 #include "app/session/assets.h"
 #include "app/session/plugins.h"
 #include "techniques/foundation/error.h"
-#include "techniques/foundation/image/output_error.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
 #include "techniques/registry.h"
 
 namespace shadowlab::session {
@@ -68,39 +66,6 @@ std::string textOf(const fs::path& file) {
     return text;
 }
 
-[[noreturn]] void failToWrite(const fs::path& folder, const std::error_code& why) {
-    throw Error(ExitStatus::cannotWrite, image::outputErrorText(folder, why.value(), false));
-}
-
-/// A folder beside the one that is to be made: removed unless it was kept.
-class TemporaryFolder {
-public:
-    explicit TemporaryFolder(const fs::path& target)
-        : path_(target.parent_path() / ("." + target.filename().string() + ".tmp." + std::to_string(::getpid()))) {
-        std::error_code failed;
-        if (!fs::create_directory(path_, failed)) failToWrite(target, failed);
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        if (!kept_) fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    [[nodiscard]] const fs::path& path() const { return path_; }
-    /// rename() replaces nothing but an empty folder.
-    void keepAs(const fs::path& target) {
-        std::error_code failed;
-        fs::rename(path_, target, failed);
-        if (failed) failToWrite(target, failed);
-        kept_ = true;
-    }
-
-private:
-    fs::path path_;
-    bool kept_ = false;
-};
-
 } // namespace
 
 std::vector<std::string> skeletonNames() { return {"empty", "planar", "shadow-map", "z-fail"}; }
@@ -132,17 +97,13 @@ void writeSkeleton(const std::string& skeleton, const std::string& name, const f
     if (fs::exists(fs::symlink_status(made, failed)))
         throw Error(ExitStatus::cannotWrite,
                     folder.string() + ": there is something of that name already; choose another folder with -o");
-    TemporaryFolder temporary(made);
+    image::OutputFolder output(made);
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source)) {
-        const fs::path place = temporary.path() / renamed(fs::relative(entry.path(), source).string(), name);
-        if (entry.is_directory()) {
-            if (!fs::create_directories(place, failed) && failed) failToWrite(folder, failed);
-        } else {
-            if (!fs::create_directories(place.parent_path(), failed) && failed) failToWrite(folder, failed);
-            image::writeWhole(place, renamed(textOf(entry.path()), name));
-        }
+        const fs::path place = output.path() / renamed(fs::relative(entry.path(), source).string(), name);
+        image::makeFolders(entry.is_directory() ? place : place.parent_path());
+        if (!entry.is_directory()) image::writeWhole(place, renamed(textOf(entry.path()), name));
     }
-    temporary.keepAs(made);
+    output.commit();
 }
 
 } // namespace shadowlab::session

@@ -8,6 +8,7 @@
 
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
 #include "techniques/foundation/scene/file_access.h"
 
 namespace shadowlab::session {
@@ -51,8 +52,7 @@ WindowMemory readWindowMemory(const std::filesystem::path& file) {
 }
 
 void writeWindowMemory(const std::filesystem::path& file, const WindowMemory& memory) {
-    std::error_code ignored; // what cannot be made cannot be written to either, and that says why
-    std::filesystem::create_directories(file.parent_path(), ignored);
+    image::makeFolders(file.parent_path());
     const nlohmann::ordered_json json = {
         {"width", memory.size.x},        {"height", memory.size.y},   {"panel", memory.panel},  {"strip", memory.strip},
         {"presenter", memory.presenter}, {"handles", memory.handles}, {"coarse", memory.coarse}};

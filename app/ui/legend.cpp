@@ -2,8 +2,8 @@
 #include "app/ui/legend.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "techniques/foundation/look.h"
 
@@ -18,8 +18,10 @@ constexpr int kBarSteps = 64; ///< colours of a bar: finer than the eye tells ap
 
 std::string shortNumber(double value) {
     char text[32];
-    std::snprintf(text, sizeof text, std::abs(value) >= 100 && std::abs(value) < 1e6 ? "%.0f" : "%.3g", value);
-    return text;
+    const bool isWhole = std::abs(value) >= 100 && std::abs(value) < 1e6;
+    const auto [end, error] = isWhole ? std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 0)
+                                      : std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3);
+    return error == std::errc{} ? std::string(text, end) : "?";
 }
 
 struct Plate {

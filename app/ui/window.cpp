@@ -26,6 +26,7 @@
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/gl/debug.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/scene/message_text.h"
 #include "techniques/foundation/scene/write_scene.h"
 
 namespace shadowlab::ui {
@@ -157,8 +158,8 @@ private:
         reported_ = state;
         // Frames since the first, and seconds: how quick the window is, for whoever watches it play.
         const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
-        std::printf("%s, \"frames\": %ld, \"seconds\": %.4f}\n", state.substr(0, state.size() - 1).c_str(), frames_,
-                    seconds);
+        std::printf("%s, \"frames\": %ld, \"seconds\": %s}\n", state.substr(0, state.size() - 1).c_str(), frames_,
+                    scene::numberText(std::round(seconds * 1e4) / 1e4).c_str());
         std::fflush(stdout);
     }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/look.h"
@@ -47,15 +47,16 @@ void publishColors(Frame& frame, std::string_view stage, int light, std::vector<
 }
 
 /// "0.45", without a sign; no more digits than a reader needs: three decimals of a direction, five digits of a distance.
-std::string shortNumber(double value, const char* format) {
+std::string shortNumber(double value, int digits) {
     std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), format, std::abs(value));
-    return text.data();
+    const auto [end, error] =
+        std::to_chars(text.data(), text.data() + text.size(), std::abs(value), std::chars_format::general, digits);
+    return error == std::errc{} ? std::string(text.data(), end) : "?";
 }
 
 std::string component(double value) {
     const double rounded = std::round(value * 1000) / 1000;
-    return (rounded < 0 ? "-" : "") + shortNumber(rounded, "%.3g");
+    return (rounded < 0 ? "-" : "") + shortNumber(rounded, 3);
 }
 
 } // namespace
@@ -64,7 +65,7 @@ std::string equation(const dvec4& plane) {
     constexpr double kNothing = 1e-12; // metres: rounding
     const double distance = std::abs(plane.w) < kNothing ? 0 : plane.w;
     return "(" + component(plane.x) + ", " + component(plane.y) + ", " + component(plane.z) + ")·P " +
-           (distance < 0 ? "- " : "+ ") + shortNumber(distance, "%.5g") + " = 0";
+           (distance < 0 ? "- " : "+ ") + shortNumber(distance, 5) + " = 0";
 }
 
 /// Does anybody look at the plane's numbers where no shadow can fall?

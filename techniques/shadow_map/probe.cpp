@@ -1,7 +1,6 @@
 // What the shadow map knows of one pixel: the way from the point to its texel, what the texel holds, and the comparison.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cstdio>
 #include <optional>
 
 #include "techniques/exact_judge.h"
@@ -16,17 +15,11 @@ namespace shadowlab::shadow_map {
 
 namespace {
 
-std::string text(double value) {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.6g", value + 0.0); // no "-0"
-    return digits;
-}
-
 template <typename Vector>
 Probe::Fact vectorFact(const char* label, const Vector& v, const char* unit = "") {
     Probe::Fact fact{label, "(", unit};
     for (int i = 0; i < v.length(); ++i) {
-        fact.value += (i ? ", " : "") + text(v[i]);
+        fact.value += (i ? ", " : "") + probeText(v[i]);
         fact.numbers.push_back(v[i]);
     }
     fact.value += ")";
@@ -69,23 +62,23 @@ std::string whyWrong(const MapProbe& map, const TexelDepth& texel, const trace::
     const double biasMetres = map.pointMetres - map.comparedMetres + map.storedMetres - map.firstMetres;
     if (!isLit && !texel.isEmpty() && texel.object == hit.object && texel.triangle == hit.triangle)
         return "acne: the texel holds the depth of this very triangle at its centre, " +
-               text(map.pointMetres - map.firstMetres) + " m nearer to the light than the point; the bias is " +
-               text(biasMetres) + " m";
+               probeText(map.pointMetres - map.firstMetres) + " m nearer to the light than the point; the bias is " +
+               probeText(biasMetres) + " m";
     if (!isLit && texel.isEmpty())
         return "aliasing: other texels of the filter hold something nearer; that of the point does not";
     if (!isLit && texel.object == hit.object && map.pointMetres - map.firstMetres < 2 * map.texelMetres)
         return "acne: the texel holds the depth of a neighbouring triangle of " + blocker + ", " +
-               text(map.pointMetres - map.firstMetres) + " m nearer to the light than the point; the bias is " +
-               text(biasMetres) + " m";
+               probeText(map.pointMetres - map.firstMetres) + " m nearer to the light than the point; the bias is " +
+               probeText(biasMetres) + " m";
     if (!isLit)
         return "aliasing: at the texel's centre " + blocker + " is in the way, at the point it is not; a texel is " +
-               text(map.texelMetres) + " m wide";
+               probeText(map.texelMetres) + " m wide";
     if (texel.isEmpty() || map.first >= map.str.z)
         return "aliasing: at the texel's centre nothing is in the way, at the point there is; a texel is " +
-               text(map.texelMetres) + " m wide";
+               probeText(map.texelMetres) + " m wide";
     if (map.compared <= map.stored)
-        return "peter-panning: " + blocker + " is " + text(map.pointMetres - map.firstMetres) +
-               " m before the point, and the bias is " + text(biasMetres) + " m";
+        return "peter-panning: " + blocker + " is " + probeText(map.pointMetres - map.firstMetres) +
+               " m before the point, and the bias is " + probeText(biasMetres) + " m";
     return "aliasing: most texels of the filter hold nothing nearer, though that of the point does";
 }
 
@@ -93,9 +86,9 @@ std::string whyWrong(const MapProbe& map, const TexelDepth& texel, const trace::
 std::string whyWrongFiltered(const MapProbe& map, bool isLit) {
     if (map.search && map.search->found == 0) return "the search found no blocker where it looked";
     if (map.search)
-        return "all blockers are taken for one surface at their mean distance of " + text(map.search->blockerMetres) +
-               " m, parallel to the light";
-    const std::string share = text(map.moments->unreduced);
+        return "all blockers are taken for one surface at their mean distance of " +
+               probeText(map.search->blockerMetres) + " m, parallel to the light";
+    const std::string share = probeText(map.moments->unreduced);
     return isLit ? "light bleeding: the moments of the depths around allow that as much as " + share +
                        " of them are not before the point"
                  : "aliasing: of the depths around at most " + share + " are not before the point";
@@ -235,14 +228,14 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
                            {static_cast<double>(map.texel.x), static_cast<double>(map.texel.y)}});
     probe.facts.push_back(probeFact("width of a texel at the point", map.texelMetres, "m"));
     probe.facts.push_back({"d(u,v): depth at the texel's centre, before any bias",
-                           texel.isEmpty() ? "1 (nothing there)" : text(map.first),
+                           texel.isEmpty() ? "1 (nothing there)" : probeText(map.first),
                            "",
                            {texel.isEmpty() ? 1.0 : map.first}});
     if (!texel.isEmpty()) add("of", blocker + ", triangle " + std::to_string(texel.triangle));
     probe.facts.push_back({"d(u,v) as it is compared",
                            texel.isEmpty()
                                ? "1 (nothing there)"
-                               : text(map.stored) + (map.stored != map.first ? ", pushed back by its slope" : ""),
+                               : probeText(map.stored) + (map.stored != map.first ? ", pushed back by its slope" : ""),
                            "",
                            {texel.isEmpty() ? 1.0 : map.stored}});
     probe.facts.push_back(probeFact("z(u,v): depth of the point itself", map.str.z));
@@ -254,8 +247,8 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     probe.facts.push_back(probeFact("bias of the point in metres", map.pointMetres - map.comparedMetres, "m"));
     add("if d(u,v) < z(u,v) then pixel is shadowed",
         texel.isEmpty()             ? "no: nothing is in the way"
-        : map.stored < map.compared ? "yes, by " + text(map.compared - map.stored) + " of the map's range"
-                                    : "no: d is not less, by " + text(map.stored - map.compared));
+        : map.stored < map.compared ? "yes, by " + probeText(map.compared - map.stored) + " of the map's range"
+                                    : "no: d is not less, by " + probeText(map.stored - map.compared));
     if (probe.section) addCells(map, point, *probe.section);
     for (SceneShape& shape : texelShapes(map, maps))
         probe.visited.push_back(std::move(shape));
@@ -298,7 +291,7 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
         const ComparedPoint next{*snapshot,          maps,          *layer + 1,  params_,
                                  asked.filter,       nextDepths,    asked.light, point.pointWorld,
                                  point.cornersWorld, point.fragment};
-        add("share of the next cascade in the answer", text(fade));
+        add("share of the next cascade in the answer", probeText(fade));
         visibility = glm::mix(visibility, answerOf(next).visibility, fade);
     }
     const bool isLit = visibility > 0.5;

@@ -39,6 +39,34 @@ TEST_F(FaultsTest, FullDisk) {
     expectRefused(captureTo("/dev/null", {"--stats", "/dev/full"}), 4, {"/dev/full"});
 }
 
+TEST_F(FaultsTest, FullDiskUnderEveryKindOfOutput) {
+    const auto refused = [&](const Words& words) { expectRefused(words, 4, {"/dev/full", "no space left"}); };
+    refused(captureTo("/dev/full", {"--stage", "visibility", "--light", "key"}));
+    refused(captureTo("/dev/full", {"--frames", "2", "--orbit-light", "9", "--animate"}));
+    refused({"lesson", "acne", "-o", "/dev/full"});
+    const ProgramResult probed =
+        run({"probe", "box.json", "--pixel", "16,15", "--size", "32x24", "--diagram", "/dev/full"});
+    expectOneLine(probed, 4, {"/dev/full", "no space left"});
+    for (const std::string words : {"list parameters", "measure box.json --size 32x24", "inspect box.json",
+                                    "measure box.json --size 32x24 --json", "lesson acne"})
+        expectOneLine(shell("\"$SHADOWLAB\" " + words + " >/dev/full"), 4, {"standard output", "no space left"});
+}
+
+TEST_F(FaultsTest, SmallestFileSizeUnderFoldersOfOutputs) {
+    const ProgramSetting smallFiles{.inChild = [] {
+        const rlimit limit{512, 512}; // bytes: less than the first of them, more than what is said of it
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+    }};
+    for (const Words& words :
+         {Words{"slides", "shadows", "--only", "shadows", "--size", "640x360", "-o", "out"},
+          Words{"report", "box.json", "--quick", "-o", "out"}, Words{"new-technique", "my-own", "-o", "out"}}) {
+        expectOneLine(run(words, smallFiles), 4, {"file too large"});
+        for (const auto& [name, content] : listing())
+            EXPECT_TRUE(content.empty() || name == "box.json") << words[0] << " leaves " << name;
+        std::filesystem::remove_all(folder.path() / "out");
+    }
+}
+
 TEST_F(FaultsTest, MissingFolder) {
     expectRefused(captureTo("none/x.png"), 4, {"none/x.png", "the folder none does not exist", "mkdir -p none"});
     expectRefused(captureTo("x.png", {"--stats", "none/s.json"}), 4, {"none/s.json"});
@@ -125,6 +153,29 @@ bool waitFor(const std::filesystem::path& name) {
     for (int i = 0; i < 6000 && !std::filesystem::exists(name); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return std::filesystem::exists(name);
+}
+
+/// Runs until `sign` is there, takes the folder "out" away, and looks at what is said.
+class VanishingFolderTest : public FaultsTest {
+protected:
+    void expectNoticed(const Words& words, const std::string& sign) {
+        std::filesystem::create_directory(folder.path() / "out");
+        Words argv{SHADOWLAB_PROGRAM};
+        argv.insert(argv.end(), words.begin(), words.end());
+        RunningProgram program(argv, {.folder = folder.path()});
+        ASSERT_TRUE(waitFor(folder.path() / "out" / sign));
+        std::filesystem::rename(folder.path() / "out", folder.path() / "moved");
+        expectOneLine(program.wait(), 4, {"out/", "does not exist"});
+        EXPECT_FALSE(std::filesystem::exists(folder.path() / "out"));
+        std::filesystem::remove_all(folder.path() / "moved");
+    }
+};
+
+TEST_F(VanishingFolderTest, IsNoticed) {
+    expectNoticed({"capture", "box.json", "-o", "out/f_####.png", "--size", "160x120", "--frames", "100000"},
+                  "f_0003.png");
+    expectNoticed({"report", "box.json", "--size", "160x120", "-o", "out"}, "parts/box@key/unshadowed.json");
+    expectNoticed({"slides", "shadows", "--size", "640x360", "-o", "out"}, "shadows-01-shadows.png");
 }
 
 class SignalTest : public FaultsTest, public ::testing::WithParamInterface<int> {};

@@ -65,6 +65,17 @@ std::string temporaryPrefix(const fs::path& target) {
 
 fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
+/// A call again for as long as a signal interrupts it: on file systems of a network even those do that which never
+/// wait on a disk. Returns what the call does at last.
+template <typename Call>
+int repeated(const Call& call) {
+    int result = 0;
+    do {
+        result = call();
+    } while (result != 0 && errno == EINTR);
+    return result;
+}
+
 /// The open descriptor that a name such as /dev/stdout stands for, or -1. Opening it again would start at offset 0 and
 /// overwrite what `>> log` meant to keep.
 int inheritedDescriptor(const fs::path& path) {
@@ -86,7 +97,9 @@ void sweepStrays(const fs::path& target) {
     std::error_code ignored;
     for (fs::directory_iterator entry(folderOf(target), ignored), end; !ignored && entry != end;
          entry.increment(ignored)) {
-        if (!entry->path().filename().string().starts_with(prefix)) continue;
+        const std::string name = entry->path().filename().string();
+        if (!name.starts_with(prefix) || name.find_first_not_of("0123456789.", prefix.size()) != std::string::npos)
+            continue; // no name that createTemporary() gives
         const int descriptor = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
         if (descriptor < 0) continue;
         struct stat status {};
@@ -133,7 +146,7 @@ OutputFile::OutputFile(const fs::path& path) : shown_(path), target_(path) {
 }
 
 OutputFile::~OutputFile() {
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    if (!temporary_.empty()) repeated([this] { return ::unlink(temporary_.c_str()); });
     freeSlot(slot_);
     if (descriptor_ >= 0) ::close(descriptor_);
     if (lock_ >= 0) ::close(lock_);
@@ -198,12 +211,14 @@ void OutputFile::commit() {
     const bool renames = !temporary_.empty();
     // Without fsync a crash of the machine after the rename can leave the new name on an empty file. Some file systems
     // cannot do it and say so (EINVAL, ENOSYS, ENOTSUP); that is no fault of the file.
-    if (renames && ::fsync(descriptor_) != 0 && errno != EINVAL && errno != ENOSYS && errno != ENOTSUP) fail(errno);
+    if (renames && repeated([this] { return ::fsync(descriptor_); }) != 0 && errno != EINVAL && errno != ENOSYS &&
+        errno != ENOTSUP)
+        fail(errno);
     const int descriptor = descriptor_;
     descriptor_ = -1;
     if (::close(descriptor) != 0 && errno != EINTR) fail(errno); // NFS reports a full disk here; on EINTR it is closed
     if (!renames) return;
-    if (::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+    if (repeated([this] { return ::rename(temporary_.c_str(), target_.c_str()); }) != 0) fail(errno);
     temporary_.clear();
     freeSlot(slot_);
     // The new name itself lasts once the folder is on disk. The file is whole either way, so a refusal is not an error.

@@ -130,12 +130,14 @@ Image loadPng(const std::filesystem::path& file, const PngLimits& limits) {
                                                "; check the name and its permissions");
     };
     struct Descriptor {
-        int value;
+        int value = -1;
         ~Descriptor() {
             if (value >= 0) ::close(value);
         }
-    };
-    const Descriptor descriptor{::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
+    } descriptor;
+    do {
+        descriptor.value = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    } while (descriptor.value < 0 && errno == EINTR); // on file systems of a network
     struct stat status {};
     if (descriptor.value < 0 || ::fstat(descriptor.value, &status) != 0) throw systemError(errno);
     if (!S_ISREG(status.st_mode))

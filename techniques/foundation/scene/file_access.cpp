@@ -23,8 +23,12 @@ namespace {
 class OpenFile {
 public:
     // O_NONBLOCK: opening a FIFO without a writer would otherwise wait for ever.
-    explicit OpenFile(const std::filesystem::path& file)
-        : descriptor_(::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY)), error_(errno) {}
+    explicit OpenFile(const std::filesystem::path& file) {
+        do {
+            descriptor_ = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+            error_ = errno;
+        } while (descriptor_ < 0 && error_ == EINTR); // on file systems of a network
+    }
     ~OpenFile() {
         if (descriptor_ >= 0) ::close(descriptor_);
     }
@@ -45,8 +49,8 @@ public:
     [[nodiscard]] int descriptor() const { return descriptor_; }
 
 private:
-    int descriptor_;
-    int error_;
+    int descriptor_ = -1;
+    int error_ = 0;
     std::uint64_t size_ = 0;
 };
 

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/image/output_folder.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_error.h"
+
+namespace shadowlab::image {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path aboveOf(const fs::path& folder) { return folder.has_parent_path() ? folder.parent_path() : fs::path("."); }
+
+/// A descriptor of the folder that nobody else has locked, or -1. A file system without locks counts as locked by us.
+int lockedFolder(const fs::path& folder) {
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) return -1;
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return descriptor;
+    ::close(descriptor);
+    return -1;
+}
+
+} // namespace
+
+void makeFolders(const fs::path& folder) {
+    std::error_code failed;
+    do {
+        fs::create_directories(folder, failed);
+    } while (failed.value() == EINTR);
+    if (failed) throw Error(ExitStatus::cannotWrite, outputErrorText(folder, failed.value(), false));
+}
+
+OutputFolder::OutputFolder(const fs::path& target) : target_(target) {
+    const std::string prefix = "." + target.filename().string() + ".tmp.";
+    std::error_code ignored;
+    for (fs::directory_iterator entry(aboveOf(target), ignored), end; !ignored && entry != end;
+         entry.increment(ignored)) {
+        const std::string name = entry->path().filename().string();
+        if (!name.starts_with(prefix) || name.find_first_not_of("0123456789.", prefix.size()) != std::string::npos)
+            continue; // no name of ours
+        const int stray = lockedFolder(entry->path());
+        std::error_code stays;
+        if (stray >= 0) fs::remove_all(entry->path(), stays);
+        if (stray >= 0) ::close(stray);
+    }
+    for (int number = 0; temporary_.empty(); ++number) {
+        const fs::path name = aboveOf(target) / (prefix + std::to_string(::getpid()) + "." + std::to_string(number));
+        if (::mkdir(name.c_str(), 0777) == 0)
+            temporary_ = name;
+        else if (errno != EEXIST && errno != EINTR)
+            fail(errno);
+    }
+    lock_ = lockedFolder(temporary_); // best effort: without it, another run that makes the same folder may disturb
+}
+
+OutputFolder::~OutputFolder() {
+    std::error_code ignored;
+    if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+    if (lock_ >= 0) ::close(lock_);
+}
+
+void OutputFolder::fail(int errorNumber) const {
+    throw Error(ExitStatus::cannotWrite, outputErrorText(target_, errorNumber, false));
+}
+
+void OutputFolder::commit() {
+    while (::rename(temporary_.c_str(), target_.c_str()) != 0)
+        if (errno != EINTR) fail(errno);
+    temporary_.clear();
+}
+
+} // namespace shadowlab::image

@@ -1,0 +1,32 @@
+// Folders for outputs: one that may be there already, and one that appears whole or not at all, as files do.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+
+namespace shadowlab::image {
+
+/// Makes a folder, and those above it that are not there. Throws Error (cannotWrite) with the reason and the mend.
+void makeFolders(const std::filesystem::path& folder);
+
+/// A new folder on its way. Destroyed before commit(), it leaves nothing behind.
+class OutputFolder {
+public:
+    /// Creates `.NAME.tmp.PID.N` beside the folder that is to be; sweeps up what runs have left that were killed.
+    explicit OutputFolder(const std::filesystem::path& target);
+    ~OutputFolder();
+    OutputFolder(const OutputFolder&) = delete;
+    OutputFolder& operator=(const OutputFolder&) = delete;
+
+    /// What is written in here, is in the new folder.
+    [[nodiscard]] const std::filesystem::path& path() const { return temporary_; }
+    /// Gives the folder its name. It replaces nothing but an empty folder.
+    void commit();
+
+private:
+    [[noreturn]] void fail(int errorNumber) const;
+
+    std::filesystem::path target_, temporary_;
+    int lock_ = -1; ///< the temporary, open; tells other runs that it is in use
+};
+
+} // namespace shadowlab::image
