@@ -1,0 +1,110 @@
+// What casters do to visibility, and what rays say of it.
+// SPDX-License-Identifier: MIT
+#include "app/measure/slot_errors.h"
+#include "techniques/foundation/scene/shapes.h"
+#include "tests/relations/relation.h"
+#include "tests/support/scenes.h"
+
+namespace shadowlab::relations {
+
+namespace {
+
+/// Any caster that casts no more: nothing is darker. Read the other way round, a caster more makes nothing brighter.
+Comparison aCasterFewer(const Recipe& recipe, Painter& painter) {
+    Choice choice(recipe);
+    scene::Scene scene = sceneOf(recipe);
+    const Picture before = painter.paint(scene);
+    scene.objects[1 + choice(static_cast<unsigned>(scene.objects.size() - 1))].castsShadow = false;
+    const Picture after = painter.paint(scene);
+    // Pixels that are darker are what differs; all others are made to agree.
+    Picture expected = before;
+    expected.shown = after.shown;
+    for (std::size_t light = 0; light < before.visibility.size(); ++light)
+        for (std::size_t i = 0; i < before.visibility[light].greyAlpha.size(); i += 2)
+            expected.visibility[light].greyAlpha[i] =
+                std::min(before.visibility[light].greyAlpha[i], after.visibility[light].greyAlpha[i]);
+    Comparison result;
+    countLight(before, result);
+    for (int y = 0; y < kSize.y; ++y)
+        for (int x = 0; x < kSize.x; ++x) {
+            ++result.compared;
+            bool darker = false;
+            for (std::size_t light = 0; light < before.visibility.size(); ++light)
+                darker = darker || before.visibility[light].grey(x, y) > after.visibility[light].grey(x, y) + 2;
+            if (!darker) continue;
+            ++result.different;
+            const int reach =
+                before.texelPx.empty() ? 1 : 1 + static_cast<int>(3 * std::min(10.0f, before.texelPx[before.index(x, y)]));
+            const bool stray = !isNearEdge(before, {x, y}, reach);
+            if (stray || result.stray == 0) result.where = {x, y};
+            result.stray += stray;
+        }
+    return result;
+}
+
+/// Above everything hangs a closed box with the only lamp in it.
+Comparison aLampInABox(const Recipe& recipe, Painter& painter) {
+    scene::Scene scene = sceneOf(recipe);
+    const dvec3 place(0.5, 8, 0.25);
+    scene.lights = {testing::pointLight(place)};
+    testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation(place));
+    scene::Scene open = scene;
+    open.objects.back().castsShadow = false;
+    Comparison result;
+    countLight(painter.paint(open), result); // what the box keeps dark
+    const Picture closed = painter.paint(scene);
+    for (int y = 0; y < kSize.y; ++y)
+        for (int x = 0; x < kSize.x; ++x) {
+            ++result.compared;
+            if (closed.visibility[0].grey(x, y) == 0) continue;
+            ++result.different, ++result.stray;
+            result.where = {x, y};
+        }
+    return result;
+}
+
+/// Rays decide each pixel's visibility in double. What is wrong outside ties is near the shadow's edge, or a fault.
+Comparison asRaysSay(const Recipe& recipe, Painter& painter) {
+    const scene::Scene scene = sceneOf(recipe);
+    const Picture picture = painter.paint(scene);
+    session::Session session(testing::snapshot(scene));
+    View view;
+    view.camera = scene.camera;
+    view.size = picture.size;
+    Comparison result;
+    countLight(picture, result);
+    std::optional<measure::Grid<float>> texelPx;
+    if (!picture.texelPx.empty()) {
+        texelPx.emplace(picture.size.x, picture.size.y);
+        texelPx->values = picture.texelPx;
+    }
+    for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
+        const measure::Truth& truth = session.truth(view, light);
+        const auto boundary = measure::trueBoundary(truth);
+        const measure::Judgement judged =
+            measure::judge(truth, picture.visibility[static_cast<std::size_t>(light)].greyAlpha);
+        result.compared += judged.counts.pixels;
+        result.different += judged.counts.wrong();
+        result.stray +=
+            measure::coreErrors(truth, judged, measure::distanceToBoundary(boundary, picture.size), texelPx);
+        for (std::size_t i = 0; i < judged.verdicts.size(); ++i)
+            if (judged.verdicts[i] == measure::Verdict::falseLit || judged.verdicts[i] == measure::Verdict::falseShadow)
+                result.where = {static_cast<int>(i) % picture.size.x, static_cast<int>(i) / picture.size.x};
+    }
+    return result;
+}
+
+bool servesAll(const Traits& traits) { return traits.servesAll; }
+
+} // namespace
+
+std::vector<Relation> casterRelations() {
+    using enum Gate;
+    return {
+        {"a-caster-fewer", "one caster fewer: nothing is darker", edgesAndTexels, {}, aCasterFewer},
+        {"a-lamp-in-a-box", "the only lamp in a closed box: all is dark outside", exact, servesAll, aLampInABox},
+        {"as-rays-say", "visibility is what rays in double say", edgesAndTexels, servesAll, asRaysSay},
+    };
+}
+
+} // namespace shadowlab::relations

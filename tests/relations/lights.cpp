@@ -1,0 +1,154 @@
+// Light adds up, and is in proportion to what is sent.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "tests/relations/relation.h"
+#include "tests/support/scenes.h"
+
+namespace shadowlab::relations {
+
+namespace {
+
+// The target holds half floats, and one digit of theirs is 2^-10 of the number at most. Each light that is added rounds once.
+constexpr float kRounding = 0x1p-10f;
+// Below 2^-14 half floats have fewer digits: steps of 2^-24.
+constexpr float kLeast = 0x1p-23f;
+
+using Radiance = std::vector<vec4>;
+
+/// Pixels in which they differ by more than so many roundings.
+Comparison compareRadiance(const Picture& expected, const Radiance& actual, double roundings) {
+    Comparison result;
+    countLight(expected, result);
+    for (int y = 0; y < expected.size.y; ++y)
+        for (int x = 0; x < expected.size.x; ++x) {
+            const vec4 &a = expected.radiance[expected.index(x, y)], &b = actual[expected.index(x, y)];
+            ++result.compared;
+            bool differs = false;
+            for (int channel = 0; channel < 3; ++channel)
+                differs = differs || !(std::abs(a[channel] - b[channel]) <=
+                                       static_cast<float>(roundings) * kRounding *
+                                               std::max(std::abs(a[channel]), std::abs(b[channel])) +
+                                           kLeast);
+            if (differs) ++result.different, ++result.stray, result.where = {x, y};
+        }
+    return result;
+}
+
+/// With at least two lights.
+scene::Scene severalLights(const Recipe& recipe) {
+    scene::Scene scene = sceneOf(recipe);
+    if (scene.lights.size() > 1) return scene;
+    scene.lights.push_back(testing::directionalLight({0.5, -1, 0.25}));
+    scene.lights.back().intensity = 0.25;
+    return scene;
+}
+
+Comparison inAnotherOrder(const Recipe& recipe, Painter& painter) {
+    scene::Scene scene = severalLights(recipe);
+    const Picture before = painter.paint(scene);
+    std::reverse(scene.lights.begin(), scene.lights.end());
+    return compareRadiance(before, painter.paint(scene).radiance, static_cast<double>(scene.lights.size()));
+}
+
+Comparison inFourParts(const Recipe& recipe, Painter& painter) {
+    const scene::Scene scene = sceneOf(recipe);
+    scene::Scene parts = scene;
+    parts.lights.clear();
+    for (const scene::Light& light : scene.lights)
+        for (int part = 0; part < 4; ++part) {
+            parts.lights.push_back(light);
+            parts.lights.back().intensity /= 4;
+            parts.lights.back().name += "part" + std::to_string(part);
+        }
+    const Picture whole = painter.paint(scene);
+    return compareRadiance(whole, painter.paint(parts).radiance, static_cast<double>(parts.lights.size()));
+}
+
+Comparison oneByOne(const Recipe& recipe, Painter& painter) {
+    const scene::Scene all = severalLights(recipe);
+    const Picture together = painter.paint(all);
+    scene::Scene dark = all;
+    dark.lights.clear();
+    const Radiance ambient = painter.paint(dark).radiance;
+    Radiance sum = ambient;
+    for (const scene::Light& light : all.lights) {
+        scene::Scene alone = all;
+        alone.lights = {light};
+        const Radiance one = painter.paint(alone).radiance;
+        for (std::size_t i = 0; i < sum.size(); ++i)
+            sum[i] += one[i] - ambient[i];
+    }
+    return compareRadiance(together, sum, 2.0 * static_cast<double>(all.lights.size()));
+}
+
+Comparison twiceAsBright(const Recipe& recipe, Painter& painter) {
+    scene::Scene scene = sceneOf(recipe);
+    scene.ambient = scene.background = vec3(0.0f);
+    const Picture once = painter.paint(scene);
+    for (scene::Light& light : scene.lights)
+        light.intensity *= 2;
+    Radiance half = painter.paint(scene).radiance;
+    for (vec4& texel : half)
+        texel *= 0.5f;
+    return compareRadiance(once, half, 0);
+}
+
+Comparison switchedOff(const Recipe& recipe, Painter& painter) {
+    const scene::Scene scene = severalLights(recipe);
+    scene::Scene off = scene, without = scene;
+    off.lights[0].intensity = 0;
+    without.lights.erase(without.lights.begin());
+    const Picture expected = painter.paint(without);
+    Picture actual = painter.paint(off);
+    actual.visibility.erase(actual.visibility.begin());
+    return compare(expected, actual, Gate::exact);
+}
+
+/// A thousand kilometres away, rays that meet this scene are parallel to a hundredth of a millimetre.
+Comparison aLampFarAway(const Recipe& recipe, Painter& painter) {
+    constexpr double kDistance = 0x1p20;
+    scene::Scene scene = sceneOf(recipe);
+    scene.lights[0] = testing::directionalLight(-scene.lights[0].positionWorld - dvec3(1, 4, 2));
+    scene.lights[0].intensity = 0.5;
+    const Picture sun = painter.paint(scene);
+    scene::Light lamp = testing::pointLight(-kDistance * scene.lights[0].directionWorld);
+    lamp.intensity = scene.lights[0].intensity * kDistance * kDistance;
+    scene.lights[0] = lamp;
+    return compare(sun, painter.paint(scene), Gate::edgesAndTexels);
+}
+
+/// A shining ball of a millimetre, which sends as much as the lamp in its place.
+Comparison aTinyBall(const Recipe& recipe, Painter& painter) {
+    constexpr double kRadius = 0x1p-10;
+    scene::Scene scene = sceneOf(recipe);
+    const Picture lamps = painter.paint(scene);
+    for (scene::Light& light : scene.lights) {
+        if (light.type != scene::LightType::point) continue;
+        light.type = scene::LightType::sphere;
+        light.radius = kRadius;
+        light.intensity /= M_PI * kRadius * kRadius;
+    }
+    return compare(lamps, painter.paint(scene), Gate::edgesAndTexels);
+}
+
+} // namespace
+
+std::vector<Relation> lightRelations() {
+    using enum Gate;
+    return {
+        {"lights-in-another-order", "lights in another order: the same but for one rounding a light", exact, {},
+         inAnotherOrder},
+        {"lights-in-four-parts", "each light as four of a quarter each: the same but for one rounding a light", exact,
+         {}, inFourParts},
+        {"lights-one-by-one", "all lights together: the sum of each alone, ambient light counted once", exact, {},
+         oneByOne},
+        {"twice-as-bright", "lights twice as bright: twice the radiance, to the last digit", exact, {}, twiceAsBright},
+        {"switched-off", "a light of no intensity: as without it, to the byte", exact, {}, switchedOff},
+        {"a-lamp-far-away", "a lamp a thousand kilometres away: a sun", edgesAndTexels, {}, aLampFarAway},
+        {"a-tiny-ball", "a shining ball of a millimetre: a lamp", edgesAndTexels, {}, aTinyBall},
+    };
+}
+
+} // namespace shadowlab::relations

@@ -1,0 +1,72 @@
+// Every relation, for every registered technique, on random scenes: see docs/relations.md.
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <iostream>
+#include <map>
+
+#include "tests/relations/painters_fixture.h"
+#include "tests/relations/random_recipes.h"
+#include "tests/relations/relation.h"
+
+namespace shadowlab::relations {
+namespace {
+
+// For each seed, technique and relation; each costs two pictures or more.
+constexpr int kRecipes = 2;
+// Of all pictures of a relation and technique together, at edges.
+constexpr double kShareOfAll = 0.0002;
+
+class RelationTest : public PaintersTest, public ::testing::WithParamInterface<Relation> {};
+
+TEST_P(RelationTest, HoldsForEveryTechnique) {
+    const Relation& relation = GetParam();
+    int techniques = 0, scenes = 0;
+    Comparison ofAll;
+    for (auto& [id, painter] : painters()) {
+        const Traits& traits = painter->traits();
+        if (relation.appliesTo && !relation.appliesTo(traits)) continue;
+        ++techniques;
+        Comparison sum;
+        for (const std::uint64_t seed : seeds()) {
+            std::vector<scene::Scene> painted; // for the counterexample: shrinking ends with another one that holds
+            const auto found = findCounterexample(seed, recipesPerSeed(kRecipes), [&](const Recipe& recipe) -> Verdict {
+                painter->forget();
+                const Comparison comparison = relation.check(recipe, *painter);
+                const std::string wrong = complaint(relation, traits, comparison);
+                if (wrong.empty()) {
+                    if (painted.empty()) sum += comparison, ++scenes;
+                    return {};
+                }
+                painted = painter->painted();
+                return wrong;
+            });
+            if (found)
+                ADD_FAILURE() << id << ": " << relation.says << "; but " << found->wrong << ". SHADOWLAB_SEED=" << seed
+                              << ", after " << found->triedBefore << " scenes that held; shrunk to " << found->recipe
+                              << "; scenes: " << keep(painted, std::string(relation.id) + "-" + id);
+        }
+        if (!(relation.gate == Gate::edgesAndTexels && traits.hasTexels)) {
+            EXPECT_LE(static_cast<double>(sum.different), kShareOfAll * static_cast<double>(sum.compared))
+                << id << ": " << relation.says << "; but " << sum;
+        }
+        std::cout << relation.id << ", " << id << ": " << sum << "\n";
+        ofAll += sum;
+    }
+    EXPECT_GE(techniques, 3) << "a relation that holds for few techniques is a test of those";
+    // A quarter of a picture at least, and a fiftieth.
+    const long pixels = long{kSize.x} * kSize.y * scenes;
+    EXPECT_GE(ofAll.compared, pixels / 16);
+    EXPECT_GE(ofAll.lit, pixels / 20) << "too little light to prove anything";
+    EXPECT_GE(ofAll.shadowed, pixels / 50) << "too little shadow to prove anything";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, RelationTest, ::testing::ValuesIn(allRelations()), [](const auto& info) {
+    std::string name(info.param.id);
+    std::ranges::replace(name, '-', '_');
+    return name;
+});
+
+} // namespace
+} // namespace shadowlab::relations
