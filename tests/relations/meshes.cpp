@@ -43,7 +43,7 @@ Comparison inAnotherOrder(const Recipe& recipe, Painter& painter) {
         object.mesh = scene::sharedMesh(std::move(mesh));
     }
     std::reverse(other.objects.begin(), other.objects.end());
-    return samePicture(scene, other, painter, Gate::edges);
+    return samePicture(scene, other, painter, Gate::edgesAndTexels);
 }
 
 Comparison eachTriangleAlone(const Recipe& recipe, Painter& painter) {
@@ -58,7 +58,7 @@ Comparison eachTriangleAlone(const Recipe& recipe, Painter& painter) {
             other.objects.back().name = "triangle" + std::to_string(other.objects.size());
             other.objects.back().mesh = scene::sharedMesh(std::move(mesh));
         }
-    return samePicture(scene, other, painter, Gate::edges);
+    return samePicture(scene, other, painter, Gate::edgesAndTexels);
 }
 
 Comparison asOneMesh(const Recipe& recipe, Painter& painter) {
@@ -82,7 +82,7 @@ Comparison asOneMesh(const Recipe& recipe, Painter& painter) {
     together.mesh = scene::sharedMesh(std::move(all));
     together.worldFromObject = dmat4(1.0);
     other.objects = {together};
-    return samePicture(scene, other, painter, Gate::edges);
+    return samePicture(scene, other, painter, Gate::edgesAndTexels);
 }
 
 Comparison cutIntoFour(const Recipe& recipe, Painter& painter) {
@@ -107,7 +107,7 @@ Comparison cutIntoFour(const Recipe& recipe, Painter& painter) {
         }
         object.mesh = scene::sharedMesh(std::move(mesh));
     }
-    return samePicture(scene, other, painter, Gate::edges);
+    return samePicture(scene, other, painter, Gate::edgesAndTexels);
 }
 
 Comparison everythingTwice(const Recipe& recipe, Painter& painter) {
@@ -128,7 +128,7 @@ Comparison somethingFarAway(const Recipe& recipe, Painter& painter) {
     scene::Scene other = scene;
     const dvec3 place = 1024.0 * backward(scene.camera) - dvec3(0, 2048, 0);
     testing::addObject(other, scene::makeBox({1, 1, 1}), testing::translation(glm::round(place)));
-    return samePicture(scene, other, painter, Gate::edges);
+    return samePicture(scene, other, painter, Gate::edgesAndTexels);
 }
 
 Comparison somethingBehindTheEye(const Recipe& recipe, Painter& painter) {
@@ -149,13 +149,13 @@ std::vector<Relation> meshRelations() {
     using enum Gate;
     return {
         {"in-another-order", "triangles and objects in another order, with vertices of their own: the same picture",
-         edges, solvesNoRoom, inAnotherOrder},
-        {"each-triangle-alone", "each triangle an object of its own: the same picture", edges, servesAll,
+         edgesAndTexels, solvesNoRoom, inAnotherOrder},
+        {"each-triangle-alone", "each triangle an object of its own: the same picture", edgesAndTexels, servesAll,
          eachTriangleAlone},
-        {"as-one-mesh", "all objects in one mesh: the same picture", edges, solvesNoRoom, asOneMesh},
-        {"cut-into-four", "each triangle cut into four: the same picture", edges, solvesNoRoom, cutIntoFour},
+        {"as-one-mesh", "all objects in one mesh: the same picture", edgesAndTexels, solvesNoRoom, asOneMesh},
+        {"cut-into-four", "each triangle cut into four: the same picture", edgesAndTexels, solvesNoRoom, cutIntoFour},
         {"everything-twice", "each object twice at its place: the same bytes", exact, solvesNoRoom, everythingTwice},
-        {"something-far-away", "a box a kilometre away where it shadows nothing: the same picture", edges,
+        {"something-far-away", "a box a kilometre away where it shadows nothing: the same picture", edgesAndTexels,
          solvesNoRoom, somethingFarAway},
         {"something-behind-the-eye", "a box behind the eye that casts no shadow: the same bytes", exact, solvesNoRoom,
          somethingBehindTheEye},

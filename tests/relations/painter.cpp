@@ -38,6 +38,13 @@ scene::Scene control() {
     return scene;
 }
 
+/// The same with the eye in the shadow of the box.
+scene::Scene controlFromShadow() {
+    scene::Scene scene = control();
+    scene.camera.positionWorld = {0.75, 2.1, 0.5};
+    return scene;
+}
+
 } // namespace
 
 Picture rearranged(const Picture& picture, ivec2 size, const std::function<ivec2(ivec2)>& from) {
@@ -114,12 +121,12 @@ const Traits& Painter::traits() {
     return *traits_;
 }
 
-Traits Painter::findTraits() {
-    const Picture picture = paint(control());
+bool Painter::isRight(const scene::Scene& scene) {
+    const Picture picture = paint(scene);
     painted_.pop_back();
-    session::Session session(testing::snapshot(control()));
+    session::Session session(testing::snapshot(scene));
     View view;
-    view.camera = session.snapshot()->camera;
+    view.camera = scene.camera;
     view.size = picture.size;
     int wrong = 0, pixels = 0;
     for (int light = 0; light < static_cast<int>(picture.visibility.size()); ++light) {
@@ -130,9 +137,14 @@ Traits Painter::findTraits() {
     }
     // Half a percent: a map's edges are wrong by less, and a ball that is lit instead of dark is more.
     constexpr double kShareAtEdges = 0.005;
+    return wrong <= kShareAtEdges * pixels;
+}
+
+Traits Painter::findTraits() {
     return {.solvesRoom = hasParam(slot_, "patches"),
-            .hasTexels = !picture.texelPx.empty(),
-            .servesAll = wrong <= kShareAtEdges * pixels};
+            .hasTexels = publishes(*slot_.info, "texel-size"),
+            .servesAll = isRight(control()),
+            .seesFromShadow = isRight(controlFromShadow())};
 }
 
 std::vector<std::string> registeredIds() {

@@ -34,6 +34,7 @@ struct Traits {
     bool solvesRoom = false; ///< surfaces light each other, so that whatever is added or cut changes all of them
     bool hasTexels = false;  ///< it has a shadow map, whose grid is laid over the scene anew when something moves
     bool servesAll = false;  ///< every surface is shadowed, curved ones as well, and as rays say away from edges
+    bool seesFromShadow = false; ///< the same for an eye in shadow, which counting from the eye is wrong for
 };
 
 class Painter {
@@ -53,6 +54,8 @@ public:
 
 private:
     [[nodiscard]] Traits findTraits();
+    /// Is its visibility what rays say, but for few pixels?
+    [[nodiscard]] bool isRight(const scene::Scene& scene);
     std::string technique_;
     Fault fault_;
     session::Slot slot_; ///< one for all scenes: what it keeps of one must not show in the next

@@ -30,16 +30,15 @@ int largestDifference(const Picture& a, const Picture& b, ivec2 pixel) {
     return largest;
 }
 
-/// One pixel for edges themselves; of a map its bias and its kernel reach three texels farther.
-int reachPx(const Picture& picture, ivec2 pixel, Gate gate) {
-    if (gate != Gate::edgesAndTexels || picture.texelPx.empty()) return 1;
+} // namespace
+
+int reachOfTexelsPx(const Picture& a, const Picture& b, ivec2 pixel) {
+    if (a.texelPx.empty()) return 1;
     constexpr float kTexels = 3.0f;
     constexpr float kFarthest = 32.0f; // where light grazes, texels are as long as one likes
-    return 1 + static_cast<int>(std::ceil(
-                   std::min(kFarthest, kTexels * picture.texelPx[picture.index(pixel.x, pixel.y)])));
+    const std::size_t at = a.index(pixel.x, pixel.y);
+    return 1 + static_cast<int>(std::ceil(std::min(kFarthest, kTexels * std::max(a.texelPx[at], b.texelPx[at]))));
 }
-
-} // namespace
 
 Comparison& Comparison::operator+=(const Comparison& other) {
     compared += other.compared, lit += other.lit, shadowed += other.shadowed;
@@ -83,8 +82,8 @@ Comparison compare(const Picture& expected, const Picture& actual, Gate gate) {
             ++result.compared;
             if (largestDifference(expected, actual, {x, y}) <= levels) continue;
             ++result.different;
-            const bool stray =
-                gate == Gate::exact || !isNearEdge(expected, {x, y}, reachPx(expected, {x, y}, gate));
+            const int reachPx = gate == Gate::edgesAndTexels ? reachOfTexelsPx(expected, actual, {x, y}) : 1;
+            const bool stray = gate == Gate::exact || !isNearEdge(expected, {x, y}, reachPx);
             if (stray || result.stray == 0) result.where = {x, y};
             result.stray += stray;
         }

@@ -56,6 +56,10 @@ Comparison compare(const Picture& expected, const Picture& actual, Gate gate);
 /// Is there an edge (of a surface or a shadow) within so many pixels, for the picture or a visibility?
 bool isNearEdge(const Picture& picture, ivec2 pixel, int reachPx);
 
+/// How far from an edge two pictures of a shadow map may differ: one pixel, and the three texels that bias and kernel reach, of
+/// the coarser map. One pixel for who has no map.
+int reachOfTexelsPx(const Picture& a, const Picture& b, ivec2 pixel);
+
 /// Surfaces of the picture with more and with less than half of a light.
 void countLight(const Picture& picture, Comparison& comparison);
 
