@@ -140,7 +140,7 @@ Comparison somethingBehindTheEye(const Recipe& recipe, Painter& painter) {
 }
 
 bool solvesNoRoom(const Traits& traits) { return !traits.solvesRoom; }
-/// Who serves flat faces alone takes a ball's triangles for faces once each stands alone.
+/// Who serves flat faces alone decides by the mesh what is one: a triangle alone is, and beside a large floor no small one is.
 bool servesAll(const Traits& traits) { return traits.servesAll && !traits.solvesRoom; }
 
 } // namespace
@@ -152,7 +152,7 @@ std::vector<Relation> meshRelations() {
          edgesAndTexels, solvesNoRoom, inAnotherOrder},
         {"each-triangle-alone", "each triangle an object of its own: the same picture", edgesAndTexels, servesAll,
          eachTriangleAlone},
-        {"as-one-mesh", "all objects in one mesh: the same picture", edgesAndTexels, solvesNoRoom, asOneMesh},
+        {"as-one-mesh", "all objects in one mesh: the same picture", edgesAndTexels, servesAll, asOneMesh},
         {"cut-into-four", "each triangle cut into four: the same picture", edgesAndTexels, solvesNoRoom, cutIntoFour},
         {"everything-twice", "each object twice at its place: the same bytes", exact, solvesNoRoom, everythingTwice},
         {"something-far-away", "a box a kilometre away where it shadows nothing: the same picture", edgesAndTexels,

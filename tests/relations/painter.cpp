@@ -54,8 +54,7 @@ Picture rearranged(const Picture& picture, ivec2 size, const std::function<ivec2
     const auto pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     result.radiance.resize(pixels);
     result.texelPx.resize(picture.texelPx.empty() ? 0 : pixels);
-    result.visibility.assign(picture.visibility.size(),
-                             {size.x, size.y, std::vector<std::uint8_t>(2 * pixels)});
+    result.visibility.assign(picture.visibility.size(), {size.x, size.y, std::vector<std::uint8_t>(2 * pixels)});
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {
             const ivec2 source = from({x, y});
@@ -105,7 +104,10 @@ Picture Painter::paint(scene::Scene scene, ivec2 size, const Region& region) {
     picture.size = size;
     picture.shown = encoder_.encode(slot_.target.color, snapshot->exposure);
     picture.radiance = gl::readTexels(slot_.target.color);
+    // Two thousand points on two hundred square metres of both sides are a third of a metre apart: here, some four pixels.
+    constexpr float kLightMapPx = 4;
     if (hasTexels) picture.texelPx.resize(picture.radiance.size());
+    if (hasParam(slot_, "patches")) picture.texelPx.assign(picture.radiance.size(), kLightMapPx);
     for (int light = 0; light < lights; ++light) {
         picture.visibility.push_back(session::readVisibility(session::findStage(frame, {"visibility", light})));
         if (!hasTexels) continue;

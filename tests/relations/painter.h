@@ -17,10 +17,11 @@ inline constexpr ivec2 kSize{160, 128};
 /// What there is to compare of one frame.
 struct Picture {
     ivec2 size{0};
-    image::Image shown;         ///< as it would be saved
-    std::vector<vec4> radiance; ///< before exposure and encoding
+    image::Image shown;                               ///< as it would be saved
+    std::vector<vec4> radiance;                       ///< before exposure and encoding
     std::vector<session::VisibilityImage> visibility; ///< of each light
-    std::vector<float> texelPx; ///< of a shadow map, the largest of all lights at each pixel; empty: it has none
+    /// Of a shadow map, the largest of all lights at each pixel; of a room, how far points of its light map are apart. Empty: neither.
+    std::vector<float> texelPx;
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
     }
@@ -31,9 +32,9 @@ Picture rearranged(const Picture& picture, ivec2 size, const std::function<ivec2
 
 /// What kind of technique it is, found by asking it: relations know no technique by name.
 struct Traits {
-    bool solvesRoom = false; ///< surfaces light each other, so that whatever is added or cut changes all of them
-    bool hasTexels = false;  ///< it has a shadow map, whose grid is laid over the scene anew when something moves
-    bool servesAll = false;  ///< every surface is shadowed, curved ones as well, and as rays say away from edges
+    bool solvesRoom = false;     ///< surfaces light each other, so that whatever is added or cut changes all of them
+    bool hasTexels = false;      ///< it has a shadow map, whose grid is laid over the scene anew when something moves
+    bool servesAll = false;      ///< every surface is shadowed, curved ones as well, and as rays say away from edges
     bool seesFromShadow = false; ///< the same for an eye in shadow, which counting from the eye is wrong for
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/relations/random_recipes.h"
 
+#include <chrono>
 #include <cstdlib>
 #include <iostream>
 #include <random>
@@ -49,13 +50,12 @@ rc::Gen<EyeRecipe> eye() {
 /// A container grows with RapidCheck's size, numbers with its nominal one.
 template <typename Value>
 rc::Gen<std::vector<Value>> someOf(int most, const rc::Gen<Value>& one) {
-    return rc::gen::map(
-        rc::gen::pair(one, rc::gen::resize(most - 1, rc::gen::container<std::vector<Value>>(
-                                                         rc::gen::resize(rc::kNominalSize, one)))),
-        [](std::pair<Value, std::vector<Value>> some) {
-            some.second.push_back(some.first);
-            return some.second;
-        });
+    return rc::gen::map(rc::gen::pair(one, rc::gen::resize(most - 1, rc::gen::container<std::vector<Value>>(
+                                                                         rc::gen::resize(rc::kNominalSize, one)))),
+                        [](std::pair<Value, std::vector<Value>> some) {
+                            some.second.push_back(some.first);
+                            return some.second;
+                        });
 }
 
 rc::Gen<Recipe> recipe() {
@@ -76,8 +76,8 @@ constexpr std::uint64_t kFixedSeed = 20241;
 constexpr int kLongTimes = 20;
 // Of the recipes about every third has a light within a solid or an eye in a shadow.
 constexpr int kMostUnfit = 100;
-// Smaller recipes that are tried in place of one that failed: a minute of it, at most, and little is gained by more.
-constexpr int kMostShrinks = 300;
+// Smaller recipes are tried in place of one that failed for so long; little is gained by more.
+constexpr std::chrono::seconds kShrinking{20};
 
 } // namespace
 
@@ -94,12 +94,14 @@ std::vector<std::uint64_t> seeds() {
 std::optional<Counterexample> findCounterexample(std::uint64_t seed, int recipes,
                                                  const std::function<Verdict(const Recipe&)>& check) {
     std::optional<Counterexample> last;
-    int held = 0, shrinks = 0;
+    int held = 0;
+    std::chrono::steady_clock::time_point failed;
     const auto property = [&] {
         const Recipe one = *recipe();
         RC_PRE(standsFree(sceneOf(one)));
-        if (last && ++shrinks > kMostShrinks) return;
+        if (last && std::chrono::steady_clock::now() - failed > kShrinking) return;
         const Verdict wrong = check(one);
+        if (wrong && !last) failed = std::chrono::steady_clock::now();
         if (wrong) last = {one, *wrong, held};
         if (!wrong && !last) ++held;
         RC_ASSERT(!wrong);
@@ -109,7 +111,8 @@ std::optional<Counterexample> findCounterexample(std::uint64_t seed, int recipes
     params.maxSuccess = recipes;
     params.maxDiscardRatio = kMostUnfit;
     Silent silent;
-    const rc::detail::TestResult result = rc::detail::checkTestable(property, rc::detail::TestMetadata(), params, silent);
+    const rc::detail::TestResult result =
+        rc::detail::checkTestable(property, rc::detail::TestMetadata(), params, silent);
     if (!result.is<rc::detail::SuccessResult>() && !last) {
         std::ostringstream text;
         rc::detail::printResultMessage(result, text);

@@ -27,7 +27,8 @@ enum class Gate {
     exact, ///< every pixel, wherever the arithmetic is the same
     /// But for few pixels at edges: vertices that come to lie elsewhere round to other places of the rasteriser's grid.
     edges,
-    /// The same, and the grid of a shadow map is laid anew: whoever has one may differ wherever its texels reach.
+    /// The same, and the grid of a shadow map is laid anew: whoever has one may differ wherever its texels reach. So may a
+    /// room's, at its edges: its visibility is interpolated between points.
     edgesAndTexels,
 };
 
@@ -62,6 +63,9 @@ int reachOfTexelsPx(const Picture& a, const Picture& b, ivec2 pixel);
 
 /// Surfaces of the picture with more and with less than half of a light.
 void countLight(const Picture& picture, Comparison& comparison);
+
+/// May all pixels near edges differ?
+bool isLaidAnew(const Relation& relation, const Traits& traits);
 
 /// What is wrong with the comparison of one recipe; empty: nothing.
 std::string complaint(const Relation& relation, const Traits& traits, const Comparison& comparison);

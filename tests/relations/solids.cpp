@@ -26,13 +26,13 @@ ivec3 rounded(const dvec3& place) { return ivec3(glm::round(place)); }
 Solid icosahedron() {
     const double t = (1 + std::sqrt(5.0)) / 2, scale = 1000; // any number: only directions matter
     Solid solid;
-    for (const dvec3 corner : {dvec3(-1, t, 0), dvec3(1, t, 0), dvec3(-1, -t, 0), dvec3(1, -t, 0), dvec3(0, -1, t),
-                               dvec3(0, 1, t), dvec3(0, -1, -t), dvec3(0, 1, -t), dvec3(t, 0, -1), dvec3(t, 0, 1),
-                               dvec3(-t, 0, -1), dvec3(-t, 0, 1)})
+    for (const dvec3 corner :
+         {dvec3(-1, t, 0), dvec3(1, t, 0), dvec3(-1, -t, 0), dvec3(1, -t, 0), dvec3(0, -1, t), dvec3(0, 1, t),
+          dvec3(0, -1, -t), dvec3(0, 1, -t), dvec3(t, 0, -1), dvec3(t, 0, 1), dvec3(-t, 0, -1), dvec3(-t, 0, 1)})
         solid.corners.push_back(rounded(scale * corner));
-    solid.triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                       {11, 10, 2}, {10, 7, 6}, {7, 1, 8},   {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
-                       {3, 8, 9},  {4, 9, 5},  {2, 4, 11},  {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
+    solid.triangles = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                       {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                       {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
     return solid;
 }
 
