@@ -148,27 +148,14 @@ Comparison aTinyBall(const Recipe& recipe, Painter& painter) {
 } // namespace
 
 std::vector<Relation> lightRelations() {
-    using enum Gate;
     return {
-        {"lights-in-another-order",
-         "lights in another order: the same but for one rounding a light",
-         exact,
-         {},
-         inAnotherOrder},
-        {"lights-in-four-parts",
-         "each light as four of a quarter each: the same but for one rounding a light",
-         exact,
-         {},
-         inFourParts},
-        {"lights-one-by-one",
-         "all lights together: the sum of each alone, ambient light counted once",
-         exact,
-         {},
-         oneByOne},
-        {"twice-as-bright", "lights twice as bright: twice the radiance, to the last digit", exact, {}, twiceAsBright},
-        {"switched-off", "a light of no intensity: as without it, to the byte", exact, {}, switchedOff},
-        {"a-lamp-far-away", "a lamp very far away: a sun", edgesAndTexels, {}, aLampFarAway},
-        {"a-tiny-ball", "a shining ball of a millimetre: a lamp", edgesAndTexels, {}, aTinyBall},
+        {"lights-in-another-order", "the same radiance but for one rounding a light", {}, inAnotherOrder},
+        {"lights-in-four-parts", "each as four of a quarter: the same but for one rounding a light", {}, inFourParts},
+        {"lights-one-by-one", "all together are the sum of each alone, ambient light counted once", {}, oneByOne},
+        {"twice-as-bright", "lights twice as bright: twice the radiance, to the last digit", {}, twiceAsBright},
+        {"switched-off", "a light of no intensity: as without it, to the byte", {}, switchedOff},
+        {"a-lamp-far-away", "a lamp very far away: a sun", {}, aLampFarAway},
+        {"a-tiny-ball", "a shining ball of a millimetre: a lamp", {}, aTinyBall},
     };
 }
 

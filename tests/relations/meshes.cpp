@@ -131,12 +131,13 @@ Comparison somethingFarAway(const Recipe& recipe, Painter& painter) {
     return samePicture(scene, other, painter, Gate::edgesAndTexels);
 }
 
+/// The picture is the same, and where volumes end need not be: they end behind whatever could receive a shadow.
 Comparison somethingBehindTheEye(const Recipe& recipe, Painter& painter) {
     const scene::Scene scene = sceneOf(recipe);
     scene::Scene other = scene;
     const dvec3 place = scene.camera.positionWorld + 2.0 * backward(scene.camera);
     testing::addObject(other, scene::makeBox({0.5, 0.5, 0.5}), testing::translation(place)).castsShadow = false;
-    return samePicture(scene, other, painter, Gate::exact);
+    return samePicture(scene, other, painter, Gate::edges);
 }
 
 bool solvesNoRoom(const Traits& traits) { return !traits.solvesRoom; }
@@ -146,19 +147,14 @@ bool servesAll(const Traits& traits) { return traits.servesAll && !traits.solves
 } // namespace
 
 std::vector<Relation> meshRelations() {
-    using enum Gate;
     return {
-        {"in-another-order", "triangles and objects in another order, with vertices of their own: the same picture",
-         edgesAndTexels, solvesNoRoom, inAnotherOrder},
-        {"each-triangle-alone", "each triangle an object of its own: the same picture", edgesAndTexels, servesAll,
-         eachTriangleAlone},
-        {"as-one-mesh", "all objects in one mesh: the same picture", edgesAndTexels, servesAll, asOneMesh},
-        {"cut-into-four", "each triangle cut into four: the same picture", edgesAndTexels, solvesNoRoom, cutIntoFour},
-        {"everything-twice", "each object twice at its place: the same bytes", exact, solvesNoRoom, everythingTwice},
-        {"something-far-away", "a box a kilometre away where it shadows nothing: the same picture", edgesAndTexels,
-         solvesNoRoom, somethingFarAway},
-        {"something-behind-the-eye", "a box behind the eye that casts no shadow: the same bytes", exact, solvesNoRoom,
-         somethingBehindTheEye},
+        {"in-another-order", "triangles and objects in another order: the same picture", solvesNoRoom, inAnotherOrder},
+        {"each-triangle-alone", "each triangle its own object: the same picture", servesAll, eachTriangleAlone},
+        {"as-one-mesh", "all objects in one mesh: the same picture", servesAll, asOneMesh},
+        {"cut-into-four", "each triangle cut into four: the same picture", solvesNoRoom, cutIntoFour},
+        {"everything-twice", "each object twice at its place: the same bytes", solvesNoRoom, everythingTwice},
+        {"something-far-away", "a box that is far from all shadows: the same picture", solvesNoRoom, somethingFarAway},
+        {"behind-the-eye", "a box there that casts no shadow: the same picture", solvesNoRoom, somethingBehindTheEye},
     };
 }
 

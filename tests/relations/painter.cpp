@@ -50,6 +50,7 @@ scene::Scene controlFromShadow() {
 Picture rearranged(const Picture& picture, ivec2 size, const std::function<ivec2(ivec2)>& from) {
     Picture result;
     result.size = size;
+    result.smoothPx = picture.smoothPx;
     result.shown = image::Image(size.x, size.y);
     const auto pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     result.radiance.resize(pixels);
@@ -104,10 +105,9 @@ Picture Painter::paint(scene::Scene scene, ivec2 size, const Region& region) {
     picture.size = size;
     picture.shown = encoder_.encode(slot_.target.color, snapshot->exposure);
     picture.radiance = gl::readTexels(slot_.target.color);
-    // Two thousand points on two hundred square metres of both sides are a third of a metre apart: here, some four pixels.
-    constexpr float kLightMapPx = 4;
     if (hasTexels) picture.texelPx.resize(picture.radiance.size());
-    if (hasParam(slot_, "patches")) picture.texelPx.assign(picture.radiance.size(), kLightMapPx);
+    // Two thousand points on two hundred square metres, both sides of things, are a third of a metre apart: here up to twelve pixels.
+    if (hasParam(slot_, "patches")) picture.smoothPx = 12;
     for (int light = 0; light < lights; ++light) {
         picture.visibility.push_back(session::readVisibility(session::findStage(frame, {"visibility", light})));
         if (!hasTexels) continue;

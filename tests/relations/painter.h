@@ -20,8 +20,8 @@ struct Picture {
     image::Image shown;                               ///< as it would be saved
     std::vector<vec4> radiance;                       ///< before exposure and encoding
     std::vector<session::VisibilityImage> visibility; ///< of each light
-    /// Of a shadow map, the largest of all lights at each pixel; of a room, how far points of its light map are apart. Empty: neither.
-    std::vector<float> texelPx;
+    std::vector<float> texelPx; ///< of a shadow map, the largest of all lights at each pixel; empty: it has none
+    int smoothPx = 0;           ///< how far apart the points are that visibility is interpolated between; 0: it is not
     [[nodiscard]] std::size_t index(int x, int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x) + static_cast<std::size_t>(x);
     }

@@ -35,18 +35,20 @@ int largestDifference(const Picture& a, const Picture& b, ivec2 pixel) {
 
 } // namespace
 
-int reachOfTexelsPx(const Picture& a, const Picture& b, ivec2 pixel) {
-    if (a.texelPx.empty()) return 1;
+int reachPx(const Picture& a, const Picture& b, ivec2 pixel, Gate gate) {
     constexpr float kTexels = 3.0f;
     constexpr float kFarthest = 32.0f; // where light grazes, texels are as long as one likes
+    const int reach = 1 + a.smoothPx;
+    if (gate != Gate::edgesAndTexels || a.texelPx.empty()) return reach;
     const std::size_t at = a.index(pixel.x, pixel.y);
-    return 1 + static_cast<int>(std::ceil(std::min(kFarthest, kTexels * std::max(a.texelPx[at], b.texelPx[at]))));
+    return reach + static_cast<int>(std::ceil(std::min(kFarthest, kTexels * std::max(a.texelPx[at], b.texelPx[at]))));
 }
 
 Comparison& Comparison::operator+=(const Comparison& other) {
     compared += other.compared, lit += other.lit, shadowed += other.shadowed;
     if (other.stray > 0 || (other.different > 0 && stray == 0)) where = other.where;
     different += other.different, stray += other.stray;
+    gate = other.gate;
     return *this;
 }
 
@@ -78,6 +80,7 @@ void countLight(const Picture& picture, Comparison& comparison) {
 
 Comparison compare(const Picture& expected, const Picture& actual, Gate gate) {
     Comparison result;
+    result.gate = gate;
     countLight(expected, result);
     const int levels = gate == Gate::exact ? 0 : kLevels;
     for (int y = 0; y < expected.size.y; ++y)
@@ -85,23 +88,23 @@ Comparison compare(const Picture& expected, const Picture& actual, Gate gate) {
             ++result.compared;
             if (largestDifference(expected, actual, {x, y}) <= levels) continue;
             ++result.different;
-            const int reachPx = gate == Gate::edgesAndTexels ? reachOfTexelsPx(expected, actual, {x, y}) : 1;
-            const bool stray = gate == Gate::exact || !isNearEdge(expected, {x, y}, reachPx);
+            const bool stray =
+                gate == Gate::exact || !isNearEdge(expected, {x, y}, reachPx(expected, actual, {x, y}, gate));
             if (stray || result.stray == 0) result.where = {x, y};
             result.stray += stray;
         }
     return result;
 }
 
-bool isLaidAnew(const Relation& relation, const Traits& traits) {
-    return relation.gate == Gate::edgesAndTexels && (traits.hasTexels || traits.solvesRoom);
+bool mayDifferAtAllEdges(Gate gate, const Traits& traits) {
+    return (gate == Gate::edgesAndTexels && traits.hasTexels) || (gate != Gate::exact && traits.solvesRoom);
 }
 
-std::string complaint(const Relation& relation, const Traits& traits, const Comparison& comparison) {
+std::string complaint(const Comparison& comparison, const Traits& traits) {
     std::ostringstream text;
     text << comparison;
-    if (comparison.stray > (relation.gate == Gate::exact ? 0 : kCracks)) return text.str();
-    if (isLaidAnew(relation, traits)) return "";
+    if (comparison.stray > (comparison.gate == Gate::exact ? 0 : kCracks)) return text.str();
+    if (mayDifferAtAllEdges(comparison.gate, traits)) return "";
     if (static_cast<double>(comparison.different) > kShareOfOne * static_cast<double>(comparison.compared))
         return text.str();
     return "";
