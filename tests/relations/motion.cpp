@@ -58,16 +58,21 @@ Comparison turnedByAnyAngle(const Recipe& recipe, Painter& painter) {
     return samePicture(recipe, painter, matrix, Gate::edgesAndTexels);
 }
 
-/// By a power of two, all numbers keep their digits.
+/// By a power of two, all numbers keep their digits. (A direction made unit again would not.)
 Comparison scaledByPowersOfTwo(const Recipe& recipe, Painter& painter) {
     Choice choice(recipe);
     const double factors[] = {0x1p-6, 0x1p3, 0x1p10}, factor = factors[choice(3)];
     scene::Scene scene = sceneOf(recipe);
     const Picture here = painter.paint(scene);
-    scene = transformed(scene, glm::scale(dmat4(1.0), dvec3(factor)));
+    scene.camera.positionWorld *= factor;
+    scene.camera.targetWorld *= factor;
     scene.camera.near *= factor;
-    for (scene::Light& light : scene.lights)
+    for (scene::Light& light : scene.lights) {
+        light.positionWorld *= factor;
         if (light.type == scene::LightType::point) light.intensity *= factor * factor; // watts spread over an area
+    }
+    for (scene::Object& object : scene.objects)
+        object.worldFromObject = glm::scale(dmat4(1.0), dvec3(factor)) * object.worldFromObject;
     return compare(here, painter.paint(scene), Gate::exact);
 }
 
