@@ -25,10 +25,11 @@ constexpr float kOfRoom = 1e-2f;
 Comparison compareRadiance(const Picture& expected, const Radiance& actual, double roundings, const Traits& traits) {
     Comparison result;
     countLight(expected, result);
+    if (traits.solvesRoom && roundings > 0) result.gate = Gate::edges; // beside a shadow more than that
     float brightest = 0;
     for (const vec4& texel : expected.radiance)
         brightest = std::max({brightest, texel.r, texel.g, texel.b});
-    const float least = kLeast + (traits.solvesRoom && roundings > 0 ? kOfRoom * brightest : 0);
+    const float least = kLeast + (result.gate == Gate::exact ? 0 : kOfRoom * brightest);
     for (int y = 0; y < expected.size.y; ++y)
         for (int x = 0; x < expected.size.x; ++x) {
             const vec4 &a = expected.radiance[expected.index(x, y)], &b = actual[expected.index(x, y)];
@@ -39,7 +40,12 @@ Comparison compareRadiance(const Picture& expected, const Radiance& actual, doub
                                        static_cast<float>(roundings) * kRounding *
                                                std::max(std::abs(a[channel]), std::abs(b[channel])) +
                                            least);
-            if (differs) ++result.different, ++result.stray, result.where = {x, y};
+            if (!differs) continue;
+            ++result.different;
+            result.where = {x, y};
+            if (result.gate == Gate::exact ||
+                !isNearEdge(expected, {x, y}, reachPx(expected, expected, {x, y}, result.gate)))
+                ++result.stray;
         }
     return result;
 }

@@ -14,7 +14,7 @@ namespace shadowlab::relations {
 namespace {
 
 // For each seed, technique and relation; each costs two pictures or more.
-constexpr int kRecipes = 4;
+constexpr int kRecipes = 3;
 // Of all pictures of a relation and technique together, at edges.
 constexpr double kShareOfAll = 0.0002;
 // Of the same, away from edges (as in tests/shadow_volume/volume_case.h).

@@ -1,5 +1,5 @@
-// What is true of shadow maps over many scenes, though not of each pixel: a finer map is wrong in fewer pixels, and a larger bias
-// trades acne for lost contacts. For every registered technique that has the parameters.
+// What is true over many scenes, though not of each pixel: a finer shadow map is wrong in fewer pixels, a larger bias trades acne
+// for lost contacts, and finer patches come nearer to the finest. For every registered technique that has the parameters.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <iostream>
@@ -20,7 +20,7 @@ struct Wrong {
     [[nodiscard]] int all() const { return falseLit + falseShadow; }
 };
 
-class MapTrends : public PaintersTest {
+class Trends : public PaintersTest {
 protected:
     /// Wrong pixels over all recipes and lights.
     static Wrong wrong(Painter& painter, const std::vector<Recipe>& recipes) {
@@ -57,7 +57,7 @@ protected:
 };
 
 /// Wrong are the pixels along the edges, as far as a texel is wide: half as many with twice the texels on each side.
-TEST_F(MapTrends, TwiceTheResolutionHalvesWhatIsWrong) {
+TEST_F(Trends, TwiceTheResolutionHalvesWhatIsWrong) {
     const std::vector<Recipe> recipes = randomRecipes(kSeed, kRecipes);
     for (const std::string& id : techniquesWith({"resolution", "filter"})) {
         std::vector<int> sums;
@@ -75,7 +75,7 @@ TEST_F(MapTrends, TwiceTheResolutionHalvesWhatIsWrong) {
     }
 }
 
-TEST_F(MapTrends, ALargerBiasTradesAcneForLostContacts) {
+TEST_F(Trends, ALargerBiasTradesAcneForLostContacts) {
     const std::vector<Recipe> recipes = randomRecipes(kSeed, kRecipes);
     for (const std::string& id : techniquesWith({"bias-mode", "constant-bias", "resolution"})) {
         Wrong before, first;
@@ -98,6 +98,31 @@ TEST_F(MapTrends, ALargerBiasTradesAcneForLostContacts) {
         EXPECT_GE(first.falseShadow, 4 * before.falseShadow) << id << ": no acne that a bias could cure";
         // Of those that lose their shadow many do so at edges, whatever the bias.
         EXPECT_GE(before.falseLit, 2 * first.falseLit) << id << ": no contact that a bias could lose";
+    }
+}
+
+TEST_F(Trends, FinerPatchesComeNearerToTheFinest) {
+    constexpr int kRooms = 4; // some seconds each at their finest
+    const std::vector<Recipe> recipes = randomRecipes(kSeed, kRooms);
+    for (const std::string& id : techniquesWith({"patches", "display"})) {
+        std::vector<std::vector<Picture>> pictures;
+        for (const char* patches : {"40", "160", "640"}) {
+            Painter painter(id, {std::string("patches=") + patches, "display=flat"});
+            pictures.emplace_back();
+            for (const Recipe& recipe : recipes)
+                pictures.back().push_back(painter.paint(sceneOf(recipe)));
+        }
+        std::vector<double> off; // mean difference from the finest
+        for (const std::vector<Picture>& some : pictures) {
+            double sum = 0, pixels = 0;
+            for (std::size_t room = 0; room < recipes.size(); ++room)
+                for (std::size_t i = 0; i < some[room].radiance.size(); ++i, ++pixels)
+                    sum += std::abs(some[room].radiance[i].g - pictures.back()[room].radiance[i].g);
+            off.push_back(sum / pixels);
+        }
+        std::cout << id << ": 40 patches are off the finest by " << off[0] << ", 160 by " << off[1] << "\n";
+        EXPECT_GT(off[0], 1e-3) << "too little differs to prove anything";
+        EXPECT_LE(off[1], 0.8 * off[0]) << id;
     }
 }
 
