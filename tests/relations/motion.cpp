@@ -69,7 +69,7 @@ Comparison scaledByPowersOfTwo(const Recipe& recipe, Painter& painter) {
     scene.camera.near *= factor;
     for (scene::Light& light : scene.lights) {
         light.positionWorld *= factor;
-        if (light.type == scene::LightType::point) light.intensity *= factor * factor; // watts spread over an area
+        if (light.type != scene::LightType::directional) light.intensity *= factor * factor; // spread over an area
     }
     for (scene::Object& object : scene.objects)
         object.worldFromObject = glm::scale(dmat4(1.0), dvec3(factor)) * object.worldFromObject;

@@ -44,7 +44,7 @@ void turnAllLights(scene::Scene& scene) {
 }
 void measureFromTheOrigin(scene::Scene& scene) {
     for (scene::Light& light : scene.lights) {
-        if (light.type != scene::LightType::point) continue;
+        if (light.type == scene::LightType::directional) continue;
         light.type = scene::LightType::directional;
         light.directionWorld = -glm::normalize(light.positionWorld);
         light.intensity = 0.5;

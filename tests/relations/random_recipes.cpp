@@ -37,7 +37,7 @@ rc::Gen<SolidRecipe> solid() {
 }
 rc::Gen<LightRecipe> light() {
     return rc::gen::build<LightRecipe>(
-        rc::gen::set(&LightRecipe::isSun, rc::gen::map(rc::gen::inRange(0, 2), [](int n) { return n == 1; })),
+        rc::gen::set(&LightRecipe::kind, rc::gen::map(rc::gen::inRange(0, 3), [](int n) { return LightKind(n); })),
         rc::gen::set(&LightRecipe::place, place(kLightAside, kLightAside, kLightAside)));
 }
 rc::Gen<EyeRecipe> eye() {
@@ -73,7 +73,7 @@ class Silent : public rc::detail::TestListener {
 };
 
 constexpr std::uint64_t kFixedSeed = 20241;
-constexpr int kLongTimes = 20;
+constexpr int kLongTimes = 10;
 // Of the recipes about every third has a light within a solid or an eye in a shadow.
 constexpr int kMostUnfit = 100;
 // Smaller recipes are tried in place of one that failed for so long; little is gained by more.

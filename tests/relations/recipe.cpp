@@ -97,8 +97,10 @@ std::ostream& operator<<(std::ostream& stream, const Recipe& recipe) {
                << solid.place.y << "," << solid.place.z << " of " << solid.size.x << "," << solid.size.y << ","
                << solid.size.z << "; ";
     for (const LightRecipe& light : recipe.lights)
-        stream << (light.isSun ? "sun" : "lamp") << " at " << light.place.x << "," << light.place.y << ","
-               << light.place.z << "; ";
+        stream << (light.kind == LightKind::lamp  ? "lamp"
+                   : light.kind == LightKind::sun ? "sun"
+                                                  : "spot")
+               << " at " << light.place.x << "," << light.place.y << "," << light.place.z << "; ";
     const EyeRecipe& eye = recipe.eye;
     return stream << "eye " << eye.aroundDegrees << " degrees around, " << eye.height << " high, " << eye.distance
                   << " away, to " << eye.target.x << "," << eye.target.y << "," << eye.target.z << "; chance "
@@ -125,11 +127,19 @@ scene::Scene sceneOf(const Recipe& recipe) {
     }
     for (const LightRecipe& one : recipe.lights) {
         const dvec3 place = kLightWorld + metres(one.place);
-        scene.lights.push_back(one.isSun ? testing::directionalLight(-place) : testing::pointLight(place));
-        scene.lights.back().name = "light" + std::to_string(scene.lights.size());
+        const bool isSun = one.kind == LightKind::sun;
+        scene.lights.push_back(isSun ? testing::directionalLight(-place) : testing::pointLight(place));
+        scene::Light& light = scene.lights.back();
+        light.name = "light" + std::to_string(scene.lights.size());
+        if (one.kind == LightKind::spot) {
+            light.type = scene::LightType::spot;
+            light.directionWorld = glm::normalize(-place);
+            light.coneDegrees = 70; // less than the floor: there is light, and there is none
+            light.edgeDegrees = 10;
+        }
         // Bright enough to see, and all of them together below clipping: else a difference could hide in white.
         const double share = 1.0 / static_cast<double>(recipe.lights.size());
-        scene.lights.back().intensity = (one.isSun ? 1.0 : 16.0) * share;
+        light.intensity = (isSun ? 1.0 : 16.0) * share;
     }
     const double angle = recipe.eye.aroundDegrees * M_PI / 180, distance = 5 + recipe.eye.distance * kGrid;
     scene.camera.positionWorld =

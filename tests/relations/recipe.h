@@ -23,9 +23,11 @@ struct SolidRecipe {
     unsigned shape = 0; ///< of hulls and prisms: which corners
 };
 
+enum class LightKind { lamp, sun, spot };
+
 struct LightRecipe {
-    bool isSun = false;
-    ivec3 place{0}; ///< from a place high above the middle; a sun shines from there to the middle
+    LightKind kind = LightKind::lamp;
+    ivec3 place{0}; ///< from a place high above the middle; suns and spots shine from there to the middle
 };
 
 struct EyeRecipe {

@@ -42,7 +42,7 @@ TEST(RandomRecipes, HoldSomeOfEverythingAndFollowFromTheirSeed) {
     constexpr int kRecipes = 60;
     const std::vector<Recipe> recipes = randomRecipes(5, kRecipes), again = randomRecipes(5, kRecipes);
     ASSERT_EQ(recipes.size(), std::size_t{kRecipes});
-    int kinds[4] = {}, suns = 0, lamps = 0, several = 0;
+    int kinds[4] = {}, lights[3] = {}, several = 0;
     for (std::size_t i = 0; i < recipes.size(); ++i) {
         std::ostringstream a, b;
         a << recipes[i], b << again[i];
@@ -50,13 +50,13 @@ TEST(RandomRecipes, HoldSomeOfEverythingAndFollowFromTheirSeed) {
         for (const SolidRecipe& solid : recipes[i].solids)
             ++kinds[static_cast<int>(solid.kind)];
         for (const LightRecipe& light : recipes[i].lights)
-            ++(light.isSun ? suns : lamps);
+            ++lights[static_cast<int>(light.kind)];
         several += recipes[i].solids.size() > 2;
     }
     for (const int count : kinds)
         EXPECT_GE(count, kRecipes / 8);
-    EXPECT_GE(suns, kRecipes / 4);
-    EXPECT_GE(lamps, kRecipes / 4);
+    for (const int count : lights)
+        EXPECT_GE(count, kRecipes / 4);
     EXPECT_GE(several, kRecipes / 4);
 }
 
