@@ -3,8 +3,8 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash disable=SC2034,SC2154
 
-# To build and run the program. libgtest-dev, librapidcheck-dev: configuring looks for them, though nothing links them yet. libegl1, libgl1-mesa-dri
-# and libosmesa6 are loaded at run time, and no other package pulls all three in.
+# To build and run the program. libgtest-dev and librapidcheck-dev: configuring looks for them, though nothing links them yet.
+# libegl1, libgl1-mesa-dri and libosmesa6 are loaded at run time, and no other package pulls all three in.
 build_packages=(
     g++ cmake ninja-build python3-glad
     libcairo2-dev libcli11-dev libegl-dev libeigen3-dev libfreetype-dev libglfw3-dev libglm-dev libgtest-dev libimgui-dev

@@ -51,7 +51,7 @@ scene::Scene sceneOf(const Recipe& recipe);
 bool standsFree(const scene::Scene& scene);
 
 /// Writes the scene as NAME.json, its meshes as OBJ files beside it, every vertex at its place in the world; the program
-/// opens it. Returns the path of the scene file.
+/// opens it. Of an object with several materials the first one is written. Returns the path of the scene file.
 std::filesystem::path writeScene(const scene::Scene& scene, const std::filesystem::path& folder,
                                  const std::string& name);
 
