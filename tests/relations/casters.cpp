@@ -1,5 +1,7 @@
 // What casters do to visibility, and what rays say of it.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "app/measure/slot_errors.h"
 #include "techniques/foundation/scene/shapes.h"
 #include "tests/relations/relation.h"
@@ -56,9 +58,14 @@ Comparison aLampInABox(const Recipe& recipe, Painter& painter) {
     return result;
 }
 
-/// Rays decide each pixel's visibility in double. What is wrong outside ties is near the shadow's edge, or a fault.
+/// Rays decide each pixel's visibility in double. What is wrong outside ties is near the shadow's edge, or a fault. Who serves
+/// flat faces alone is asked about boxes.
 Comparison asRaysSay(const Recipe& recipe, Painter& painter) {
-    const scene::Scene scene = sceneOf(recipe);
+    Recipe served = recipe;
+    if (!painter.traits().servesAll)
+        for (SolidRecipe& solid : served.solids)
+            solid.kind = SolidKind::box;
+    const scene::Scene scene = sceneOf(served);
     const Picture picture = painter.paint(scene);
     session::Session session(testing::snapshot(scene));
     View view;
@@ -79,8 +86,10 @@ Comparison asRaysSay(const Recipe& recipe, Painter& painter) {
             measure::judge(truth, picture.visibility[static_cast<std::size_t>(light)].greyAlpha);
         result.compared += judged.counts.pixels;
         result.different += judged.counts.wrong();
-        result.stray +=
+        // A pixel on the line where two surfaces meet may be at fault for every light: one crack.
+        const long core =
             measure::coreErrors(truth, judged, measure::distanceToBoundary(boundary, picture.size), texelPx);
+        result.stray = std::max(result.stray, core);
         for (std::size_t i = 0; i < judged.verdicts.size(); ++i)
             if (judged.verdicts[i] == measure::Verdict::falseLit || judged.verdicts[i] == measure::Verdict::falseShadow)
                 result.where = {static_cast<int>(i) % picture.size.x, static_cast<int>(i) / picture.size.x};
@@ -88,7 +97,7 @@ Comparison asRaysSay(const Recipe& recipe, Painter& painter) {
     return result;
 }
 
-bool servesAll(const Traits& traits) { return traits.servesAll; }
+bool servesFlat(const Traits& traits) { return traits.servesFlat; }
 bool seesFromShadow(const Traits& traits) { return traits.servesAll && traits.seesFromShadow; }
 /// Radiosity's visibility is interpolated between points, and where these are follows from what stands where.
 bool solvesNoRoom(const Traits& traits) { return !traits.solvesRoom; }
@@ -99,7 +108,7 @@ std::vector<Relation> casterRelations() {
     return {
         {"a-caster-fewer", "one caster fewer: nothing is darker", solvesNoRoom, aCasterFewer},
         {"a-lamp-in-a-box", "the only lamp in a closed box: all is dark outside", seesFromShadow, aLampInABox},
-        {"as-rays-say", "visibility is what rays in double say", servesAll, asRaysSay},
+        {"as-rays-say", "visibility is what rays in double say", servesFlat, asRaysSay},
     };
 }
 

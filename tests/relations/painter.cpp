@@ -6,6 +6,7 @@
 #include "app/measure/slot_errors.h"
 #include "app/session/settings.h"
 #include "techniques/foundation/gl/read_back.h"
+#include "techniques/foundation/scene/outward_parts.h"
 #include "techniques/foundation/scene/shapes.h"
 #include "tests/support/scenes.h"
 
@@ -38,7 +39,14 @@ scene::Scene control() {
     return scene;
 }
 
-/// The same with the eye in the shadow of the box.
+/// A box in the ball's place.
+scene::Scene controlOfFlatFaces() {
+    scene::Scene scene = control();
+    scene.objects[1].mesh = scene::sharedMesh(scene::makeBox({1, 1, 1}));
+    return scene;
+}
+
+/// The eye in the shadow of the upper box.
 scene::Scene controlFromShadow() {
     scene::Scene scene = control();
     scene.camera.positionWorld = {0.75, 2.1, 0.5};
@@ -146,6 +154,7 @@ Traits Painter::findTraits() {
     return {.solvesRoom = hasParam(slot_, "patches"),
             .hasTexels = publishes(*slot_.info, "texel-size"),
             .servesAll = isRight(control()),
+            .servesFlat = isRight(controlOfFlatFaces()),
             .seesFromShadow = isRight(controlFromShadow())};
 }
 

@@ -35,6 +35,7 @@ struct Traits {
     bool solvesRoom = false;     ///< surfaces light each other, so that whatever is added or cut changes all of them
     bool hasTexels = false;      ///< it has a shadow map, whose grid is laid over the scene anew when something moves
     bool servesAll = false;      ///< every surface is shadowed, curved ones as well, and as rays say away from edges
+    bool servesFlat = false;     ///< the same of flat surfaces alone
     bool seesFromShadow = false; ///< the same for an eye in shadow, which counting from the eye is wrong for
 };
 
