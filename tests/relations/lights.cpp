@@ -25,7 +25,7 @@ constexpr float kOfRoom = 1e-2f;
 Comparison compareRadiance(const Picture& expected, const Radiance& actual, double roundings, const Traits& traits) {
     Comparison result;
     countLight(expected, result);
-    if (traits.solvesRoom && roundings > 0) result.gate = Gate::edges; // beside a shadow more than that
+    if (traits.solvesRoom) result.gate = Gate::edges; // beside a shadow more than that
     float brightest = 0;
     for (const vec4& texel : expected.radiance)
         brightest = std::max({brightest, texel.r, texel.g, texel.b});
@@ -108,7 +108,9 @@ Comparison twiceAsBright(const Recipe& recipe, Painter& painter) {
     Radiance half = painter.paint(scene).radiance;
     for (vec4& texel : half)
         texel *= 0.5f;
-    return compareRadiance(once, half, 0, painter.traits());
+    // Exact in the shader; but what a spot's soft edge adds may be so little that half floats have few digits of it, and of twice
+    // as much they have one more. In a room nothing but the light changes, so no light map excuses a difference.
+    return compareRadiance(once, half, static_cast<double>(scene.lights.size() - 1), Traits{});
 }
 
 Comparison switchedOff(const Recipe& recipe, Painter& painter) {
@@ -158,7 +160,7 @@ std::vector<Relation> lightRelations() {
         {"lights-in-another-order", "the same radiance but for one rounding a light", {}, inAnotherOrder},
         {"lights-in-four-parts", "each as four of a quarter: the same but for one rounding a light", {}, inFourParts},
         {"lights-one-by-one", "all together are the sum of each alone, ambient light counted once", {}, oneByOne},
-        {"twice-as-bright", "lights twice as bright: twice the radiance, to the last digit", {}, twiceAsBright},
+        {"twice-as-bright", "lights twice as bright: twice the radiance", {}, twiceAsBright},
         {"switched-off", "a light of no intensity: as without it, to the byte", {}, switchedOff},
         {"a-lamp-far-away", "a lamp very far away: a sun", {}, aLampFarAway},
         {"a-tiny-ball", "a shining ball of a millimetre: a lamp", {}, aTinyBall},
