@@ -3,12 +3,12 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash disable=SC2034,SC2154
 
-# To build and run the program. libgtest-dev: configuring looks for it, though nothing links it yet. libegl1, libgl1-mesa-dri
-# and libosmesa6 are loaded at run time, and no other package pulls all three in.
+# To build and run the program. libgtest-dev and librapidcheck-dev: configuring looks for them, though nothing links them yet.
+# libegl1, libgl1-mesa-dri and libosmesa6 are loaded at run time, and no other package pulls all three in.
 build_packages=(
     g++ cmake ninja-build python3-glad
     libcairo2-dev libcli11-dev libegl-dev libeigen3-dev libfreetype-dev libglfw3-dev libglm-dev libgtest-dev libimgui-dev
-    libpng-dev libtinyobjloader-dev nlohmann-json3-dev pkgconf
+    libpng-dev librapidcheck-dev libtinyobjloader-dev nlohmann-json3-dev pkgconf
     libegl1 libgl1-mesa-dri libosmesa6
 )
 # To run the tests as well: xvfb and xauth are the display of those that need one, xdotool the hands at its keys and mouse,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/message_text.h"
@@ -47,6 +48,14 @@ JsonObject restrictedTo(LightType type, const JsonObject& light) {
     return light;
 }
 
+/// Of length one. What a written scene says is that already, but for rounding, and stays as it is: else each time it is saved and
+/// loaded its last digits would be others.
+dvec3 unit(const dvec3& direction) {
+    constexpr double kRounding = 1e-15; // of the square of the length: a few units of the last place
+    const bool isUnit = std::abs(glm::dot(direction, direction) - 1.0) <= kRounding;
+    return isUnit ? direction : glm::normalize(direction);
+}
+
 /// The keys of a light that is already of its type. Those that are left out keep what `light` has, but where a new light
 /// stands, or a new sun shines to, must be said.
 void readKeys(const NumberRanges& ranges, const JsonObject& keys, bool isNew, Light& light) {
@@ -56,8 +65,7 @@ void readKeys(const NumberRanges& ranges, const JsonObject& keys, bool isNew, Li
     if (light.type != LightType::directional)
         light.positionWorld = keys.vector("position", ranges.anyNumber(), unlessNew(light.positionWorld));
     const bool newSun = isNew && light.type == LightType::directional;
-    if (newSun || keys.find("direction"))
-        light.directionWorld = glm::normalize(keys.direction("direction", ranges.anyNumber()));
+    if (newSun || keys.find("direction")) light.directionWorld = unit(keys.direction("direction", ranges.anyNumber()));
     if (light.type == LightType::spot) {
         light.coneDegrees = keys.number("coneDegrees", Range::strictlyBetween(0.0, 180.0), light.coneDegrees);
         const Range band = Range::between(0.0, 0.5 * light.coneDegrees);
