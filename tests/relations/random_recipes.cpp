@@ -73,6 +73,9 @@ class Silent : public rc::detail::TestListener {
 };
 
 constexpr std::uint64_t kFixedSeed = 20241;
+// In place of a new one, where the tests are to say the same each time: a gate that one picture in some ten thousand misses would
+// stop somebody who has changed something else.
+constexpr std::uint64_t kOrdinarySeed = 16;
 constexpr int kLongTimes = 10;
 // Of the recipes about every third has a light within a solid or an eye in a shadow.
 constexpr int kMostUnfit = 100;
@@ -84,7 +87,9 @@ constexpr std::chrono::seconds kShrinking{20};
 std::vector<std::uint64_t> seeds() {
     static const std::uint64_t other = [] {
         const char* given = std::getenv("SHADOWLAB_SEED");
-        const std::uint64_t seed = given ? std::strtoull(given, nullptr, 10) : std::random_device{}();
+        const std::uint64_t seed = given                           ? std::strtoull(given, nullptr, 10)
+                                   : std::getenv("SHADOWLAB_LONG") ? std::random_device{}()
+                                                                   : kOrdinarySeed;
         std::cout << "random scenes follow from SHADOWLAB_SEED=" << seed << " and " << kFixedSeed << "\n";
         return seed;
     }();

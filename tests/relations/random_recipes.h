@@ -20,7 +20,7 @@ struct Counterexample {
     int triedBefore = 0; ///< recipes for which it held
 };
 
-/// Numbers that the random recipes follow from. One is always the same. The other is SHADOWLAB_SEED, else another one each
+/// Numbers that the random recipes follow from. One is always the same. The other is SHADOWLAB_SEED, else with SHADOWLAB_LONG=1 another one each
 /// time, so that every run tries new scenes; it is printed, and goes into messages.
 std::vector<std::uint64_t> seeds();
 
