@@ -21,10 +21,7 @@ namespace shadowlab::session {
 
 namespace {
 
-/// What is wrong with a plug-in, and the mend: turned into an Error that names the file.
-struct Fault : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+using Fault = PluginFault;
 
 std::vector<LoadedPlugin>& loaded() {
     static std::vector<LoadedPlugin> all;
@@ -94,8 +91,9 @@ void requireGoodIds(const Plugin& plugin, const TechniqueInfo& info) {
                         std::string(plugin.folder) + "; move it there");
 }
 
-/// Its techniques, looked through. Throws Fault, and whatever the plug-in throws.
-std::span<const TechniqueInfo> techniquesOf(const Plugin& plugin) {
+} // namespace
+
+std::span<const TechniqueInfo> checkedTechniques(const Plugin& plugin) {
     const std::span<const TechniqueInfo> techniques = plugin.techniques();
     if (techniques.empty()) throw Fault("its techniques() lists none; list at least one");
     std::set<std::string_view> ids;
@@ -110,6 +108,8 @@ std::span<const TechniqueInfo> techniquesOf(const Plugin& plugin) {
                         "; give the folder of shaders, and the namespace, another name");
     return techniques;
 }
+
+namespace {
 
 /// All anchors that its passes name are there (techniques/source_text.h).
 void requireAnchors(const Plugin& plugin, std::span<const TechniqueInfo> techniques) {
@@ -138,7 +138,7 @@ void loadPlugin(const std::filesystem::path& file) {
     requirePluginFile(file);
     const auto trial = [&] {
         const Plugin& plugin = open(file);
-        const auto techniques = techniquesOf(plugin);
+        const auto techniques = checkedTechniques(plugin);
         requireAnchors(plugin, techniques);
         for (const TechniqueInfo& info : techniques)
             if (const auto made = info.make(); !made || made->params().size() > 1000)
@@ -151,7 +151,7 @@ void loadPlugin(const std::filesystem::path& file) {
                                                "objects, techniques(), make()"));
     }
     const Plugin& plugin = open(file);
-    const auto techniques = techniquesOf(plugin);
+    const auto techniques = checkedTechniques(plugin);
     loaded().push_back({file.string(), &plugin, techniques});
     gl::addShaders(plugin.shaders, std::string(plugin.shaderFolder));
     addSources(plugin.sources);
