@@ -8,7 +8,7 @@
 namespace shadowlab::fuzz {
 
 Outcome feed(std::string_view bytes) {
-    const scene::LoadOptions options{.assetsRoot = SHADOWLAB_SOURCE_DIR "/assets", .allowed = {}, .limits = {}};
+    const scene::LoadOptions options{.assetsRoot = kOwnAssets, .allowed = {}, .limits = {}};
     const std::filesystem::path file = written("made-up.json", bytes);
     return outcomeOf([&] {
         session::Deck deck(file.string(), options);

@@ -6,7 +6,7 @@
 namespace shadowlab::fuzz {
 
 Outcome feed(std::string_view bytes) {
-    const scene::LoadOptions options{.assetsRoot = SHADOWLAB_SOURCE_DIR "/assets", .allowed = {}, .limits = {}};
+    const scene::LoadOptions options{.assetsRoot = kOwnAssets, .allowed = {}, .limits = {}};
     return outcomeOf([&] {
         const hard::Case one =
             hard::parseCase(std::string(bytes), options.assetsRoot / "hard" / "made-up.json", options);

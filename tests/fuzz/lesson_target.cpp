@@ -6,7 +6,7 @@
 namespace shadowlab::fuzz {
 
 Outcome feed(std::string_view bytes) {
-    const scene::LoadOptions options{.assetsRoot = SHADOWLAB_SOURCE_DIR "/assets", .allowed = {}, .limits = {}};
+    const scene::LoadOptions options{.assetsRoot = kOwnAssets, .allowed = {}, .limits = {}};
     const std::filesystem::path file = options.assetsRoot / "lessons" / "made-up.json";
     return outcomeOf([&] {
         const session::Lesson lesson = session::parseLesson(std::string(bytes), file, options);

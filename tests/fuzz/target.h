@@ -28,6 +28,9 @@ inline void require(bool holds, const std::string& what) {
 /// exit status blames what was given and not the program.
 Outcome outcomeOf(const std::function<void()>& action);
 
+/// Assets with small scenes alone, `plain` and `lamps`: decks and lessons load those that they name.
+inline constexpr const char* kOwnAssets = SHADOWLAB_SOURCE_DIR "/tests/fuzz/assets";
+
 /// A folder of this process alone, for bytes that are read from a file; it vanishes with the process.
 const std::filesystem::path& ownFolder();
 

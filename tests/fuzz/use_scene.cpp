@@ -91,7 +91,7 @@ scene::Limits smallLimits() {
     scene::Limits limits;
     limits.fileBytes = limits.sceneFileBytes = 64 << 10;
     limits.lineBytes = 1 << 10;
-    limits.triangles = 300;
+    limits.triangles = 120;
     limits.polygonCorners = 40;
     limits.objects = 10;
     limits.lights = 4;
