@@ -112,8 +112,12 @@ void useScene(const scene::Snapshot& snapshot) {
             require(material < snapshot->materials.size(), "materials that there are");
         if (known.insert(object.mesh.get()).second) useMesh(object.mesh);
     }
-    for (const scene::Light& light : snapshot->lights)
+    require(std::isfinite(snapshot->exposure) && isFinite(snapshot->ambient) && isFinite(snapshot->background),
+            "colours are numbers");
+    for (const scene::Light& light : snapshot->lights) {
+        require(std::isfinite(light.intensity) && isFinite(light.color), "lights shine with numbers");
         static_cast<void>(scene::facingSigns(*snapshot, light));
+    }
     useView(*snapshot, bounds);
     traceRays(snapshot);
     require(scene::withLights(snapshot, snapshot->lights) == snapshot, "the same lights, the same scene");
