@@ -16,6 +16,7 @@
 #include "techniques/added_techniques.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/gl/added_shaders.h"
+#include "techniques/foundation/scene/message_text.h"
 
 namespace shadowlab::session {
 
@@ -63,7 +64,7 @@ const Plugin& open(const std::filesystem::path& file) {
 }
 
 void requireGoodIds(const Plugin& plugin, const TechniqueInfo& info) {
-    const std::string id(info.id);
+    const std::string id = scene::shown(info.id); // a NUL byte would end the message
     if (!isKebabCase(info.id))
         throw Fault("'" + id + "' is no id of a technique; use small letters, digits, and hyphens between them");
     for (const RegisteredTechnique& other : registeredTechniques())
@@ -74,7 +75,7 @@ void requireGoodIds(const Plugin& plugin, const TechniqueInfo& info) {
         throw Fault("technique '" + id + "' has no " + (info.make ? "title" : "function `make`") + "; give it one");
     const auto requireId = [&](std::string_view part, const char* what) {
         if (!isKebabCase(part))
-            throw Fault("'" + std::string(part) + "' is no id of a " + what + " of '" + id +
+            throw Fault("'" + scene::shown(part) + "' is no id of a " + what + " of '" + id +
                         "'; use small letters, digits, and hyphens between them");
     };
     for (const PassInfo& pass : info.passes)
@@ -87,8 +88,8 @@ void requireGoodIds(const Plugin& plugin, const TechniqueInfo& info) {
     }
     for (const gl::EmbeddedShader& shader : plugin.shaders)
         if (!shader.name.starts_with(std::string(plugin.folder) + "/"))
-            throw Fault("its shader '" + std::string(shader.name) + "' is not in shaders/" +
-                        std::string(plugin.folder) + "; move it there");
+            throw Fault("its shader '" + scene::shown(shader.name) + "' is not in shaders/" +
+                        scene::shown(plugin.folder) + "; move it there");
 }
 
 } // namespace
