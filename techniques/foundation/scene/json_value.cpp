@@ -80,6 +80,7 @@ public:
     bool number_unsigned(number_unsigned_t value) override { return addNumber(static_cast<double>(value)); }
     bool number_float(number_float_t value, const string_t&) override { return addNumber(value); }
     bool string(string_t& value) override {
+        requireNoNul(value);
         JsonValue found = startOf(Kind::string, tokenStart());
         found.string = std::move(value);
         return add(std::move(found));
@@ -91,6 +92,7 @@ public:
     bool end_array() override { return close(); }
 
     bool key(string_t& key) override {
+        requireNoNul(key);
         const std::size_t offset = tokenStart();
         Frame& object = stack_.back();
         const auto [earlier, isNew] = object.keyOffsets.emplace(key, offset);
@@ -130,6 +132,11 @@ private:
         std::unordered_map<std::string, std::size_t> keyOffsets;
     };
 
+    /// Names, paths and settings go into messages and to the system, where a NUL byte would end them.
+    void requireNoNul(const std::string& text) const {
+        if (text.find('\0') != std::string::npos)
+            document_.fail(tokenStart(), "the text holds a NUL character; leave out \\u0000");
+    }
     static JsonValue startOf(Kind kind, std::size_t offset) {
         JsonValue value;
         value.kind = kind;
