@@ -128,7 +128,7 @@ TEST_F(DeckTest, EveryFaultIsToldWithItsPlace) {
             ++told;
         }
     }
-    EXPECT_EQ(told, 15);
+    EXPECT_EQ(told, 16);
     EXPECT_THROW(Deck("shadws", kLoading), Error);
 }
 
