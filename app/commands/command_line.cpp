@@ -56,14 +56,20 @@ bool isScene(const std::string& word) {
     return ending == ".json" || ending == ".obj" || std::ranges::find(builtIn, word) != builtIn.end();
 }
 
+/// A function with what it is called with.
+template <typename Options>
+Work with(Options options, int (*command)(const Options&)) {
+    return [options = std::move(options), command] { return command(options); };
+}
+
 /// Without a command: `shadowlab SCENE` is the demo of that scene, and `shadowlab` alone that of the first one.
-int runWithoutCommand(const CLI::App& app) {
+Work workWithoutCommand(const CLI::App& app) {
     const std::vector<std::string> words = leftOver(app);
-    if (words.empty()) return demo({});
+    if (words.empty()) return with(DemoOptions{}, demo);
     if (words.size() == 1 && isScene(words.front())) {
         DemoOptions options;
         options.scene = words.front();
-        return demo(options);
+        return with(options, demo);
     }
     if (words.front().starts_with('-')) refuseLeftOver(app);
     std::vector<std::string> known = scene::builtInScenes(session::assetsRoot());
@@ -115,7 +121,10 @@ int run(int argc, char** argv) {
     if (given.words.size() < 2 || given.words[1] != "grade")
         for (const std::string& file : given.files)
             session::loadPlugin(file);
+    return workFor(given.words, given.files)();
+}
 
+Work workFor(const std::vector<std::string>& given, const std::vector<std::string>& plugins) {
     CLI::App app("One scene, many ways to draw its shadows, each measured against the exact answer.", "shadowlab");
     app.set_help_flag("-h,--help", "what there is to write, and ends");
     app.set_version_flag("--version", "shadowlab " SHADOWLAB_VERSION, "the program's version, and ends");
@@ -191,15 +200,19 @@ int run(int argc, char** argv) {
         "--plugin FILE, anywhere, adds the techniques of a plug-in to those of all commands.");
 
     try {
-        std::vector<std::string> words(given.words.rbegin(), given.words.rend()); // CLI11 takes them from the end
-        if (!words.empty()) words.pop_back();                                     // the program's own name
+        std::vector<std::string> words(given.rbegin(), given.rend()); // CLI11 takes them from the end
+        if (!words.empty()) words.pop_back();                         // the program's own name
         app.parse(std::move(words));
     } catch (const CLI::CallForHelp&) {
-        print(app.help());
-        return 0;
+        return [help = app.help()] {
+            print(help);
+            return 0;
+        };
     } catch (const CLI::CallForVersion& version) {
-        print(std::string(version.what()) + "\n");
-        return 0;
+        return [line = std::string(version.what()) + "\n"] {
+            print(line);
+            return 0;
+        };
     } catch (const CLI::ParseError& error) {
         // All that is left to CLI11: an option without its value ("--size: 1 required ..."), or a value for a flag.
         const std::string what = error.what();
@@ -214,23 +227,24 @@ int run(int argc, char** argv) {
         refuseLeftOver(*command);
         refuseLeftOver(app); // words before the command
     }
-    if (captureCommand->parsed()) return capture(captureOptions(*captureCommand));
-    if (measureCommand->parsed()) return measure(measureOptions(*measureCommand));
+    if (captureCommand->parsed()) return with(captureOptions(*captureCommand), capture);
+    if (measureCommand->parsed()) return with(measureOptions(*measureCommand), measure);
     if (reportCommand->parsed()) {
         const ReportOptions options = reportOptions(*reportCommand);
-        return options.isHard ? reportHard(options) : report(options);
+        return with(options, options.isHard ? reportHard : report);
     }
-    if (probeCommand->parsed()) return probe(probeOptions(*probeCommand));
-    if (lessonCommand->parsed()) return lesson(lessonOptions(*lessonCommand));
-    if (slidesCommand->parsed()) return slides(slidesOptions(*slidesCommand));
+    if (probeCommand->parsed()) return with(probeOptions(*probeCommand), probe);
+    if (lessonCommand->parsed()) return with(lessonOptions(*lessonCommand), lesson);
+    if (slidesCommand->parsed()) return with(slidesOptions(*slidesCommand), slides);
     if (listCommand->parsed())
-        return list({GivenOptions(*listCommand).required("WHAT", "for example shadowlab list techniques"),
-                     listCommand->count("--json") > 0});
-    if (newTechniqueCommand->parsed()) return newTechnique(newTechniqueOptions(*newTechniqueCommand));
-    if (gradeCommand->parsed()) return grade(gradeOptions(*gradeCommand, given.files));
-    if (inspectCommand->parsed()) return inspect(inspectOptions(*inspectCommand));
-    if (demoCommand->parsed()) return demo(demoOptions(*demoCommand));
-    return runWithoutCommand(app);
+        return with(ListOptions{GivenOptions(*listCommand).required("WHAT", "for example shadowlab list techniques"),
+                                listCommand->count("--json") > 0},
+                    list);
+    if (newTechniqueCommand->parsed()) return with(newTechniqueOptions(*newTechniqueCommand), newTechnique);
+    if (gradeCommand->parsed()) return with(gradeOptions(*gradeCommand, plugins), grade);
+    if (inspectCommand->parsed()) return with(inspectOptions(*inspectCommand), inspect);
+    if (demoCommand->parsed()) return with(demoOptions(*demoCommand), demo);
+    return workWithoutCommand(app);
 }
 
 } // namespace shadowlab::commands

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -66,7 +67,14 @@ struct DemoOptions {
 /// output.
 int demo(const DemoOptions& options);
 
-/// Loads plug-ins, parses the other words and runs the subcommand; its result is the exit status. Throws Error.
+/// What the words of a command line ask for: a subcommand with its options, or help. The result is the exit status.
+using Work = std::function<int()>;
+
+/// Understands the words, and refuses what is wrong in them, before anything is done. Throws Error (usage, overLimit).
+/// The first word is the program's own name; `plugins`: the files of --plugin.
+Work workFor(const std::vector<std::string>& words, const std::vector<std::string>& plugins);
+
+/// Loads plug-ins, understands the other words and does what they ask for. Throws Error.
 int run(int argc, char** argv);
 
 } // namespace shadowlab::commands

@@ -31,9 +31,11 @@ constexpr std::size_t kLongestTitle = 80, kLongestWhy = 400;
 /// Family, number, letter.
 std::tuple<std::size_t, int, std::string> partsOf(const std::string& id) {
     constexpr std::string_view kFamilies = "PMVRF";
+    constexpr std::size_t kMostDigits =
+        6; // fewer than an int holds; what follows them is no letter, and refused as one
     std::size_t digits = 1;
     int number = 0;
-    while (digits < id.size() && id[digits] >= '0' && id[digits] <= '9')
+    while (digits < std::min(id.size(), kMostDigits + 1) && id[digits] >= '0' && id[digits] <= '9')
         number = 10 * number + (id[digits++] - '0');
     return {id.empty() ? std::string_view::npos : kFamilies.find(id[0]), number,
             id.substr(std::min(digits, id.size()))};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 
 #include "app/diagram/figures.h"
@@ -197,11 +198,11 @@ struct Deck::File {
         if (slide.pseudocode.empty()) own.fail("pseudocode", "is of a technique that has none; choose another");
         const auto lines = static_cast<int>(slide.pseudocode.size());
         for (const JsonValue& value : own.array("marked")) {
-            const int line = static_cast<int>(value.number);
-            if (value.kind != JsonValue::Kind::number || line != value.number || line < 1 || line > lines)
+            if (value.kind != JsonValue::Kind::number || value.number != std::floor(value.number) ||
+                !(value.number >= 1 && value.number <= lines)) // before it becomes an int, which 1e300 cannot
                 document.fail(value.offset,
                               "is no line of the pseudocode; write a number from 1 to " + std::to_string(lines));
-            slide.marked.push_back(line);
+            slide.marked.push_back(static_cast<int>(value.number));
         }
     }
 };

@@ -16,15 +16,13 @@
 #include "techniques/added_techniques.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/gl/added_shaders.h"
+#include "techniques/foundation/scene/message_text.h"
 
 namespace shadowlab::session {
 
 namespace {
 
-/// What is wrong with a plug-in, and the mend: turned into an Error that names the file.
-struct Fault : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+using Fault = PluginFault;
 
 std::vector<LoadedPlugin>& loaded() {
     static std::vector<LoadedPlugin> all;
@@ -66,7 +64,7 @@ const Plugin& open(const std::filesystem::path& file) {
 }
 
 void requireGoodIds(const Plugin& plugin, const TechniqueInfo& info) {
-    const std::string id(info.id);
+    const std::string id = scene::shown(info.id); // a NUL byte would end the message
     if (!isKebabCase(info.id))
         throw Fault("'" + id + "' is no id of a technique; use small letters, digits, and hyphens between them");
     for (const RegisteredTechnique& other : registeredTechniques())
@@ -77,7 +75,7 @@ void requireGoodIds(const Plugin& plugin, const TechniqueInfo& info) {
         throw Fault("technique '" + id + "' has no " + (info.make ? "title" : "function `make`") + "; give it one");
     const auto requireId = [&](std::string_view part, const char* what) {
         if (!isKebabCase(part))
-            throw Fault("'" + std::string(part) + "' is no id of a " + what + " of '" + id +
+            throw Fault("'" + scene::shown(part) + "' is no id of a " + what + " of '" + id +
                         "'; use small letters, digits, and hyphens between them");
     };
     for (const PassInfo& pass : info.passes)
@@ -90,12 +88,13 @@ void requireGoodIds(const Plugin& plugin, const TechniqueInfo& info) {
     }
     for (const gl::EmbeddedShader& shader : plugin.shaders)
         if (!shader.name.starts_with(std::string(plugin.folder) + "/"))
-            throw Fault("its shader '" + std::string(shader.name) + "' is not in shaders/" +
-                        std::string(plugin.folder) + "; move it there");
+            throw Fault("its shader '" + scene::shown(shader.name) + "' is not in shaders/" +
+                        scene::shown(plugin.folder) + "; move it there");
 }
 
-/// Its techniques, looked through. Throws Fault, and whatever the plug-in throws.
-std::span<const TechniqueInfo> techniquesOf(const Plugin& plugin) {
+} // namespace
+
+std::span<const TechniqueInfo> checkedTechniques(const Plugin& plugin) {
     const std::span<const TechniqueInfo> techniques = plugin.techniques();
     if (techniques.empty()) throw Fault("its techniques() lists none; list at least one");
     std::set<std::string_view> ids;
@@ -110,6 +109,8 @@ std::span<const TechniqueInfo> techniquesOf(const Plugin& plugin) {
                         "; give the folder of shaders, and the namespace, another name");
     return techniques;
 }
+
+namespace {
 
 /// All anchors that its passes name are there (techniques/source_text.h).
 void requireAnchors(const Plugin& plugin, std::span<const TechniqueInfo> techniques) {
@@ -138,7 +139,7 @@ void loadPlugin(const std::filesystem::path& file) {
     requirePluginFile(file);
     const auto trial = [&] {
         const Plugin& plugin = open(file);
-        const auto techniques = techniquesOf(plugin);
+        const auto techniques = checkedTechniques(plugin);
         requireAnchors(plugin, techniques);
         for (const TechniqueInfo& info : techniques)
             if (const auto made = info.make(); !made || made->params().size() > 1000)
@@ -151,7 +152,7 @@ void loadPlugin(const std::filesystem::path& file) {
                                                "objects, techniques(), make()"));
     }
     const Plugin& plugin = open(file);
-    const auto techniques = techniquesOf(plugin);
+    const auto techniques = checkedTechniques(plugin);
     loaded().push_back({file.string(), &plugin, techniques});
     gl::addShaders(plugin.shaders, std::string(plugin.shaderFolder));
     addSources(plugin.sources);

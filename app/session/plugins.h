@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -27,6 +28,14 @@ std::span<const LoadedPlugin> loadedPlugins();
 
 /// The one that a technique of that folder (RegisteredTechnique) comes from; nullptr: it is ours.
 const LoadedPlugin* pluginOf(std::string_view folder);
+
+/// What is wrong with what a plug-in says of itself, and the mend: loadPlugin turns it into an Error that names the file.
+struct PluginFault : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Its techniques, looked through. Throws PluginFault, and whatever the plug-in throws.
+std::span<const TechniqueInfo> checkedTechniques(const Plugin& plugin);
 
 /// Small letters, digits and single hyphens between them; a letter comes first: "shadow-map".
 bool isKebabCase(std::string_view id);

@@ -94,7 +94,7 @@ std::vector<std::uint32_t> chosenPatches(const KeptRoom& kept, const LightBalanc
 
 void describeEquations(const KeptRoom& kept, const Sources& sources, const LightBalance& balance,
                        std::vector<std::uint32_t> chosen, Probe& probe) {
-    Probe::Equations& equations = probe.equations.emplace();
+    Probe::Equations& equations = probe.equations.emplace(Probe::Equations{});
     equations.count = static_cast<std::uint32_t>(kept.room().patches().size());
     for (const std::uint32_t i : chosen) {
         equations.patches.push_back(i + 1);

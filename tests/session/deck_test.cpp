@@ -106,6 +106,7 @@ TEST_F(DeckTest, EveryFaultIsToldWithItsPlace) {
         {R"("pixel": [0.5, 0.5])", R"("diagram": "pixel")", "d.json:5:", "about a pixel"},
         {R"("pixel": [0.5, 0.5])", R"("pixel": [0.5, 0.5], "diagram": "pixels")", "d.json:5:", R"(mean "pixel")"},
         {R"("marked": [2])", R"("marked": [99])", "d.json:10:", "no line"},
+        {R"("marked": [2])", R"("marked": [1e300])", "d.json:10:", "no line"},
         {R"(, "text": ["Words."], "formulas": ["x^2"], "pseudocode": "shadow-map", "marked": [2])", "",
          "d.json:10:", "shows nothing"},
         {R"("pictures": [{"label": "left"}, )", R"("label": "x", "pictures": [{"label": "left"}, )",
@@ -127,7 +128,7 @@ TEST_F(DeckTest, EveryFaultIsToldWithItsPlace) {
             ++told;
         }
     }
-    EXPECT_EQ(told, 15);
+    EXPECT_EQ(told, 16);
     EXPECT_THROW(Deck("shadws", kLoading), Error);
 }
 

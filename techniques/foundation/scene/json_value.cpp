@@ -70,13 +70,20 @@ public:
 
     JsonValue takeRoot() { return std::move(root_); }
 
-    bool null() override { return add({.kind = Kind::null, .offset = tokenStart()}); }
-    bool boolean(bool value) override { return add({.kind = Kind::boolean, .offset = tokenStart(), .boolean = value}); }
+    bool null() override { return add(startOf(Kind::null, tokenStart())); }
+    bool boolean(bool value) override {
+        JsonValue found = startOf(Kind::boolean, tokenStart());
+        found.boolean = value;
+        return add(std::move(found));
+    }
     bool number_integer(number_integer_t value) override { return addNumber(static_cast<double>(value)); }
     bool number_unsigned(number_unsigned_t value) override { return addNumber(static_cast<double>(value)); }
     bool number_float(number_float_t value, const string_t&) override { return addNumber(value); }
     bool string(string_t& value) override {
-        return add({.kind = Kind::string, .offset = tokenStart(), .string = std::move(value)});
+        requireNoNul(value);
+        JsonValue found = startOf(Kind::string, tokenStart());
+        found.string = std::move(value);
+        return add(std::move(found));
     }
     bool binary(binary_t&) override { return false; } // never occurs in JSON text
     bool start_object(std::size_t) override { return open(Kind::object); }
@@ -85,6 +92,7 @@ public:
     bool end_array() override { return close(); }
 
     bool key(string_t& key) override {
+        requireNoNul(key);
         const std::size_t offset = tokenStart();
         Frame& object = stack_.back();
         const auto [earlier, isNew] = object.keyOffsets.emplace(key, offset);
@@ -124,11 +132,25 @@ private:
         std::unordered_map<std::string, std::size_t> keyOffsets;
     };
 
+    /// Names, paths and settings go into messages and to the system, where a NUL byte would end them.
+    void requireNoNul(const std::string& text) const {
+        if (text.find('\0') != std::string::npos)
+            document_.fail(tokenStart(), "the text holds a NUL character; leave out \\u0000");
+    }
+    static JsonValue startOf(Kind kind, std::size_t offset) {
+        JsonValue value;
+        value.kind = kind;
+        value.offset = offset;
+        return value;
+    }
+
     [[nodiscard]] std::size_t tokenStart() const { return skipToToken(document_.text(), lastEnd_); }
 
     bool addNumber(double value) {
         const std::size_t start = tokenStart();
-        const bool added = add({.kind = Kind::number, .offset = start, .number = value});
+        JsonValue found = startOf(Kind::number, start);
+        found.number = value;
+        const bool added = add(std::move(found));
         // The lexer sees the end of a number only by reading one character too many.
         const std::size_t end = document_.text().find_first_not_of("+-.0123456789eE", start);
         lastEnd_ = std::min(end, document_.text().size());
@@ -152,7 +174,7 @@ private:
             document_.fail(offset, "nested deeper than " + std::to_string(maximumDepth_) + " levels; flatten the file",
                            ExitStatus::overLimit);
         lastEnd_ = consumed_;
-        stack_.push_back({.value = {.kind = kind, .offset = offset}, .keyOffsets = {}});
+        stack_.push_back({.value = startOf(kind, offset), .keyOffsets = {}});
         return true;
     }
 

@@ -22,7 +22,7 @@ struct JsonValue {
     double number = 0.0;
     std::string string{};
     std::vector<JsonValue> items{};    ///< of an array
-    std::vector<JsonMember> members{}; ///< of an object, in the order of the text; no key twice
+    std::vector<JsonMember> members; ///< of an object, in the order of the text; no key twice
 };
 
 struct JsonMember {

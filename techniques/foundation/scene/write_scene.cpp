@@ -160,6 +160,14 @@ std::string objectJson(const Object& object, const std::filesystem::path& folder
     return line.json();
 }
 
+/// Those of the surfaces of lights, which whoever reads the lights makes again.
+std::set<std::size_t> materialsOfLights(const Scene& scene) {
+    std::set<std::size_t> indices;
+    for (const Object& object : scene.objects)
+        if (object.emitterOfLight >= 0) indices.insert(object.partMaterials.begin(), object.partMaterials.end());
+    return indices;
+}
+
 /// `"key": [ ... ]` or `"key": { ... }`, one entry a line.
 std::string block(const std::string& key, char open, char close, const std::vector<std::string>& entries) {
     std::string text = "  \"" + key + "\": " + open;
@@ -174,10 +182,13 @@ std::string sceneText(const Scene& scene, const Camera& camera, const std::files
     std::vector<std::string> lights, materials, objects;
     for (const Light& light : scene.lights)
         lights.push_back(lightJson(light));
-    for (const Material& material : scene.materials)
-        if (const std::string json = materialJson(material, folder);
-            !material.ofMesh && (json != "{}" || material.name != Material{}.name))
-            materials.push_back(inJson(material.name) + ": " + json);
+    const std::set<std::size_t> ofLights = materialsOfLights(scene);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        const Material& material = scene.materials[i];
+        if (material.ofMesh || ofLights.contains(i)) continue;
+        const std::string json = materialJson(material, folder);
+        if (json != "{}" || material.name != Material{}.name) materials.push_back(inJson(material.name) + ": " + json);
+    }
     for (const Object& object : scene.objects)
         if (object.emitterOfLight < 0) objects.push_back(objectJson(object, folder));
 

@@ -57,6 +57,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadScene{"TooDeep", std::string(65, '['), "1:65", "nested deeper than 64", ExitStatus::overLimit},
                     BadScene{"VeryDeep", std::string(200000, '['), "1:65", "nested deeper", ExitStatus::overLimit},
                     BadScene{"LineCountedThroughCrLf", "{CAMERA,\r\n\r\n\"x\": 1}", "3:1", "unknown key"},
+                    BadScene{"NulInAText", "{CAMERA, \"materials\":\n{\"a\\u0000b\": {}}}", "2:2", "NUL character"},
                     BadScene{"LineCountedThroughCr", "{CAMERA,\r\r\"x\": 1}", "3:1", "unknown key"},
                     BadScene{"ColumnsCountCharacters", "{CAMERA,\n/* \xc3\xa4\xc3\xb6 */ \"x\": 1}", "2:10",
                              "unknown key"}),

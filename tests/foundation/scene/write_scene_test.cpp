@@ -132,6 +132,24 @@ TEST(WriteScene, AStagedMeshKeepsItsHoles) {
     EXPECT_TRUE(scene->notes.empty());
 }
 
+// The surface of a light is the light's: whoever reads the light makes it again. Written down beside it, it would be there once
+// more each time, under one name, and that is an error.
+TEST(WriteScene, WhatIsWrittenTwiceIsTheSameAsOnce) {
+    const TempFolder folder;
+    const auto scene = loadScene(folder
+                                     .write("s.json", R"({"camera": {"position": [3, 2, 5], "target": [0, 0, 0]},
+      "lights": [{"name": "panel", "type": "rect", "position": [0, 4, 0], "edgeU": [1, 0, 0], "edgeV": [0, 0, 1]},
+                 {"name": "bulb", "type": "sphere", "position": [0, 4, 0], "radius": 0.5}],
+      "objects": [{"shape": "quad", "size": [5, 5]}]})")
+                                     .string(),
+                                 {});
+    const std::string once = sceneText(*scene, scene->camera, folder.path());
+    const auto back = again(*scene, scene->camera, folder);
+    EXPECT_EQ(sceneText(*back, back->camera, folder.path()), once);
+    EXPECT_EQ(back->materials.size(), scene->materials.size());
+    EXPECT_EQ(once.find("surface"), std::string::npos) << once;
+}
+
 TEST(WriteScene, WhatWasMovedIsWrittenWhereItIs) {
     const TempFolder folder;
     const auto scene = loadScene(folder
