@@ -13,6 +13,7 @@
 #include "app/session/derived_stages.h"
 #include "app/session/difference_panel.h"
 #include "app/session/film_encoder.h"
+#include "app/session/limits.h"
 #include "app/session/motion.h"
 #include "app/session/picture.h"
 #include "app/session/session.h"
@@ -106,8 +107,9 @@ private:
     }
 
     void loadScene() {
-        base_ = scene::loadScene(options_.scene,
-                                 {.assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = {}});
+        base_ = scene::loadScene(
+            options_.scene,
+            {.assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = session::limits()});
         if (!options_.light.empty()) defaultLight_ = session::lightIndex(*base_, options_.light);
     }
 

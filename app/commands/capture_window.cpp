@@ -7,6 +7,7 @@
 #include "app/commands/messages.h"
 #include "app/context/signals.h"
 #include "app/session/assets.h"
+#include "app/session/limits.h"
 #include "app/session/motion.h"
 #include "app/session/settings.h"
 #include "app/session/stepping.h"
@@ -68,7 +69,7 @@ void settle(ui::Screen& screen) {
 int captureWindow(const CaptureOptions& options) {
     image::probeWritable(numbered(options.output, 0));
     const scene::Snapshot scene = scene::loadScene(
-        options.scene, {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = {}});
+        options.scene, {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = session::limits()});
     const session::Motion motion = motionOf(options.motion, *scene);
     requirePlaceForNumbers(options, motion.frames);
     const std::unique_ptr<context::Context> context = context::createContext(options.backend);

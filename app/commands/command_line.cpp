@@ -9,8 +9,9 @@
 
 #include "app/commands/messages.h"
 #include "app/commands/option_values.h"
-#include "app/commands/plugin_words.h"
+#include "app/commands/words_anywhere.h"
 #include "app/session/assets.h"
+#include "app/session/limits.h"
 #include "app/session/plugins.h"
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/load.h"
@@ -81,8 +82,9 @@ Work workWithoutCommand(const CLI::App& app) {
 CLI::App* addCommand(CLI::App& app, const char* name, const char* what) {
     CLI::App* command = app.add_subcommand(name, what);
     command->allow_extras(); // refused by refuseLeftOver, after which nothing else can hide them
-    // Taken out of the words before (plugin_words.h); here for the help alone.
+    // Taken out of the words before (words_anywhere.h); here for the help alone.
     addOption(*command, "--plugin", "FILE", "a plug-in with further techniques; may be repeated");
+    addOption(*command, "--limit", "NAME=VALUE", "another value for a limit of `list limits`; may be repeated");
     return command;
 }
 
@@ -116,12 +118,15 @@ InspectOptions inspectOptions(const CLI::App& command) {
 } // namespace
 
 int run(int argc, char** argv) {
-    const PluginWords given = takePluginWords({argv, argv + argc});
+    const TakenWords limits = takeWordsOf("--limit", "triangles=50000000", {argv, argv + argc});
+    for (const std::string& limit : limits.values)
+        session::setLimit(limit);
+    const TakenWords plugins = takeWordsOf("--plugin", "FILE.so", limits.words);
     // Nothing of a plug-in that is graded runs in this process.
-    if (given.words.size() < 2 || given.words[1] != "grade")
-        for (const std::string& file : given.files)
+    if (plugins.words.size() < 2 || plugins.words[1] != "grade")
+        for (const std::string& file : plugins.values)
             session::loadPlugin(file);
-    return workFor(given.words, given.files)();
+    return workFor(plugins.words, plugins.values)();
 }
 
 Work workFor(const std::vector<std::string>& given, const std::vector<std::string>& plugins) {
@@ -197,7 +202,8 @@ Work workFor(const std::vector<std::string>& given, const std::vector<std::strin
     // After the commands, which would inherit it.
     app.footer(
         "shadowlab COMMAND --help tells more about each. `shadowlab SCENE` is short for `shadowlab demo SCENE`.\n"
-        "--plugin FILE, anywhere, adds the techniques of a plug-in to those of all commands.");
+        "--plugin FILE, anywhere, adds the techniques of a plug-in to those of all commands; --limit NAME=VALUE\n"
+        "sets a limit of `list limits`.");
 
     try {
         std::vector<std::string> words(given.rbegin(), given.rend()); // CLI11 takes them from the end

@@ -4,6 +4,7 @@
 #include "app/commands/messages.h"
 #include "app/context/window_context.h"
 #include "app/session/assets.h"
+#include "app/session/limits.h"
 #include "app/ui/window.h"
 #include "techniques/foundation/scene/load.h"
 
@@ -57,15 +58,16 @@ int demo(const DemoOptions& options) {
         if (status == 0) note("there is no display for a window; this picture was written instead");
         return status;
     }
-    return ui::runWindow({.scene = options.scene,
-                          .lesson = options.lesson,
-                          .deck = options.deck,
-                          .slide = options.slide,
-                          .size = options.size,
-                          .presenter = options.presenter,
-                          .keepSettings = options.keepSettings,
-                          .report = options.report},
-                         {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = {}});
+    return ui::runWindow(
+        {.scene = options.scene,
+         .lesson = options.lesson,
+         .deck = options.deck,
+         .slide = options.slide,
+         .size = options.size,
+         .presenter = options.presenter,
+         .keepSettings = options.keepSettings,
+         .report = options.report},
+        {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = session::limits()});
 }
 
 } // namespace shadowlab::commands

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "app/session/assets.h"
+#include "app/session/limits.h"
 #include "techniques/foundation/scene/holes.h"
 #include "techniques/foundation/scene/load.h"
 #include "techniques/foundation/scene/outward_parts.h"
@@ -115,7 +116,8 @@ bool isMeshFile(const std::filesystem::path& path) {
 } // namespace
 
 Inspection inspectFile(const InspectOptions& options) {
-    const scene::LoadOptions loading{.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = {}};
+    const scene::LoadOptions loading{
+        .assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = session::limits()};
     Inspection inspection;
     inspection.file = options.file;
     std::vector<scene::Material> materials;

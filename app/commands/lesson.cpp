@@ -13,6 +13,7 @@
 #include "app/session/lesson_film.h"
 #include "app/session/lesson_measure.h"
 #include "app/session/lesson_quantities.h"
+#include "app/session/limits.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/png.h"
@@ -90,7 +91,7 @@ std::string json(const Lesson& lesson, const std::vector<MeasuredExpectation>& m
 int lesson(const LessonOptions& options) {
     if (!options.output.empty()) image::probeWritable(options.output);
     const Lesson lesson = session::loadLesson(
-        options.lesson, {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = {}});
+        options.lesson, {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = session::limits()});
     const std::unique_ptr<context::Context> context = context::createContext(options.backend);
     if (!options.output.empty()) {
         if (const int limit = context::largestSide(); std::max(options.size.x, options.size.y) > limit)

@@ -15,6 +15,7 @@
 #include "app/session/derived_stages.h"
 #include "app/session/lesson.h"
 #include "app/session/lesson_quantities.h"
+#include "app/session/limits.h"
 #include "app/session/path.h"
 #include "app/session/plugins.h"
 #include "app/ui/actions.h"
@@ -121,7 +122,7 @@ Table figuresTable() {
 }
 
 Table decksTable() {
-    const scene::LoadOptions loading{.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}};
+    const scene::LoadOptions loading{.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = session::limits()};
     Table table{{"name", "title", "slides"}, {}};
     for (const std::string& name : session::builtInDecks(loading.assetsRoot)) {
         const session::Deck deck(name, loading);
@@ -184,23 +185,18 @@ Table keysTable() {
 }
 
 Table limitsTable() {
-    const scene::Limits limits;
+    Table table{{"limit", "value", "unit"}, {}};
+    for (const session::NamedLimit& limit : session::namedLimits())
+        table.rows.push_back({limit.name, std::to_string(limit.value(session::limits())), limit.unit});
+    // Those of pictures follow from what OpenGL and memory hold, and are not for setting.
     const auto number = [](auto value) { return std::to_string(static_cast<std::uint64_t>(value)); };
-    Table table{{"limit", "value", "unit"},
-                {{"mesh-file", number(limits.fileBytes), "bytes"},
-                 {"mesh-line", number(limits.lineBytes), "bytes"},
-                 {"scene-file", number(limits.sceneFileBytes), "bytes"},
-                 {"triangles", number(limits.triangles), ""},
-                 {"polygon-corners", number(limits.polygonCorners), ""},
-                 {"objects", number(limits.objects), ""},
-                 {"lights", number(limits.lights), ""},
-                 {"json-depth", number(limits.jsonDepth), "levels"},
-                 {"coordinate", number(limits.coordinate), "m"},
-                 {"picture-side", number(kLongestSide), "pixels"},
-                 {"picture-samples", number(kMostSamples), "samples"},
-                 {"measured-side", number(kLongestMeasuredSide), "pixels"},
-                 {"supersample", number(kMostSupersample), "samples on a side"},
-                 {"frames", number(session::kMostFrames), ""}}};
+    for (std::vector<std::string> row :
+         std::initializer_list<std::vector<std::string>>{{"picture-side", number(kLongestSide), "pixels"},
+                                                         {"picture-samples", number(kMostSamples), "samples"},
+                                                         {"measured-side", number(kLongestMeasuredSide), "pixels"},
+                                                         {"supersample", number(kMostSupersample), "samples on a side"},
+                                                         {"frames", number(session::kMostFrames), ""}})
+        table.rows.push_back(std::move(row));
     addDriverLimits(table);
     return table;
 }

@@ -6,6 +6,7 @@
 #include "app/commands/progress.h"
 #include "app/context/signals.h"
 #include "app/session/assets.h"
+#include "app/session/limits.h"
 #include "app/session/settings.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/scene/load.h"
@@ -54,7 +55,7 @@ int measure(const MeasureOptions& options) {
     }
     session::applySettings(slots, options.settings);
     const scene::Snapshot base = scene::loadScene(
-        options.scene, {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = {}});
+        options.scene, {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = session::limits()});
     const int light = lightToMeasure(*base, options.light);
     const session::Motion motion = motionOf(options.motion, *base);
 

@@ -7,6 +7,7 @@
 #include "app/diagram/figures.h"
 #include "app/diagram/paint.h"
 #include "app/session/assets.h"
+#include "app/session/limits.h"
 #include "app/session/session.h"
 #include "app/session/settings.h"
 #include "techniques/foundation/error.h"
@@ -48,7 +49,7 @@ int probe(const ProbeOptions& options) {
     session::applySettings(slots, options.settings);
     if (!options.diagram.empty()) image::probeWritable(options.diagram);
     const scene::Snapshot scene = scene::loadScene(
-        options.scene, {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = {}});
+        options.scene, {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = session::limits()});
     int light = scene->lights.empty() ? kNoLight : 0;
     if (!options.light.empty()) light = session::lightIndex(*scene, options.light);
     View view;

@@ -11,6 +11,7 @@
 #include "app/report/digest.h"
 #include "app/report/machine.h"
 #include "app/session/assets.h"
+#include "app/session/limits.h"
 #include "app/session/plugins.h"
 #include "app/session/settings.h"
 #include "techniques/foundation/error.h"
@@ -82,7 +83,7 @@ private:
                                      : scene::builtInScenes(session::assetsRoot());
         for (const std::string& name : names) {
             scene::Snapshot scene = scene::loadScene(
-                name, {.assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = {}});
+                name, {.assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = session::limits()});
             if (scene->lights.empty())
                 throw Error(ExitStatus::badInput,
                             "scene '" + scene->name +
@@ -121,6 +122,8 @@ private:
             words.insert(words.end(), {"--allow", folder.string()});
         for (const session::LoadedPlugin& plugin : session::loadedPlugins())
             words.insert(words.end(), {"--plugin", plugin.file});
+        const std::vector<std::string> limits = session::limitWords();
+        words.insert(words.end(), limits.begin(), limits.end());
         return words;
     }
 

@@ -9,12 +9,14 @@
 #include "app/hard/run_case.h"
 #include "app/hard/tables.h"
 #include "app/session/assets.h"
+#include "app/session/limits.h"
 #include "techniques/foundation/image/output_file.h"
 
 namespace shadowlab::commands {
 
 int reportHard(const ReportOptions& options) {
-    const scene::LoadOptions loading{.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = {}};
+    const scene::LoadOptions loading{
+        .assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = session::limits()};
     const std::vector<hard::Case> cases = hard::allCases(loading);
     const std::unique_ptr<context::Context> context = context::createContext(options.backend);
     const std::string renderer = context::glRenderer();

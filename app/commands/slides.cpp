@@ -12,6 +12,7 @@
 #include "app/commands/slides_options.h"
 #include "app/context/signals.h"
 #include "app/session/assets.h"
+#include "app/session/limits.h"
 #include "app/slides/pages.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
@@ -44,7 +45,7 @@ public:
 
     int run() {
         const scene::LoadOptions loading{
-            .assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = {}};
+            .assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = session::limits()};
         std::vector<std::string> names = options_.decks;
         if (names.empty()) names = session::builtInDecks(loading.assetsRoot);
         std::vector<Deck> decks;

@@ -12,6 +12,7 @@
 #include "app/context/signals.h"
 #include "app/grading/score_picture.h"
 #include "app/session/assets.h"
+#include "app/session/limits.h"
 #include "app/session/session.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/png.h"
@@ -90,7 +91,7 @@ public:
 
     CaseResult judge(const Case& which, image::Image& failing) {
         const scene::Snapshot scene = scene::loadScene(
-            sceneOf(which).string(), {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+            sceneOf(which).string(), {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = session::limits()});
         session::Session session(scene);
         View view;
         view.camera = scene->camera;

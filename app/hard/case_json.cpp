@@ -7,6 +7,7 @@
 #include "app/hard/case.h"
 #include "app/hard/quantities.h"
 #include "app/session/lesson_parts.h"
+#include "app/session/limits.h"
 #include "app/session/state_json.h"
 #include "techniques/foundation/scene/file_access.h"
 #include "techniques/foundation/scene/message_text.h"
@@ -44,7 +45,7 @@ std::tuple<std::size_t, int, std::string> partsOf(const std::string& id) {
 class CaseReader {
 public:
     CaseReader(const std::string& text, const std::filesystem::path& file, const scene::LoadOptions& options)
-        : file_(file), document_(text, file, scene::Limits{}.jsonDepth, "a hard case, starting with {"),
+        : file_(file), document_(text, file, session::limits().jsonDepth, "a hard case, starting with {"),
           top_(document_, document_.root(), "the case",
                {"case", "title", "why", "scene", "camera", "lights", "light", "size", "smallSize", "least", "checks",
                 "tests", "naiveTests", "withoutNaive", "limits"}),
@@ -202,7 +203,7 @@ Case parseCase(const std::string& text, const std::filesystem::path& file, const
 }
 
 Case loadCase(const std::filesystem::path& file, const scene::LoadOptions& options) {
-    return parseCase(scene::readFile(file, scene::Limits{}.sceneFileBytes), file, options);
+    return parseCase(scene::readFile(file, session::limits().sceneFileBytes), file, options);
 }
 
 std::vector<std::filesystem::path> caseFiles(const std::filesystem::path& assetsRoot) {

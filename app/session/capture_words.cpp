@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "app/session/derived_stages.h"
+#include "app/session/limits.h"
 #include "app/session/plugins.h"
 #include "app/session/stepping.h"
 
@@ -90,6 +91,8 @@ std::vector<std::string> captureWords(const Document& document, const std::files
     words.insert(words.end(), more.begin(), more.end());
     for (const LoadedPlugin& plugin : loadedPlugins())
         words.insert(words.end(), {"--plugin", plugin.file});
+    const std::vector<std::string> limits = limitWords();
+    words.insert(words.end(), limits.begin(), limits.end());
     return words;
 }
 

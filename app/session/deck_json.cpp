@@ -8,6 +8,7 @@
 #include "app/diagram/figures.h"
 #include "app/session/deck.h"
 #include "app/session/lesson_parts.h"
+#include "app/session/limits.h"
 #include "app/session/state_json.h"
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/file_access.h"
@@ -88,8 +89,7 @@ struct Deck::File {
 
     File(std::filesystem::path file, const scene::LoadOptions& loading)
         : name(file.stem().string()), path(std::move(file)), options(loading),
-          document(scene::readFile(path, scene::Limits{}.sceneFileBytes), path, scene::Limits{}.jsonDepth,
-                   "a deck, starting with {"),
+          document(scene::readFile(path, limits().sceneFileBytes), path, limits().jsonDepth, "a deck, starting with {"),
           top(document, document.root(), "the deck",
               {"title", "subtitle", "scene", "camera", "lights", "layout", "light", "slots", "stage", "step", "split",
                "set", "slides"}),

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/session/lesson_parts.h"
+#include "app/session/limits.h"
 #include "app/session/state_json.h"
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/file_access.h"
@@ -23,7 +24,7 @@ constexpr int kMostLessonFrames = 1000;
 class LessonReader {
 public:
     LessonReader(const std::string& text, const std::filesystem::path& file)
-        : file_(file), document_(text, file, scene::Limits{}.jsonDepth, "a lesson, starting with {"),
+        : file_(file), document_(text, file, limits().jsonDepth, "a lesson, starting with {"),
           top_(document_, document_.root(), "the lesson",
                {"title", "order", "scene", "camera", "lights", "motion", "layout", "light", "slots", "set", "size",
                 "before", "after", "happens", "mends", "look", "expect", "question"}) {}
@@ -104,7 +105,7 @@ Lesson loadLesson(const std::string& nameOrPath, const scene::LoadOptions& optio
                                                   suggestion(nameOrPath, known));
         file = options.assetsRoot / "lessons" / (nameOrPath + ".json");
     }
-    return parseLesson(scene::readFile(file, scene::Limits{}.sceneFileBytes), file, options);
+    return parseLesson(scene::readFile(file, limits().sceneFileBytes), file, options);
 }
 
 std::vector<LessonText> builtInLessons(const std::filesystem::path& assetsRoot) {
@@ -113,7 +114,7 @@ std::vector<LessonText> builtInLessons(const std::filesystem::path& assetsRoot) 
     for (const auto& entry : std::filesystem::directory_iterator(assetsRoot / "lessons", ignored)) {
         if (entry.path().extension() != ".json") continue;
         const std::filesystem::path file = entry.path();
-        const LessonReader reader(scene::readFile(file, scene::Limits{}.sceneFileBytes), file);
+        const LessonReader reader(scene::readFile(file, limits().sceneFileBytes), file);
         found.emplace_back(reader.order(), reader.words());
     }
     std::ranges::sort(found, [](const auto& a, const auto& b) {

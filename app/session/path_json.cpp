@@ -1,6 +1,7 @@
 // Reads a path with the readers of the scene file: the same keys, the same ranges, the same words.
 // SPDX-License-Identifier: MIT
 #include "app/session/light_changes.h"
+#include "app/session/limits.h"
 #include "app/session/path.h"
 #include "techniques/foundation/scene/message_text.h"
 #include "techniques/foundation/scene/scene_json.h"
@@ -45,7 +46,7 @@ void checkWay(const JsonDocument& document, std::size_t offset, const PathKey& f
 
 Path parsePath(const std::string& text, const std::filesystem::path& file, const scene::Scene& scene) {
     const std::string example = R"([{"frame": 1, "camera": {"position": [3, 2, 5]}}, ...])";
-    const JsonDocument document(text, file, scene::Limits{}.jsonDepth, "a path, as " + example);
+    const JsonDocument document(text, file, limits().jsonDepth, "a path, as " + example);
     const JsonValue& list = document.root();
     if (list.kind != JsonValue::Kind::array)
         document.fail(list.offset, "a path is a list, and this is " + std::string(scene::describe(list.kind)) +
@@ -71,7 +72,7 @@ Path parsePath(const std::string& text, const std::filesystem::path& file, const
 }
 
 Path loadPath(const std::filesystem::path& file, const scene::Scene& scene) {
-    return parsePath(scene::readFile(file, scene::Limits{}.sceneFileBytes), file, scene);
+    return parsePath(scene::readFile(file, limits().sceneFileBytes), file, scene);
 }
 
 } // namespace shadowlab::session

@@ -9,6 +9,7 @@
 #include "app/session/capture_words.h"
 #include "app/session/deck.h"
 #include "app/session/derived_stages.h"
+#include "app/session/limits.h"
 #include "app/session/stepping.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/scene/file_access.h"
@@ -154,7 +155,7 @@ std::string slideText(const Document& document, const std::string& scene, const 
 }
 
 std::string withSlide(const std::string& deck, const std::filesystem::path& file, const std::string& slide) {
-    const scene::JsonDocument document(deck, file, scene::Limits{}.jsonDepth, "a deck, starting with {");
+    const scene::JsonDocument document(deck, file, limits().jsonDepth, "a deck, starting with {");
     const auto& members = document.root().members;
     const auto slides = std::ranges::find(members, "slides", &scene::JsonMember::key);
     if (slides == members.end()) document.fail(document.root().offset, "the deck has no \"slides\"; write a list");
@@ -175,7 +176,7 @@ SavedSlide saveSlide(const Document& document, const scene::Scene& shown, const 
     std::vector<std::string> names;
     if (std::filesystem::exists(saved.deck)) {
         names = Deck(saved.deck.string(), loading).slides();
-        text = scene::readFile(saved.deck, scene::Limits{}.sceneFileBytes);
+        text = scene::readFile(saved.deck, limits().sceneFileBytes);
     }
     saved.name = freeName(shown.name, names, folder);
     std::string reference = document.sceneName;

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 import os
 
-from row import Row, scene
+from row import LIGHT, Row, scene
 
 SCENE = {"s.json": scene()}
 
@@ -63,6 +63,16 @@ OUTPUTS = [
             environment={"SHADOWLAB_SHADERS": "shaders"}),
     drawn("a folder of shaders that is not there", ["x.png"], capture_to("x.png"), environment={"SHADOWLAB_SHADERS": "nowhere"}),
     refused("a scene that is also the picture's folder", capture_to("s.json/"), 2, "s.json"),
+    refused("a limit nobody knows", capture_to("x.png", "--limit", "trianlges=3"), 2, '"triangles"'),
+    refused("a limit without its value", capture_to("x.png", "--limit", "triangles"), 2, "--limit triangles=20000000"),
+    refused("a limit of nothing", capture_to("x.png", "--limit", "triangles=0"), 2, "from 1 to 1000000000"),
+    refused("a limit beyond what can be", capture_to("x.png", "--limit", "json-depth=100000"), 2, "from 1 to 1000"),
+    refused("a limit in words", capture_to("x.png", "--limit", "triangles=many"), 2, '"many"'),
+    refused("a limit that is lower", capture_to("x.png", "--limit", "triangles=11"), 6, "s.json:1:", "12 triangles", "--limit triangles"),
+    refused("a lower limit of levels", capture_to("x.png", "--limit=json-depth=3"), 6, "s.json:1:", "--limit json-depth"),
+    refused("a lower limit of a file", capture_to("x.png", "--limit", "scene-file=50"), 6, "s.json:", "--limit"),
+    drawn("a limit that is higher", ["x.png"], capture_to("x.png", "--limit", "lights=100"),
+          files={"s.json": scene(lights='"lights": [' + ", ".join([LIGHT] * 70) + "]")}),
     refused("a report into a file", ["report", "s.json", "-t", "unshadowed", "--quick", "--size", "32x24", "-o", "s.json"], 4, "s.json"),
     refused("slides into a file", ["slides", "-o", "s.json"], 4, "s.json"),
     refused("a new technique in a folder that is there", ["new-technique", "here"], 4, "here", files={"here/inner": ""}),

@@ -2,7 +2,7 @@
 // Words with an equals sign are also tried as settings of every technique's parameters.
 // SPDX-License-Identifier: MIT
 #include "app/commands/command_line.h"
-#include "app/commands/plugin_words.h"
+#include "app/commands/words_anywhere.h"
 #include "app/session/settings.h"
 #include "tests/fuzz/target.h"
 
@@ -48,8 +48,8 @@ Outcome feed(std::string_view bytes) {
     for (const std::string& word : words)
         if (word.find('=') != std::string::npos) trySetting(word);
     return outcomeOf([&] {
-        const commands::PluginWords given = commands::takePluginWords(words);
-        require(static_cast<bool>(commands::workFor(given.words, given.files)), "there is something to do");
+        const commands::TakenWords given = commands::takeWordsOf("--plugin", "FILE.so", words);
+        require(static_cast<bool>(commands::workFor(given.words, given.values)), "there is something to do");
     });
 }
 

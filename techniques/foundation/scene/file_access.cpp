@@ -78,8 +78,9 @@ std::string readFile(const std::filesystem::path& file, std::uint64_t maximumByt
         throw Error(ExitStatus::badInput,
                     shownPath(file) + ": " + faultSentence(fault) + "; give the path of a readable file");
     const auto refuseSize = [&](const std::string& size) {
-        throw Error(ExitStatus::overLimit, shownPath(file) + ": " + size + " is more than the limit of " +
-                                               counted(maximumBytes, "byte") + "; split the file or simplify it");
+        throw Error(ExitStatus::overLimit,
+                    shownPath(file) + ": " + size + " is more than the limit of " + counted(maximumBytes, "byte") +
+                        "; split the file or simplify it, or raise the limit (`list limits`, --limit)");
     };
     if (open.size() > maximumBytes) refuseSize(counted(open.size(), "byte"));
 

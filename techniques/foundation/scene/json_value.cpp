@@ -171,7 +171,9 @@ private:
     bool open(Kind kind) {
         const std::size_t offset = tokenStart();
         if (stack_.size() >= maximumDepth_)
-            document_.fail(offset, "nested deeper than " + std::to_string(maximumDepth_) + " levels; flatten the file",
+            document_.fail(offset,
+                           "nested deeper than " + std::to_string(maximumDepth_) +
+                               " levels; flatten the file, or set --limit json-depth",
                            ExitStatus::overLimit);
         lastEnd_ = consumed_;
         stack_.push_back({.value = startOf(kind, offset), .keyOffsets = {}});

@@ -112,7 +112,7 @@ void Scanner::face() {
     while (const auto token = lines_.nextToken()) {
         if (++corners > limits_.polygonCorners)
             lines_.fail("the face has more than " + std::to_string(limits_.polygonCorners) +
-                            " corners, the limit; split it",
+                            " corners, the limit; split it, or set --limit polygon-corners",
                         ExitStatus::overLimit);
         // v, v/vt, v//vn or v/vt/vn; an empty part after a slash means "none".
         const std::size_t slash = token->find('/');
@@ -134,7 +134,8 @@ void Scanner::face() {
     ++faces_;
     triangles_ += corners - 2;
     if (triangles_ > limits_.triangles)
-        lines_.fail("more than " + std::to_string(limits_.triangles) + " triangles, the limit; simplify the model",
+        lines_.fail("more than " + std::to_string(limits_.triangles) +
+                        " triangles, the limit; simplify the model, or set --limit triangles",
                     ExitStatus::overLimit);
 }
 

@@ -101,7 +101,8 @@ void ObjectReader::checkTriangles(const JsonObject& keys, std::uint64_t more) co
     if (triangles_ + more > limit)
         reading_.document.fail(keys.value().offset,
                                keys.what() + " brings the scene to " + counted(triangles_ + more, "triangle") +
-                                   ", more than the limit of " + std::to_string(limit) + "; simplify or remove objects",
+                                   ", more than the limit of " + std::to_string(limit) +
+                                   "; simplify or remove objects, or set --limit triangles",
                                ExitStatus::overLimit);
 }
 
@@ -242,7 +243,7 @@ void readObjects(const SceneReading& reading, const JsonObject& top) {
     if (values.size() > reading.options.limits.objects)
         top.fail("objects",
                  "are " + std::to_string(values.size()) + ", more than the limit of " +
-                     std::to_string(reading.options.limits.objects) + "; remove some",
+                     std::to_string(reading.options.limits.objects) + "; remove some, or set --limit objects",
                  ExitStatus::overLimit);
     ObjectReader reader(reading);
     for (std::size_t i = 0; i < values.size(); ++i)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/commands/plugin_words.h"
+#include "app/commands/words_anywhere.h"
 
 #include <algorithm>
 
@@ -7,14 +7,13 @@
 
 namespace shadowlab::commands {
 
-PluginWords takePluginWords(const std::vector<std::string>& argv) {
-    const std::string option = "--plugin";
-    PluginWords taken;
-    const auto take = [&](const std::string& file) {
-        if (file.empty()) refuseUsage("--plugin: its value is missing; write --plugin FILE.so");
-        if (std::ranges::find(taken.files, file) != taken.files.end())
-            refuseUsage("--plugin " + file + " is given twice; give it once");
-        taken.files.push_back(file);
+TakenWords takeWordsOf(const std::string& option, const std::string& example, const std::vector<std::string>& argv) {
+    TakenWords taken;
+    const auto take = [&](const std::string& value) {
+        if (value.empty()) refuseUsage(option + ": its value is missing; write " + option + " " + example);
+        if (std::ranges::find(taken.values, value) != taken.values.end())
+            refuseUsage(option + " " + value + " is given twice; give it once");
+        taken.values.push_back(value);
     };
     for (std::size_t i = 0; i < argv.size(); ++i) {
         if (argv[i] == "--") {

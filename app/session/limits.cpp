@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "app/session/limits.h"
+
+#include <charconv>
+
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/nearest_names.h"
+#include "techniques/foundation/scene/message_text.h"
+
+namespace shadowlab::session {
+
+namespace {
+
+scene::Limits& inForce() {
+    static scene::Limits limits;
+    return limits;
+}
+
+template <typename Value>
+NamedLimit limit(std::string name, std::string unit, std::uint64_t most, Value scene::Limits::*member) {
+    return {std::move(name), std::move(unit), most,
+            [=](const scene::Limits& limits) { return static_cast<std::uint64_t>(limits.*member); },
+            [=](scene::Limits& limits, std::uint64_t value) { limits.*member = static_cast<Value>(value); }};
+}
+
+} // namespace
+
+const std::vector<NamedLimit>& namedLimits() {
+    using scene::Limits;
+    // Where raising ends: file sizes and lines where no disk and no memory follows; triangles where a corner's number leaves 32
+    // bits; levels of JSON where the reader's own recursion would leave its stack; a coordinate where its square leaves float.
+    static const std::vector<NamedLimit> all = {
+        limit("mesh-file", "bytes", 1'000'000'000'000, &Limits::fileBytes),
+        limit("mesh-line", "bytes", 1'000'000'000, &Limits::lineBytes),
+        limit("scene-file", "bytes", 10'000'000'000, &Limits::sceneFileBytes),
+        limit("triangles", "", 1'000'000'000, &Limits::triangles),
+        limit("polygon-corners", "", 1'000'000, &Limits::polygonCorners),
+        limit("objects", "", 10'000'000, &Limits::objects),
+        limit("lights", "", 10'000, &Limits::lights),
+        limit("json-depth", "levels", 1000, &Limits::jsonDepth),
+        limit("coordinate", "m", 1'000'000'000'000'000, &Limits::coordinate),
+    };
+    return all;
+}
+
+const scene::Limits& limits() { return inForce(); }
+
+std::vector<std::string> limitWords() {
+    std::vector<std::string> words;
+    for (const NamedLimit& one : namedLimits())
+        if (one.value(inForce()) != one.value(scene::Limits()))
+            words.insert(words.end(), {"--limit", one.name + "=" + std::to_string(one.value(inForce()))});
+    return words;
+}
+
+void setLimit(const std::string& assignment) {
+    const std::size_t equals = assignment.find('=');
+    const std::string name = assignment.substr(0, equals);
+    std::vector<std::string> known;
+    for (const NamedLimit& one : namedLimits()) {
+        known.push_back(one.name);
+        if (one.name != name) continue;
+        const std::string text = equals == std::string::npos ? "" : assignment.substr(equals + 1);
+        std::uint64_t value = 0;
+        const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (fault != std::errc() || end != text.data() + text.size() || value < 1 || value > one.most)
+            throw Error(ExitStatus::usage, "--limit " + name + ": " + scene::inQuotes(text) +
+                                               " is no whole number from 1 to " + std::to_string(one.most) +
+                                               "; write --limit " + name + "=" +
+                                               std::to_string(one.value(scene::Limits())));
+        one.set(inForce(), value);
+        return;
+    }
+    throw Error(ExitStatus::usage, "--limit: no limit that can be set is called " + scene::inQuotes(name) + "; " +
+                                       suggestion(name, known));
+}
+
+} // namespace shadowlab::session
