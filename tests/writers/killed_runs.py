@@ -26,6 +26,7 @@ WORKS = {
     "slides": ["slides", "deck.json", "--size", "640x360", "-o", "FOLDER"],
 }
 MOST_GRACE = 10  # seconds until a signal has ended a run; the program allows itself two
+INTERRUPTED = "shadowlab: note: interrupted; the same command goes on from here\n"  # a report; all others begin again
 MEASURED = (".html", ".svg", ".csv", "report.json")  # files of a report with times in them; parts are told by their names
 
 
@@ -85,7 +86,7 @@ class Work:
             early = time.monotonic() - killed  # before main() begins, a signal ends every program like that
             wrong += [f"{which.name} is not handled ({early:.1f} s)"] if outputs.contents(self.folder) and any(
                 outputs.TEMPORARY.search(name) for name in outputs.contents(self.folder)) else []
-        if which != signal.SIGKILL and run.returncode == 128 + which and err:
+        if which != signal.SIGKILL and run.returncode == 128 + which and err not in ("", INTERRUPTED):
             wrong.append(f"{which.name} says {err!r}")
         return run.returncode == 0, wrong + list(self.damaged(run.returncode == 0))
 
