@@ -76,7 +76,9 @@ public:
         } else {
             for (const char* key : {"camera", "lights", "light", "size", "smallSize", "least", "checks", "limits"})
                 if (top_.find(key)) top_.fail(key, "is about a scene, and there is none; write \"scene\"");
-            if (one.tests.empty()) top_.fail("tests", "is missing or empty: a case without a scene is held by tests");
+            if (one.tests.empty())
+                top_.fail("tests", "is missing or empty, and without a scene nothing else holds the case; write "
+                                   "[\"SUITE.NAME\"] of a test");
         }
         requireNaive(one);
         return one;

@@ -96,7 +96,8 @@ TEST_F(ReportTest, ItsPartsMakeTheWhole) {
     expectOneLine(early, 3, {"points that are in none of the parts"});
     succeed({"report", "merge", "part-1", "part-2", "part-3", "-o", "merged"});
     EXPECT_EQ(withoutTimes(json("merged")).dump(1), withoutTimes(json("whole")).dump(1));
-    for (const Json& point : json("merged").at("groups")[0].at("points"))
+    const Json merged = json("merged");
+    for (const Json& point : merged.at("groups")[0].at("points"))
         EXPECT_GT(point.at("costs").at("frameMs").at("median"), 0) << "measured by its shard";
     EXPECT_EQ(json("merged").at("machines").size(), 3u);
     // Pictures, too, byte for byte.
