@@ -9,6 +9,7 @@
 
 #include "app/session/derived_stages.h"
 #include "app/session/document.h"
+#include "app/session/limits.h"
 #include "techniques/foundation/error.h"
 #include "techniques/registry.h"
 
@@ -301,14 +302,15 @@ int requireDrawable(const CaptureOptions& options) {
         samples += std::int64_t{drawn.x} * drawn.y;
     }
     const std::string mend =
-        std::string("; choose a smaller --size") + (options.supersample > 1 ? " or --supersample" : "");
+        std::string("choose a smaller --size") + (options.supersample > 1 ? " or --supersample" : "");
     if (longest > kLongestSide)
         throw Error(ExitStatus::overLimit, asked + " needs " + std::to_string(longest) +
                                                " samples on a side, the limit is " + std::to_string(kLongestSide) +
-                                               mend);
+                                               "; " + mend);
     if (samples > kMostSamples)
         throw Error(ExitStatus::overLimit, asked + " needs " + std::to_string(samples) + " samples, the limit is " +
-                                               std::to_string(kMostSamples) + mend);
+                                               std::to_string(kMostSamples) + "; " + mend);
+    session::reserveForPictures(static_cast<std::uint64_t>(samples), session::kBytesPerDrawnSample, asked, mend);
     return longest;
 }
 

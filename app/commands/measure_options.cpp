@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/commands/option_values.h"
+#include "app/session/limits.h"
 #include "techniques/registry.h"
 
 namespace shadowlab::commands {
@@ -40,12 +41,19 @@ void describeMeasure(CLI::App& command) {
                    "  shadowlab measure still-life -t shadow-map --frames 60 --orbit-light 6");
 }
 
+void reserveForMeasured(ivec2 size) {
+    session::reserveForPictures(
+        static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y), session::kBytesPerMeasuredPixel,
+        "--size " + std::to_string(size.x) + "x" + std::to_string(size.y), "choose a smaller --size");
+}
+
 MeasureOptions measureOptions(const CLI::App& command) {
     const GivenOptions given(command);
     MeasureOptions options;
     options.scene = given.required("SCENE", "shadowlab measure SCENE");
     if (given.has("--technique")) options.techniques = measuredTechniquesFrom(given.texts("--technique"));
     options.size = sizeFrom("--size", given.text("--size", "1280x720"), kLongestMeasuredSide);
+    reserveForMeasured(options.size);
     options.settings = given.texts("--set");
     options.light = given.text("--light");
     options.backend = context::backendFromName(given.text("--backend", "auto"));

@@ -31,6 +31,9 @@ struct MeasureOptions {
     std::vector<std::filesystem::path> allowed;
 };
 
+/// Sets aside the memory that truth and verdicts of such pictures take. Throws Error (overLimit).
+void reserveForMeasured(ivec2 size);
+
 /// Ids with commas between them; `all` stands for every technique that says what it makes of a light.
 std::vector<std::string> measuredTechniquesFrom(const std::vector<std::string>& texts);
 

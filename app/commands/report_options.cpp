@@ -73,6 +73,7 @@ ReportOptions reportOptions(const CLI::App& command) {
     options.light = given.text("--light");
     options.size =
         sizeFrom("--size", given.text("--size", options.isQuick ? "640x360" : "1280x720"), kLongestMeasuredSide);
+    reserveForMeasured(options.size);
     if (given.has("--shard")) options.shard = report::shardFrom(given.text("--shard"));
     options.backend = context::backendFromName(given.text("--backend", "auto"));
     for (const std::string& folder : given.texts("--allow"))

@@ -28,7 +28,8 @@ NamedLimit limit(std::string name, std::string unit, std::uint64_t most, Value s
 const std::vector<NamedLimit>& namedLimits() {
     using scene::Limits;
     // Where raising ends: file sizes and lines where no disk and no memory follows; triangles where a corner's number leaves 32
-    // bits; levels of JSON where the reader's own recursion would leave its stack; a coordinate where its square leaves float.
+    // bits; levels of JSON where the reader's own recursion would leave its stack; a coordinate where its square leaves float;
+    // memory where no machine follows.
     static const std::vector<NamedLimit> all = {
         limit("mesh-file", "bytes", 1'000'000'000'000, &Limits::fileBytes),
         limit("mesh-line", "bytes", 1'000'000'000, &Limits::lineBytes),
@@ -39,6 +40,7 @@ const std::vector<NamedLimit>& namedLimits() {
         limit("lights", "", 10'000, &Limits::lights),
         limit("json-depth", "levels", 1000, &Limits::jsonDepth),
         limit("coordinate", "m", 1'000'000'000'000'000, &Limits::coordinate),
+        limit("memory", "bytes", 1'000'000'000'000'000, &Limits::memoryBytes),
     };
     return all;
 }
@@ -73,6 +75,15 @@ void setLimit(const std::string& assignment) {
     }
     throw Error(ExitStatus::usage, "--limit: no limit that can be set is called " + scene::inQuotes(name) + "; " +
                                        suggestion(name, known));
+}
+
+void reserveForPictures(std::uint64_t samples, std::uint64_t bytesPerSample, const std::string& asked,
+                        const std::string& mend) {
+    scene::Limits& limits = inForce();
+    limits.pictureBytes = samples * bytesPerSample;
+    if (const std::uint64_t needed = scene::memoryForTriangles(0, limits); needed > limits.memoryBytes)
+        throw Error(ExitStatus::overLimit, asked + ": " + scene::beyondMemory(needed, limits.memoryBytes) + "; " +
+                                               mend + ", or set --limit memory");
 }
 
 } // namespace shadowlab::session

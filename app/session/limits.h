@@ -27,4 +27,13 @@ std::vector<std::string> limitWords();
 /// `NAME=VALUE`, before anything is read. Throws Error (usage): no such limit, no whole number, or beyond what it can be raised to.
 void setLimit(const std::string& assignment);
 
+// Bytes that a sample of a picture takes in all, a tenth above the largest measured: of what is drawn (ray tracing with
+// mirrors and glass 90, others 27 to 52), and of what is compared with the truth (175).
+constexpr std::uint64_t kBytesPerDrawnSample = 100, kBytesPerMeasuredPixel = 200;
+
+/// Sets aside what pictures of so many samples will take; what is loaded then has the rest. Throws Error (overLimit)
+/// where they alone are beyond the limit: `asked` names what asks for them ("--size 9000x9000"), `mend` what to do.
+void reserveForPictures(std::uint64_t samples, std::uint64_t bytesPerSample, const std::string& asked,
+                        const std::string& mend);
+
 } // namespace shadowlab::session

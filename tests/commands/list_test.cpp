@@ -4,6 +4,8 @@
 
 #include <sstream>
 
+#include <unistd.h>
+
 #include "techniques/foundation/params/param.h"
 #include "techniques/registry.h"
 #include "tests/commands/command_fixture.h"
@@ -65,6 +67,9 @@ TEST_F(ListTest, LimitsKnowSizesAndTheDriver) {
     EXPECT_EQ(values["picture-side"], "16384");
     EXPECT_EQ(values["picture-samples"], "134217728");
     EXPECT_EQ(values["supersample"], "16");
+    EXPECT_GE(std::stoull(values["memory"]), 100'000'000u);
+    EXPECT_LE(std::stoull(values["memory"]),
+              static_cast<unsigned long long>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE) / 4 * 3 + 3);
     EXPECT_EQ(values["lights"], "64");
     EXPECT_GE(std::stoi(values["driver-texture-side"]), 1024);
 }

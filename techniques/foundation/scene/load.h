@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "techniques/foundation/scene/memory_estimate.h"
 #include "techniques/foundation/scene/scene.h"
 #include "techniques/foundation/scene/shapes.h"
 
@@ -23,6 +24,8 @@ struct Limits {
     std::uint32_t lights = 64;
     std::uint32_t jsonDepth = 64;
     double coordinate = 1e15; ///< metres; beyond it squares overflow float and detail is lost even in double
+    std::uint64_t memoryBytes = memoryToUse(); ///< scene and pictures together, as memory_estimate.h guesses them
+    std::uint64_t pictureBytes = 0;            ///< of these, what the pictures that were asked for will take
 };
 
 struct LoadOptions {

@@ -37,9 +37,22 @@ void addNotes(const ObjScan& scan, const std::filesystem::path& file, ObjFile& o
                             " m across, too small for the graphics card; scale it up");
 }
 
+/// By the size of the file, before a byte of it is read. What has no size is for readFile to refuse.
+void requireMemoryFor(const std::filesystem::path& file, const Limits& limits) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) return;
+    const std::uint64_t bytes = std::filesystem::file_size(file, ignored);
+    if (ignored || bytes > limits.fileBytes) return;
+    if (const std::uint64_t needed = memoryForMeshFile(bytes, limits); needed > limits.memoryBytes)
+        throw Error(ExitStatus::overLimit, shownPath(file) + ": to read " + counted(bytes, "byte") + ", " +
+                                               beyondMemory(needed, limits.memoryBytes) +
+                                               "; simplify the model, or set --limit memory");
+}
+
 } // namespace
 
 ObjFile loadObj(const std::filesystem::path& file, NormalMode mode, const LoadOptions& options) {
+    requireMemoryFor(file, options.limits);
     ObjScan scan = scanObj(readFile(file, options.limits.fileBytes), file, options.limits);
     ObjFaces faces = readFaces(scan, file, options);
     ObjFile obj;

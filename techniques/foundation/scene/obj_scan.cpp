@@ -137,6 +137,10 @@ void Scanner::face() {
         lines_.fail("more than " + std::to_string(limits_.triangles) +
                         " triangles, the limit; simplify the model, or set --limit triangles",
                     ExitStatus::overLimit);
+    if (const std::uint64_t needed = memoryForTriangles(triangles_, limits_); needed > limits_.memoryBytes)
+        lines_.fail("for the " + counted(triangles_, "triangle") + " so far, " +
+                        beyondMemory(needed, limits_.memoryBytes) + "; simplify the model, or set --limit memory",
+                    ExitStatus::overLimit);
 }
 
 std::string_view Scanner::name(std::string_view what) {

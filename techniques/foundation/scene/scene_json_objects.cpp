@@ -97,13 +97,17 @@ JsonObject ObjectReader::checkedKeys(const JsonValue& value, const std::string& 
 }
 
 void ObjectReader::checkTriangles(const JsonObject& keys, std::uint64_t more) const {
-    const std::uint64_t limit = reading_.options.limits.triangles;
-    if (triangles_ + more > limit)
+    const Limits& limits = reading_.options.limits;
+    const std::uint64_t triangles = triangles_ + more;
+    const auto refuse = [&](const std::string& why, const char* limit) {
         reading_.document.fail(keys.value().offset,
-                               keys.what() + " brings the scene to " + counted(triangles_ + more, "triangle") +
-                                   ", more than the limit of " + std::to_string(limit) +
-                                   "; simplify or remove objects, or set --limit triangles",
+                               keys.what() + " brings the scene to " + counted(triangles, "triangle") + ", " + why +
+                                   "; simplify or remove objects, or set --limit " + limit,
                                ExitStatus::overLimit);
+    };
+    if (triangles > limits.triangles) refuse("more than the limit of " + std::to_string(limits.triangles), "triangles");
+    if (const std::uint64_t needed = memoryForTriangles(triangles, limits); needed > limits.memoryBytes)
+        refuse("for which " + beyondMemory(needed, limits.memoryBytes), "memory");
 }
 
 ObjectReader::LoadedMesh ObjectReader::shape(const JsonObject& keys, NormalMode mode) {

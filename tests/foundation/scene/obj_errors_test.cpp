@@ -101,6 +101,16 @@ TEST(ObjErrors, LimitsEndWithTheirOwnStatus) {
     options = {};
     options.limits.fileBytes = 10;
     EXPECT_EQ(statusOf(kThree), ExitStatus::overLimit);
+    options = {};
+    options.limits.memoryBytes = kBytesAtRest + 2 * kBytesPerTriangle;
+    EXPECT_EQ(statusOf(kThree + "f 1 2 3\nf 1 2 3\nf 1 2 3\n"), ExitStatus::overLimit);
+    options.limits.memoryBytes += kBytesPerTriangle;
+    (void)loadObj(folder.write("limit.obj", kThree + "f 1 2 3\nf 1 2 3\nf 1 2 3\n"), NormalMode::file, options);
+    options.limits.pictureBytes = 1; // which the pictures need
+    EXPECT_EQ(statusOf(kThree + "f 1 2 3\nf 1 2 3\nf 1 2 3\n"), ExitStatus::overLimit);
+    options = {};
+    options.limits.memoryBytes = kBytesAtRest + 10 * kBytesPerMeshByte;
+    EXPECT_EQ(statusOf(kThree + "f 1 2 3\n"), ExitStatus::overLimit);
 }
 
 TEST(ObjErrors, MissingFilesFoldersAndPipesAreNamed) {

@@ -271,6 +271,14 @@ TEST(SceneJsonErrors, CountsBeyondTheLimitsEndWithTheirOwnStatus) {
     EXPECT_EQ(error.status(), ExitStatus::overLimit);
     EXPECT_TRUE(contains(error.what(), "x.json:2:1: object 3 (a box) brings the scene to 36 triangles"))
         << error.what();
+
+    options = {};
+    options.limits.memoryBytes = kBytesAtRest + 30 * kBytesPerTriangle;
+    const Error memory = errorOf([&] { (void)parseSceneJson(expanded("{CAMERA, " + boxes + "}"), "x.json", options); });
+    EXPECT_EQ(memory.status(), ExitStatus::overLimit);
+    EXPECT_TRUE(contains(memory.what(), "x.json:2:1: object 3 (a box) brings the scene to 36 triangles, for which"))
+        << memory.what();
+    EXPECT_TRUE(contains(memory.what(), "--limit memory")) << memory.what();
 }
 
 } // namespace

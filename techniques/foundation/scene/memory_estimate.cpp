@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/memory_estimate.h"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "techniques/foundation/scene/load.h"
+
+namespace shadowlab::scene {
+
+namespace {
+
+std::uint64_t leastLimit() {
+    std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+    const long pages = sysconf(_SC_PHYS_PAGES), pageBytes = sysconf(_SC_PAGESIZE);
+    if (pages > 0 && pageBytes > 0) least = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(pageBytes);
+    rlimit addresses{};
+    if (getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY)
+        least = std::min<std::uint64_t>(least, addresses.rlim_cur);
+    std::uint64_t group = 0; // of a container; "max" is no number, and no limit
+    if (std::ifstream file("/sys/fs/cgroup/memory.max"); file >> group && group > 0) least = std::min(least, group);
+    return least;
+}
+
+} // namespace
+
+std::uint64_t memoryToUse() {
+    static const std::uint64_t bytes = leastLimit() / 4 * 3;
+    return bytes;
+}
+
+std::uint64_t memoryForTriangles(std::uint64_t triangles, const Limits& limits) {
+    return kBytesAtRest + limits.pictureBytes + triangles * kBytesPerTriangle;
+}
+
+std::uint64_t memoryForMeshFile(std::uint64_t fileBytes, const Limits& limits) {
+    return kBytesAtRest + limits.pictureBytes + fileBytes * kBytesPerMeshByte;
+}
+
+std::string beyondMemory(std::uint64_t bytesNeeded, std::uint64_t limit) {
+    const auto megabytes = [](std::uint64_t bytes) { return std::to_string((bytes + 999'999) / 1'000'000) + " MB"; };
+    return "some " + megabytes(bytesNeeded) + " of memory are needed, more than the limit of " + megabytes(limit);
+}
+
+} // namespace shadowlab::scene

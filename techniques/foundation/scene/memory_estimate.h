@@ -1,0 +1,28 @@
+// How much memory a scene will take, guessed from what is counted before anything of it is allocated.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <string>
+
+namespace shadowlab::scene {
+
+struct Limits;
+
+// Each a tenth or more above the largest that was measured (peak resident memory, Mesa's software renderer).
+constexpr std::uint64_t kBytesAtRest = 160'000'000; ///< program, libraries, driver and a small picture: up to 150 MB
+constexpr std::uint64_t kBytesPerTriangle = 450;    ///< shadow volumes 220, ray tracing with its tree 400
+constexpr std::uint64_t kBytesPerMeshByte = 10;     ///< text, numbers and corners of an OBJ file while it is read: 9
+
+/// What this process may use: the least of the machine's memory, its control group's and its own limit (`ulimit -v`),
+/// less a quarter for everything else. Read once, so that a run has one limit.
+std::uint64_t memoryToUse();
+
+/// Bytes that a scene of so many triangles takes in all, beside the pictures that are asked for.
+std::uint64_t memoryForTriangles(std::uint64_t triangles, const Limits& limits);
+/// Bytes that reading an OBJ file of this size takes in all.
+std::uint64_t memoryForMeshFile(std::uint64_t fileBytes, const Limits& limits);
+
+/// "some 9160 MB of memory are needed, more than the limit of 6000 MB": the middle of a refusal.
+std::string beyondMemory(std::uint64_t bytesNeeded, std::uint64_t limit);
+
+} // namespace shadowlab::scene
