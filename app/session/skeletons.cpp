@@ -98,10 +98,19 @@ void writeSkeleton(const std::string& skeleton, const std::string& name, const f
         throw Error(ExitStatus::cannotWrite,
                     folder.string() + ": there is something of that name already; choose another folder with -o");
     image::OutputFolder output(made);
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source)) {
-        const fs::path place = output.path() / renamed(fs::relative(entry.path(), source).string(), name);
-        image::makeFolders(entry.is_directory() ? place : place.parent_path());
-        if (!entry.is_directory()) image::writeWhole(place, renamed(textOf(entry.path()), name));
+    try {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source)) {
+            const fs::path place = output.path() / renamed(fs::relative(entry.path(), source).string(), name);
+            image::makeFolders(entry.is_directory() ? place : place.parent_path());
+            if (!entry.is_directory()) image::writeWhole(place, renamed(textOf(entry.path()), name));
+        }
+    } catch (
+        const Error& fault) { // of a place that is gone when the message is read: named is the one that was asked for
+        std::string message = fault.what();
+        const std::string temporary = output.path().string();
+        if (const std::size_t at = message.find(temporary); at != std::string::npos)
+            message.replace(at, temporary.size(), made.string());
+        throw Error(fault.status(), message);
     }
     output.commit();
 }

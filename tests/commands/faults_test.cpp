@@ -60,7 +60,9 @@ TEST_F(FaultsTest, SmallestFileSizeUnderFoldersOfOutputs) {
     for (const Words& words :
          {Words{"slides", "shadows", "--only", "shadows", "--size", "640x360", "-o", "out"},
           Words{"report", "box.json", "--quick", "-o", "out"}, Words{"new-technique", "my-own", "-o", "out"}}) {
-        expectOneLine(run(words, smallFiles), 4, {"file too large"});
+        const ProgramResult refused = run(words, smallFiles);
+        expectOneLine(refused, 4, {"file too large"});
+        EXPECT_EQ(refused.err.find(".tmp."), std::string::npos) << "names a place that is gone: " << refused.err;
         for (const auto& [name, content] : listing())
             EXPECT_TRUE(content.empty() || name == "box.json") << words[0] << " leaves " << name;
         std::filesystem::remove_all(folder.path() / "out");
