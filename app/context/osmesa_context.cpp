@@ -3,6 +3,8 @@
 // which cannot be included beside glad.
 // SPDX-License-Identifier: MIT
 #include <array>
+#include <cstdlib>
+#include <string_view>
 
 #include "app/context/backends.h"
 #include "app/context/library.h"
@@ -79,6 +81,12 @@ std::unique_ptr<Context> createOsmesaContext() {
     if (!osmesa().library.loaded()) throw Unavailable("libOSMesa.so.8 is missing", kInstallOsmesa);
     if (!osmesa().complete)
         throw Unavailable("libOSMesa is older than Mesa 11.2 and cannot do core profiles", kInstallOsmesa);
+    // With any other name OSMesa makes no driver, and then uses it.
+    if (const char* driver = std::getenv("GALLIUM_DRIVER");
+        driver && std::string_view(driver) != "" && std::string_view(driver) != "llvmpipe" &&
+        std::string_view(driver) != "softpipe")
+        throw Unavailable("GALLIUM_DRIVER asks for a driver that OSMesa does not have",
+                          "unset GALLIUM_DRIVER, or write llvmpipe or softpipe");
     TrackedContext::releaseCurrent();
     auto context = std::make_unique<OsMesaContext>();
     context->makeCurrent();

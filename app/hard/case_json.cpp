@@ -205,7 +205,7 @@ Case parseCase(const std::string& text, const std::filesystem::path& file, const
 }
 
 Case loadCase(const std::filesystem::path& file, const scene::LoadOptions& options) {
-    return parseCase(scene::readFile(file, session::limits().sceneFileBytes), file, options);
+    return parseCase(scene::readFile(file, session::limits().sceneFileBytes, "scene-file"), file, options);
 }
 
 std::vector<std::filesystem::path> caseFiles(const std::filesystem::path& assetsRoot) {

@@ -89,7 +89,8 @@ struct Deck::File {
 
     File(std::filesystem::path file, const scene::LoadOptions& loading)
         : name(file.stem().string()), path(std::move(file)), options(loading),
-          document(scene::readFile(path, limits().sceneFileBytes), path, limits().jsonDepth, "a deck, starting with {"),
+          document(scene::readFile(path, limits().sceneFileBytes, "scene-file"), path, limits().jsonDepth,
+                   "a deck, starting with {"),
           top(document, document.root(), "the deck",
               {"title", "subtitle", "scene", "camera", "lights", "layout", "light", "slots", "stage", "step", "split",
                "set", "slides"}),

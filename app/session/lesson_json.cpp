@@ -105,7 +105,7 @@ Lesson loadLesson(const std::string& nameOrPath, const scene::LoadOptions& optio
                                                   suggestion(nameOrPath, known));
         file = options.assetsRoot / "lessons" / (nameOrPath + ".json");
     }
-    return parseLesson(scene::readFile(file, limits().sceneFileBytes), file, options);
+    return parseLesson(scene::readFile(file, limits().sceneFileBytes, "scene-file"), file, options);
 }
 
 std::vector<LessonText> builtInLessons(const std::filesystem::path& assetsRoot) {
@@ -114,7 +114,7 @@ std::vector<LessonText> builtInLessons(const std::filesystem::path& assetsRoot) 
     for (const auto& entry : std::filesystem::directory_iterator(assetsRoot / "lessons", ignored)) {
         if (entry.path().extension() != ".json") continue;
         const std::filesystem::path file = entry.path();
-        const LessonReader reader(scene::readFile(file, limits().sceneFileBytes), file);
+        const LessonReader reader(scene::readFile(file, limits().sceneFileBytes, "scene-file"), file);
         found.emplace_back(reader.order(), reader.words());
     }
     std::ranges::sort(found, [](const auto& a, const auto& b) {

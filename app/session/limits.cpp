@@ -27,13 +27,16 @@ NamedLimit limit(std::string name, std::string unit, std::uint64_t most, Value s
 
 const std::vector<NamedLimit>& namedLimits() {
     using scene::Limits;
-    // Where raising ends: file sizes and lines where no disk and no memory follows; triangles where a corner's number leaves 32
-    // bits; levels of JSON where the reader's own recursion would leave its stack; a coordinate where its square leaves float;
-    // memory where no machine follows.
+    // Where raising ends: file sizes and lines where no disk and no memory follows; an image where no graphics card does; triangles
+    // where a corner's number leaves 32 bits; levels of JSON where the reader's own recursion would leave its stack; a coordinate
+    // where its square leaves float; memory where no machine follows.
     static const std::vector<NamedLimit> all = {
         limit("mesh-file", "bytes", 1'000'000'000'000, &Limits::fileBytes),
+        limit("material-file", "bytes", 1'000'000'000, &Limits::materialFileBytes),
         limit("mesh-line", "bytes", 1'000'000'000, &Limits::lineBytes),
         limit("scene-file", "bytes", 10'000'000'000, &Limits::sceneFileBytes),
+        limit("image-file", "bytes", 10'000'000'000, &Limits::imageFileBytes),
+        limit("image-side", "pixels", 32768, &Limits::imageSide),
         limit("triangles", "", 1'000'000'000, &Limits::triangles),
         limit("polygon-corners", "", 1'000'000, &Limits::polygonCorners),
         limit("objects", "", 10'000'000, &Limits::objects),

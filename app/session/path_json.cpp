@@ -72,7 +72,7 @@ Path parsePath(const std::string& text, const std::filesystem::path& file, const
 }
 
 Path loadPath(const std::filesystem::path& file, const scene::Scene& scene) {
-    return parsePath(scene::readFile(file, limits().sceneFileBytes), file, scene);
+    return parsePath(scene::readFile(file, limits().sceneFileBytes, "scene-file"), file, scene);
 }
 
 } // namespace shadowlab::session

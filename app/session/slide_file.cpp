@@ -176,7 +176,7 @@ SavedSlide saveSlide(const Document& document, const scene::Scene& shown, const 
     std::vector<std::string> names;
     if (std::filesystem::exists(saved.deck)) {
         names = Deck(saved.deck.string(), loading).slides();
-        text = scene::readFile(saved.deck, limits().sceneFileBytes);
+        text = scene::readFile(saved.deck, limits().sceneFileBytes, "scene-file");
     }
     saved.name = freeName(shown.name, names, folder);
     std::string reference = document.sceneName;

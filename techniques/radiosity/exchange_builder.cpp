@@ -35,6 +35,7 @@ void ExchangeBuilder::fill(std::size_t i) {
     for (std::size_t face = patch.face + 1; face < faces_.all.size(); ++face) {
         const Polygon& polygon = faces_.all[face].polygon;
         const std::size_t first = firstOfFace_[face], end = firstOfFace_[face + 1];
+        if (first == end) continue; // all its patches were folds
         if (isBehind(patch.plane(), polygon, 0) || isBehind(patches_[first].plane(), patch.polygon, 0)) {
             rows_[i].counts.ofKind[0] += end - first;
             continue;

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 import os
 import socket
+import struct
+import zlib
 
 from row import FACE, Row, captured, drawn_mesh, drawn_scene, refused_scene, scene
 
@@ -11,6 +13,17 @@ MATERIAL = "newmtl a\nKd 1 0 0\n"
 
 def with_mesh(name):
     return scene(objects=f'\n"objects": [{{"name": "o", "mesh": {name}}}]')
+
+
+HOLES = scene(objects='"objects": [{"shape": "box", "size": [1, 1, 1], "material": "a"}]', more='\n"materials": {"a": {"alphaMap": "a.png"}}')
+
+
+def picture_of(side):
+    """A PNG that says it has so many pixels on a side, and has none."""
+    def chunk(kind, content):
+        return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
+    size = struct.pack(">IIBBBBB", side, side, 8, 6, 0, 0, 0)
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", size) + chunk(b"IDAT", zlib.compress(bytes(8))) + chunk(b"IEND", b"")
 
 
 def link_to(target):
@@ -59,12 +72,9 @@ REFERENCES = [
     drawn_scene("a mesh in a folder below", with_mesh('"below/m.obj"'), files={"below/m.obj": MESH}),
     drawn_scene("a mesh through a link within the folder", with_mesh('"l.obj"'), files={"l.obj": link_to("m.obj"), "m.obj": MESH}),
     drawn_scene("a mesh with blanks, colons and letters in its name", with_mesh('"a b:c;d \u5f71.obj"'), files={"a b:c;d \u5f71.obj": MESH}),
-    refused_scene("an alpha map that is no picture", scene(
-        objects='"objects": [{"shape": "box", "size": [1, 1, 1], "material": "a"}]', more='\n"materials": [{"name": "a", "alphaMap": "a.png"}]'),
-        files={"a.png": "no picture"}),
-    refused_scene("an alpha map that breaks off", scene(
-        objects='"objects": [{"shape": "box", "size": [1, 1, 1], "material": "a"}]', more='\n"materials": [{"name": "a", "alphaMap": "a.png"}]'),
-        files={"a.png": b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\xff\xff\0\0\xff\xff\x08\6\0\0\0"}),
+    refused_scene("an alpha map that is no picture", HOLES, "s.json:2:", "not a readable PNG", files={"a.png": "no picture"}),
+    refused_scene("an alpha map that breaks off", HOLES, "s.json:2:", "not a readable PNG", files={"a.png": picture_of(4)[:60]}),
+    refused_scene("an alpha map beyond the limit", HOLES, "s.json:2:", "65535", "--limit image-side", status=6, files={"a.png": picture_of(65535)}),
     refused_material("materials above the mesh's folder", "../m.mtl", "--allow"),
     refused_material("materials by an absolute path", "/etc/passwd", "--allow"),
     refused_material("materials through a link that leaves", "l.mtl", "--allow", files={"l.mtl": link_to("/etc/passwd")}),

@@ -35,7 +35,7 @@ Reason reasonFor(const std::filesystem::path& path, int errorNumber) {
     case ENAMETOOLONG: return {"file name too long", "choose one of at most 255 bytes"};
     case ELOOP: return {"symbolic links go in a circle", "choose another name"};
     case EPIPE: return {"the reader has closed the pipe", "let it read to the end"};
-    case ENXIO: return {"no such device, or nobody reads the pipe", "choose another name"};
+    case ENXIO: return {"no such device, or nobody reads the pipe", "start its reader first, or choose another name"};
     case EBADF: return {"is not open for writing", "choose another name"};
     case EMFILE:
     case ENFILE: return {"too many open files", "raise the limit (ulimit -n)"};

@@ -152,10 +152,11 @@ OutputFile::~OutputFile() {
     if (lock_ >= 0) ::close(lock_);
 }
 
+/// A pipe that nobody reads is refused (ENXIO): waiting for a reader could take for ever.
 void OutputFile::openSpecial() {
     const int inherited = inheritedDescriptor(shown_);
     descriptor_ = inherited >= 0 ? ::fcntl(inherited, F_DUPFD_CLOEXEC, 0)
-                                 : ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+                                 : ::open(target_.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
     if (descriptor_ < 0) fail(errno);
 }
 
@@ -194,7 +195,7 @@ void OutputFile::write(std::span<const std::uint8_t> bytes) {
         if (written > 0) {
             bytes = bytes.subspan(static_cast<std::size_t>(written));
         } else if (written < 0 &&
-                   (errno == EAGAIN || errno == EWOULDBLOCK)) { // a pipe that its owner made non-blocking
+                   (errno == EAGAIN || errno == EWOULDBLOCK)) { // a full pipe
             pollfd waiting{descriptor_, POLLOUT, 0};
             ::poll(&waiting, 1, -1);
         } else if (written == 0 || errno != EINTR) {

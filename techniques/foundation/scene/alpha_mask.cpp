@@ -9,6 +9,7 @@
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/png.h"
 #include "techniques/foundation/scene/file_access.h"
+#include "techniques/foundation/scene/load.h"
 
 namespace shadowlab::scene {
 
@@ -42,17 +43,19 @@ bool AlphaMask::isHole(dvec2 texcoord) const {
                    static_cast<std::size_t>(column)] == 0;
 }
 
-std::shared_ptr<const AlphaMask> AlphaMasks::load(const std::filesystem::path& canonical) {
+std::shared_ptr<const AlphaMask> AlphaMasks::load(const std::filesystem::path& canonical, const Limits& limits) {
     std::shared_ptr<const AlphaMask>& mask = known_[canonical];
     if (mask) return mask;
-    const std::string text = readFile(canonical, image::PngLimits{}.fileBytes);
+    const std::string text = readFile(canonical, limits.imageFileBytes, "image-file");
     const std::vector<std::uint8_t> bytes(text.begin(), text.end());
     constexpr std::string_view kNoName;
     try {
-        mask = std::make_shared<const AlphaMask>(image::decodePng(bytes, kNoName));
+        mask = std::make_shared<const AlphaMask>(
+            image::decodePng(bytes, kNoName, {.side = limits.imageSide, .fileBytes = limits.imageFileBytes}));
     } catch (const Error& error) {
         constexpr std::size_t kAfterColon = 2; // ": not a readable PNG ...", without a name before it
-        throw Error(error.status(), std::string(error.what()).substr(kAfterColon));
+        throw Error(error.status(), std::string(error.what()).substr(kAfterColon) +
+                                        (error.status() == ExitStatus::overLimit ? ", or set --limit image-side" : ""));
     }
     return mask;
 }

@@ -19,6 +19,8 @@ struct DecodedPng;
 
 namespace shadowlab::scene {
 
+struct Limits;
+
 class AlphaMask {
 public:
     /// The image's alpha where it has any, else its brightness (0.2126 R + 0.7152 G + 0.0722 B of the stored numbers).
@@ -39,7 +41,7 @@ class AlphaMasks {
 public:
     /// Throws Error (badInput, overLimit): "not a readable PNG: ...; save it again", without the file's name, which the
     /// caller knows as the user wrote it.
-    std::shared_ptr<const AlphaMask> load(const std::filesystem::path& canonical);
+    std::shared_ptr<const AlphaMask> load(const std::filesystem::path& canonical, const Limits& limits);
 
 private:
     std::map<std::filesystem::path, std::shared_ptr<const AlphaMask>> known_;

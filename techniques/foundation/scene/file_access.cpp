@@ -72,15 +72,15 @@ std::string whyUnreadable(const std::filesystem::path& file) {
     return fault.empty() ? fault : faultSentence(fault);
 }
 
-std::string readFile(const std::filesystem::path& file, std::uint64_t maximumBytes) {
+std::string readFile(const std::filesystem::path& file, std::uint64_t maximumBytes, std::string_view limit) {
     OpenFile open(file);
     if (const std::string fault = open.fault(); !fault.empty())
         throw Error(ExitStatus::badInput,
                     shownPath(file) + ": " + faultSentence(fault) + "; give the path of a readable file");
     const auto refuseSize = [&](const std::string& size) {
-        throw Error(ExitStatus::overLimit,
-                    shownPath(file) + ": " + size + " is more than the limit of " + counted(maximumBytes, "byte") +
-                        "; split the file or simplify it, or raise the limit (`list limits`, --limit)");
+        throw Error(ExitStatus::overLimit, shownPath(file) + ": " + size + " is more than the limit of " +
+                                               counted(maximumBytes, "byte") + "; split the file or simplify it" +
+                                               (limit.empty() ? "" : ", or set --limit " + std::string(limit)));
     };
     if (open.size() > maximumBytes) refuseSize(counted(open.size(), "byte"));
 

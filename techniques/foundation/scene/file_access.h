@@ -16,9 +16,9 @@ namespace shadowlab::scene {
 /// file.
 std::string whyUnreadable(const std::filesystem::path& file);
 
-/// The whole file. Throws Error: badInput when it is no readable regular file, overLimit beyond `maximumBytes`.
-/// A FIFO or a device never makes it wait.
-std::string readFile(const std::filesystem::path& file, std::uint64_t maximumBytes);
+/// The whole file. Throws Error: badInput when it is no readable regular file, overLimit beyond `maximumBytes`, which
+/// `limit` is the name of, if it is one that can be set. A FIFO or a device never makes it wait.
+std::string readFile(const std::filesystem::path& file, std::uint64_t maximumBytes, std::string_view limit = {});
 
 /// The folders a scene may take files from: its own folder tree, the assets root, and what the user allowed.
 /// A scene is data from somewhere; without this fence it could name, and show pieces of, any file of its user.

@@ -15,11 +15,14 @@ namespace shadowlab::scene {
 
 /// What the loaders refuse to go beyond (exit status 6), shown by `list limits`.
 struct Limits {
-    std::uint64_t fileBytes = 2ull << 30;       ///< one mesh or material file
-    std::uint64_t lineBytes = 1ull << 20;       ///< one line of an OBJ file
-    std::uint64_t triangles = 20'000'000;       ///< one scene
-    std::uint64_t sceneFileBytes = 64ull << 20; ///< one scene file
-    std::uint32_t polygonCorners = 10'000;      ///< one face of an OBJ file (triangulation is quadratic)
+    std::uint64_t fileBytes = 2ull << 30; ///< one mesh
+    std::uint64_t materialFileBytes = 16ull << 20;
+    std::uint64_t lineBytes = 1ull << 20;        ///< one line of an OBJ or MTL file
+    std::uint64_t triangles = 20'000'000;        ///< one scene
+    std::uint64_t sceneFileBytes = 64ull << 20;  ///< one scene file
+    std::uint64_t imageFileBytes = 256ull << 20; ///< one alpha map, which has as many pixels on a side as
+    std::uint32_t imageSide = 16384;             ///< a texture of Mesa's software renderers
+    std::uint32_t polygonCorners = 10'000;       ///< one face of an OBJ file (triangulation is quadratic)
     std::uint32_t objects = 100'000;
     std::uint32_t lights = 64;
     std::uint32_t jsonDepth = 64;

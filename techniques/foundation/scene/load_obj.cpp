@@ -53,7 +53,7 @@ void requireMemoryFor(const std::filesystem::path& file, const Limits& limits) {
 
 ObjFile loadObj(const std::filesystem::path& file, NormalMode mode, const LoadOptions& options) {
     requireMemoryFor(file, options.limits);
-    ObjScan scan = scanObj(readFile(file, options.limits.fileBytes), file, options.limits);
+    ObjScan scan = scanObj(readFile(file, options.limits.fileBytes, "mesh-file"), file, options.limits);
     ObjFaces faces = readFaces(scan, file, options);
     ObjFile obj;
     obj.mesh = buildMesh(scan, faces);

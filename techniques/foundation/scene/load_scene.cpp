@@ -20,7 +20,7 @@ std::string ending(const std::filesystem::path& path) {
 }
 
 std::shared_ptr<const Scene> loadJson(const std::filesystem::path& file, const LoadOptions& options) {
-    return parseSceneJson(readFile(file, options.limits.sceneFileBytes), file, options);
+    return parseSceneJson(readFile(file, options.limits.sceneFileBytes, "scene-file"), file, options);
 }
 
 } // namespace

@@ -21,8 +21,6 @@ namespace shadowlab::scene {
 
 namespace {
 
-constexpr std::uint64_t kMtlBytes = 16ull << 20; ///< far beyond any material file, far below what fills the memory
-
 /// Finds, guards, checks and reads material files for tinyobjloader.
 class GuardedMaterialReader : public tinyobj::MaterialReader {
 public:
@@ -47,7 +45,10 @@ public:
             if (std::filesystem::is_directory(status))
                 throw Error(ExitStatus::badInput,
                             place(library) + ": material file \"" + shown(name) + "\" is a folder; name a file in it");
-            const std::string text = readFile(path, std::min(kMtlBytes, options_.limits.fileBytes));
+            if (const std::string why = whyUnreadable(path); !why.empty())
+                throw Error(ExitStatus::badInput, place(library) + ": material file \"" + shown(name) + "\" " + why +
+                                                      "; name a readable file");
+            const std::string text = readFile(path, options_.limits.materialFileBytes, "material-file");
             std::istringstream clean(cleanMtl(text, path, options_.limits, notes_));
             tinyobj::LoadMtl(materialIndex, materials, &clean, warning, error);
             found = true;
@@ -143,7 +144,7 @@ Material converted(const tinyobj::material_t& mtl) {
 
 /// map_d: kept when it can be read; otherwise the material goes without, as it does not decide what the mesh is.
 void readAlphaMap(const tinyobj::material_t& mtl, Material& material, const AllowedFolders& folders, AlphaMasks& masks,
-                  std::vector<std::string>& notes) {
+                  const Limits& limits, std::vector<std::string>& notes) {
     if (mtl.alpha_texname.empty()) return;
     const auto ignore = [&](const std::string& why) {
         notes.push_back("material '" + shown(mtl.name) + "': map_d \"" + shown(mtl.alpha_texname) + "\" " + why);
@@ -151,7 +152,7 @@ void readAlphaMap(const tinyobj::material_t& mtl, Material& material, const Allo
     const auto path = folders.resolve(mtl.alpha_texname);
     if (!path || !whyUnreadable(*path).empty()) return ignore("cannot be read and is ignored");
     try {
-        material.alphaMask = masks.load(*path);
+        material.alphaMask = masks.load(*path, limits);
         material.alphaMap = path->string();
     } catch (const Error& error) {
         ignore("is ignored: " + std::string(error.what()));
@@ -197,7 +198,7 @@ ObjFaces readFaces(ObjScan& scan, const std::filesystem::path& file, const LoadO
             std::ranges::find(collector.faces.materials, mtl.name, &Material::name) != collector.faces.materials.end();
         if (mtl.name.empty() || isKnown) continue; // LoadMtl adds a nameless one for an empty file
         collector.faces.materials.push_back(converted(mtl));
-        readAlphaMap(mtl, collector.faces.materials.back(), folders, masks, collector.faces.notes);
+        readAlphaMap(mtl, collector.faces.materials.back(), folders, masks, options.limits, collector.faces.notes);
     }
     noteUnknownMaterials(scan, file, collector.faces);
     return std::move(collector.faces);

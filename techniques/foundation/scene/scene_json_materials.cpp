@@ -12,7 +12,7 @@ namespace {
 void readAlphaMap(const SceneReading& reading, const JsonObject& keys, AlphaMasks& masks, Material& material) {
     const std::filesystem::path file = readReference(reading, keys, "alphaMap").canonical;
     try {
-        material.alphaMask = masks.load(file);
+        material.alphaMask = masks.load(file, reading.options.limits);
     } catch (const Error& error) {
         keys.fail("alphaMap", "is " + inQuotes(keys.text("alphaMap")) + ", " + error.what(), error.status());
     }

@@ -24,7 +24,7 @@ std::string pngOf(const std::vector<image::Color8>& texels, bool opaque) {
 /// One letter per texel of a row, as the file is read.
 std::string read(const std::vector<image::Color8>& texels, bool opaque) {
     const TempFolder folder;
-    const auto mask = AlphaMasks().load(folder.write("mask.png", pngOf(texels, opaque)));
+    const auto mask = AlphaMasks().load(folder.write("mask.png", pngOf(texels, opaque)), Limits());
     std::string row;
     for (std::size_t i = 0; i < texels.size(); ++i)
         row += mask->isHole({(static_cast<double>(i) + 0.5) / static_cast<double>(texels.size()), 0.5}) ? '.' : '#';
