@@ -47,6 +47,10 @@ void installSignalHandlers() {
     sigemptyset(&interrupt.sa_mask);
     for (const int signal : {SIGINT, SIGTERM})
         ::sigaction(signal, &interrupt, nullptr);
+    // The terminal was closed. Whoever wants to work on all the same (nohup) has it ignored from the start.
+    struct sigaction given {};
+    if (::sigaction(SIGHUP, nullptr, &given) == 0 && given.sa_handler != SIG_IGN)
+        ::sigaction(SIGHUP, &interrupt, nullptr);
 
     struct sigaction alarm {};
     alarm.sa_handler = onAlarm;

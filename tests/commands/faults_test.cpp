@@ -183,6 +183,7 @@ TEST_F(VanishingFolderTest, IsNoticed) {
 class SignalTest : public FaultsTest, public ::testing::WithParamInterface<int> {};
 
 TEST_P(SignalTest, AnEndedSequenceHasWholeFramesOnly) {
+    std::signal(GetParam(), SIG_DFL); // also where these tests were started with nohup
     RunningProgram program({SHADOWLAB_PROGRAM, "capture", "box.json", "-o", "f_####.png", "--size", "160x120",
                             "--frames", "100000", "--orbit-light", "360", "--stats", "s.json"},
                            {.folder = folder.path()});
@@ -201,8 +202,8 @@ TEST_P(SignalTest, AnEndedSequenceHasWholeFramesOnly) {
     EXPECT_GE(frames, 3);
     EXPECT_LT(frames, 100000);
 }
-INSTANTIATE_TEST_SUITE_P(Signals, SignalTest, ::testing::Values(SIGINT, SIGTERM),
-                         [](const auto& info) { return info.param == SIGINT ? "Interrupt" : "Terminate"; });
+INSTANTIATE_TEST_SUITE_P(Signals, SignalTest, ::testing::Values(SIGINT, SIGTERM, SIGHUP),
+                         [](const auto& info) { return std::string(::sigabbrev_np(info.param)); });
 
 TEST_F(FaultsTest, AKilledRunIsSweptUpByTheNext) {
     RunningProgram program(

@@ -40,10 +40,18 @@ int afterOne(int signal) {
 }
 
 TEST(Signals, FirstOneSetsTheFlag) {
+    std::signal(SIGHUP, SIG_DFL); // also where these tests were started with nohup
     EXPECT_EQ(afterOne(SIGINT), 130);
     EXPECT_EQ(afterOne(SIGTERM), 143);
+    EXPECT_EQ(afterOne(SIGHUP), 129);
     EXPECT_EQ(afterOne(SIGPIPE), 0);
     EXPECT_EQ(afterOne(SIGXFSZ), 0);
+}
+
+TEST(Signals, AClosedTerminalIsIgnoredWhereItIsFromTheStart) {
+    std::signal(SIGHUP, SIG_IGN); // which is what nohup does
+    EXPECT_EQ(afterOne(SIGHUP), 0);
+    std::signal(SIGHUP, SIG_DFL);
 }
 
 TEST(Signals, SecondOneEndsAtOnceAndRemovesTemporaries) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs that are killed at random moments, by SIGKILL, SIGINT or SIGTERM, again and again until one comes to its end: no file is ever
+"""Runs that are killed at random moments, by SIGKILL, SIGINT, SIGTERM or SIGHUP, again and again until one comes to its end: no file is ever
 damaged, nothing is left behind, and the result is the one of a run that nobody disturbs. killed_runs.py BUILD_FOLDER [SEED]
 
 A sequence of pictures, a report (which goes on where it was), and slides. With SHADOWLAB_LONG a hundred kills; without, six."""
@@ -18,7 +18,7 @@ from pathlib import Path
 import outputs
 
 KILLS = 100 if os.environ.get("SHADOWLAB_LONG") else 6
-SIGNALS = (signal.SIGKILL, signal.SIGINT, signal.SIGTERM)
+SIGNALS = (signal.SIGKILL, signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 TECHNIQUES = "unshadowed,planar,shadow-map,shadow-volume-zfail"
 WORKS = {
     "sequence": ["capture", "box.json", "-o", "FOLDER/f_##.png", "--size", "160x120", "--frames", "30", "--orbit-light", "90", "--labels", "false"],
@@ -82,7 +82,7 @@ class Work:
         wrong = []
         if run.returncode not in (0, -which, -signal.SIGKILL, 128 + which):
             wrong.append(f"status {run.returncode} after {which.name}, says {err!r}")
-        if run.returncode == -signal.SIGINT or run.returncode == -signal.SIGTERM:
+        if run.returncode in (-signal.SIGINT, -signal.SIGTERM, -signal.SIGHUP):
             early = time.monotonic() - killed  # before main() begins, a signal ends every program like that
             wrong += [f"{which.name} is not handled ({early:.1f} s)"] if outputs.contents(self.folder) and any(
                 outputs.TEMPORARY.search(name) for name in outputs.contents(self.folder)) else []
@@ -100,6 +100,7 @@ class Work:
 
 
 def main(build, seed):
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # also where this was started with nohup
     chance, kills, wrong, moments = random.Random(seed), Counter(), [], 0
     with tempfile.TemporaryDirectory() as folder:
         place = Path(folder)
