@@ -108,7 +108,7 @@ def main(build, seed):
         works = [Work(name, build / "shadowlab", place) for name in WORKS]
         while moments < KILLS:
             work = works[moments % len(works)]
-            which = SIGNALS[(moments + moments // len(works)) % len(SIGNALS)]  # each work by each of them
+            which = SIGNALS[moments // len(works) % len(SIGNALS)]  # each work by each of them
             was_done, faults = work.kill_once(chance, which)
             moments += not was_done
             kills[f"{work.name} by {which.name}"] += not was_done
