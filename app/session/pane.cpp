@@ -149,17 +149,17 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
         converged_ = progress_ == 1;
         if (!converged_) return; // the last picture stays
     }
-    if (frame.stopAfter &&
-        !(request.state.technique == drawn_.technique && request.state.values() == drawn_.values() && !passes_.empty()))
-        passes_ =
-            distinct(session.render(slot, request.view, {.refine = false, .deadline = work.deadline}).result.passes);
+    if (frame.stopAfter && !(request.state.technique == drawn_.technique && request.state.values() == drawn_.values() &&
+                             !passesOf(drawn_.technique).empty()))
+        keepPasses(request.state.technique,
+                   session.render(slot, request.view, {.refine = false, .deadline = work.deadline}).result.passes);
     RenderedFrame rendered = session.render(slot, request.view, frame);
     converged_ = rendered.converged;
     progress_ = rendered.prepared;
     if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
     if (step) requirePassRan(rendered, *step, *slot.info);
     encode(session, encoder, request, slot, stage, rendered);
-    if (!frame.stopAfter) passes_ = distinct(rendered.result.passes);
+    if (!frame.stopAfter) keepPasses(request.state.technique, rendered.result.passes);
     // Times are taken now and then; between, the last ones stand.
     if (!work.timePasses && drawn_.technique == request.state.technique) {
         rendered.result.passMs = std::move(rendered_.result.passMs);
@@ -169,6 +169,16 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     drawn_ = request.state;
     rendered_ = std::move(rendered);
     isDrawn_ = true;
+}
+
+void Pane::keepPasses(const std::string& technique, const std::vector<StageKey>& passes) {
+    passes_ = distinct(passes);
+    passesTechnique_ = technique;
+}
+
+const std::vector<StageKey>& Pane::passesOf(std::string_view technique) const {
+    static const std::vector<StageKey> kNone;
+    return technique == passesTechnique_ ? passes_ : kNone;
 }
 
 /// False when the technique was not ready in time.

@@ -83,8 +83,9 @@ public:
                !drawnFor_.state.stage.starts_with("outside");
     }
     [[nodiscard]] const PaneRequest& drawnFor() const { return drawnFor_; }
-    /// The passes that run with the settings of the picture, in order, also where it stops after one of them.
-    [[nodiscard]] const std::vector<StageKey>& passes() const { return passes_; }
+    /// The technique's passes that run with the settings of the picture, in order, also where it stops after one of them. None
+    /// while the picture is still another technique's, as it may be for long: a small window has no room for a new one.
+    [[nodiscard]] const std::vector<StageKey>& passesOf(std::string_view technique) const;
     [[nodiscard]] double progress() const { return progress_; } ///< 0..1 of what the technique prepares
     /// 0..1 of what it draws; while pictures are not refined, of the first whole one.
     [[nodiscard]] double drawnShare() const { return rendered_.drawn; }
@@ -92,6 +93,7 @@ public:
     void forget() { drawnFor_ = {}; }
 
 private:
+    void keepPasses(const std::string& technique, const std::vector<StageKey>& passes);
     void draw(Session& session, const PictureEncoder& encoder, const PaneRequest& request, const PaneWork& work);
     bool drawOutside(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Slot& slot,
                      const PaneWork& work);
@@ -105,7 +107,8 @@ private:
     PaneRequest drawnFor_;
     bool isDrawn_ = false; ///< rendered_ is of drawnFor_, and not of what was asked for before
     std::vector<StageKey> passes_;
-    PaneState drawn_; ///< of the picture
+    std::string passesTechnique_; ///< whose they are
+    PaneState drawn_;             ///< of the picture
     std::string failure_;
     double progress_ = 1;
     bool converged_ = true, timed_ = false;

@@ -42,8 +42,9 @@ void chooseLayout(Desk& desk, session::Layout layout) {
 void step(Desk& desk, int by) {
     const int active = desk.bench.document().active;
     const session::Pane& pane = desk.bench.pane(active);
-    chooseStage(desk, session::stepped(desk.bench.document().panes[static_cast<std::size_t>(active)].stage,
-                                       pane.passes(), *desk.bench.shownScene(), desk.bench.document().light, by));
+    const session::PaneState& state = desk.bench.document().panes[static_cast<std::size_t>(active)];
+    chooseStage(desk, session::stepped(state.stage, pane.passesOf(state.technique), *desk.bench.shownScene(),
+                                       desk.bench.document().light, by));
 }
 
 void moveSelected(Desk& desk, const dvec3& byWorld, const std::string& gesture) {

@@ -344,7 +344,7 @@ float stepPanelHeight(const Desk& desk, const Theme& theme, float width) {
 void stepPanel(Desk& desk, const Area& area, const Theme& theme) {
     const session::Document& document = desk.bench.document();
     const session::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
-    const std::vector<StageKey>& passes = desk.bench.pane(document.active).passes();
+    const std::vector<StageKey>& passes = desk.bench.pane(document.active).passesOf(state.technique);
     const scene::Scene& scene = *desk.bench.shownScene();
     const auto now = session::stepOf(state.stage, passes, scene, document.light);
     beginIn("step", area, ImGuiWindowFlags_NoNav);
