@@ -123,7 +123,8 @@ std::optional<std::filesystem::path> AllowedFolders::resolve(std::string_view re
     const std::filesystem::path absolute = std::filesystem::absolute(base_ / reference, error);
     if (error) return std::nullopt;
     std::filesystem::path file = std::filesystem::weakly_canonical(absolute, error);
-    if (error) return std::nullopt;
+    // Links in a circle, a name too long: nothing can be opened under it, and whoever tries learns why.
+    if (error) file = absolute.lexically_normal();
     const bool inside = std::ranges::any_of(folders_, [&](const auto& folder) { return isInside(file, folder); });
     return inside ? std::optional(std::move(file)) : std::nullopt;
 }

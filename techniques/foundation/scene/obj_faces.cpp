@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <unordered_set>
 
 #define TINYOBJLOADER_IMPLEMENTATION
 #define TINYOBJLOADER_USE_DOUBLE
@@ -160,11 +161,12 @@ void readAlphaMap(const tinyobj::material_t& mtl, Material& material, const Allo
 }
 
 /// One note for all materials that usemtl names and no library defines.
-void noteUnknownMaterials(const ObjScan& scan, const std::filesystem::path& file, ObjFaces& faces) {
+void noteUnknownMaterials(const ObjScan& scan, const std::filesystem::path& file,
+                          const std::unordered_set<std::string>& known, ObjFaces& faces) {
     const ObjReference* first = nullptr;
     std::size_t unknown = 0;
     for (const ObjReference& used : scan.usedMaterials) {
-        if (std::ranges::find(faces.materials, used.name, &Material::name) != faces.materials.end()) continue;
+        if (known.contains(used.name)) continue;
         if (unknown++ == 0) first = &used;
     }
     if (!first) return;
@@ -193,14 +195,14 @@ ObjFaces readFaces(ObjScan& scan, const std::filesystem::path& file, const LoadO
 
     const AllowedFolders folders(file, options);
     AlphaMasks masks;
+    std::unordered_set<std::string> known;
     for (const tinyobj::material_t& mtl : collector.materials) {
-        const bool isKnown =
-            std::ranges::find(collector.faces.materials, mtl.name, &Material::name) != collector.faces.materials.end();
-        if (mtl.name.empty() || isKnown) continue; // LoadMtl adds a nameless one for an empty file
+        if (mtl.name.empty() || !known.insert(mtl.name).second)
+            continue; // LoadMtl adds a nameless one for an empty file
         collector.faces.materials.push_back(converted(mtl));
         readAlphaMap(mtl, collector.faces.materials.back(), folders, masks, options.limits, collector.faces.notes);
     }
-    noteUnknownMaterials(scan, file, collector.faces);
+    noteUnknownMaterials(scan, file, known, collector.faces);
     return std::move(collector.faces);
 }
 

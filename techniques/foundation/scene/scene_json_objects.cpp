@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <set>
+#include <span>
 
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/holes.h"
@@ -24,6 +25,8 @@ public:
         sceneMaterials_ = materialIndex_;
     }
 
+    /// Those of all shapes together, before the first is built. What is wrong with one is for read() to say.
+    void countShapes(std::span<const JsonValue> values);
     void read(const JsonValue& value, const std::string& what);
 
 private:
@@ -116,6 +119,21 @@ ObjectReader::LoadedMesh ObjectReader::shape(const JsonObject& keys, NormalMode 
     std::shared_ptr<const Mesh>& mesh = shapes_[{request.id, mode}];
     if (!mesh) mesh = sharedMesh(withNormals(request.make(), mode));
     return {mesh, {kWhite}, request.id, {}};
+}
+
+void ObjectReader::countShapes(std::span<const JsonValue> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        try {
+            const JsonObject keys = checkedKeys(values[i], "object " + std::to_string(i + 1));
+            if (!keys.find("shape")) continue;
+            const std::uint64_t more = readShape(reading_, keys).triangles;
+            checkTriangles(keys, more);
+            triangles_ += more;
+        } catch (const Error& fault) {
+            if (fault.status() == ExitStatus::overLimit) throw;
+        }
+    }
+    triangles_ = 0;
 }
 
 /// Index of a material that an MTL file defines, added to the scene on first use. A name that is taken gets the mesh
@@ -250,6 +268,7 @@ void readObjects(const SceneReading& reading, const JsonObject& top) {
                      std::to_string(reading.options.limits.objects) + "; remove some, or set --limit objects",
                  ExitStatus::overLimit);
     ObjectReader reader(reading);
+    reader.countShapes(values);
     for (std::size_t i = 0; i < values.size(); ++i)
         reader.read(values[i], "object " + std::to_string(i + 1));
 }
