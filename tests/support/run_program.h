@@ -22,7 +22,11 @@ struct ProgramSetting {
     std::filesystem::path folder = ".";
     std::map<std::string, std::string> environment{}; ///< added to ours; an empty text removes the variable
     std::function<void()> inChild{};                  ///< called between fork and exec: only system calls
+#ifdef __SANITIZE_ADDRESS__                           // some five times slower
+    int timeoutSeconds = 600;
+#else
     int timeoutSeconds = 120;
+#endif
 };
 
 /// A program on its way.

@@ -19,8 +19,11 @@ std::uint64_t leastLimit() {
     const long pages = sysconf(_SC_PHYS_PAGES), pageBytes = sysconf(_SC_PAGESIZE);
     if (pages > 0 && pageBytes > 0) least = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(pageBytes);
     rlimit addresses{};
+    // Addresses are given to libraries and stacks, too, of which little is ever in memory. Mesa does not survive without.
+    constexpr std::uint64_t kUnused = 300'000'000;
     if (getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY)
-        least = std::min<std::uint64_t>(least, addresses.rlim_cur);
+        least =
+            std::min<std::uint64_t>(least, addresses.rlim_cur - std::min<std::uint64_t>(addresses.rlim_cur, kUnused));
     std::uint64_t group = 0; // of a container; "max" is no number, and no limit
     if (std::ifstream file("/sys/fs/cgroup/memory.max"); file >> group && group > 0) least = std::min(least, group);
     return least;

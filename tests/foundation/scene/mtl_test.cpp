@@ -137,7 +137,7 @@ TEST(Mtl, AFifoADeviceOrAFolderDoesNotHang) {
     ASSERT_EQ(::mkfifo((folder.path() / "pipe.mtl").c_str(), 0600), 0);
     std::filesystem::create_directory(folder.path() / "folder.mtl");
     for (const auto& [name, message] :
-         {std::pair{"pipe.mtl", "pipe.mtl: is not a regular file"},
+         {std::pair{"pipe.mtl", "m.obj:1: material file \"pipe.mtl\" is not a regular file; name a readable file"},
           std::pair{"folder.mtl", "m.obj:1: material file \"folder.mtl\" is a folder; name a file in it"},
           std::pair{".", "m.obj:1: material file \".\" is a folder; name a file in it"}}) {
         const auto file = folder.write("m.obj", "mtllib " + std::string(name) + "\n" + kTriangles + "f 1 2 3\n");
