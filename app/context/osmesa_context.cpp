@@ -75,18 +75,30 @@ private:
     Buffer pixel_{};
 };
 
+/// Two settings under which OSMesa ends the program instead of saying that it has no context.
+void requireSurvivableSettings() {
+    const auto setting = [](const char* name) {
+        const char* value = std::getenv(name);
+        return std::string_view(value ? value : "");
+    };
+    const std::string_view driver = setting("GALLIUM_DRIVER");
+    if (!driver.empty() && driver != "llvmpipe" &&
+        driver != "softpipe") // it makes none of another name, and then uses it
+        throw Unavailable("GALLIUM_DRIVER asks for a driver that OSMesa does not have",
+                          "unset GALLIUM_DRIVER, or write llvmpipe or softpipe");
+    const std::string_view shaders = setting("MESA_GLSL_VERSION_OVERRIDE");
+    if (!shaders.empty() && shaders < "330" && setting("MESA_GL_VERSION_OVERRIDE").empty())
+        throw Unavailable("MESA_GLSL_VERSION_OVERRIDE asks for shaders older than those of OpenGL 3.3",
+                          "unset MESA_GLSL_VERSION_OVERRIDE");
+}
+
 } // namespace
 
 std::unique_ptr<Context> createOsmesaContext() {
     if (!osmesa().library.loaded()) throw Unavailable("libOSMesa.so.8 is missing", kInstallOsmesa);
     if (!osmesa().complete)
         throw Unavailable("libOSMesa is older than Mesa 11.2 and cannot do core profiles", kInstallOsmesa);
-    // With any other name OSMesa makes no driver, and then uses it.
-    if (const char* driver = std::getenv("GALLIUM_DRIVER");
-        driver && std::string_view(driver) != "" && std::string_view(driver) != "llvmpipe" &&
-        std::string_view(driver) != "softpipe")
-        throw Unavailable("GALLIUM_DRIVER asks for a driver that OSMesa does not have",
-                          "unset GALLIUM_DRIVER, or write llvmpipe or softpipe");
+    requireSurvivableSettings();
     TrackedContext::releaseCurrent();
     auto context = std::make_unique<OsMesaContext>();
     context->makeCurrent();

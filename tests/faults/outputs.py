@@ -58,6 +58,8 @@ OUTPUTS = [
             environment={"MESA_GL_VERSION_OVERRIDE": "3.2", "MESA_GLSL_VERSION_OVERRIDE": "150"}),
     refused("a driver that OSMesa does not have", capture_to("x.png", "--backend", "osmesa"), 5, "GALLIUM_DRIVER", "unset",
             environment={"GALLIUM_DRIVER": "zink"}),
+    refused("shaders of another time alone", capture_to("x.png", "--backend", "osmesa"), 5, "MESA_GLSL_VERSION_OVERRIDE", "unset",
+            environment={"MESA_GLSL_VERSION_OVERRIDE": "120"}),
     refused("a window without a display", capture_to("x.png", "--backend", "window"), 5, "display"),
     refused("a display that is not there", capture_to("x.png", "--backend", "window"), 5, "display", environment={"DISPLAY": ":8888"}),
     refused("shaders that are broken", capture_to("x.png", "-t", "unshadowed"), 3, "shade_light.frag", files={"shaders/light.glsl": "float ;\n"},
