@@ -1,5 +1,8 @@
 // The program: parse, dispatch to a subcommand, and the only place where errors become messages and exit statuses.
 // SPDX-License-Identifier: MIT
+#include <unistd.h>
+
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -9,6 +12,7 @@
 #include "app/context/signals.h"
 #include "app/session/plugins.h"
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_file.h"
 
 namespace {
 
@@ -17,12 +21,18 @@ int fail(shadowlab::ExitStatus status, const std::string& message) {
     return static_cast<int>(status);
 }
 
-} // namespace
+bool hasEnded = false;
 
-int main(int argc, char** argv) {
+/// Nothing of this program calls exit(). What does would else leave with whatever status it likes, and without a picture.
+void onExit() {
+    if (hasEnded) return;
+    fail(shadowlab::ExitStatus::bug, "a plug-in or a library has ended the program; try without it");
+    shadowlab::image::removeTemporariesNow();
+    ::_exit(static_cast<int>(shadowlab::ExitStatus::bug));
+}
+
+int run(int argc, char** argv) {
     using shadowlab::ExitStatus;
-    shadowlab::commands::keepStandardDescriptors();
-    shadowlab::context::installSignalHandlers();
     try {
         return shadowlab::commands::run(argc, argv);
     } catch (const shadowlab::context::Interrupted& interrupted) {
@@ -38,4 +48,15 @@ int main(int argc, char** argv) {
                         (own ? "; this is a fault of the program, please report it with the command line"
                              : "; this is a fault of the program or of a plug-in, try without it"));
     }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    shadowlab::commands::keepStandardDescriptors();
+    shadowlab::context::installSignalHandlers();
+    std::atexit(onExit);
+    const int status = run(argc, argv);
+    hasEnded = true;
+    return status;
 }

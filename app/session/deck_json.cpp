@@ -97,6 +97,8 @@ struct Deck::File {
           states(document, path, options) {
         title = shortText(top, "title", kLongestTitle);
         subtitle = optionalText(top, "subtitle", kLongestTitle);
+        if (top.array("slides").size() > kMostSlides)
+            top.fail("slides", "has more than " + std::to_string(kMostSlides) + " slides; make two decks of it");
         for (const JsonValue& value : top.array("slides")) {
             const JsonValue* found = nullptr;
             if (value.kind == JsonValue::Kind::object)
@@ -118,8 +120,6 @@ struct Deck::File {
             names.push_back(found->string);
         }
         if (names.empty()) top.fail("slides", "is missing or empty; write a list of slides");
-        if (names.size() > kMostSlides)
-            top.fail("slides", "has more than " + std::to_string(kMostSlides) + " slides; make two decks of it");
     }
 
     SlidePicture picture(std::span<const JsonObject* const> levels) {

@@ -22,7 +22,8 @@ namespace {
 
 constexpr std::chrono::seconds kLongest{10}; // lists of words: they take milliseconds
 
-constexpr int kSaid = 3; // exit status of a child that has written what was wrong
+// Exit statuses of a child that has written what was wrong, and of one that is done: 0 is what a plug-in may end it with.
+constexpr int kSaid = 3, kDone = 117;
 
 void write(int descriptor, const char* text) {
     // What does not fit into the pipe's 64 KiB is too long a message anyway.
@@ -46,7 +47,7 @@ void write(int descriptor, const char* text) {
         write(answer, "it throws something that is no std::exception");
         ::_exit(kSaid);
     }
-    ::_exit(0);
+    ::_exit(kDone);
 }
 
 /// What comes from the child until it closes its end. False when the time is over first.
@@ -100,7 +101,7 @@ std::optional<std::string> tryInChild(const std::function<void()>& work) {
     if (!ended) return "it does not come to an end within " + std::to_string(kLongest.count()) + " s";
     if (WIFSIGNALED(status)) return "it crashes (" + signalText(WTERMSIG(status)) + ")";
     if (WEXITSTATUS(status) == kSaid) return said;
-    if (WEXITSTATUS(status) != 0)
+    if (WEXITSTATUS(status) != kDone)
         return "it ends the program (exit status " + std::to_string(WEXITSTATUS(status)) + ")";
     return std::nullopt;
 }

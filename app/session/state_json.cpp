@@ -93,6 +93,9 @@ void StateReader::loadScene(const JsonObject& object, ShownState& state) {
         const auto found = scene::AllowedFolders(file_, options_).resolve(reference);
         if (!found) object.fail("scene", scene::inQuotes(reference) + " " + std::string(scene::kOutsideMessage));
         state.sceneName = (file_.parent_path() / reference).string();
+        if (const std::string fault = scene::whyUnreadable(state.sceneName); !fault.empty())
+            object.fail("scene",
+                        scene::inQuotes(reference) + " " + fault + "; correct the path, it is relative to this file");
     } else {
         oneOf(object, "scene", reference, scene::builtInScenes(options_.assetsRoot));
     }

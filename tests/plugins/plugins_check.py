@@ -80,9 +80,15 @@ def check_faults_of_files(program, place, plugin):
 
 def check_faults_of_code(program, plugin):
     for behaviour, words in (("bad-id", "'Bad Id'"), ("taken-id", "'shadow-map' already"), ("throws-in-list", "no list today"),
-                             ("lists-none", "lists none"), ("crashes-in-list", "it crashes (aborted)")):
+                             ("lists-none", "lists none"), ("crashes-in-list", "it crashes (aborted)"), ("exits-in-list", "it ends the program")):
         one_line(misbehaving(program, "list", "techniques", "--plugin", plugin, behaviour=behaviour), 3, str(plugin), words)
     one_line(misbehaving(program, "grade", "--plugin", plugin, behaviour="crashes-in-list"), 3, "crashes")
+    with tempfile.TemporaryDirectory() as folder:
+        picture = Path(folder) / "x.png"
+        picture.write_text("old")
+        one_line(misbehaving(program, "capture", "sphere-on-plane", "-t", "misbehaving", "--plugin", plugin, "--size", "32x24", "-o", picture,
+                             behaviour="exits"), 70, "ended the program")
+        expect(os.listdir(folder) == ["x.png"] and picture.read_text() == "old", "the old picture is kept, and nothing else is there")
 
 
 def check_plugin_is_everywhere(program, place, plugin):
