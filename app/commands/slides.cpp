@@ -53,8 +53,12 @@ public:
             decks.emplace_back(name, loading);
         checkOnly(decks);
         context_ = context::createContext(options_.backend); // before the folders: without graphics none is left behind
-        makeFolder(options_.output);
-        makeFolder(options_.output / "pictures");
+        std::error_code ignored;
+        const std::filesystem::path folders[] = {options_.output / "pictures", options_.output};
+        const bool were[] = {std::filesystem::exists(folders[0], ignored),
+                             std::filesystem::exists(folders[1], ignored)};
+        makeFolder(folders[1]);
+        makeFolder(folders[0]);
         if (const int limit = context::largestSide();
             std::max(options_.look.size.x, options_.look.size.y) * options_.look.supersample > limit)
             throw Error(ExitStatus::overLimit, "a picture needs more samples on a side than the " +
@@ -68,6 +72,9 @@ public:
         progress_.emplace("slide", total);
         for (Deck& deck : decks)
             draw(deck);
+        for (const int i : {0, 1}) // one that nothing came into goes again
+            if (!were[i] && std::filesystem::is_empty(folders[i], ignored))
+                std::filesystem::remove(folders[i], ignored);
         return static_cast<int>(worst_);
     }
 

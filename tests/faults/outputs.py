@@ -68,6 +68,8 @@ OUTPUTS = [
             environment={"SHADOWLAB_SHADERS": "shaders"}),
     drawn("a folder of shaders that is not there", ["x.png"], capture_to("x.png"), environment={"SHADOWLAB_SHADERS": "nowhere"}),
     refused("a scene that is also the picture's folder", capture_to("s.json/"), 2, "s.json"),
+    refused("a slide that the deck does not have", ["demo", "--deck", "shadows", "--slide", "volums"], 2, "--slide", '"volumes"'),
+    refused("a lesson beside a scene that is not there", ["demo", "gone.json", "--lesson", "acne"], 3, "gone.json"),
     refused("a limit nobody knows", capture_to("x.png", "--limit", "trianlges=3"), 2, '"triangles"'),
     refused("a limit without its value", capture_to("x.png", "--limit", "triangles"), 2, "--limit triangles=20000000"),
     refused("a limit of nothing", capture_to("x.png", "--limit", "triangles=0"), 2, "from 1 to 1000000000"),
