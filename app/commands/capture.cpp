@@ -39,9 +39,13 @@ std::filesystem::path sceneFile(const std::string& scene) {
 /// Would these two names lead to one and the same regular file?
 bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code ignored;
+    const auto target = [&](const std::filesystem::path& path) { // a link may lead to a file yet to be made
+        const bool isLoose = std::filesystem::is_symlink(path, ignored) && !std::filesystem::exists(path, ignored);
+        return std::filesystem::weakly_canonical(
+            isLoose ? path.parent_path() / std::filesystem::read_symlink(path, ignored) : path, ignored);
+    };
     if (std::filesystem::exists(a, ignored) && !std::filesystem::is_regular_file(a, ignored)) return false; // /dev/null
-    return std::filesystem::equivalent(a, b, ignored) ||
-           std::filesystem::weakly_canonical(a, ignored) == std::filesystem::weakly_canonical(b, ignored);
+    return std::filesystem::equivalent(a, b, ignored) || target(a) == target(b);
 }
 
 class Capture {
@@ -110,6 +114,7 @@ private:
         base_ = scene::loadScene(
             options_.scene,
             {.assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = session::limits()});
+        image::probeWritable(numbered(options_.output, 0)); // it may be an image that the scene shows
         if (!options_.light.empty()) defaultLight_ = session::lightIndex(*base_, options_.light);
     }
 

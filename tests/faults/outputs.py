@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 import os
 
+from references import HOLES, dot
 from row import LIGHT, Row, scene
 
 SCENE = {"s.json": scene()}
@@ -70,6 +71,10 @@ OUTPUTS = [
     refused("a scene that is also the picture's folder", capture_to("s.json/"), 2, "s.json"),
     refused("a slide that the deck does not have", ["demo", "--deck", "shadows", "--slide", "volums"], 2, "--slide", '"volumes"'),
     refused("a lesson beside a scene that is not there", ["demo", "gone.json", "--lesson", "acne"], 3, "gone.json"),
+    Row("an image of the scene for its picture", {"s.json": HOLES, "a.png": dot()}, capture_to("a.png"), 2, ["a.png", "another name"]),
+    Row("a scene for the numbers of a report", {"report.json": scene()},
+        ["report", "report.json", "--quick", "--size", "64x48", "-t", "unshadowed", "-o", "."], 4, ["report.json", "overwritten"]),
+    refused("the picture for its numbers, through a link", capture_to("x.png", "--stats", "n.json"), 2, "--stats", files={"x.png": link_to("n.json")}),
     refused("a limit nobody knows", capture_to("x.png", "--limit", "trianlges=3"), 2, '"triangles"'),
     refused("a limit without its value", capture_to("x.png", "--limit", "triangles"), 2, "--limit triangles=20000000"),
     refused("a limit of nothing", capture_to("x.png", "--limit", "triangles=0"), 2, "from 1 to 1000000000"),

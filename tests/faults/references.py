@@ -18,12 +18,17 @@ def with_mesh(name):
 HOLES = scene(objects='"objects": [{"shape": "box", "size": [1, 1, 1], "material": "a"}]', more='\n"materials": {"a": {"alphaMap": "a.png"}}')
 
 
+def dot():
+    """A PNG of one pixel."""
+    return picture_of(1)
+
+
 def picture_of(side):
-    """A PNG that says it has so many pixels on a side, and has none."""
+    """A PNG that says it has so many pixels on a side, and has one."""
     def chunk(kind, content):
         return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
     size = struct.pack(">IIBBBBB", side, side, 8, 6, 0, 0, 0)
-    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", size) + chunk(b"IDAT", zlib.compress(bytes(8))) + chunk(b"IEND", b"")
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", size) + chunk(b"IDAT", zlib.compress(bytes(5))) + chunk(b"IEND", b"")
 
 
 def link_to(target):

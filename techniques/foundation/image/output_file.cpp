@@ -17,6 +17,8 @@
 #include <cerrno>
 #include <climits>
 #include <cstring>
+#include <mutex>
+#include <set>
 
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_error.h"
@@ -109,6 +111,21 @@ void sweepStrays(const fs::path& target) {
     }
 }
 
+struct Inputs {
+    std::mutex mutex;         // scenes are also read in the background
+    std::set<fs::path> files; // canonical; the numbers of files are given again to others
+};
+Inputs& inputs() {
+    static Inputs all;
+    return all;
+}
+
+bool isInput(const fs::path& file) {
+    std::error_code ignored;
+    const std::lock_guard lock(inputs().mutex);
+    return inputs().files.contains(fs::canonical(file, ignored));
+}
+
 } // namespace
 
 OutputFile::OutputFile(const fs::path& path) : shown_(path), target_(path) {
@@ -133,6 +150,9 @@ OutputFile::OutputFile(const fs::path& path) : shown_(path), target_(path) {
             openSpecial();
             return;
         }
+        if (isInput(target_))
+            throw Error(ExitStatus::usage,
+                        path.string() + ": is a file of the scene that is read; choose another name");
         replaces_ = true;
         // Renaming over it would work, but whoever made it read-only wants to keep it.
         if (::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0)
@@ -194,8 +214,7 @@ void OutputFile::write(std::span<const std::uint8_t> bytes) {
         const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
         if (written > 0) {
             bytes = bytes.subspan(static_cast<std::size_t>(written));
-        } else if (written < 0 &&
-                   (errno == EAGAIN || errno == EWOULDBLOCK)) { // a full pipe
+        } else if (written < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) { // a full pipe
             pollfd waiting{descriptor_, POLLOUT, 0};
             ::poll(&waiting, 1, -1);
         } else if (written == 0 || errno != EINTR) {
@@ -248,6 +267,13 @@ void probeWritable(const fs::path& path) {
     if (special && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
         throw Error(ExitStatus::cannotWrite, outputErrorText(path, errno, false));
     if (!special) OutputFile probe(path); // makes the temporary, removes it again
+}
+
+void keepInput(const fs::path& file) {
+    std::error_code failed;
+    const fs::path canonical = fs::canonical(file, failed);
+    const std::lock_guard lock(inputs().mutex);
+    if (!failed) inputs().files.insert(canonical);
 }
 
 void removeTemporariesNow() noexcept {

@@ -48,6 +48,10 @@ void writeWhole(const std::filesystem::path& path, std::string_view text);
 /// permission, name too long). Leaves everything as it was. Throws Error (cannotWrite).
 void probeWritable(const std::filesystem::path& path);
 
+/// From now on no output may replace this file: it is a scene, or an image of one, that was read. A picture beside the scene is
+/// easily given the name of an image that the scene shows. OutputFile then throws Error (usage).
+void keepInput(const std::filesystem::path& file);
+
 /// Removes the temporaries of every output under way. Async-signal-safe: for the handler that is about to _exit.
 void removeTemporariesNow() noexcept;
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/png.h"
 #include "techniques/foundation/scene/file_access.h"
 #include "techniques/foundation/scene/load.h"
@@ -57,6 +58,7 @@ std::shared_ptr<const AlphaMask> AlphaMasks::load(const std::filesystem::path& c
         throw Error(error.status(), std::string(error.what()).substr(kAfterColon) +
                                         (error.status() == ExitStatus::overLimit ? ", or set --limit image-side" : ""));
     }
+    image::keepInput(canonical);
     return mask;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/file_access.h"
 #include "techniques/foundation/scene/message_text.h"
@@ -20,7 +21,9 @@ std::string ending(const std::filesystem::path& path) {
 }
 
 std::shared_ptr<const Scene> loadJson(const std::filesystem::path& file, const LoadOptions& options) {
-    return parseSceneJson(readFile(file, options.limits.sceneFileBytes, "scene-file"), file, options);
+    const auto scene = parseSceneJson(readFile(file, options.limits.sceneFileBytes, "scene-file"), file, options);
+    image::keepInput(file);
+    return scene;
 }
 
 } // namespace
