@@ -8,6 +8,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/messages.h"
 #include "app/commands/text_table.h"
+#include "app/context/signals.h"
 #include "app/session/assets.h"
 #include "app/session/lesson_figure.h"
 #include "app/session/lesson_film.h"
@@ -106,11 +107,13 @@ int lesson(const LessonOptions& options) {
             film->finish();
         } else {
             const image::Image figure = session::lessonFigure(lesson, options.states, options.size, font, bold);
+            context::throwIfInterrupted();
             image::writeWhole(options.output, image::encodePng(figure, {.opaque = true, .text = text}));
         }
     }
     if (!options.measure) return 0;
     const std::vector<MeasuredExpectation> measured = session::measureLesson(lesson);
+    context::throwIfInterrupted();
     print(options.json ? json(lesson, measured) : table(lesson, measured));
     if (!session::holdsAsExpected(measured))
         throw Error(ExitStatus::badInput, scene::shownPath(lesson.text.file) +

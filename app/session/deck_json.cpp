@@ -97,6 +97,7 @@ struct Deck::File {
           states(document, path, options) {
         title = shortText(top, "title", kLongestTitle);
         subtitle = optionalText(top, "subtitle", kLongestTitle);
+        if (top.find("scene")) (void)top.text("scene"); // also where every slide names its own
         if (top.array("slides").size() > kMostSlides)
             top.fail("slides", "has more than " + std::to_string(kMostSlides) + " slides; make two decks of it");
         for (const JsonValue& value : top.array("slides")) {
