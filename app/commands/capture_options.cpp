@@ -255,8 +255,8 @@ CaptureOptions captureOptions(const CLI::App& command) {
         refuseUsage("--ui: the window has " + std::to_string(session::kPanes) + " panes, " +
                     std::to_string(options.techniques.size()) + " techniques are given with -t; leave some out");
     if (options.ui && given.has("--stats")) refuseUsage("--stats: not with --ui; leave one of them out");
-    options.size = sizeFrom("--size", given.text("--size", "1280x720"), kLongestSide);
-    options.supersample = countFrom("--supersample", given.text("--supersample", "1"), kMostSupersample);
+    options.size = sizeFrom("--size", given.text("--size", "1280x720"), "picture-side");
+    options.supersample = limitedCountFrom("--supersample", given.text("--supersample", "1"), "supersample");
     // A visibility image, and what is derived from one, holds the answers at the pixels' centres, not an average.
     if (options.layout == session::Layout::diff || std::ranges::any_of(options.stages, [](const std::string& stage) {
             return stageId(stage) == "visibility" || session::isDerived(stageId(stage));
@@ -303,13 +303,15 @@ int requireDrawable(const CaptureOptions& options) {
     }
     const std::string mend =
         std::string("choose a smaller --size") + (options.supersample > 1 ? " or --supersample" : "");
-    if (longest > kLongestSide)
+    const session::PictureLimits& limits = session::pictureLimits();
+    if (static_cast<std::uint32_t>(longest) > limits.side)
         throw Error(ExitStatus::overLimit, asked + " needs " + std::to_string(longest) +
-                                               " samples on a side, the limit is " + std::to_string(kLongestSide) +
-                                               "; " + mend);
-    if (samples > kMostSamples)
+                                               " samples on a side, the limit is " + std::to_string(limits.side) +
+                                               "; " + mend + ", or set --limit picture-side");
+    if (static_cast<std::uint64_t>(samples) > limits.samples)
         throw Error(ExitStatus::overLimit, asked + " needs " + std::to_string(samples) + " samples, the limit is " +
-                                               std::to_string(kMostSamples) + "; " + mend);
+                                               std::to_string(limits.samples) + "; " + mend +
+                                               ", or set --limit picture-samples");
     session::reserveForPictures(static_cast<std::uint64_t>(samples), session::kBytesPerDrawnSample, asked, mend);
     return longest;
 }

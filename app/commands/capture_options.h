@@ -19,11 +19,6 @@ class App;
 
 namespace shadowlab::commands {
 
-// What a capture refuses to go beyond (exit status 6, except for the count: 2), shown by `list limits`.
-constexpr int kLongestSide = 16384;              ///< pixels of the picture, and samples of one panel, on a side
-constexpr std::int64_t kMostSamples = 1ll << 27; ///< of all panels together: 12 bytes each on the graphics card
-constexpr int kMostSupersample = 16;
-
 struct CaptureOptions {
     std::string scene;
     std::filesystem::path output;

@@ -97,7 +97,7 @@ DemoOptions demoOptions(const CLI::App& command) {
     options.slide = given.text("--slide");
     if (given.has("--slide") && !given.has("--deck")) refuseUsage("--slide is one of a deck; write --deck NAME, too");
     if (given.has("--lesson") && given.has("--deck")) refuseUsage("--lesson, --deck: one of them; leave the other out");
-    if (given.has("--size")) options.size = sizeFrom("--size", given.text("--size"), kLongestSide);
+    if (given.has("--size")) options.size = sizeFrom("--size", given.text("--size"), "picture-side");
     options.presenter = command.count("--presenter") > 0;
     options.keepSettings = booleanFrom("--keep-settings", given.text("--keep-settings", "true"));
     options.report = command.count("--report") > 0;

@@ -57,6 +57,7 @@ int demo(const DemoOptions& options) {
         picture.output =
             std::filesystem::current_path() / (std::filesystem::path(options.lesson).stem().string() + "-lesson.png");
         const int status = lesson(picture);
+        if (status != 0) return status;
         print(picture.output.string() + "\n");
         note("there is no display for a window; this picture was written instead");
         return status;
@@ -69,6 +70,7 @@ int demo(const DemoOptions& options) {
         pictures.output =
             std::filesystem::current_path() / (std::filesystem::path(options.deck).stem().string() + "-slides");
         const int status = slides(pictures);
+        if (status != 0) return status;
         print(pictures.output.string() + "\n");
         note("there is no display for a window; these pictures were written instead");
         return status;

@@ -61,7 +61,7 @@ LessonOptions lessonOptions(const CLI::App& command) {
     const std::vector<std::vector<std::size_t>> states = {{0}, {1}, {0, 1}};
     options.states = states[static_cast<std::size_t>(
         choiceFrom("--state", given.text("--state", "both"), {"before", "after", "both"}))];
-    options.size = sizeFrom("--size", given.text("--size", options.animate ? "1280x720" : "1600x900"), kLongestSide);
+    options.size = sizeFrom("--size", given.text("--size", options.animate ? "1280x720" : "1600x900"), "picture-side");
     options.backend = context::backendFromName(given.text("--backend", "auto"));
     for (const std::string& folder : given.texts("--allow"))
         options.allowed.emplace_back(folder);

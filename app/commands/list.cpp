@@ -187,16 +187,7 @@ Table keysTable() {
 Table limitsTable() {
     Table table{{"limit", "value", "unit"}, {}};
     for (const session::NamedLimit& limit : session::namedLimits())
-        table.rows.push_back({limit.name, std::to_string(limit.value(session::limits())), limit.unit});
-    // Those of pictures follow from what OpenGL and memory hold, and are not for setting.
-    const auto number = [](auto value) { return std::to_string(static_cast<std::uint64_t>(value)); };
-    for (std::vector<std::string> row :
-         std::initializer_list<std::vector<std::string>>{{"picture-side", number(kLongestSide), "pixels"},
-                                                         {"picture-samples", number(kMostSamples), "samples"},
-                                                         {"measured-side", number(kLongestMeasuredSide), "pixels"},
-                                                         {"supersample", number(kMostSupersample), "samples on a side"},
-                                                         {"frames", number(session::kMostFrames), ""}})
-        table.rows.push_back(std::move(row));
+        table.rows.push_back({limit.name, std::to_string(limit.value()), limit.unit});
     addDriverLimits(table);
     return table;
 }

@@ -52,7 +52,7 @@ MeasureOptions measureOptions(const CLI::App& command) {
     MeasureOptions options;
     options.scene = given.required("SCENE", "shadowlab measure SCENE");
     if (given.has("--technique")) options.techniques = measuredTechniquesFrom(given.texts("--technique"));
-    options.size = sizeFrom("--size", given.text("--size", "1280x720"), kLongestMeasuredSide);
+    options.size = sizeFrom("--size", given.text("--size", "1280x720"), "measured-side");
     reserveForMeasured(options.size);
     options.settings = given.texts("--set");
     options.light = given.text("--light");

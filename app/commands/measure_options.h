@@ -15,10 +15,6 @@ class App;
 
 namespace shadowlab::commands {
 
-// What a measurement refuses to go beyond (exit status 6), shown by `list limits`. Truth, verdicts and the comparisons
-// of pictures keep about 200 bytes a pixel.
-constexpr int kLongestMeasuredSide = 8192;
-
 struct MeasureOptions {
     std::string scene;
     std::vector<std::string> techniques{"shadow-volume-zfail"};

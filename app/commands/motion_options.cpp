@@ -15,7 +15,7 @@ void describeMotion(CLI::App& command) {
 
 MotionOptions motionOptions(const GivenOptions& given) {
     MotionOptions options;
-    if (given.has("--frames")) options.frames = countFrom("--frames", given.text("--frames"), session::kMostFrames);
+    if (given.has("--frames")) options.frames = limitedCountFrom("--frames", given.text("--frames"), "frames");
     if (given.has("--orbit-light"))
         options.orbitLightDegrees = degreesFrom("--orbit-light", given.text("--orbit-light"));
     if (given.has("--orbit-camera"))

@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/session/limits.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/nearest_names.h"
 
@@ -88,15 +89,18 @@ ivec2 pixelFrom(const std::string& option, const std::string& text, ivec2 size) 
     return pixel;
 }
 
-ivec2 sizeFrom(const std::string& option, const std::string& text, int longestSide) {
+ivec2 sizeFrom(const std::string& option, const std::string& text, std::string_view limit) {
     const std::size_t cross = std::min(text.find('x'), text.size());
     const std::string width = text.substr(0, cross), height = cross < text.size() ? text.substr(cross + 1) : "";
     ivec2 size{0};
     if (!readWhole(width, size.x) || !readWhole(height, size.y) || size.x < 1 || size.y < 1)
         refuseUsage(option + ": '" + text + "' is not a size; write WIDTHxHEIGHT in pixels, as 1280x720");
-    if (std::max(size.x, size.y) > longestSide)
-        throw Error(ExitStatus::overLimit, option + ": '" + text + "' is larger than " + std::to_string(longestSide) +
-                                               " pixels, the limit for either side; choose a smaller size");
+    const std::uint64_t longestSide = session::limitNamed(limit);
+    if (static_cast<std::uint64_t>(std::max(size.x, size.y)) > longestSide)
+        throw Error(ExitStatus::overLimit,
+                    option + ": '" + text + "' is larger than " + std::to_string(longestSide) +
+                        " pixels, the limit for either side; choose a smaller size, or set --limit " +
+                        std::string(limit));
     return size;
 }
 
@@ -129,6 +133,17 @@ int countFrom(const std::string& option, const std::string& text, int most) {
     if (!readWhole(text, value) || value < 1 || value > most)
         refuseUsage(option + ": '" + text + "' is not a whole number from 1 to " + std::to_string(most) +
                     "; write one");
+    return value;
+}
+
+int limitedCountFrom(const std::string& option, const std::string& text, std::string_view limit) {
+    int value = 0;
+    if (!readWhole(text, value) || value < 1)
+        (void)countFrom(option, text, static_cast<int>(session::limitNamed(limit)));
+    if (static_cast<std::uint64_t>(value) > session::limitNamed(limit))
+        throw Error(ExitStatus::overLimit, option + ": " + text + " is more than the limit of " +
+                                               std::to_string(session::limitNamed(limit)) +
+                                               "; write less, or set --limit " + std::string(limit));
     return value;
 }
 

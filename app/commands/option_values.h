@@ -48,8 +48,8 @@ void requireEnding(const std::string& option, const std::filesystem::path& path,
 /// "320,180": a pixel of a picture of that size.
 ivec2 pixelFrom(const std::string& option, const std::string& text, ivec2 size);
 
-/// "1280x720". Throws Error (overLimit) for a side beyond `longestSide`.
-ivec2 sizeFrom(const std::string& option, const std::string& text, int longestSide);
+/// "1280x720". Throws Error (overLimit) for a side beyond the limit of that name (session/limits.h).
+ivec2 sizeFrom(const std::string& option, const std::string& text, std::string_view limit);
 bool booleanFrom(const std::string& option, const std::string& text);
 /// An angle within a million degrees.
 double degreesFrom(const std::string& option, const std::string& text);
@@ -57,6 +57,8 @@ double degreesFrom(const std::string& option, const std::string& text);
 double secondsFrom(const std::string& option, const std::string& text);
 /// A whole number from 1 to `most`.
 int countFrom(const std::string& option, const std::string& text, int most);
+/// A whole number from 1. Throws Error (overLimit) beyond the limit of that name.
+int limitedCountFrom(const std::string& option, const std::string& text, std::string_view limit);
 /// Index of the text among `choices`.
 int choiceFrom(const std::string& option, const std::string& text, const std::vector<std::string>& choices);
 /// "a,b,c" in its parts.

@@ -46,7 +46,7 @@ ProbeOptions probeOptions(const CLI::App& command) {
     const std::string example = "shadowlab probe SCENE --pixel X,Y";
     ProbeOptions options;
     options.scene = given.required("SCENE", example);
-    options.size = sizeFrom("--size", given.text("--size", "1280x720"), kLongestSide);
+    options.size = sizeFrom("--size", given.text("--size", "1280x720"), "picture-side");
     options.pixel = pixelFrom("--pixel", given.required("--pixel", example), options.size);
     if (given.has("--partner")) options.partner = pixelFrom("--partner", given.text("--partner"), options.size);
     const std::vector<std::string> techniques =

@@ -64,8 +64,8 @@ public:
             note("interrupted; the same command goes on from here");
             throw;
         }
-        if (measured_ == 0) note("all of it was measured before; for new times choose another folder");
         writeAll(store_);
+        if (measured_ == 0) note("all of it was measured before; for new times choose another folder");
         return 0;
     }
 

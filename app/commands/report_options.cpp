@@ -71,8 +71,7 @@ ReportOptions reportOptions(const CLI::App& command) {
     if (options.isHard) refuseSceneOptions(given, options.scenes);
     if (given.has("--technique")) options.techniques = measuredTechniquesFrom(given.texts("--technique"));
     options.light = given.text("--light");
-    options.size =
-        sizeFrom("--size", given.text("--size", options.isQuick ? "640x360" : "1280x720"), kLongestMeasuredSide);
+    options.size = sizeFrom("--size", given.text("--size", options.isQuick ? "640x360" : "1280x720"), "measured-side");
     reserveForMeasured(options.size);
     if (given.has("--shard")) options.shard = report::shardFrom(given.text("--shard"));
     options.backend = context::backendFromName(given.text("--backend", "auto"));

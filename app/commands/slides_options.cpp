@@ -35,7 +35,7 @@ SlidesOptions slidesOptions(const CLI::App& command) {
     options.decks = given.texts("DECK");
     options.output = given.required("--output", "shadowlab slides -o DIR");
     options.only = splitAtCommas(given.texts("--only"));
-    options.look.size = sizeFrom("--size", given.text("--size", "1920x1080"), kLongestSide);
+    options.look.size = sizeFrom("--size", given.text("--size", "1920x1080"), "picture-side");
     constexpr int kLeastHeight = 360;                 // below, type dissolves
     constexpr double kNarrowest = 1.2, kWidest = 2.5; // shapes that slides are laid out for
     const double aspect = static_cast<double>(options.look.size.x) / options.look.size.y;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/session/limits.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "techniques/foundation/error.h"
@@ -16,11 +17,27 @@ scene::Limits& inForce() {
     return limits;
 }
 
+PictureLimits& picturesInForce() {
+    static PictureLimits limits;
+    return limits;
+}
+
+template <typename Limits, typename Value>
+NamedLimit limit(std::string name, std::string unit, std::uint64_t most, Limits& (*inForce)(), Value Limits::*member) {
+    return {std::move(name),
+            std::move(unit),
+            static_cast<std::uint64_t>(Limits().*member),
+            most,
+            [=] { return static_cast<std::uint64_t>(inForce().*member); },
+            [=](std::uint64_t value) { inForce().*member = static_cast<Value>(value); }};
+}
 template <typename Value>
 NamedLimit limit(std::string name, std::string unit, std::uint64_t most, Value scene::Limits::*member) {
-    return {std::move(name), std::move(unit), most,
-            [=](const scene::Limits& limits) { return static_cast<std::uint64_t>(limits.*member); },
-            [=](scene::Limits& limits, std::uint64_t value) { limits.*member = static_cast<Value>(value); }};
+    return limit(std::move(name), std::move(unit), most, inForce, member);
+}
+template <typename Value>
+NamedLimit limit(std::string name, std::string unit, std::uint64_t most, Value PictureLimits::*member) {
+    return limit(std::move(name), std::move(unit), most, picturesInForce, member);
 }
 
 } // namespace
@@ -29,7 +46,8 @@ const std::vector<NamedLimit>& namedLimits() {
     using scene::Limits;
     // Where raising ends: file sizes and lines where no disk and no memory follows; an image where no graphics card does; triangles
     // where a corner's number leaves 32 bits; levels of JSON where the reader's own recursion would leave its stack; a coordinate
-    // where its square leaves float; memory where no machine follows.
+    // where its square leaves float; memory where no machine follows; pictures where their numbers of pixels leave 32 bits (what the
+    // driver draws is asked of it).
     static const std::vector<NamedLimit> all = {
         limit("mesh-file", "bytes", 1'000'000'000'000, &Limits::fileBytes),
         limit("material-file", "bytes", 1'000'000'000, &Limits::materialFileBytes),
@@ -44,17 +62,28 @@ const std::vector<NamedLimit>& namedLimits() {
         limit("json-depth", "levels", 1000, &Limits::jsonDepth),
         limit("coordinate", "m", 1'000'000'000'000'000, &Limits::coordinate),
         limit("memory", "bytes", 1'000'000'000'000'000, &Limits::memoryBytes),
+        limit("picture-side", "pixels", 32768, &PictureLimits::side),
+        limit("picture-samples", "samples", 1'000'000'000, &PictureLimits::samples),
+        limit("measured-side", "pixels", 32768, &PictureLimits::measuredSide),
+        limit("supersample", "samples on a side", 64, &PictureLimits::supersample),
+        limit("frames", "", 100'000'000, &PictureLimits::frames),
     };
     return all;
 }
 
 const scene::Limits& limits() { return inForce(); }
 
+const PictureLimits& pictureLimits() { return picturesInForce(); }
+
+std::uint64_t limitNamed(std::string_view name) {
+    return std::ranges::find(namedLimits(), name, &NamedLimit::name)->value();
+}
+
 std::vector<std::string> limitWords() {
     std::vector<std::string> words;
     for (const NamedLimit& one : namedLimits())
-        if (one.value(inForce()) != one.value(scene::Limits()))
-            words.insert(words.end(), {"--limit", one.name + "=" + std::to_string(one.value(inForce()))});
+        if (one.value() != one.standard)
+            words.insert(words.end(), {"--limit", one.name + "=" + std::to_string(one.value())});
     return words;
 }
 
@@ -71,9 +100,8 @@ void setLimit(const std::string& assignment) {
         if (fault != std::errc() || end != text.data() + text.size() || value < 1 || value > one.most)
             throw Error(ExitStatus::usage, "--limit " + name + ": " + scene::inQuotes(text) +
                                                " is no whole number from 1 to " + std::to_string(one.most) +
-                                               "; write --limit " + name + "=" +
-                                               std::to_string(one.value(scene::Limits())));
-        one.set(inForce(), value);
+                                               "; write --limit " + name + "=" + std::to_string(one.standard));
+        one.set(value);
         return;
     }
     throw Error(ExitStatus::usage, "--limit: no limit that can be set is called " + scene::inQuotes(name) + "; " +

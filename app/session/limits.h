@@ -4,22 +4,37 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "app/session/path.h"
 #include "techniques/foundation/scene/load.h"
 
 namespace shadowlab::session {
 
+/// What commands refuse to draw beyond (exit status 6).
+struct PictureLimits {
+    std::uint32_t side = 16384;         ///< pixels of the picture, and samples of one panel, on a side
+    std::uint64_t samples = 1ull << 27; ///< of all panels together: 12 bytes each on the graphics card
+    std::uint32_t measuredSide = 8192;  ///< truth, verdicts and comparisons of pictures keep some 200 bytes a pixel
+    std::uint32_t supersample = 16;     ///< samples on a side of a pixel
+    std::uint32_t frames = kMostFrames; ///< of one sequence
+};
+
 struct NamedLimit {
     std::string name, unit;
-    std::uint64_t most; ///< it can be raised to
-    std::function<std::uint64_t(const scene::Limits&)> value;
-    std::function<void(scene::Limits&, std::uint64_t)> set;
+    std::uint64_t standard, most; ///< it is by itself, and can be raised to
+    std::function<std::uint64_t()> value;
+    std::function<void(std::uint64_t)> set;
 };
 const std::vector<NamedLimit>& namedLimits();
 
 /// Those in force.
 const scene::Limits& limits();
+const PictureLimits& pictureLimits();
+
+/// The value of one of namedLimits().
+std::uint64_t limitNamed(std::string_view name);
 
 /// As words of a command line, those that are not what they are by themselves.
 std::vector<std::string> limitWords();

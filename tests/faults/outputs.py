@@ -79,6 +79,8 @@ OUTPUTS = [
     refused("a limit without its value", capture_to("x.png", "--limit", "triangles"), 2, "--limit triangles=20000000"),
     refused("a limit of nothing", capture_to("x.png", "--limit", "triangles=0"), 2, "from 1 to 1000000000"),
     refused("a limit beyond what can be", capture_to("x.png", "--limit", "json-depth=100000"), 2, "from 1 to 1000"),
+    refused("more pictures than the limit", capture_to("x_##.png", "--frames", "12", "--limit", "frames=11"), 6, "11", "--limit frames"),
+    refused("a lower limit of pictures' sides", ["measure", "s.json", "--size", "64x48", "--limit", "measured-side=50"], 6, "50", "--limit measured-side"),
     refused("a limit in words", capture_to("x.png", "--limit", "triangles=many"), 2, '"many"'),
     refused("a limit that is lower", capture_to("x.png", "--limit", "triangles=11"), 6, "s.json:1:", "12 triangles", "--limit triangles"),
     refused("a lower limit of levels", capture_to("x.png", "--limit=json-depth=3"), 6, "s.json:1:", "--limit json-depth"),
