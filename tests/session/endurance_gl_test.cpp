@@ -1,6 +1,7 @@
 // A window that is open all day, a capture of many thousand pictures: techniques and scenes change all the time, and
 // what the process holds does not grow. With SHADOWLAB_LONG ten thousand pictures; without, three hundred.
 // SPDX-License-Identifier: MIT
+#include <malloc.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -23,7 +24,8 @@ namespace {
 using EnduranceTest = testing::GlTest;
 
 struct Held {
-    long memoryKiB = 0;
+    long memoryKiB = 0;    ///< of the process, as the kernel counts it
+    long allocatedKiB = 0; ///< that were asked for and not given back: without what the allocator keeps between
     std::ptrdiff_t descriptors = 0, threads = 0;
     int glObjects = 0;
 };
@@ -35,8 +37,9 @@ std::ptrdiff_t entriesOf(const char* folder) {
 Held held() {
     long all = 0, resident = 0;
     std::ifstream("/proc/self/statm") >> all >> resident;
-    return {resident * (::sysconf(_SC_PAGESIZE) / 1024), entriesOf("/proc/self/fd"), entriesOf("/proc/self/task"),
-            gl::liveObjects};
+    const struct mallinfo2 heap = ::mallinfo2();
+    return {resident * (::sysconf(_SC_PAGESIZE) / 1024), static_cast<long>((heap.uordblks + heap.hblkhd) / 1024),
+            entriesOf("/proc/self/fd"), entriesOf("/proc/self/task"), gl::liveObjects};
 }
 
 /// One picture of each technique of each scene; the session and its slots are made, and gone again.
@@ -72,9 +75,11 @@ TEST_F(EnduranceTest, NothingGrows) {
     while (pictures < wanted)
         pictures += round(scenes, bytes);
     const Held after = held();
-    std::printf("%d pictures: memory %ld to %ld KiB, descriptors %td to %td, threads %td to %td, GL objects %d to %d\n",
-                pictures, before.memoryKiB, after.memoryKiB, before.descriptors, after.descriptors, before.threads,
-                after.threads, before.glObjects, after.glObjects);
+    std::printf("%d pictures: memory %ld to %ld KiB, of them allocated %ld to %ld, descriptors %td to %td, threads %td "
+                "to %td, GL objects %d to %d\n",
+                pictures, before.memoryKiB, after.memoryKiB, before.allocatedKiB, after.allocatedKiB,
+                before.descriptors, after.descriptors, before.threads, after.threads, before.glObjects,
+                after.glObjects);
     EXPECT_GE(bytes, static_cast<std::size_t>(wanted) * 40 * 30 * 3);
     EXPECT_EQ(after.descriptors, before.descriptors);
     EXPECT_EQ(after.threads, before.threads);
