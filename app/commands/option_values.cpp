@@ -139,7 +139,7 @@ int countFrom(const std::string& option, const std::string& text, int most) {
 int limitedCountFrom(const std::string& option, const std::string& text, std::string_view limit) {
     int value = 0;
     if (!readWhole(text, value) || value < 1)
-        (void)countFrom(option, text, static_cast<int>(session::limitNamed(limit)));
+        (void)countFrom(option, text, static_cast<int>(session::limitNamed(limit))); // refuses it
     if (static_cast<std::uint64_t>(value) > session::limitNamed(limit))
         throw Error(ExitStatus::overLimit, option + ": " + text + " is more than the limit of " +
                                                std::to_string(session::limitNamed(limit)) +

@@ -104,8 +104,8 @@ void writeSkeleton(const std::string& skeleton, const std::string& name, const f
             image::makeFolders(entry.is_directory() ? place : place.parent_path());
             if (!entry.is_directory()) image::writeWhole(place, renamed(textOf(entry.path()), name));
         }
-    } catch (
-        const Error& fault) { // of a place that is gone when the message is read: named is the one that was asked for
+    } catch (const Error& fault) {
+        // Of a place that is gone when the message is read: named is the one that was asked for.
         std::string message = fault.what();
         const std::string temporary = output.path().string();
         if (const std::size_t at = message.find(temporary); at != std::string::npos)
