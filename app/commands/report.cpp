@@ -8,9 +8,9 @@
 #include "app/commands/progress.h"
 #include "app/context/signals.h"
 #include "app/report/assemble.h"
-#include "app/report/digest.h"
 #include "app/report/machine.h"
 #include "app/session/assets.h"
+#include "app/session/digest.h"
 #include "app/session/limits.h"
 #include "app/session/plugins.h"
 #include "app/session/settings.h"
@@ -105,7 +105,7 @@ private:
                           context::glRenderer(), furtherWords(), {}};
         for (const Shown& shown : scenes_) {
             const scene::Light& light = shown.scene->lights[static_cast<std::size_t>(shown.light)];
-            PlannedGroup group{shown.asked, shown.scene->name, light.name, report::digestOf(*shown.scene), {}};
+            PlannedGroup group{shown.asked, shown.scene->name, light.name, session::digestOf(*shown.scene), {}};
             for (const std::string& technique : techniques)
                 for (PointKey& point :
                      report::pointsOf(*session::Session::makeSlot(technique).info, light, options_.isQuick))

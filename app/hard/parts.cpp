@@ -5,8 +5,8 @@
 #include <iterator>
 
 #include "app/hard/results_json.h"
-#include "app/report/digest.h"
 #include "app/report/store.h"
+#include "app/session/digest.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
@@ -33,11 +33,11 @@ fs::path Parts::fileOf(const Case& one) const { return folder_ / "parts" / (repo
 
 std::string Parts::madeFrom(const Case& one) const {
     std::string text = madeBy_ + "\n" + textOf(one.file);
-    if (one.picture) text += report::digestOf(*one.picture->scene);
+    if (one.picture) text += session::digestOf(*one.picture->scene);
     for (const Check& check : one.checks) {
-        text += " " + report::digestOf(*check.right.scene);
+        text += " " + session::digestOf(*check.right.scene);
         for (const Expectation& expected : check.expectations)
-            if (expected.from) text += " " + report::digestOf(*expected.from->scene);
+            if (expected.from) text += " " + session::digestOf(*expected.from->scene);
     }
     return text;
 }

@@ -9,8 +9,8 @@
 #include <iterator>
 #include <set>
 
-#include "app/report/digest.h"
 #include "app/report/json_parts.h"
+#include "app/session/digest.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
@@ -88,7 +88,7 @@ std::string fileName(const std::string& name) {
     std::ranges::replace(blanksOnly, ' ', '_');
     const bool isClear = !name.empty() && name.find('_') == std::string::npos; // "a b" and "a_b" are two names
     if (isClear && safe == blanksOnly && safe.size() <= kLongest) return safe;
-    return safe.substr(0, kLongest) + "-" + digestOf(name);
+    return safe.substr(0, kLongest) + "-" + session::digestOf(name);
 }
 
 fs::path Store::groupFolder(const PlannedGroup& group) const {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/report/digest.h"
+#include "app/session/digest.h"
 
 #include <array>
 #include <cstdio>
 #include <type_traits>
 
-namespace shadowlab::report {
+namespace shadowlab::session {
 
 namespace {
 
@@ -53,15 +53,29 @@ void add(Hash& hash, const scene::Light& light) {
 }
 
 void add(Hash& hash, const scene::Material& material) {
-    hash.add(material.diffuse), hash.add(material.specular), hash.add(material.shininess), hash.add(material.emission);
+    hash.add(material.name), hash.add(material.diffuse), hash.add(material.specular), hash.add(material.shininess),
+        hash.add(material.emission);
     hash.add(material.reflectivity), hash.add(material.transparency), hash.add(material.ior);
     hash.add(material.priority), hash.add(material.glossDegrees), hash.add(material.translucencyDegrees);
+    hash.add(material.alphaMask ? 1 : 0);
+    if (material.alphaMask) hash.add(material.alphaMask->size()), hash.add(material.alphaMask->texels());
+}
+
+void add(Hash& hash, const scene::Mesh& mesh) {
+    hash.add(mesh.positionsMesh), hash.add(mesh.normalsMesh), hash.add(mesh.texcoords), hash.add(mesh.triangles);
+    for (const scene::MeshPart& part : mesh.parts) {
+        hash.add(part.firstTriangle), hash.add(part.triangleCount);
+        hash.add(part.hasTexcoords ? 1 : 0);
+    }
+    hash.add(mesh.parts.size());
 }
 
 void add(Hash& hash, const scene::Object& object) {
-    hash.add(object.mesh->positionsMesh), hash.add(object.mesh->normalsMesh), hash.add(object.mesh->triangles);
-    hash.add(scene::worldFromMesh(object)), hash.add(object.velocityWorld), hash.add(object.partMaterials);
+    add(hash, *object.mesh);
+    hash.add(object.name), hash.add(scene::worldFromMesh(object)), hash.add(object.velocityWorld),
+        hash.add(object.partMaterials);
     hash.add(object.castsShadow ? 1 : 0), hash.add(object.receivesShadow ? 1 : 0);
+    hash.add(object.emitterOfLight);
 }
 
 } // namespace
@@ -72,17 +86,24 @@ std::string digestOf(const scene::Scene& scene) {
     hash.add(scene.ambient), hash.add(scene.background), hash.add(scene.exposure);
     for (const scene::Light& light : scene.lights)
         add(hash, light);
+    hash.add(scene.lights.size());
     for (const scene::Material& material : scene.materials)
         add(hash, material);
+    hash.add(scene.materials.size());
     for (const scene::Object& object : scene.objects)
         add(hash, object);
+    hash.add(scene.objects.size());
     return hash.digits();
 }
 
 std::string digestOf(const std::string& text) {
+    return digestOf(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+std::string digestOf(std::span<const std::uint8_t> bytes) {
     Hash hash;
-    hash.add(text.data(), text.size());
+    hash.add(bytes.data(), bytes.size());
     return hash.digits();
 }
 
-} // namespace shadowlab::report
+} // namespace shadowlab::session
