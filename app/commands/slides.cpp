@@ -12,8 +12,11 @@
 #include "app/commands/slides_options.h"
 #include "app/context/signals.h"
 #include "app/session/assets.h"
+#include "app/session/digest.h"
 #include "app/session/limits.h"
+#include "app/session/program_digest.h"
 #include "app/slides/pages.h"
+#include "app/slides/unfinished.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
@@ -41,17 +44,10 @@ std::string fileName(const Deck& deck, std::size_t slide) {
 
 class Slides {
 public:
-    explicit Slides(const SlidesOptions& options) : options_(options) {}
+    explicit Slides(const SlidesOptions& options) : options_(options), unfinished_(options.output) {}
 
     int run() {
-        const scene::LoadOptions loading{
-            .assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = session::limits()};
-        std::vector<std::string> names = options_.decks;
-        if (names.empty()) names = session::builtInDecks(loading.assetsRoot);
-        std::vector<Deck> decks;
-        for (const std::string& name : names)
-            decks.emplace_back(name, loading);
-        checkOnly(decks);
+        openDecks();
         context_ = context::createContext(options_.backend); // before the folders: without graphics none is left behind
         std::error_code ignored;
         const std::filesystem::path folders[] = {options_.output / "pictures", options_.output};
@@ -59,19 +55,16 @@ public:
                              std::filesystem::exists(folders[1], ignored)};
         makeFolder(folders[1]);
         makeFolder(folders[0]);
-        if (const int limit = context::largestSide();
-            std::max(options_.look.size.x, options_.look.size.y) * options_.look.supersample > limit)
-            throw Error(ExitStatus::overLimit, "a picture needs more samples on a side than the " +
-                                                   std::to_string(limit) +
-                                                   " of this OpenGL driver; choose a smaller --size or --supersample");
-        painter_ = std::make_unique<slides::SlidePainter>(session::assetsRoot() / "fonts", options_.look);
-        int total = 0;
-        for (const Deck& deck : decks)
-            for (const std::string& slide : deck.slides())
-                total += isWanted(slide);
-        progress_.emplace("slide", total);
-        for (Deck& deck : decks)
-            draw(deck);
+        makePainter();
+        progress_.emplace("slide", total_);
+        try {
+            for (Deck& deck : decks_)
+                draw(deck);
+        } catch (const context::Interrupted&) {
+            note("interrupted; the same command goes on from here");
+            throw;
+        }
+        comeToTheEnd();
         for (const int i : {0, 1}) // one that nothing came into goes again
             if (!were[i] && std::filesystem::is_empty(folders[i], ignored))
                 std::filesystem::remove(folders[i], ignored);
@@ -79,13 +72,50 @@ public:
     }
 
 private:
+    void openDecks() {
+        const scene::LoadOptions loading{
+            .assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = session::limits()};
+        std::vector<std::string> names = options_.decks;
+        if (names.empty()) names = session::builtInDecks(loading.assetsRoot);
+        for (const std::string& name : names)
+            decks_.emplace_back(name, loading);
+        checkOnly();
+        for (const Deck& deck : decks_)
+            for (const std::string& slide : deck.slides())
+                total_ += isWanted(slide);
+    }
+
+    void makePainter() {
+        const slides::SlideLook& look = options_.look;
+        if (const int limit = context::largestSide(); std::max(look.size.x, look.size.y) * look.supersample > limit)
+            throw Error(ExitStatus::overLimit, "a picture needs more samples on a side than the " +
+                                                   std::to_string(limit) +
+                                                   " of this OpenGL driver; choose a smaller --size or --supersample");
+        painter_ = std::make_unique<slides::SlidePainter>(session::assetsRoot() / "fonts", look);
+        madeBy_ = session::programDigest() + context::glVersion() + context::glRenderer() +
+                  std::to_string(look.size.x) + "x" + std::to_string(look.size.y) + " by " +
+                  std::to_string(look.supersample);
+    }
+
+    /// The next run draws all slides anew.
+    void comeToTheEnd() {
+        for (const Deck& deck : decks_) {
+            for (std::size_t i = 0; i < deck.slides().size(); ++i)
+                if (isWanted(deck.slides()[i])) unfinished_.discard(fileName(deck, i));
+            if (options_.only.empty()) unfinished_.discardDeck(deck.name());
+        }
+        if (stood_ > 0)
+            note(std::to_string(stood_) + " of " + std::to_string(total_) +
+                 " slides were there already, from a run that did not come to its end");
+    }
+
     [[nodiscard]] bool isWanted(const std::string& slide) const {
         return options_.only.empty() || std::ranges::find(options_.only, slide) != options_.only.end();
     }
 
-    void checkOnly(const std::vector<Deck>& decks) const {
+    void checkOnly() const {
         std::vector<std::string> known;
-        for (const Deck& deck : decks)
+        for (const Deck& deck : decks_)
             known.insert(known.end(), deck.slides().begin(), deck.slides().end());
         for (const std::string& slide : options_.only)
             if (std::ranges::find(known, slide) == known.end())
@@ -122,30 +152,51 @@ private:
 
     slides::PageSlide draw(Deck& deck, std::size_t number) {
         slides::PageSlide page{deck.read(number), {}, "", ""};
+        const std::string name = fileName(deck, number);
+        slides::SlideFiles files{name + ".png"};
+        if (!page.slide.pictures.empty()) files.emplace_back(page.pictureFile = "pictures/" + name + ".png");
+        if (slides::showsWordsAsPicture(page.slide))
+            files.emplace_back(page.wordsFile = "pictures/" + name + "-with-words.png");
+        const std::string from = madeFrom(deck, page.slide);
+        if (std::optional<std::vector<std::uint8_t>> png = unfinished_.find(name, from, files)) {
+            page.png = std::move(*png);
+            ++stood_;
+            return page;
+        }
         const slides::DrawnSlide drawn = painter_->draw(page.slide, {deck.title(), number + 1, deck.slides().size()});
-        const std::string name = fileName(deck, number) + ".png";
         std::vector<image::PngText> text{{"Title", page.slide.title}};
         if (!page.slide.alt.empty()) text.push_back({"Description", page.slide.alt});
-        page.png = image::encodePng(drawn.slide, {.opaque = true, .text = text});
-        image::writeWhole(options_.output / name, page.png);
-        if (drawn.pictures.width > 0) {
-            page.pictureFile = "pictures/" + name;
-            image::writeWhole(options_.output / page.pictureFile,
-                              image::encodePng(drawn.pictures, {.opaque = true, .text = text}));
-        }
-        if (slides::showsWordsAsPicture(page.slide)) {
-            page.wordsFile = "pictures/" + fileName(deck, number) + "-with-words.png";
-            image::writeWhole(options_.output / page.wordsFile,
-                              image::encodePng(drawn.content, {.opaque = true, .text = text}));
-        }
+        std::vector<std::string> digests;
+        const auto write = [&](const std::string& file, const image::Image& picture) {
+            std::vector<std::uint8_t> png = image::encodePng(picture, {.opaque = true, .text = text});
+            image::writeWhole(options_.output / file, png);
+            digests.push_back(session::digestOf(png));
+            return png;
+        };
+        page.png = write(name + ".png", drawn.slide);
+        if (!page.pictureFile.empty()) write(page.pictureFile, drawn.pictures);
+        if (!page.wordsFile.empty()) write(page.wordsFile, drawn.content);
+        unfinished_.keep(name, from, digests); // last: with it the slide stands
         return page;
     }
 
+    /// A digest of all that the slide's files depend on.
+    [[nodiscard]] std::string madeFrom(const Deck& deck, const session::Slide& slide) const {
+        std::string all = madeBy_ + deck.text();
+        for (const session::SlidePicture& picture : slide.pictures)
+            all += session::digestOf(*picture.state.scene);
+        return session::digestOf(all);
+    }
+
     const SlidesOptions& options_;
+    slides::Unfinished unfinished_;
+    std::vector<Deck> decks_;
+    std::string madeBy_; ///< what all slides have in common
     std::unique_ptr<context::Context> context_;
     std::unique_ptr<slides::SlidePainter> painter_;
     std::optional<Progress> progress_;
-    int done_ = 0;
+    int total_ = 0;                     ///< slides that are asked for
+    int done_ = 0, stood_ = 0;          ///< of them: so far; drawn by a run before this one
     ExitStatus worst_ = ExitStatus::ok; ///< of the first slide that failed
 };
 

@@ -22,7 +22,7 @@ void describeSlides(CLI::App& command) {
     add("--allow", "DIR", "a further folder that the decks' scenes may take meshes from; may be repeated");
     command.footer(
         "For each deck: DECK-01-NAME.png ..., the same without words as pictures/DECK-01-NAME.png, DECK.html for "
-        "a browser,\nand DECK.md for pandoc.\n"
+        "a browser,\nand DECK.md for pandoc. Interrupted, the same command goes on where it was.\n"
         "Examples:\n"
         "  shadowlab slides -o out\n"
         "  shadowlab slides my-deck.json -o out --size 3840x2160\n"

@@ -55,6 +55,7 @@ public:
 
     [[nodiscard]] const std::string& name() const; ///< of the file, without folder and ending
     [[nodiscard]] const std::filesystem::path& file() const;
+    [[nodiscard]] const std::string& text() const; ///< all of it, as it was read
     [[nodiscard]] const std::string& title() const;
     [[nodiscard]] const std::string& subtitle() const; ///< may be empty
     /// The slides' names, in order; no two are alike.

@@ -226,6 +226,7 @@ Deck::Deck(Deck&&) noexcept = default;
 
 const std::string& Deck::name() const { return opened_->name; }
 const std::filesystem::path& Deck::file() const { return opened_->path; }
+const std::string& Deck::text() const { return opened_->document.text(); }
 const std::string& Deck::title() const { return opened_->title; }
 const std::string& Deck::subtitle() const { return opened_->subtitle; }
 const std::vector<std::string>& Deck::slides() const { return opened_->names; }

@@ -77,13 +77,15 @@ class Walk:
             return outputs.is_whole(name, data, self.new[name])
         return data == self.new.get(name)
 
-    def lost(self, folder, strays_allowed):
+    def lost(self, folder, strays_allowed, is_at_end):
         """What is there that should not be, or not like that."""
         now = outputs.contents(folder)
         for name, data in now.items():
             if data == self.old.get(name) or self.is_new(name, data):
                 continue
             if strays_allowed and outputs.TEMPORARY.search(name):
+                continue
+            if self.output.resumes and not is_at_end and outputs.UNFINISHED.fullmatch(name):
                 continue
             yield f"{name} is neither the old one nor the new one" if name in self.new else f"{name} is left behind"
         yield from (f"{name} is gone" for name in self.old if name not in now)
@@ -97,7 +99,8 @@ class Walk:
         at, call, how = fault
         is_kill = how.endswith("kill")
         folder, run = self.run(str(getattr(errno, how, how)), at)
-        wrong = list(self.lost(folder, is_kill or (call == "unlink" and how in ("EACCES", "EIO"))))
+        is_kept = call == "unlink" and how in ("EACCES", "EIO")  # what was to be taken away
+        wrong = list(self.lost(folder, is_kill or is_kept, run.returncode == 0 and not is_kept))
         if is_kill:
             wrong += [f"status {run.returncode} after SIGKILL"] if run.returncode != -9 else []
             wrong += self.judge_next_run(folder)
@@ -113,6 +116,8 @@ class Walk:
             lines = [line for line in run.stderr.splitlines() if not line.startswith("shadowlab: note: ")]
             if len(lines) != 1 or not lines[0].startswith("shadowlab: ") or "; " not in lines[0]:
                 wrong.append(f"says {run.stderr!r}")
+            if self.output.resumes:
+                wrong += self.judge_next_run(folder)
         if not wrong:
             shutil.rmtree(folder)
             Path(f"{folder}.log").unlink()

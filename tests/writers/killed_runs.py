@@ -2,7 +2,7 @@
 """Runs that are killed at random moments, by SIGKILL, SIGINT, SIGTERM or SIGHUP, again and again until one comes to its end: no file is ever
 damaged, nothing is left behind, and the result is the one of a run that nobody disturbs. killed_runs.py BUILD_FOLDER [SEED]
 
-A sequence of pictures, a report (which goes on where it was), and slides. With SHADOWLAB_LONG a hundred kills; without, six."""
+A sequence of pictures, which begins again, and a report and slides, which go on where they were. With SHADOWLAB_LONG a hundred kills; without, six."""
 # SPDX-License-Identifier: MIT
 import os
 import random
@@ -26,7 +26,7 @@ WORKS = {
     "slides": ["slides", "deck.json", "--size", "640x360", "-o", "FOLDER"],
 }
 MOST_GRACE = 10  # seconds until a signal has ended a run; the program allows itself two
-INTERRUPTED = "shadowlab: note: interrupted; the same command goes on from here\n"  # a report; all others begin again
+INTERRUPTED = "shadowlab: note: interrupted; the same command goes on from here\n"  # a report or slides; a sequence begins again
 MEASURED = (".html", ".svg", ".csv", "report.json")  # files of a report with times in them; parts are told by their names
 
 
@@ -54,7 +54,7 @@ class Work:
     def damaged(self, is_finished):
         now = outputs.contents(self.folder)
         for name, data in now.items():
-            if outputs.TEMPORARY.search(name):
+            if outputs.TEMPORARY.search(name) or outputs.UNFINISHED.fullmatch(name):
                 if is_finished:
                     yield f"{name} is left behind"
             elif name not in self.expected:
@@ -90,10 +90,21 @@ class Work:
             wrong.append(f"{which.name} says {err!r}")
         return run.returncode == 0, wrong + list(self.damaged(run.returncode == 0))
 
+    def stop_after_a_slide(self):
+        """So that there is something to go on from, wherever chance has struck."""
+        run = self.start(self.folder)
+        while run.poll() is None and not any(self.folder.glob("unfinished/*.json")):
+            time.sleep(0.001)
+        run.kill()
+        run.communicate()
+
     def finish(self):
+        noted = sum(bool(outputs.UNFINISHED.fullmatch(name)) for name in outputs.contents(self.folder))
         run = self.start(self.folder)
         err = run.communicate(timeout=600)[1]
         wrong = [f"status {run.returncode}: {err!r}"] if run.returncode else []
+        if (f"note: {noted} of " in err) != (noted > 0):
+            wrong.append(f"{noted} slides stood, and it says {err!r}")
         wrong += self.damaged(True)
         shutil.rmtree(self.folder)
         return wrong
@@ -115,6 +126,7 @@ def main(build, seed):
             wrong += [f"{work.name}, run {work.tries}: {fault}" for fault in faults]
             if was_done:
                 shutil.rmtree(work.folder)
+        works[-1].stop_after_a_slide()
         for work in works:
             wrong += [f"{work.name}, at its end: {fault}" for fault in (work.finish() if work.folder.exists() else [])]
     print("\n".join(wrong[:40]))

@@ -18,6 +18,7 @@ DECK = """{"title": "Two", "scene": "box.json", "slides": [
   {"name": "two", "title": "Two", "slots": [{"technique": "shadow-map"}], "alt": "A box and its shadow."}]}
 """
 TEMPORARY = re.compile(r"\..+\.tmp\.\d+\.\d+")  # of the writers; what a killed run may leave
+UNFINISHED = re.compile(r"unfinished/[^/]+\.json")  # what a deck goes on by, until it has come to its end
 
 
 @dataclass
@@ -30,6 +31,7 @@ class Output:
     once: bool = False  # a second run is refused: what it would make is there
     appends: bool = False  # a second run adds to what the first has made
     program: str = "shadowlab"
+    resumes: bool = False  # a run that was stopped goes on, by what it has noted in the folder `unfinished`
 
 
 SMALL = ["--size", "32x24"]
@@ -46,7 +48,7 @@ LONG = SHORT + [
     Output("animation", ["capture", "box.json", "-o", "FOLDER/a.png", *SMALL, "--frames", "3", "--orbit-light", "90", "--animate"]),
     Output("diagram", ["probe", "box.json", "--pixel", "16,15", *SMALL, "--diagram", "FOLDER/d.svg"], {"d.svg": "old"}),
     Output("lesson", ["lesson", "acne", "-o", "FOLDER/l.png"]),
-    Output("slides", ["slides", "deck.json", "--size", "640x360", "--supersample", "1", "-o", "FOLDER"], {"deck.html": "old"}),
+    Output("slides", ["slides", "deck.json", "--size", "640x360", "--supersample", "1", "-o", "FOLDER"], {"deck.html": "old"}, resumes=True),
     Output("technique", ["new-technique", "my-own", "-o", "FOLDER/my-own"], once=True),
     Output("merged report", ["report", "merge", "made/report", "-o", "FOLDER"], prepared_by=[[*REPORT, "made/report"]]),
     Output("window settings", ["window-settings", "FOLDER"], program="writer_trial"),
