@@ -40,7 +40,7 @@ int reportHard(const ReportOptions& options) {
     image::writeWhole(options.output / "hard.csv", hard::hardCsv(results));
     image::writeWhole(options.output / "hard-matrix.csv", hard::matrixCsv(results));
     image::writeWhole(options.output / "hard.html", hard::hardPage(results, renderer));
-    parts.discard();
+    parts.discard(cases);
     if (red == 0) return 0;
     complain(std::to_string(red) + " checks of hard cases are red; see " + (options.output / "hard.html").string());
     return 1;

@@ -7,6 +7,7 @@
 #include "app/hard/results_json.h"
 #include "app/report/store.h"
 #include "app/session/digest.h"
+#include "app/session/program_digest.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
@@ -73,13 +74,15 @@ void Parts::keep(const Case& one, const CaseResult& result) const {
     image::writeWhole(fileOf(one), part.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
-void Parts::discard() const {
+void Parts::discard(std::span<const Case> cases) const {
     std::error_code ignored; // what stays is found to be old, or used again: neither does harm
-    fs::remove_all(folder_ / "parts", ignored);
+    for (const Case& one : cases)
+        fs::remove(fileOf(one), ignored);
+    fs::remove(folder_ / "parts", ignored); // not where a report has its parts there
 }
 
 std::string madeBy(const std::string& renderer, bool small, std::span<const Column> columns) {
-    std::string text = std::string(SHADOWLAB_VERSION) + ", " + renderer + (small ? ", small" : ", full size");
+    std::string text = session::programDigest() + ", " + renderer + (small ? ", small" : ", full size");
     for (const Column& column : columns)
         text += ", " + column.title();
     return text;

@@ -3,8 +3,8 @@
 //     DIR/parts/P2b.json                    a case that is done
 //     DIR/pictures/P2b-planar.png, -errors.png
 //
-// Every file is whole or not there. A part counts only if it was made from what the case is made from now: the program's version,
-// the renderer, the size, the techniques, the case's file and its scenes. The parts of a run that came to its end are taken away,
+// Every file is whole or not there. A part counts only if it was made from what the case is made from now: the program, the
+// renderer, the size, the techniques, the case's file and its scenes. The parts of a run that came to its end are taken away,
 // so the next one measures everything anew.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -28,7 +28,7 @@ public:
     [[nodiscard]] std::optional<CaseResult> find(const Case& one) const;
     void keep(const Case& one, const CaseResult& result) const;
     /// All is done, and written elsewhere.
-    void discard() const;
+    void discard(std::span<const Case> cases) const;
 
 private:
     [[nodiscard]] std::filesystem::path fileOf(const Case& one) const;
@@ -39,7 +39,7 @@ private:
     std::string madeBy_;
 };
 
-/// Version, renderer, size and techniques, in words.
+/// Program (a digest), renderer, size and techniques, in words.
 std::string madeBy(const std::string& renderer, bool small, std::span<const Column> columns);
 
 } // namespace shadowlab::hard

@@ -69,8 +69,14 @@ TEST(HardResultsTest, ARunGoesOnWithWhatWasMadeOfTheSame) {
     Case other = one;
     other.file = caseFiles(session::assetsRoot()).back();
     EXPECT_FALSE(parts.find(other)) << "its file has changed";
-    parts.discard();
+    folder.write("parts/a scene@key/planar.json", "{}"); // of a report in the same folder
+    parts.discard(std::span(&one, 1));
     EXPECT_FALSE(parts.find(one)) << "the next run is a new one";
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "parts/a scene@key/planar.json")) << "it is another's";
+    std::filesystem::remove_all(folder.path() / "parts/a scene@key");
+    parts.keep(one, made());
+    parts.discard(std::span(&one, 1));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "parts"));
 }
 
 TEST(HardResultsTest, TablesHaveEveryTechniqueAndSayWhatIsWrong) {
