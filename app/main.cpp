@@ -40,7 +40,8 @@ int run(int argc, char** argv) {
     } catch (const shadowlab::Error& error) {
         return fail(error.status(), error.what());
     } catch (const std::bad_alloc&) {
-        return fail(ExitStatus::overLimit, "out of memory; use a smaller scene or picture (nothing was written)");
+        return fail(ExitStatus::overLimit,
+                    "out of memory; use a smaller scene or picture (every file is whole, or as it was)");
     } catch (const std::exception& error) {
         const bool own = shadowlab::session::loadedPlugins().empty();
         return fail(ExitStatus::bug,

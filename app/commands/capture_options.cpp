@@ -278,8 +278,7 @@ CaptureOptions captureOptions(const CLI::App& command) {
     options.motion = motionOptions(given);
     if (isFilm(options)) checkFilm(options);
     options.time = timeFor(given, options);
-    for (const std::string& folder : given.texts("--allow"))
-        options.allowed.emplace_back(folder);
+    options.allowed = given.allowedFolders();
     requirePlaceForNumbers(options, options.motion.frames.value_or(1));
     requireDrawable(options);
     return options;

@@ -101,8 +101,7 @@ DemoOptions demoOptions(const CLI::App& command) {
     options.presenter = command.count("--presenter") > 0;
     options.keepSettings = booleanFrom("--keep-settings", given.text("--keep-settings", "true"));
     options.report = command.count("--report") > 0;
-    for (const std::string& folder : given.texts("--allow"))
-        options.allowed.emplace_back(folder);
+    options.allowed = given.allowedFolders();
     return options;
 }
 
@@ -110,8 +109,7 @@ InspectOptions inspectOptions(const CLI::App& command) {
     const GivenOptions given(command);
     InspectOptions options{
         given.required("FILE", "for example shadowlab inspect bunny.obj"), command.count("--json") > 0, {}};
-    for (const std::string& folder : given.texts("--allow"))
-        options.allowed.emplace_back(folder);
+    options.allowed = given.allowedFolders();
     return options;
 }
 

@@ -63,8 +63,7 @@ LessonOptions lessonOptions(const CLI::App& command) {
         choiceFrom("--state", given.text("--state", "both"), {"before", "after", "both"}))];
     options.size = sizeFrom("--size", given.text("--size", options.animate ? "1280x720" : "1600x900"), "picture-side");
     options.backend = context::backendFromName(given.text("--backend", "auto"));
-    for (const std::string& folder : given.texts("--allow"))
-        options.allowed.emplace_back(folder);
+    options.allowed = given.allowedFolders();
     return options;
 }
 

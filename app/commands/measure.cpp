@@ -10,16 +10,17 @@
 #include "app/session/settings.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/message_text.h"
 
 namespace shadowlab::commands {
 
 namespace {
 
 /// Truth is visibility of a light: without one, there is nothing to be right or wrong about.
-int lightToMeasure(const scene::Scene& scene, const std::string& name) {
+int lightToMeasure(const scene::Scene& scene, const std::string& asked, const std::string& name) {
     if (scene.lights.empty())
         throw Error(ExitStatus::badInput,
-                    "scene '" + scene.name +
+                    "scene '" + scene::shown(asked) +
                         "' has no light whose shadows could be measured; add one under \"lights\"");
     return name.empty() ? 0 : session::lightIndex(scene, name);
 }
@@ -56,7 +57,7 @@ int measure(const MeasureOptions& options) {
     session::applySettings(slots, options.settings);
     const scene::Snapshot base = scene::loadScene(
         options.scene, {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = session::limits()});
-    const int light = lightToMeasure(*base, options.light);
+    const int light = lightToMeasure(*base, options.scene, options.light);
     const session::Motion motion = motionOf(options.motion, *base);
 
     context = context::createContext(options.backend);

@@ -59,8 +59,7 @@ MeasureOptions measureOptions(const CLI::App& command) {
     options.backend = context::backendFromName(given.text("--backend", "auto"));
     options.motion = motionOptions(given);
     options.json = command.count("--json") > 0;
-    for (const std::string& folder : given.texts("--allow"))
-        options.allowed.emplace_back(folder);
+    options.allowed = given.allowedFolders();
     return options;
 }
 

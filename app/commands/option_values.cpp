@@ -11,6 +11,7 @@
 #include "app/session/limits.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/nearest_names.h"
+#include "techniques/foundation/scene/message_text.h"
 
 namespace shadowlab::commands {
 
@@ -35,6 +36,18 @@ std::vector<std::string> GivenOptions::texts(const std::string& option) const {
     if (std::ranges::find(texts, "") != texts.end())
         refuseUsage(option + ": an empty text is given; write a value after it, or leave " + option + " out");
     return texts;
+}
+
+std::vector<std::filesystem::path> GivenOptions::allowedFolders() const {
+    std::vector<std::filesystem::path> folders;
+    for (const std::string& folder : texts("--allow")) {
+        std::error_code ignored;
+        if (!std::filesystem::is_directory(folder, ignored))
+            refuseUsage("--allow: '" + scene::shown(folder) +
+                        "' is no folder; write one that is there, or leave it out");
+        folders.emplace_back(folder);
+    }
+    return folders;
 }
 
 std::string GivenOptions::text(const std::string& option, const std::string& fallback) const {

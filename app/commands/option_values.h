@@ -29,6 +29,8 @@ public:
     [[nodiscard]] std::string required(const std::string& option, const std::string& example) const;
     /// All texts of an option that may be repeated, in order.
     [[nodiscard]] std::vector<std::string> texts(const std::string& option) const;
+    /// Those of --allow. Throws Error (usage) for one that is no folder: else what it was to allow would be refused later on.
+    [[nodiscard]] std::vector<std::filesystem::path> allowedFolders() const;
     [[nodiscard]] bool has(const std::string& option) const;
 
 private:

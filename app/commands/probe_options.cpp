@@ -62,8 +62,7 @@ ProbeOptions probeOptions(const CLI::App& command) {
     if (given.has("--figure") && options.diagram.empty())
         refuseUsage("--figure is drawn into a file; write --diagram OUT.svg or OUT.png, too");
     options.figure = diagram::findFigure(given.text("--figure", options.figure)).name;
-    for (const std::string& folder : given.texts("--allow"))
-        options.allowed.emplace_back(folder);
+    options.allowed = given.allowedFolders();
     return options;
 }
 

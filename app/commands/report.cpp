@@ -13,9 +13,11 @@
 #include "app/session/digest.h"
 #include "app/session/limits.h"
 #include "app/session/plugins.h"
+#include "app/session/program_digest.h"
 #include "app/session/settings.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/message_text.h"
 
 namespace shadowlab::commands {
 
@@ -86,7 +88,7 @@ private:
                 name, {.assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = session::limits()});
             if (scene->lights.empty())
                 throw Error(ExitStatus::badInput,
-                            "scene '" + scene->name +
+                            "scene '" + scene::shown(name) +
                                 "' has no light whose shadows could be measured; add one under \"lights\"");
             const int light = options_.light.empty() ? 0 : session::lightIndex(*scene, options_.light);
             if (std::ranges::any_of(scenes_, [&](const Shown& shown) { return shown.scene->name == scene->name; }))
@@ -101,8 +103,13 @@ private:
         if (techniques.empty()) techniques = measuredTechniquesFrom({"all"});
         std::erase(techniques, report::kYardstick);
         techniques.emplace(techniques.begin(), report::kYardstick);
-        report::Plan plan{SHADOWLAB_VERSION,     options_.size,  options_.isQuick,
-                          context::glRenderer(), furtherWords(), {}};
+        report::Plan plan{SHADOWLAB_VERSION,
+                          session::programDigest(),
+                          options_.size,
+                          options_.isQuick,
+                          context::glRenderer(),
+                          furtherWords(),
+                          {}};
         for (const Shown& shown : scenes_) {
             const scene::Light& light = shown.scene->lights[static_cast<std::size_t>(shown.light)];
             PlannedGroup group{shown.asked, shown.scene->name, light.name, session::digestOf(*shown.scene), {}};
@@ -210,8 +217,11 @@ int mergeReports(const ReportOptions& options) {
     for (std::size_t i = 1; i < stores.size(); ++i)
         if (stores[i].plan() != plan)
             throw Error(ExitStatus::badInput, options.merged[i].string() + ": is a part of another report than " +
-                                                  options.merged.front().string() +
-                                                  "; merge parts that were asked for with the same words");
+                                                  options.merged.front().string() + ": it is " +
+                                                  report::difference(stores[i].plan(), plan) +
+                                                  "; merge parts that one program was asked for with the same words");
+    for (const report::Store& part : stores)
+        part.readAll(); // before anything of it is taken over
     const report::Store store(options.output);
     store.begin(plan);
     for (const report::Store& part : stores)

@@ -75,8 +75,7 @@ ReportOptions reportOptions(const CLI::App& command) {
     reserveForMeasured(options.size);
     if (given.has("--shard")) options.shard = report::shardFrom(given.text("--shard"));
     options.backend = context::backendFromName(given.text("--backend", "auto"));
-    for (const std::string& folder : given.texts("--allow"))
-        options.allowed.emplace_back(folder);
+    options.allowed = given.allowedFolders();
     return options;
 }
 

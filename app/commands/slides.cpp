@@ -35,16 +35,16 @@ void makeFolder(const std::filesystem::path& folder) {
     image::probeWritable(folder / "slide.png");
 }
 
-/// "shadows-07-silhouettes"
-std::string fileName(const Deck& deck, std::size_t slide) {
-    std::array<char, 16> number{};
-    std::snprintf(number.data(), number.size(), "-%02zu-", slide + 1);
-    return deck.name() + number.data() + deck.slides()[slide];
+/// "07-silhouettes"
+std::string numbered(const Deck& deck, std::size_t slide) {
+    std::array<char, 24> number{};
+    std::snprintf(number.data(), number.size(), "%02zu-", slide + 1);
+    return number.data() + deck.slides()[slide];
 }
 
 class Slides {
 public:
-    explicit Slides(const SlidesOptions& options) : options_(options), unfinished_(options.output) {}
+    explicit Slides(const SlidesOptions& options) : options_(options) {}
 
     int run() {
         openDecks();
@@ -77,8 +77,13 @@ private:
             .assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = session::limits()};
         std::vector<std::string> names = options_.decks;
         if (names.empty()) names = session::builtInDecks(loading.assetsRoot);
-        for (const std::string& name : names)
-            decks_.emplace_back(name, loading);
+        for (const std::string& name : names) {
+            Deck deck(name, loading);
+            if (std::ranges::find(decks_, deck.name(), &Deck::name) != decks_.end())
+                throw Error(ExitStatus::usage, "two of the decks are called '" + scene::shown(deck.name()) +
+                                                   "', and so would be their slides; draw them into two folders");
+            decks_.push_back(std::move(deck));
+        }
         checkOnly();
         for (const Deck& deck : decks_)
             for (const std::string& slide : deck.slides())
@@ -100,9 +105,12 @@ private:
     /// The next run draws all slides anew.
     void comeToTheEnd() {
         for (const Deck& deck : decks_) {
+            const slides::Unfinished unfinished(options_.output, deck.name());
+            if (options_.only.empty()) unfinished.discardAll();
+            std::vector<std::string> drawn;
             for (std::size_t i = 0; i < deck.slides().size(); ++i)
-                if (isWanted(deck.slides()[i])) unfinished_.discard(fileName(deck, i));
-            if (options_.only.empty()) unfinished_.discardDeck(deck.name());
+                if (isWanted(deck.slides()[i])) drawn.push_back(numbered(deck, i));
+            unfinished.discard(drawn);
         }
         if (stood_ > 0)
             note(std::to_string(stood_) + " of " + std::to_string(total_) +
@@ -124,6 +132,9 @@ private:
     }
 
     void draw(Deck& deck) {
+        if (const slides::Unfinished unfinished(options_.output, deck.name()); unfinished.isForeign())
+            note(scene::shownPath(unfinished.file()) +
+                 ": is none of ours, so an interrupted run would begin again; move it away");
         std::vector<slides::PageSlide> pages;
         for (std::size_t i = 0; i < deck.slides().size(); ++i) {
             if (!isWanted(deck.slides()[i])) continue;
@@ -152,13 +163,14 @@ private:
 
     slides::PageSlide draw(Deck& deck, std::size_t number) {
         slides::PageSlide page{deck.read(number), {}, "", ""};
-        const std::string name = fileName(deck, number);
+        const std::string name = deck.name() + "-" + numbered(deck, number);
         slides::SlideFiles files{name + ".png"};
         if (!page.slide.pictures.empty()) files.emplace_back(page.pictureFile = "pictures/" + name + ".png");
         if (slides::showsWordsAsPicture(page.slide))
             files.emplace_back(page.wordsFile = "pictures/" + name + "-with-words.png");
+        const slides::Unfinished unfinished(options_.output, deck.name());
         const std::string from = madeFrom(deck, page.slide);
-        if (std::optional<std::vector<std::uint8_t>> png = unfinished_.find(name, from, files)) {
+        if (std::optional<std::vector<std::uint8_t>> png = unfinished.find(numbered(deck, number), from, files)) {
             page.png = std::move(*png);
             ++stood_;
             return page;
@@ -176,7 +188,7 @@ private:
         page.png = write(name + ".png", drawn.slide);
         if (!page.pictureFile.empty()) write(page.pictureFile, drawn.pictures);
         if (!page.wordsFile.empty()) write(page.wordsFile, drawn.content);
-        unfinished_.keep(name, from, digests); // last: with it the slide stands
+        unfinished.keep(numbered(deck, number), from, digests); // last: with it the slide stands
         return page;
     }
 
@@ -189,7 +201,6 @@ private:
     }
 
     const SlidesOptions& options_;
-    slides::Unfinished unfinished_;
     std::vector<Deck> decks_;
     std::string madeBy_; ///< what all slides have in common
     std::unique_ptr<context::Context> context_;

@@ -5,6 +5,7 @@
 
 #include "app/commands/capture_options.h"
 #include "app/commands/option_values.h"
+#include "app/session/limits.h"
 
 namespace shadowlab::commands {
 
@@ -44,9 +45,13 @@ SlidesOptions slidesOptions(const CLI::App& command) {
             "--size: slides are at least 360 pixels high and 1.2 to 2.5 times as wide; write for example 1920x1080");
     constexpr int kMostSamples = 8;
     options.look.supersample = countFrom("--supersample", given.text("--supersample", "2"), kMostSamples);
+    const std::uint64_t samplesOnASide = static_cast<std::uint64_t>(options.look.supersample);
+    session::reserveForPictures(static_cast<std::uint64_t>(options.look.size.x) * samplesOnASide *
+                                    static_cast<std::uint64_t>(options.look.size.y) * samplesOnASide,
+                                session::kBytesPerDrawnSample, "--size " + given.text("--size", "1920x1080"),
+                                "choose a smaller --size or --supersample");
     options.backend = context::backendFromName(given.text("--backend", "auto"));
-    for (const std::string& folder : given.texts("--allow"))
-        options.allowed.emplace_back(folder);
+    options.allowed = given.allowedFolders();
     return options;
 }
 

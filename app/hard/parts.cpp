@@ -49,20 +49,24 @@ std::optional<CaseResult> Parts::find(const Case& one) const {
     try {
         const Json part = Json::parse(textOf(fileOf(one)));
         if (part.at("madeFrom") != madeFrom(one)) return std::nullopt;
+        for (const auto& [picture, digest] : part.at("pictures").items())
+            if (session::digestOf(textOf(folder_ / "pictures" / picture)) != digest) return std::nullopt;
         return caseResultFromJson(part.at("result"));
     } catch (const Json::exception&) {
         return std::nullopt; // nothing is lost but the time to run the case again
     }
 }
 
-void Parts::write(const Pictures& pictures) const {
-    if (pictures.name.empty()) return;
-    const std::string base = (folder_ / "pictures" / pictures.name).string();
-    image::writeWhole(base + ".png", pictures.picturePng);
-    image::writeWhole(base + "-errors.png", pictures.errorPng);
-}
-
 void Parts::keep(const Case& one, const CaseResult& result) const {
+    Json digests = Json::object();
+    const auto write = [&](const Pictures& pictures) {
+        if (pictures.name.empty()) return;
+        for (const auto& [ending, png] :
+             {std::pair(".png", &pictures.picturePng), {"-errors.png", &pictures.errorPng}}) {
+            image::writeWhole(folder_ / "pictures" / (pictures.name + ending), *png);
+            digests[pictures.name + ending] = session::digestOf(*png);
+        }
+    };
     for (const Row& row : result.rows) {
         write(row.right);
         if (row.naive) write(*row.naive);
@@ -70,7 +74,7 @@ void Parts::keep(const Case& one, const CaseResult& result) const {
     for (const Cell& cell : result.cells)
         write(cell.pictures);
     // Last: with it the case counts as known.
-    const Json part{{"madeFrom", madeFrom(one)}, {"result", toJson(result)}};
+    const Json part{{"madeFrom", madeFrom(one)}, {"pictures", digests}, {"result", toJson(result)}};
     image::writeWhole(fileOf(one), part.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

@@ -4,7 +4,7 @@
 //     DIR/pictures/P2b-planar.png, -errors.png
 //
 // Every file is whole or not there. A part counts only if it was made from what the case is made from now: the program, the
-// renderer, the size, the techniques, the case's file and its scenes. The parts of a run that came to its end are taken away,
+// renderer, the size, the techniques, the case's file and its scenes; and if its pictures are as they were written. The parts of a run that came to its end are taken away,
 // so the next one measures everything anew.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -33,7 +33,6 @@ public:
 private:
     [[nodiscard]] std::filesystem::path fileOf(const Case& one) const;
     [[nodiscard]] std::string madeFrom(const Case& one) const;
-    void write(const Pictures& pictures) const;
 
     std::filesystem::path folder_;
     std::string madeBy_;

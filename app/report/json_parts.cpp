@@ -27,12 +27,14 @@ Json toJson(const Plan& plan) {
                           {"digest", group.digest},
                           {"points", points}});
     }
-    return {{"program", plan.program},   {"size", {plan.size.x, plan.size.y}}, {"quick", plan.isQuick},
-            {"renderer", plan.renderer}, {"furtherWords", plan.furtherWords},  {"groups", groups}};
+    return {{"program", plan.program}, {"build", plan.build},       {"size", {plan.size.x, plan.size.y}},
+            {"quick", plan.isQuick},   {"renderer", plan.renderer}, {"furtherWords", plan.furtherWords},
+            {"groups", groups}};
 }
 
 Plan planFromJson(const Json& json) {
     Plan plan{json.at("program"),
+              json.at("build"),
               ivec2(json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>()),
               json.at("quick"),
               json.at("renderer"),

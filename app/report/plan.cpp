@@ -94,4 +94,16 @@ std::vector<PlannedGroup> shardOf(const Plan& plan, const Shard& shard) {
     return groups;
 }
 
+std::string difference(const Plan& a, const Plan& b) {
+    if (a.program != b.program) return "of version " + a.program + ", this is " + b.program;
+    if (a.build != b.build) return "made by another build of the program, or with other shaders, plug-ins or fonts";
+    if (a.size != b.size)
+        return "of pictures of " + std::to_string(a.size.x) + "x" + std::to_string(a.size.y) + ", not " +
+               std::to_string(b.size.x) + "x" + std::to_string(b.size.y);
+    if (a.isQuick != b.isQuick) return a.isQuick ? "a quick one" : "not a quick one";
+    if (a.renderer != b.renderer) return "drawn by '" + a.renderer + "', not '" + b.renderer + "'";
+    if (a.furtherWords != b.furtherWords) return "made with other --backend, --allow, --plugin or --limit";
+    return "of other scenes, techniques or lights";
+}
+
 } // namespace shadowlab::report

@@ -37,6 +37,7 @@ Shard shardFrom(const std::string& text);
 /// All of it; what the shards of one report have in common.
 struct Plan {
     std::string program; ///< version
+    std::string build;   ///< digest of the program with its shaders, plug-ins and fonts (session/program_digest.h)
     ivec2 size{0};
     bool isQuick = false;
     std::string renderer; ///< another one draws other pixels
@@ -45,6 +46,9 @@ struct Plan {
     std::vector<PlannedGroup> groups;
     friend bool operator==(const Plan&, const Plan&) = default;
 };
+
+/// What is said of a plan that is not the other one: "of pictures of 640x360, not 1280x720".
+std::string difference(const Plan& plan, const Plan& other);
 
 /// The points that a shard draws, dealt out in turns over all groups so that each has as many cheap and dear ones; with the
 /// yardstick wherever there is anything to hold against it. Groups without any are left out.

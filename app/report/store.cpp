@@ -2,6 +2,7 @@
 #include "app/report/store.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <fstream>
@@ -62,15 +63,8 @@ std::string endingOf(const Shard& shard) {
     return "-" + std::to_string(shard.number) + "-of-" + std::to_string(shard.count) + ".json";
 }
 
-/// What two plans differ in, for who is to be told.
-std::string difference(const Plan& a, const Plan& b) {
-    if (a.program != b.program) return "of version " + a.program + ", this is " + b.program;
-    if (a.size != b.size)
-        return "of pictures of " + std::to_string(a.size.x) + "x" + std::to_string(a.size.y) + ", not " +
-               std::to_string(b.size.x) + "x" + std::to_string(b.size.y);
-    if (a.isQuick != b.isQuick) return a.isQuick ? "a quick one" : "not a quick one";
-    if (a.renderer != b.renderer) return "drawn by '" + a.renderer + "', not '" + b.renderer + "'";
-    return "of other scenes, techniques or lights";
+std::array<std::string, 2> digestsOf(const Judge::Judged& judged) {
+    return {session::digestOf(judged.picturePng), session::digestOf(judged.errorPng)};
 }
 
 } // namespace
@@ -107,8 +101,8 @@ void Store::begin(const Plan& plan) const {
                 throw Error(ExitStatus::cannotWrite, (folder_ / name).string() +
                                                          ": is not of a report that was begun here, and would be "
                                                          "overwritten; choose another folder with -o");
-        image::makeFolders(folder_ / "parts");
-        writeJson(file, toJson(plan));
+        image::makeFolders(folder_);
+        writeJson(file, toJson(plan)); // before the parts: a folder with parts alone is another's
     }
     for (const PlannedGroup& group : plan.groups)
         image::makeFolders(groupFolder(group));
@@ -126,18 +120,22 @@ Plan Store::plan() const {
 
 std::optional<Judge::Judged> Store::judged(const PlannedGroup& group, const PointKey& point) const {
     const fs::path base = groupFolder(group) / fileName(point.name());
-    const auto errors = readJson(base.string() + ".json", errorsFromJson);
-    std::error_code absent;
-    for (const char* ending : {".png", "-errors.png"}) // without its pictures it has to be drawn again
-        if (!errors || !fs::is_regular_file(base.string() + ending, absent)) return std::nullopt;
-    return Judge::Judged{*errors, pictureOf(base.string() + ".png"), pictureOf(base.string() + "-errors.png")};
+    const auto part = readJson(base.string() + ".json", [](const Json& json) {
+        return std::pair(errorsFromJson(json), json.at("pictures").get<std::array<std::string, 2>>());
+    });
+    if (!part) return std::nullopt;
+    Judge::Judged judged{part->first, pictureOf(base.string() + ".png"), pictureOf(base.string() + "-errors.png")};
+    if (digestsOf(judged) != part->second) return std::nullopt; // without its pictures it has to be drawn again
+    return judged;
 }
 
 void Store::keep(const PlannedGroup& group, const PointKey& point, const Judge::Judged& judged) const {
     const std::string base = (groupFolder(group) / fileName(point.name())).string();
     image::writeWhole(base + ".png", judged.picturePng);
     image::writeWhole(base + "-errors.png", judged.errorPng);
-    writeJson(base + ".json", toJson(judged.errors)); // last: with it the point counts as known
+    Json part = toJson(judged.errors);
+    part["pictures"] = digestsOf(judged);
+    writeJson(base + ".json", part); // last: with it the point counts as known
 }
 
 Times Store::times(const PlannedGroup& group, const Shard& shard) const {
@@ -173,6 +171,17 @@ std::vector<Shard> Store::shards() const {
 
 Machine Store::machine(const Shard& shard) const {
     return readJson(folder_ / "parts" / ("machine" + endingOf(shard)), machineFromJson).value_or(Machine{});
+}
+
+void Store::readAll() const {
+    for (const Shard& shard : shards())
+        static_cast<void>(machine(shard));
+    for (const PlannedGroup& group : plan().groups) {
+        for (const PointKey& point : group.points)
+            static_cast<void>(judged(group, point));
+        for (const Shard& shard : shards())
+            static_cast<void>(times(group, shard));
+    }
 }
 
 void Store::takeOver(const Store& other) const {

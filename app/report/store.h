@@ -38,6 +38,8 @@ public:
     [[nodiscard]] std::vector<Shard> shards() const;
     [[nodiscard]] Machine machine(const Shard& shard) const;
 
+    /// Throws Error (badInput) with its name for a file that cannot be read, or that this program did not write.
+    void readAll() const;
     /// Takes over all parts of another report. Throws Error (badInput) where both have a point and do not agree.
     void takeOver(const Store& other) const;
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
+#include <sstream>
 #include <vector>
 
 #include "app/session/assets.h"
@@ -22,18 +24,37 @@ std::string digestOfFile(const std::filesystem::path& file) {
     return digestOf(std::string(std::istreambuf_iterator<char>(stream), {}));
 }
 
+/// The texts of all shaders, and of what they include: an edited one may include files of its own.
+std::string shaderTexts() {
+    std::vector<std::string> names;
+    for (const gl::EmbeddedShader& shader : gl::allShaders())
+        names.emplace_back(shader.name);
+    std::string all;
+    std::set<std::string> seen;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!seen.insert(names[i]).second) continue;
+        const std::string text = gl::shaderText(names[i]).value_or("");
+        all += names[i] + "\n" + text;
+        std::istringstream lines(text);
+        for (std::string line; std::getline(lines, line);)
+            if (const std::size_t open = line.find('"'), close = line.rfind('"');
+                line.starts_with("#include") && close > open)
+                names.push_back(line.substr(open + 1, close - open - 1));
+    }
+    return all;
+}
+
 } // namespace
 
 std::string programDigest() {
     std::string all = SHADOWLAB_VERSION + digestOfFile("/proc/self/exe");
     for (const LoadedPlugin& plugin : loadedPlugins())
         all += digestOfFile(plugin.file);
-    for (const gl::EmbeddedShader& shader : gl::allShaders())
-        all += digestOf(gl::shaderText(shader.name).value_or(""));
+    all += digestOf(shaderTexts());
     std::vector<std::filesystem::path> fonts;
     std::error_code ignored; // without fonts nothing is drawn, and who draws says so
     for (const auto& entry : std::filesystem::directory_iterator(assetsRoot() / "fonts", ignored))
-        fonts.push_back(entry.path());
+        if (entry.is_regular_file(ignored)) fonts.push_back(entry.path());
     std::ranges::sort(fonts);
     for (const std::filesystem::path& font : fonts)
         all += digestOfFile(font);

@@ -6,9 +6,8 @@
 namespace shadowlab::session {
 
 /// Sixteen hexadecimal digits over the program itself, the plug-ins taken in, every shader as it is compiled now
-/// (SHADOWLAB_SHADERS), and the fonts. A version number would not do: who edits a shader draws something else with the same one.
-/// Throws Error (badInput) where a shader's file cannot be read. Simplified: files that only an edited shader includes are
-/// not looked for.
+/// (SHADOWLAB_SHADERS) with what it includes, and the fonts. A version number would not do: who edits a shader draws something
+/// else with the same one. Throws Error (badInput) where a shader's file cannot be read.
 std::string programDigest();
 
 } // namespace shadowlab::session

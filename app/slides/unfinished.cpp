@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "app/slides/unfinished.h"
 
-#include <cctype>
-
 #include <nlohmann/json.hpp>
 
 #include "app/session/digest.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
-#include "techniques/foundation/image/output_folder.h"
 #include "techniques/foundation/scene/file_access.h"
 
 namespace shadowlab::slides {
@@ -18,20 +15,47 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kLargestPart = 1 << 12;    // bytes; ours have some 150
+constexpr const char* kMark = "slides drawn so far; the same command goes on from here"; // tells our files from others
+constexpr std::uint64_t kLargestList = 1 << 18;    // bytes; a slide takes 200 at most, and a deck has up to 300
 constexpr std::uint64_t kLargestPicture = 1 << 30; // more than the largest slide takes, 16384 x 16384 pixels of noise
+
+/// The slides that stand; nothing where the file is not ours, or not there. A link would lead elsewhere, and is not ours either.
+std::optional<Json> slidesIn(const fs::path& file) {
+    std::error_code ignored;
+    if (fs::symlink_status(file, ignored).type() != fs::file_type::regular) return std::nullopt;
+    try {
+        Json all = Json::parse(scene::readFile(file, kLargestList));
+        if (all.at("shadowlab") != kMark || !all.at("slides").is_object()) return std::nullopt;
+        return std::move(all.at("slides"));
+    } catch (const Error&) {
+        return std::nullopt;
+    } catch (const Json::exception&) {
+        return std::nullopt;
+    }
+}
+
+void write(const fs::path& file, const Json& slides) {
+    image::writeWhole(file, Json{{"shadowlab", kMark}, {"slides", slides}}.dump(1) + "\n");
+}
 
 } // namespace
 
+bool Unfinished::isForeign() const {
+    std::error_code ignored;
+    return fs::exists(fs::symlink_status(file_, ignored)) && !slidesIn(file_);
+}
+
 std::optional<std::vector<std::uint8_t>> Unfinished::find(const std::string& slide, const std::string& madeFrom,
                                                           const SlideFiles& files) const {
+    const std::optional<Json> slides = slidesIn(file_);
+    if (!slides) return std::nullopt;
     try {
-        const Json part = Json::parse(scene::readFile(partOf(slide), kLargestPart));
-        if (part.at("madeFrom") != madeFrom || part.at("files").size() != files.size()) return std::nullopt;
+        const Json& kept = slides->at(slide);
+        if (kept.at("madeFrom") != madeFrom || kept.at("files").size() != files.size()) return std::nullopt;
         std::vector<std::uint8_t> first;
         for (std::size_t i = 0; i < files.size(); ++i) {
             const std::string bytes = scene::readFile(folder_ / files[i], kLargestPicture);
-            if (part.at("files").at(i) != session::digestOf(bytes)) return std::nullopt;
+            if (kept.at("files").at(i) != session::digestOf(bytes)) return std::nullopt;
             if (i == 0) first.assign(bytes.begin(), bytes.end());
         }
         return first;
@@ -44,27 +68,27 @@ std::optional<std::vector<std::uint8_t>> Unfinished::find(const std::string& sli
 
 void Unfinished::keep(const std::string& slide, const std::string& madeFrom,
                       const std::vector<std::string>& digests) const {
-    image::makeFolders(parts());
-    image::writeWhole(partOf(slide), Json{{"madeFrom", madeFrom}, {"files", digests}}.dump() + "\n");
+    if (isForeign()) return;
+    // Read again: other runs may draw other slides of the deck meanwhile.
+    Json slides = slidesIn(file_).value_or(Json::object());
+    slides[slide] = {{"madeFrom", madeFrom}, {"files", digests}};
+    write(file_, slides);
 }
 
-void Unfinished::discard(const std::string& slide) const {
-    std::error_code ignored; // what stays is found to be old, or used again: neither does harm
-    fs::remove(partOf(slide), ignored);
-    fs::remove(parts(), ignored); // once it is empty
-}
-
-void Unfinished::discardDeck(const std::string& deck) const {
-    std::vector<std::string> slides;
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(parts(), ignored)) {
-        const std::string name = entry.path().stem().string();
-        const bool isOfDeck = name.starts_with(deck + "-") && name.size() > deck.size() + 1 &&
-                              std::isdigit(static_cast<unsigned char>(name[deck.size() + 1]));
-        if (isOfDeck && entry.path().extension() == ".json") slides.push_back(name);
-    }
+void Unfinished::discard(const std::vector<std::string>& slides) const {
+    std::optional<Json> left = slidesIn(file_);
+    if (!left) return;
     for (const std::string& slide : slides)
-        discard(slide);
+        left->erase(slide);
+    if (left->empty())
+        discardAll();
+    else
+        write(file_, *left);
+}
+
+void Unfinished::discardAll() const {
+    std::error_code ignored; // what stays is found to be old, or used again: neither does harm
+    if (slidesIn(file_)) fs::remove(file_, ignored);
 }
 
 } // namespace shadowlab::slides

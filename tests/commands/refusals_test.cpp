@@ -194,6 +194,8 @@ const std::vector<Refusal> kInputs = {
     {"PictureNamedObj", {"capture", "picture.obj", "-o", "x.png"}, 3, {"picture.obj"}},
     {"MeshMissing", {"capture", "mesh.json", "-o", "x.png"}, 3, {"mesh.json:", "none.obj"}},
     {"MeshOutside", {"capture", "outside.json", "-o", "x.png"}, 3, {"outside.json:", "--allow"}},
+    {"AllowMissing", kCapture + std::vector<std::string>{"--allow", "nowhere"}, 2, {"--allow", "'nowhere'"}},
+    {"AllowFile", kCapture + std::vector<std::string>{"--allow", "box.json"}, 2, {"--allow", "'box.json'"}},
     {"PathMissing", kCapture + std::vector<std::string>{"--path", "none.json"}, 3, {"none.json", "No such file"}},
     {"PathFifo", kCapture + std::vector<std::string>{"--path", "fifo.json"}, 3, {"fifo.json"}},
     {"PathOfOtherLights",

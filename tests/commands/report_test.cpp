@@ -109,6 +109,19 @@ TEST_F(ReportTest, ItsPartsMakeTheWhole) {
             ++compared;
         }
     EXPECT_EQ(compared, 16);
+    // A part that is damaged is named where it lies, before anything of the others is taken over.
+    int named = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path() / "part-2" / "parts"))
+        if (entry.path().extension() == ".json") {
+            const std::string file = entry.path().lexically_relative(folder.path()).string();
+            const std::string whole = fileContent(entry.path());
+            folder.write(file, whole.substr(0, whole.size() / 2));
+            expectOneLine(run({"report", "merge", "part-1", "part-2", "part-3", "-o", "damaged"}), 3, {file + ": "});
+            EXPECT_FALSE(std::filesystem::exists(folder.path() / "damaged"));
+            folder.write(file, whole);
+            ++named;
+        }
+    EXPECT_GE(named, 4);
 }
 
 TEST_F(ReportTest, GoesOnWhereItWasStopped) {

@@ -43,6 +43,8 @@ protected:
     }
     [[nodiscard]] std::filesystem::path last() const { return folder.path() / "out/deck-03-last.png"; }
 
+    [[nodiscard]] std::filesystem::path list() const { return folder.path() / "out/deck.unfinished.json"; }
+
     /// Files are replaced by others when they are written: what has kept its inode has not been drawn again.
     [[nodiscard]] std::uint64_t inodeOf(const std::string& name) const {
         struct stat status {};
@@ -57,7 +59,7 @@ protected:
         EXPECT_NE(words, 0u);
         const testing::ProgramResult result = slides(options...);
         EXPECT_EQ(result.status, 0) << result.err;
-        EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/unfinished"));
+        EXPECT_FALSE(std::filesystem::exists(list()));
         const int kept = (inodeOf("deck-01-box.png") == box) + (inodeOf("deck-02-words.png") == words);
         const std::string said = std::to_string(kept) + " of 3 slides were there already";
         EXPECT_EQ(result.err.find(said) != std::string::npos, kept > 0) << result.err;
@@ -69,7 +71,7 @@ protected:
 };
 
 TEST_F(StoppedSlidesTest, TheSameCommandGoesOnAndMakesTheSame) {
-    EXPECT_FALSE(content("unfinished/deck-01-box.json").empty());
+    EXPECT_FALSE(content("deck.unfinished.json").empty());
     EXPECT_EQ(keptSlides(), 2);
     EXPECT_EQ(listing(), undisturbed_);
 }
@@ -112,25 +114,68 @@ TEST_F(StoppedSlidesTest, AnEditedShaderDrawsSomethingElse) {
 }
 
 TEST_F(StoppedSlidesTest, FilesThatAreNotAsTheyWereWrittenAreDrawnAgain) {
-    for (const char* name : {"deck-01-box.png", "pictures/deck-01-box.png", "unfinished/deck-01-box.json"}) {
-        const std::string file = "out/" + std::string(name);
-        for (const std::string& content : {std::string(), std::string("{}"), std::string("{\"madeFrom\": [[")}) {
-            folder.write(file, content);
-            EXPECT_EQ(keptSlides(), 1) << name << ": " << content;
-            EXPECT_EQ(listing(), undisturbed_) << name;
-            stop();
-        }
-        std::filesystem::remove(folder.path() / file);
+    for (const std::string name : {"deck-01-box.png", "pictures/deck-01-box.png"}) {
+        folder.write("out/" + name, "");
+        EXPECT_EQ(keptSlides(), 1) << name;
+        EXPECT_EQ(listing(), undisturbed_) << name;
+        stop();
+        folder.write("out/" + name, content("pictures/deck-03-last.png"));
+        EXPECT_EQ(keptSlides(), 1) << name;
+        EXPECT_EQ(listing(), undisturbed_) << name;
+        stop();
+        std::filesystem::remove(folder.path() / "out" / name);
         EXPECT_EQ(slides().status, 0) << name << " is gone";
         EXPECT_EQ(listing(), undisturbed_) << name << " is gone";
         stop();
     }
 }
 
+TEST_F(StoppedSlidesTest, AShadersOwnFilesCountToo) {
+    const std::filesystem::path shaders = folder.path().string() + "-shaders";
+    std::filesystem::copy(SHADOWLAB_SOURCE_DIR "/shaders", shaders, std::filesystem::copy_options::recursive);
+    std::ofstream(shaders / "shadow_map" / "lookup.glsl", std::ios::app) << "#include \"own.glsl\"\n";
+    std::ofstream(shaders / "own.glsl") << "// first\n";
+    environment_ = {{"SHADOWLAB_SHADERS", shaders.string()}};
+    stop();
+    EXPECT_EQ(keptSlides(), 2);
+    stop();
+    std::ofstream(shaders / "own.glsl") << "// second\n";
+    EXPECT_EQ(keptSlides(), 0);
+    std::filesystem::remove_all(shaders);
+}
+
+TEST_F(StoppedSlidesTest, WhatIsNotOursIsLeftAsItIs) {
+    const std::string ours = content("deck.unfinished.json");
+    folder.write("elsewhere.json", ours);
+    const auto expectLeft = [&](const std::string& what) {
+        const testing::ProgramResult result = slides();
+        EXPECT_EQ(result.status, 0) << what << ": " << result.err;
+        EXPECT_NE(result.err.find("deck.unfinished.json: is none of ours"), std::string::npos) << what << result.err;
+        EXPECT_FALSE(content("deck-03-last.png").empty()) << what;
+        EXPECT_TRUE(std::filesystem::exists(std::filesystem::symlink_status(list()))) << what;
+        stop();
+    };
+    for (const std::string text : {"", "{}", "[]", "{\"shadowlab\": 1, \"slides\": {}}", "my own notes"}) {
+        folder.write("out/deck.unfinished.json", text);
+        expectLeft("'" + text + "'");
+        EXPECT_EQ(content("deck.unfinished.json"), text);
+    }
+    std::filesystem::remove(list());
+    std::filesystem::create_symlink(folder.path() / "elsewhere.json", list());
+    expectLeft("a link");
+    EXPECT_EQ(testing::fileContent(folder.path() / "elsewhere.json"), ours);
+    std::filesystem::remove(list());
+    std::filesystem::create_directory(list());
+    expectLeft("a folder");
+    std::filesystem::remove(list());
+    EXPECT_EQ(::mkfifo(list().c_str(), 0600), 0);
+    expectLeft("a FIFO");
+}
+
 TEST_F(StoppedSlidesTest, OneSlideAloneLeavesTheOthersStanding) {
     EXPECT_EQ(slides({"--size", "640x360", "--supersample", "1", "--only", "words"}).status, 0);
-    EXPECT_FALSE(content("unfinished/deck-01-box.json").empty());
-    EXPECT_TRUE(content("unfinished/deck-02-words.json").empty());
+    EXPECT_NE(content("deck.unfinished.json").find("01-box"), std::string::npos);
+    EXPECT_EQ(content("deck.unfinished.json").find("02-words"), std::string::npos);
     EXPECT_EQ(keptSlides(), 1);
     EXPECT_EQ(listing(), undisturbed_);
 }
@@ -140,7 +185,13 @@ TEST_F(StoppedSlidesTest, NothingIsLeftOfSlidesThatTheDeckHadBefore) {
     renamed.replace(renamed.find("\"words\""), 7, "\"others\"");
     folder.write("deck.json", renamed);
     EXPECT_EQ(slides().status, 0);
-    EXPECT_FALSE(std::filesystem::exists(folder.path() / "out/unfinished"));
+    EXPECT_FALSE(std::filesystem::exists(list()));
+}
+
+TEST_F(StoppedSlidesTest, DecksOfOneNameAreRefused) {
+    folder.write("other/deck.json", deck());
+    expectRefused({"slides", "deck.json", "other/deck.json", "-o", "both"}, 2, {"'deck'"});
+    expectRefused({"slides", "deck.json", "deck.json", "-o", "both"}, 2, {"'deck'"});
 }
 
 } // namespace

@@ -66,6 +66,9 @@ TEST(HardResultsTest, ARunGoesOnWithWhatWasMadeOfTheSame) {
     ASSERT_TRUE(parts.find(one));
     EXPECT_EQ(toJson(*parts.find(one)), toJson(made()));
     EXPECT_FALSE(Parts(folder.path(), "version 2").find(one)) << "made by another program";
+    folder.write("pictures/P1-planar-errors.png", "another picture");
+    EXPECT_FALSE(parts.find(one)) << "its pictures are not as they were";
+    parts.keep(one, made());
     Case other = one;
     other.file = caseFiles(session::assetsRoot()).back();
     EXPECT_FALSE(parts.find(other)) << "its file has changed";

@@ -23,7 +23,7 @@ PlannedGroup madeUpGroup() {
              {"shadow-map", {"filter=hard", "resolution=512"}, "Hard map", "resolution", 512}}};
 }
 
-Plan madeUpPlan() { return {"0.1", {64, 48}, true, "renderer", {}, {madeUpGroup()}}; }
+Plan madeUpPlan() { return {"0.1", "a build", {64, 48}, true, "renderer", {}, {madeUpGroup()}}; }
 
 Judge::Judged madeUpErrors(int wrong) {
     Judge::Judged judged;
@@ -71,15 +71,44 @@ TEST_F(ReportStoreTest, EveryDigitComesBack) {
 TEST_F(ReportStoreTest, AnotherReportIsRefusedAndSaysWhatIsOther) {
     store.begin(madeUpPlan());
     store.begin(madeUpPlan()); // the same goes on
+    const auto refusal = [&](const Plan& other) -> std::string {
+        try {
+            store.begin(other);
+        } catch (const Error& error) {
+            EXPECT_EQ(error.status(), ExitStatus::badInput);
+            return error.what();
+        }
+        return "none";
+    };
     Plan other = madeUpPlan();
     other.size.x = 65;
-    try {
-        store.begin(other);
-        FAIL();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.status(), ExitStatus::badInput);
-        EXPECT_NE(std::string(error.what()).find("64x48, not 65x48"), std::string::npos) << error.what();
+    EXPECT_NE(refusal(other).find("64x48, not 65x48"), std::string::npos) << refusal(other);
+    other = madeUpPlan();
+    other.build = "with an edited shader";
+    EXPECT_NE(refusal(other).find("shaders"), std::string::npos) << refusal(other);
+    other = madeUpPlan();
+    other.furtherWords = {"--backend", "osmesa"};
+    EXPECT_NE(refusal(other).find("--backend"), std::string::npos) << refusal(other);
+    other = madeUpPlan();
+    other.groups[0].digest = "another scene";
+    EXPECT_NE(refusal(other).find("other scenes"), std::string::npos) << refusal(other);
+}
+
+TEST_F(ReportStoreTest, APointWhosePicturesAreNotAsTheyWereIsUnknown) {
+    const Plan plan = madeUpPlan();
+    const PointKey& point = plan.groups[0].points[1];
+    store.begin(plan);
+    int damaged = 0;
+    store.keep(plan.groups[0], point, madeUpErrors(7));
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(store.folder() / "parts")) {
+        if (entry.path().extension() != ".png") continue;
+        std::ofstream(entry.path()) << "another picture";
+        EXPECT_FALSE(store.judged(plan.groups[0], point)) << entry.path();
+        store.keep(plan.groups[0], point, madeUpErrors(7));
+        EXPECT_TRUE(store.judged(plan.groups[0], point)) << entry.path();
+        ++damaged;
     }
+    EXPECT_EQ(damaged, 2);
 }
 
 TEST_F(ReportStoreTest, WhatIsNoPartOfAReportIsNamed) {

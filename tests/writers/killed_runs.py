@@ -4,6 +4,7 @@ damaged, nothing is left behind, and the result is the one of a run that nobody 
 
 A sequence of pictures, which begins again, and a report and slides, which go on where they were. With SHADOWLAB_LONG a hundred kills; without, six."""
 # SPDX-License-Identifier: MIT
+import json
 import os
 import random
 import shutil
@@ -93,13 +94,13 @@ class Work:
     def stop_after_a_slide(self):
         """So that there is something to go on from, wherever chance has struck."""
         run = self.start(self.folder)
-        while run.poll() is None and not any(self.folder.glob("unfinished/*.json")):
+        while run.poll() is None and not any(self.folder.glob("*.unfinished.json")):
             time.sleep(0.001)
         run.kill()
         run.communicate()
 
     def finish(self):
-        noted = sum(bool(outputs.UNFINISHED.fullmatch(name)) for name in outputs.contents(self.folder))
+        noted = sum(len(json.loads(data)["slides"]) for name, data in outputs.contents(self.folder).items() if outputs.UNFINISHED.fullmatch(name))
         run = self.start(self.folder)
         err = run.communicate(timeout=600)[1]
         wrong = [f"status {run.returncode}: {err!r}"] if run.returncode else []

@@ -18,7 +18,7 @@ DECK = """{"title": "Two", "scene": "box.json", "slides": [
   {"name": "two", "title": "Two", "slots": [{"technique": "shadow-map"}], "alt": "A box and its shadow."}]}
 """
 TEMPORARY = re.compile(r"\..+\.tmp\.\d+\.\d+")  # of the writers; what a killed run may leave
-UNFINISHED = re.compile(r"unfinished/[^/]+\.json")  # what a deck goes on by, until it has come to its end
+UNFINISHED = re.compile(r"[^/]+\.unfinished\.json")  # what a deck goes on by, until it has come to its end
 
 
 @dataclass
@@ -31,7 +31,7 @@ class Output:
     once: bool = False  # a second run is refused: what it would make is there
     appends: bool = False  # a second run adds to what the first has made
     program: str = "shadowlab"
-    resumes: bool = False  # a run that was stopped goes on, by what it has noted in the folder `unfinished`
+    resumes: bool = False  # a run that was stopped goes on, by what it has noted in DECK.unfinished.json
 
 
 SMALL = ["--size", "32x24"]

@@ -16,8 +16,14 @@ namespace shadowlab::scene {
 
 namespace {
 
+/// Readers of JSON take "-0" for the whole number 0, which has no sign.
+std::string signedZero(double value) { return std::signbit(value) ? "-0.0" : "0"; }
+
+std::string numberText(double value) { return value == 0 ? signedZero(value) : scene::numberText(value); }
+
 /// Colours are floats: their own shortest digits, not those of the doubles they become.
 std::string numberText(float value) {
+    if (value == 0) return signedZero(value);
     std::array<char, 32> text{};
     const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
     return error == std::errc{} ? std::string(text.data(), end) : std::string("0");
@@ -36,7 +42,7 @@ public:
         return *this;
     }
     Line& text(std::string_view key, const std::string& value) { return raw(key, inJson(value)); }
-    Line& number(std::string_view key, double value) { return raw(key, scene::numberText(value)); }
+    Line& number(std::string_view key, double value) { return raw(key, numberText(value)); }
     template <typename Vector>
     Line& vector(std::string_view key, const Vector& value) {
         return raw(key, list(value));
@@ -57,7 +63,7 @@ public:
     [[nodiscard]] std::string json() const { return "{" + text_ + "}"; }
 
     static std::string list(const dvec3& v) {
-        return "[" + scene::numberText(v.x) + ", " + scene::numberText(v.y) + ", " + scene::numberText(v.z) + "]";
+        return "[" + numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z) + "]";
     }
     static std::string list(const vec3& v) {
         return "[" + numberText(v.x) + ", " + numberText(v.y) + ", " + numberText(v.z) + "]";
