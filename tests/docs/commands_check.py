@@ -3,7 +3,9 @@
 
 commands_check.py PROGRAM looks at the words of each: is there such a subcommand, option, technique, stage, parameter, scene, lesson or
 deck, is the value in its range, and does the file exist that it reads? Commands that read a file which their page tells the
-reader to type in are run, in small pictures, and so are those of which the page says what they print: they have to. With SHADOWLAB_LONG all of them are run but `demo`, which opens a window.
+reader to type in are run, in small pictures, and so are those of which the page says what they print: they have to. With
+SHADOWLAB_LONG all of them are run but `demo`, which opens a window, and full reports, which take hours (tests of their own run small
+ones).
 """
 # SPDX-License-Identifier: MIT
 import json
@@ -130,6 +132,11 @@ def smaller(words):
     return [*kept, "--size", WITH_WORDS if "--steps" in words else SMALL[subcommand], *more]
 
 
+def takes_hours(words):
+    """A full report, a shard of one, and what is made of shards."""
+    return words[0] == "report" and "--quick" not in words and "--hard" not in words
+
+
 def run(command, program, folder):
     """None where it went well, else what the program said."""
     try:
@@ -165,7 +172,7 @@ def check_page(page, names, everything, seen):
             reads_typed = any(word in typed for word in command.words)
             runs = reads_typed or command.prints or (everything and str(command) not in seen and not technique_of_page(command, names))
             film = any(word.endswith(".mp4") for word in command.words)
-            if wrong or not runs or command.words[0] == "demo" or (film and not shutil.which("ffmpeg")):
+            if wrong or not runs or command.words[0] == "demo" or takes_hours(command.words) or (film and not shutil.which("ffmpeg")):
                 continue
             seen.add(str(command))
             ran += 1
