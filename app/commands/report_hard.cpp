@@ -21,7 +21,7 @@ int reportHard(const ReportOptions& options) {
     const std::unique_ptr<context::Context> context = context::createContext(options.backend);
     const std::string renderer = context::glRenderer();
     const std::vector<hard::Column> columns = hard::columns();
-    const hard::Parts parts(options.output, hard::madeBy(renderer, options.isQuick, columns));
+    const hard::Parts parts(options.output, hard::madeBy(renderer, options.isQuick, columns), cases);
     Progress progress("hard case", static_cast<int>(cases.size()), Progress::Remaining::told);
     std::vector<hard::CaseResult> results;
     int red = 0;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/hard/parts.h"
 
+#include <algorithm>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 
 #include "app/hard/results_json.h"
@@ -23,9 +25,32 @@ std::string textOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+bool isThere(const fs::path& file) {
+    std::error_code ignored;
+    return fs::exists(fs::symlink_status(file, ignored));
+}
+
+/// Is it a JSON object with all of these members?
+bool holds(const fs::path& file, std::initializer_list<const char*> members) {
+    const Json json = Json::parse(textOf(file), nullptr, false);
+    return std::ranges::all_of(members, [&](const char* member) { return json.contains(member); });
+}
+
+[[noreturn]] void failAsForeign(const fs::path& file) {
+    throw Error(ExitStatus::cannotWrite, file.string() + ": is not of hard cases that were begun here, and would be "
+                                                         "overwritten; choose another folder with -o");
+}
+
 } // namespace
 
-Parts::Parts(fs::path folder, std::string madeBy) : folder_(std::move(folder)), madeBy_(std::move(madeBy)) {
+Parts::Parts(fs::path folder, std::string madeBy, std::span<const Case> cases)
+    : folder_(std::move(folder)), madeBy_(std::move(madeBy)) {
+    for (const Case& one : cases)
+        if (const fs::path part = fileOf(one); isThere(part) && !holds(part, {"madeFrom", "pictures", "result"}))
+            failAsForeign(part);
+    const bool isOurs = holds(folder_ / "hard.json", {"renderer", "cases"}); // written first of the four
+    for (const char* name : {"hard.json", "hard.csv", "hard-matrix.csv", "hard.html"})
+        if (isThere(folder_ / name) && !isOurs) failAsForeign(folder_ / name);
     image::makeFolders(folder_ / "parts");
     image::makeFolders(folder_ / "pictures");
 }
@@ -44,8 +69,7 @@ std::string Parts::madeFrom(const Case& one) const {
 }
 
 std::optional<CaseResult> Parts::find(const Case& one) const {
-    std::error_code ignored;
-    if (!fs::is_regular_file(fileOf(one), ignored)) return std::nullopt;
+    if (!isThere(fileOf(one))) return std::nullopt;
     try {
         const Json part = Json::parse(textOf(fileOf(one)));
         if (part.at("madeFrom") != madeFrom(one)) return std::nullopt;

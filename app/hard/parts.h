@@ -4,8 +4,8 @@
 //     DIR/pictures/P2b-planar.png, -errors.png
 //
 // Every file is whole or not there. A part counts only if it was made from what the case is made from now: the program, the
-// renderer, the size, the techniques, the case's file and its scenes; and if its pictures are as they were written. The parts of a run that came to its end are taken away,
-// so the next one measures everything anew.
+// renderer, the size, the techniques, the case's file and its scenes; and if its pictures are as they were written. The parts of
+// a run that came to its end are taken away, so the next one measures everything anew.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
@@ -21,8 +21,9 @@ namespace shadowlab::hard {
 
 class Parts {
 public:
-    /// Makes the folders. Throws Error (cannotWrite). `madeBy`: whatever all parts of one run have in common.
-    Parts(std::filesystem::path folder, std::string madeBy);
+    /// Makes the folders. Throws Error (cannotWrite), also where a file of somebody else's would be overwritten. `madeBy`: whatever
+    /// all parts of one run have in common.
+    Parts(std::filesystem::path folder, std::string madeBy, std::span<const Case> cases);
 
     /// What came of the case; none: it has not been run, or has changed since.
     [[nodiscard]] std::optional<CaseResult> find(const Case& one) const;

@@ -1,7 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "app/report/json_parts.h"
 
+#include <limits>
+#include <stdexcept>
+
 namespace shadowlab::report {
+
+namespace {
+
+void require(bool holds, const char* what) {
+    if (!holds) throw std::domain_error(what);
+}
+
+int countOf(const Json& json) {
+    require(json.is_number_integer() && json >= 0 && json <= std::numeric_limits<int>::max(), "no count of pixels");
+    return json.get<int>();
+}
+
+double notNegative(const Json& json) {
+    require(json.is_number() && json >= 0, "less than nothing");
+    return json.get<double>();
+}
+
+} // namespace
 
 Json toJson(const PointKey& point) {
     return {{"technique", point.technique},
@@ -73,12 +94,18 @@ Json toJson(const Errors& errors) {
 Errors errorsFromJson(const Json& json) {
     Errors errors;
     errors.truth = json.at("truth") == "area" ? measure::TruthOf::area : measure::TruthOf::centre;
-    errors.pixels = json.at("pixels"), errors.lit = json.at("lit"), errors.shadowed = json.at("shadowed");
-    errors.turnedAway = json.at("turnedAway"), errors.ties = json.at("ties");
-    errors.falseLit = json.at("falseLit"), errors.falseShadow = json.at("falseShadow");
-    errors.core = json.at("coreErrors"), errors.served = json.at("served"), errors.rmse = json.at("rmse");
-    if (!json.at("edgeErrorPx").is_null()) errors.edgeErrorPx = json.at("edgeErrorPx").get<double>();
-    errors.converged = json.at("converged"), errors.glMegabytes = json.at("glMegabytes");
+    errors.pixels = countOf(json.at("pixels")), errors.lit = countOf(json.at("lit"));
+    errors.shadowed = countOf(json.at("shadowed")), errors.turnedAway = countOf(json.at("turnedAway"));
+    errors.ties = countOf(json.at("ties")), errors.falseLit = countOf(json.at("falseLit"));
+    errors.falseShadow = countOf(json.at("falseShadow")), errors.core = countOf(json.at("coreErrors"));
+    const std::int64_t dark = std::int64_t{errors.shadowed} + errors.turnedAway;
+    require(errors.lit + dark + errors.ties == errors.pixels, "pixels that are neither lit, dark nor ties");
+    require(errors.falseLit <= dark && errors.falseShadow <= errors.lit, "more wrong pixels than there are");
+    require(errors.core <= std::int64_t{errors.falseLit} + errors.falseShadow, "more core errors than wrong pixels");
+    errors.served = notNegative(json.at("served")), errors.rmse = notNegative(json.at("rmse"));
+    require(errors.served <= 1 && errors.rmse <= 1, "more than all");
+    if (!json.at("edgeErrorPx").is_null()) errors.edgeErrorPx = notNegative(json.at("edgeErrorPx"));
+    errors.converged = json.at("converged"), errors.glMegabytes = notNegative(json.at("glMegabytes"));
     for (const Json& counter : json.at("counters"))
         errors.counters.push_back({counter.at("id"), counter.at("unit"), counter.at("built"), counter.at("of")});
     return errors;
@@ -106,11 +133,16 @@ Times timesFromJson(const Json& json) {
         Times::Round round;
         for (const auto& [name, turn] : points.items()) {
             Turn& read = round[name];
-            const auto msOf = [&turn](const char* key) { return turn.at(key).template get<std::vector<double>>(); };
+            const auto msOf = [&turn](const char* key) {
+                std::vector<double> ms;
+                for (const Json& one : turn.at(key))
+                    ms.push_back(notNegative(one));
+                return ms;
+            };
             read.frame = msOf("frame"), read.prepare = msOf("prepare"), read.draw = msOf("draw");
             read.encode = msOf("encode"), read.atRest = msOf("atRest");
             for (const Json& pass : turn.at("passes"))
-                read.passes.push_back({pass.at(0), pass.at(1)});
+                read.passes.push_back({pass.at(0), notNegative(pass.at(1))});
         }
         times.rounds.push_back(std::move(round));
     }

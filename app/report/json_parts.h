@@ -17,7 +17,8 @@ Json toJson(const Errors& errors);
 Json toJson(const Times& times);
 Json toJson(const Machine& machine);
 
-// These throw Json::exception where something is missing or of another kind.
+// These throw Json::exception where something is missing or of another kind, and std::domain_error where a number cannot be: less
+// than no pixel, or more wrong pixels than there are.
 PointKey pointFromJson(const Json& json);
 Plan planFromJson(const Json& json);
 Errors errorsFromJson(const Json& json);

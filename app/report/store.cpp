@@ -9,6 +9,7 @@
 #include <functional>
 #include <iterator>
 #include <set>
+#include <stdexcept>
 
 #include "app/report/json_parts.h"
 #include "app/session/digest.h"
@@ -24,6 +25,10 @@ namespace fs = std::filesystem;
 
 [[noreturn]] void failToRead(const fs::path& path) {
     throw Error(ExitStatus::badInput, path.string() + ": cannot be read; look at its permissions, or delete it");
+}
+
+[[noreturn]] void failAsForeign(const fs::path& path) {
+    throw Error(ExitStatus::badInput, path.string() + ": is no part of a report that this program wrote; delete it");
 }
 
 /// None where there is no such file. One that cannot be read is not taken for one that is not there, and written anew.
@@ -49,8 +54,9 @@ auto readJson(const fs::path& file, const Read& read) -> std::optional<decltype(
     try {
         return read(Json::parse(*text));
     } catch (const Json::exception&) {
-        throw Error(ExitStatus::badInput,
-                    file.string() + ": is no part of a report that this program wrote; delete it");
+        failAsForeign(file);
+    } catch (const std::domain_error&) {
+        failAsForeign(file);
     }
 }
 

@@ -208,6 +208,13 @@ TEST_F(ReportTest, Refusals) {
     folder.write("foreign/index.html", "somebody's page");
     expectRefused({"report", "box.json", "-o", "foreign"}, 4, {"foreign/index.html", "-o"});
     expectRefused({"report", "merge", "foreign", "-o", "foreign"}, 2, {"one of the parts"});
+    std::filesystem::create_directories(folder.path() / "foreign" / "parts");
+    for (const char* name : {"foreign/hard.html", "foreign/hard.json", "foreign/parts/P1.json"}) {
+        folder.write(name, "[\"somebody's own\"]");
+        expectRefused({"report", "--hard", "-o", "foreign"}, 4, {name, "-o"});
+        EXPECT_EQ(fileContent(folder.path() / name), "[\"somebody's own\"]");
+        std::filesystem::remove(folder.path() / name);
+    }
     folder.write("plan.json", "{");
     expectRefused({"report", "merge", ".", "-o", "out"}, 3, {"plan.json"});
 }

@@ -58,14 +58,14 @@ TEST(HardResultsTest, ARunGoesOnWithWhatWasMadeOfTheSame) {
     const scene::TempFolder folder;
     const std::filesystem::path file = caseFiles(session::assetsRoot()).front();
     const Case one = loadCase(file, {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
-    const Parts parts(folder.path(), "version 1");
+    const Parts parts(folder.path(), "version 1", std::span(&one, 1));
     EXPECT_FALSE(parts.find(one));
     parts.keep(one, made());
     for (const char* picture : {"P1-check-1.png", "P1-check-1-careless-errors.png", "P1-planar-errors.png"})
         EXPECT_TRUE(std::filesystem::exists(folder.path() / "pictures" / picture)) << picture;
     ASSERT_TRUE(parts.find(one));
     EXPECT_EQ(toJson(*parts.find(one)), toJson(made()));
-    EXPECT_FALSE(Parts(folder.path(), "version 2").find(one)) << "made by another program";
+    EXPECT_FALSE(Parts(folder.path(), "version 2", std::span(&one, 1)).find(one)) << "made by another program";
     folder.write("pictures/P1-planar-errors.png", "another picture");
     EXPECT_FALSE(parts.find(one)) << "its pictures are not as they were";
     parts.keep(one, made());

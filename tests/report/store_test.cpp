@@ -121,6 +121,41 @@ TEST_F(ReportStoreTest, WhatIsNoPartOfAReportIsNamed) {
     EXPECT_THROW((void)Store(folder.path() / "none").plan(), Error);
 }
 
+TEST_F(ReportStoreTest, NumbersThatCannotBeAreRefused) {
+    const Plan plan = madeUpPlan();
+    const PointKey& point = plan.groups[0].points[1];
+    const Json whole = toJson(madeUpErrors(7).errors);
+    EXPECT_NO_THROW(static_cast<void>(errorsFromJson(whole)));
+    int refused = 0;
+    const std::vector<std::pair<const char*, Json>> changes{
+        {"lit", -2000},   {"lit", 2001},    {"lit", 1e300},     {"pixels", 3000.5},    {"shadowed", 4294967296 + 1000},
+        {"ties", "none"}, {"falseLit", -1}, {"falseLit", 1001}, {"falseShadow", 2001}, {"coreErrors", 8},
+        {"served", 1.5},  {"served", -0.5}, {"rmse", -1},       {"edgeErrorPx", -0.1}, {"glMegabytes", -3},
+        {"rmse", "many"}, {"converged", 2}};
+    for (const auto& [member, value] : changes) {
+        Json part = whole;
+        part[member] = value;
+        part["pictures"] = {"0", "0"};
+        store.begin(plan);
+        store.keep(plan.groups[0], point, madeUpErrors(7));
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(store.folder() / "parts"))
+            if (entry.path().extension() == ".json") std::ofstream(entry.path()) << part;
+        try {
+            static_cast<void>(store.judged(plan.groups[0], point));
+            ADD_FAILURE() << member << " " << value;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.status(), ExitStatus::badInput);
+            EXPECT_NE(std::string(error.what()).find(".json: is no part"), std::string::npos) << error.what();
+            ++refused;
+        }
+    }
+    EXPECT_EQ(refused, 17);
+    Json times = toJson(madeUpTimes());
+    EXPECT_NO_THROW(static_cast<void>(timesFromJson(times)));
+    times["rounds"][0]["unshadowed"]["frame"][1] = -11;
+    EXPECT_THROW(static_cast<void>(timesFromJson(times)), std::domain_error);
+}
+
 TEST_F(ReportStoreTest, PartsThatDisagreeAreNotMerged) {
     const Plan plan = madeUpPlan();
     const Store other(folder.path() / "b");
