@@ -195,6 +195,7 @@ void Store::takeOver(const Store& other) const {
         if (!entry.is_regular_file() || entry.path().filename().string().starts_with('.'))
             continue; // a dot: half-written
         const fs::path relative = entry.path().lexically_relative(other.folder_), target = folder_ / relative;
+        if (!fs::is_directory(target.parent_path())) continue; // of a group that is not in the plan
         const std::string bytes = bytesOf(entry.path()).value_or("");
         const bool isMeasured =
             relative.filename().string().starts_with("times-") || relative.filename().string().starts_with("machine-");

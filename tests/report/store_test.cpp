@@ -156,6 +156,18 @@ TEST_F(ReportStoreTest, NumbersThatCannotBeAreRefused) {
     EXPECT_THROW(static_cast<void>(timesFromJson(times)), std::domain_error);
 }
 
+TEST_F(ReportStoreTest, PartsOfAGroupThatIsNotInThePlanAreNotTakenOver) {
+    const Plan plan = madeUpPlan();
+    store.begin(plan);
+    store.keep(plan.groups[0], plan.groups[0].points[1], madeUpErrors(7));
+    folder.write("a/parts/another@light/point.json", "{}");
+    const Store merged(folder.path() / "merged");
+    merged.begin(plan);
+    merged.takeOver(store);
+    EXPECT_TRUE(merged.judged(plan.groups[0], plan.groups[0].points[1]));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "merged/parts/another@light"));
+}
+
 TEST_F(ReportStoreTest, PartsThatDisagreeAreNotMerged) {
     const Plan plan = madeUpPlan();
     const Store other(folder.path() / "b");
