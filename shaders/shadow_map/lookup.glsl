@@ -69,5 +69,5 @@ MapPlace mapPlaceIn(int layer) {
 
 MapPlace mapPlace() { return mapPlaceIn(mapLayer(positionLightRelative)); }
 
-// What a comparison at `offsetUv` from the point's place compares with the map: never beyond its range.
-float referenceDepth(MapPlace place, vec2 offsetUv) { return min(depthToCompare(place, offsetUv), 1.0); }
+// What a comparison at `offsetUv` from the point's place compares with the map.
+#include "shadow_map/reference_depth.glsl"

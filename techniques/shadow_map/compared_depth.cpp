@@ -9,8 +9,8 @@ namespace shadowlab::shadow_map {
 using Mode = BiasParams::Mode;
 
 DepthComparison::DepthComparison(const LightMaps& maps, int layer, const ShadowMapParams& params,
-                                 const FilterParams& filter)
-    : maps_(maps), params_(params), kernelTexels_(filter.comparedRadius() + 0.5),
+                                 const FilterParams& filter, double leastReference)
+    : maps_(maps), params_(params), kernelTexels_(filter.comparedRadius() + 0.5), leastReference_(leastReference),
       lightClip_(maps.lightClipFromLightRelative(layer)) {}
 
 double DepthComparison::texelMetres(const dvec4& clip) const {
@@ -84,7 +84,7 @@ double DepthComparison::referenceDepth(const ComparedPlace& place, const dvec2& 
                                static_cast<double>(params_.resolution);
         depth += glm::dot(place.slope, centreUv - place.uv);
     }
-    return std::min(depth, 1.0);
+    return std::clamp(depth, leastReference_, 1.0);
 }
 
 } // namespace shadowlab::shadow_map

@@ -1,4 +1,4 @@
-// The depth that a point is compared with the map by, bias included: what lookup.glsl and bias_*.glsl compute, in double.
+// The depth that a point is compared with the map by, bias included: what lookup.glsl, bias_*.glsl and reference_depth.glsl compute, in double.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -25,7 +25,9 @@ struct ComparedPlace {
 /// One layer, and what the bias depends on.
 class DepthComparison {
 public:
-    DepthComparison(const LightMaps& maps, int layer, const ShadowMapParams& params, const FilterParams& filter);
+    /// `leastReference` is of the object that the points are on (near_plane.h).
+    DepthComparison(const LightMaps& maps, int layer, const ShadowMapParams& params, const FilterParams& filter,
+                    double leastReference);
 
     /// `cornersLightRelative` span the plane that the point lies on.
     [[nodiscard]] ComparedPlace placeOf(const dvec3& pointLightRelative,
@@ -41,7 +43,7 @@ private:
 
     const LightMaps& maps_;
     ShadowMapParams params_;
-    double kernelTexels_;
+    double kernelTexels_, leastReference_;
     dmat4 lightClip_;
 };
 

@@ -81,7 +81,7 @@ double farthestTexels(const std::vector<MapProbe::Tap>& taps, const AskedMap& ma
 } // namespace
 
 AskedMap::AskedMap(const ComparedPoint& point)
-    : point_(point), comparison_(point.maps, point.layer, point.params, point.filter),
+    : point_(point), comparison_(point.maps, point.layer, point.params, point.filter, point.leastReference),
       lightRelativeFromClip_(glm::inverse(comparison_.lightClipFromLightRelative())),
       place_(comparison_.placeOf(point.pointWorld - point.maps.originWorld, cornersLightRelative(point))) {}
 

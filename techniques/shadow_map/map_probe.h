@@ -21,6 +21,7 @@ struct ComparedPoint {
     dvec3 pointWorld{0.0};
     std::array<dvec3, 3> cornersWorld{}; ///< of the triangle that the point lies on
     ivec2 fragment{0};                   ///< the pixel, rows counted from below: it may turn the samples
+    double leastReference = 0;           ///< of the object that the point is on (near_plane.h)
 };
 
 /// What a filter reads for the point, and what it makes of that.

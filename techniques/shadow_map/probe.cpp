@@ -9,6 +9,7 @@
 #include "techniques/probe_decision.h"
 #include "techniques/shadow_map/exact_probe.h"
 #include "techniques/shadow_map/filter_tell.h"
+#include "techniques/shadow_map/near_plane.h"
 #include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {
@@ -216,7 +217,8 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
                               asked.light,
                               pointWorld,
                               cornersOf(*snapshot, *hit),
-                              {pixel.x, view.size.y - 1 - pixel.y}};
+                              {pixel.x, view.size.y - 1 - pixel.y},
+                              leastReference(maps, bounds_[hit->object])};
     probe.map = probeMap(point);
     MapProbe& map = *probe.map;
     map.layerName = layerName(maps, *layer);
@@ -288,9 +290,9 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     if (const double fade = fadeToNext(maps, *layer, eyeDepth); fade > 0) {
         const TexelDepths nextDepths({*snapshot, maps, *layer + 1, castersOf(*snapshot, maps, asked, *layer + 1),
                                       bounds_, params_, depthRules(params_, asked.filter)});
-        const ComparedPoint next{*snapshot,          maps,          *layer + 1,  params_,
-                                 asked.filter,       nextDepths,    asked.light, point.pointWorld,
-                                 point.cornersWorld, point.fragment};
+        const ComparedPoint next{*snapshot,          maps,           *layer + 1,          params_,
+                                 asked.filter,       nextDepths,     asked.light,         point.pointWorld,
+                                 point.cornersWorld, point.fragment, point.leastReference};
         add("share of the next cascade in the answer", probeText(fade));
         visibility = glm::mix(visibility, answerOf(next).visibility, fade);
     }

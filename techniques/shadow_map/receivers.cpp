@@ -1,6 +1,7 @@
 // Drawing the receivers with a light's map: asked only where the shadow of a caster can fall.
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/filter_uniforms.h"
+#include "techniques/shadow_map/near_plane.h"
 #include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {
@@ -88,6 +89,7 @@ bool ShadowMap::setReceiver(const Frame& frame, const gl::Program& program, int 
         program.set("worldFromMesh", mat4(scene::worldFromMesh(frame.scene().objects[object])));
     if (map.maps.layers() > 0) // where there is one map; of several the fragment chooses
         program.set("lightClipFromMesh", mat4(map.maps.lightClipFromLightRelative(0) * lightRelative));
+    program.set("leastReference", static_cast<float>(leastReference(map.maps, bounds_[object])));
     if (map.exact) setObjectUniforms(frame, program, light, object);
     return true;
 }

@@ -48,13 +48,10 @@ Comparison aLampInABox(const Recipe& recipe, Painter& painter) {
     result.gate = Gate::edges;               // a crack between two sides of a volume is no light that comes through
     countLight(painter.paint(open), result); // what the box keeps dark: the eye is in its shadow, too
     const Picture closed = painter.paint(scene);
-    // Where light grazes, a map takes the receiver's plane beside the point to lie before its near plane, where casters are clamped
-    // to: some comparisons of a kernel then say lit, never most of them.
-    const int most = closed.texelPx.empty() ? 0 : 127;
     for (int y = 0; y < kSize.y; ++y)
         for (int x = 0; x < kSize.x; ++x) {
             ++result.compared;
-            if (closed.visibility[0].grey(x, y) <= most) continue;
+            if (closed.visibility[0].grey(x, y) == 0) continue;
             ++result.different, ++result.stray;
             result.where = {x, y};
         }

@@ -1,12 +1,12 @@
 // Would the relations find a fault? Eight that programs have had, put in on purpose, and the relations that turn red.
 // SPDX-License-Identifier: MIT
-#include <cstdlib>
 #include <iostream>
 #include <set>
 
 #include "tests/relations/painters_fixture.h"
 #include "tests/relations/random_recipes.h"
 #include "tests/relations/relation.h"
+#include "tests/support/other_shaders.h"
 
 namespace shadowlab::relations {
 namespace {
@@ -16,23 +16,8 @@ struct Mutant {
     const char* technique;
     std::vector<std::string> settings;
     Painter::Fault fault;
-    const char* shaders;           ///< folder of changed ones below tests/relations/mutants; none: those of the program
+    std::string shaders;           ///< folder of changed ones below tests/relations/mutants; none: those of the program
     std::set<std::string> foundBy; ///< at least by these
-};
-
-/// Shaders are looked for in another folder as long as this lives.
-class OtherShaders {
-public:
-    explicit OtherShaders(const char* folder) {
-        if (folder)
-            ::setenv(kVariable, (std::string(SHADOWLAB_SOURCE_DIR "/tests/relations/mutants/") + folder).c_str(), 1);
-    }
-    ~OtherShaders() { ::unsetenv(kVariable); }
-    OtherShaders(const OtherShaders&) = delete;
-    OtherShaders& operator=(const OtherShaders&) = delete;
-
-private:
-    static constexpr const char* kVariable = "SHADOWLAB_SHADERS";
 };
 
 void turnAllLights(scene::Scene& scene) {
@@ -143,7 +128,7 @@ TEST_F(MutantTest, EachIsFoundAndTheTechniquesAsTheyAreAreNot) {
         if (asTheyAre.insert(mutant.technique).second) {
             EXPECT_EQ(broken(right, traits, recipes), std::set<std::string>{}) << mutant.technique;
         }
-        const OtherShaders shaders(mutant.shaders);
+        const testing::OtherShaders shaders(mutant.shaders.empty() ? "" : "relations/mutants/" + mutant.shaders);
         Painter painter(mutant.technique, mutant.settings, mutant.fault);
         const std::set<std::string> red = broken(painter, traits, recipes);
         std::cout << mutant.name << ":";

@@ -7,42 +7,21 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <optional>
 
 #include "tests/support/gl_fixture.h"
 #include "tests/support/light_shares.h"
+#include "tests/support/other_shaders.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab {
 namespace {
 
 using testing::LightShares;
+using testing::OtherShaders;
 using testing::ShadowMapSlot;
 using PcfTest = testing::GlTest;
 
 constexpr ivec2 kSize{160, 120}, kSmall{96, 72};
-
-/// Programs that are first used while it lives are made with the filters in that folder beside this file.
-class OtherFilters {
-public:
-    explicit OtherFilters(const std::string& folder) {
-        if (const char* before = std::getenv(kVariable)) before_ = before;
-        ::setenv(kVariable, (SHADOWLAB_SOURCE_DIR "/tests/shadow_map/" + folder).c_str(), 1);
-    }
-    ~OtherFilters() {
-        if (before_)
-            ::setenv(kVariable, before_->c_str(), 1);
-        else
-            ::unsetenv(kVariable);
-    }
-    OtherFilters(const OtherFilters&) = delete;
-    OtherFilters& operator=(const OtherFilters&) = delete;
-
-private:
-    static constexpr const char* kVariable = "SHADOWLAB_SHADERS";
-    std::optional<std::string> before_;
-};
 
 /// The simple scene under a sun, or under a lamp among the objects, which has six maps. The eye is so close to edges of shadows
 /// that texels are large, also of a fine map.
@@ -104,7 +83,7 @@ TEST_F(PcfTest, LookupsBetweenTexelsAreThePlainLoop) {
                                                                resolutionSetting(resolution), "filter=pcf",
                                                                "pcf-radius=" + std::to_string(radius)};
                     const LightShares asDrawn = fewer.shares(settings, kSmall);
-                    const OtherFilters loops("plain_loops");
+                    const OtherShaders loops("shadow_map/plain_loops");
                     const Difference difference(asDrawn, plain.shares(settings, kSmall));
                     EXPECT_GT(difference.surfaces, 4000);
                     EXPECT_GE(difference.between, radius == 0 ? 0 : 10) << mode << ", " << resolution << ", " << radius;
@@ -141,7 +120,7 @@ TEST_F(PcfTest, AnAverageOfDepthsIsNoAverageOfComparisons) {
     const std::vector<std::string> settings = {"bias-mode=constant", "resolution=256", "fit=scene", "pcf-radius=2"};
     ShadowMapSlot slot(scene(Lit::bySun));
     const LightShares compared = slot.shares(settings, kSize);
-    const OtherFilters averages("averaged_depths");
+    const OtherShaders averages("shadow_map/averaged_depths");
     std::vector<std::string> averagedSettings = settings;
     averagedSettings.emplace_back("filter=pcss");
     const LightShares averaged = slot.shares(averagedSettings, kSize);
@@ -161,7 +140,7 @@ TEST_F(PcfTest, TheSamplersFourAreHardComparisonsWeighted) {
             const std::vector<std::string> settings = {std::string("bias-mode=") + mode, "filter=hw2x2", "fit=scene",
                                                        resolutionSetting(resolution)};
             const LightShares asDrawn = sampler.shares(settings, kSize);
-            const OtherFilters loops("plain_loops");
+            const OtherShaders loops("shadow_map/plain_loops");
             const Difference difference(asDrawn, four.shares(settings, kSize));
             EXPECT_GT(difference.between, 50);
             EXPECT_LE(difference.largest, kWeightRounding) << mode << ", " << resolution;
