@@ -74,7 +74,8 @@ std::optional<CaseResult> Parts::find(const Case& one) const {
         const Json part = Json::parse(textOf(fileOf(one)));
         if (part.at("madeFrom") != madeFrom(one)) return std::nullopt;
         for (const auto& [picture, digest] : part.at("pictures").items())
-            if (session::digestOf(textOf(folder_ / "pictures" / picture)) != digest) return std::nullopt;
+            if (session::digestOf(textOf(folder_ / "pictures" / picture)) != digest.get<std::string>())
+                return std::nullopt;
         return caseResultFromJson(part.at("result"));
     } catch (const Json::exception&) {
         return std::nullopt; // nothing is lost but the time to run the case again
