@@ -23,11 +23,11 @@ def dot():
     return picture_of(1)
 
 
-def picture_of(side):
+def picture_of(side, height=None, interlaced=0):
     """A PNG that says it has so many pixels on a side, and has one."""
     def chunk(kind, content):
         return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
-    size = struct.pack(">IIBBBBB", side, side, 8, 6, 0, 0, 0)
+    size = struct.pack(">IIBBBBB", side, height or side, 8, 6, 0, 0, interlaced)
     return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", size) + chunk(b"IDAT", zlib.compress(bytes(5))) + chunk(b"IEND", b"")
 
 
@@ -82,6 +82,10 @@ REFERENCES = [
     refused_scene("an alpha map that is no picture", HOLES, "s.json:2:", "not a readable PNG", files={"a.png": "no picture"}),
     refused_scene("an alpha map that breaks off", HOLES, "s.json:2:", "not a readable PNG", files={"a.png": picture_of(4)[:60]}),
     refused_scene("an alpha map beyond the limit", HOLES, "s.json:2:", "65535", "--limit image-side", status=6, files={"a.png": picture_of(65535)}),
+    refused_scene("an alpha map of two thousand million pixels in a row", HOLES, "s.json:2:", "2147483647 x 4", "--limit image-side", status=6, files={"a.png": picture_of(2**31 - 1, 4)}),
+    refused_scene("an alpha map of as many, interlaced", HOLES, "s.json:2:", "2147483647 x 4", "--limit image-side", status=6, files={"a.png": picture_of(2**31 - 1, 4, interlaced=1)}),
+    Row("an alpha map beyond memory", {"s.json": HOLES, "a.png": picture_of(16384)}, captured("s.json", "--limit", "memory=1000000000"), 6,
+        ["s.json:2:", "16384 x 16384 pixels", "MB of memory", "--limit memory"]),
     refused_material("materials above the mesh's folder", "../m.mtl", "--allow"),
     refused_material("materials by an absolute path", "/etc/passwd", "--allow"),
     refused_material("materials through a link that leaves", "l.mtl", "--allow", files={"l.mtl": link_to("/etc/passwd")}),

@@ -44,7 +44,13 @@ struct DecodedPng {
     std::vector<PngText> text;
 };
 
-/// `name` is the file named in errors. Throws Error (badInput, overLimit).
+struct PngSize {
+    std::uint32_t width = 0, height = 0;
+};
+/// By what stands before the pixels; nothing is allocated for them. Throws as decodePng does.
+PngSize pngSize(std::span<const std::uint8_t> bytes, std::string_view name, const PngLimits& limits = {});
+
+/// `name` is the file named in errors. Throws Error (badInput, overLimit), the latter before anything is allocated for pixels.
 DecodedPng decodePng(std::span<const std::uint8_t> bytes, std::string_view name, const PngLimits& limits = {});
 
 /// Reads a regular file (never a pipe or a device, which could hang or never end). Throws Error (badInput, overLimit).

@@ -47,16 +47,23 @@ struct Reader {
     Reader& operator=(const Reader&) = delete;
 };
 
-/// Everything up to the pixels, and the request to get them as 8-bit RGBA.
-bool readHeader(const Reader& reader, Source& source, bool& hasAlpha) {
+/// Everything up to the pixels.
+bool readHeader(const Reader& reader, Source& source) {
     const png_structp png = reader.png;
-    const png_infop info = reader.info;
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_read_fn(png, &source, takeBytes);
     png_set_user_limits(png, 0x7fffffff, 0x7fffffff); // the size is judged by our own limits, with our own message
     png_set_chunk_malloc_max(png, 8u << 20);          // a text chunk that unpacks to more is an attack, not a caption
     png_set_chunk_cache_max(png, 128);
-    png_read_info(png, info);
+    png_read_info(png, reader.info);
+    return true;
+}
+
+/// Asks for the pixels as 8-bit RGBA. libpng then takes memory for rows, so their length has to be judged before.
+bool askForRgba(const Reader& reader, bool& hasAlpha) {
+    const png_structp png = reader.png;
+    const png_infop info = reader.info;
+    if (setjmp(png_jmpbuf(png))) return false;
     hasAlpha = (png_get_color_type(png, info) & PNG_COLOR_MASK_ALPHA) != 0 || png_get_valid(png, info, PNG_INFO_tRNS);
     png_set_expand(png); // palette to RGB, few-bit grey to 8, tRNS to alpha
     png_set_strip_16(png);
@@ -98,22 +105,33 @@ std::vector<PngText> readTexts(const Reader& reader) {
                 std::string(name) + ": not a readable PNG: " + std::string(why) + "; save it again");
 }
 
+PngSize judgedSize(const Reader& reader, Source& source, std::string_view name, const PngLimits& limits) {
+    constexpr std::size_t kSignatureBytes = 8;
+    if (source.left < kSignatureBytes || png_sig_cmp(source.next, 0, kSignatureBytes) != 0)
+        badPng(name, "it does not start like one");
+    if (!readHeader(reader, source)) badPng(name, reader.failure.message);
+    const PngSize size{png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info)};
+    if (size.width > limits.side || size.height > limits.side)
+        throw Error(ExitStatus::overLimit, std::string(name) + ": " + std::to_string(size.width) + " x " +
+                                               std::to_string(size.height) + " pixels are more than the limit of " +
+                                               std::to_string(limits.side) + " a side; scale it down");
+    return size;
+}
+
 } // namespace
 
-DecodedPng decodePng(std::span<const std::uint8_t> bytes, std::string_view name, const PngLimits& limits) {
-    constexpr std::size_t kSignatureBytes = 8;
-    if (bytes.size() < kSignatureBytes || png_sig_cmp(bytes.data(), 0, kSignatureBytes) != 0)
-        badPng(name, "it does not start like one");
+PngSize pngSize(std::span<const std::uint8_t> bytes, std::string_view name, const PngLimits& limits) {
     const Reader reader;
     Source source{bytes.data(), bytes.size()};
+    return judgedSize(reader, source, name, limits);
+}
+
+DecodedPng decodePng(std::span<const std::uint8_t> bytes, std::string_view name, const PngLimits& limits) {
+    const Reader reader;
+    Source source{bytes.data(), bytes.size()};
+    const auto [width, height] = judgedSize(reader, source, name, limits);
     DecodedPng decoded;
-    if (!readHeader(reader, source, decoded.hasAlpha)) badPng(name, reader.failure.message);
-    const png_uint_32 width = png_get_image_width(reader.png, reader.info);
-    const png_uint_32 height = png_get_image_height(reader.png, reader.info);
-    if (width > limits.side || height > limits.side)
-        throw Error(ExitStatus::overLimit, std::string(name) + ": " + std::to_string(width) + " x " +
-                                               std::to_string(height) + " pixels are more than the limit of " +
-                                               std::to_string(limits.side) + " a side; scale it down");
+    if (!askForRgba(reader, decoded.hasAlpha)) badPng(name, reader.failure.message);
     decoded.image = Image(static_cast<int>(width), static_cast<int>(height));
     std::vector<png_bytep> rows(height);
     for (png_uint_32 y = 0; y < height; ++y)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -29,6 +30,27 @@ int pieceOf(double coordinate, int count) {
     return std::min(static_cast<int>(within * count), count - 1);
 }
 
+/// What reading a PNG without a name says, without the colon that would stand behind the name.
+template <typename Read>
+auto nameless(const Read& read) {
+    try {
+        return read();
+    } catch (const Error& error) {
+        constexpr std::size_t kAfterColon = 2; // ": not a readable PNG ..."
+        throw Error(error.status(), std::string(error.what()).substr(kAfterColon) +
+                                        (error.status() == ExitStatus::overLimit ? ", or set --limit image-side" : ""));
+    }
+}
+
+/// Before anything is allocated for the pixels. A file of some kilobytes may unpack to gigabytes.
+void requireMemoryFor(const image::PngSize& size, std::uint64_t fileBytes, const Limits& limits) {
+    const std::uint64_t texels = std::uint64_t{size.width} * size.height;
+    if (const std::uint64_t needed = memoryForAlphaMap(texels, fileBytes, limits); needed > limits.memoryBytes)
+        throw Error(ExitStatus::overLimit, std::to_string(size.width) + " x " + std::to_string(size.height) +
+                                               " pixels, for which " + beyondMemory(needed, limits.memoryBytes) +
+                                               "; scale it down, or set --limit memory");
+}
+
 } // namespace
 
 AlphaMask::AlphaMask(const image::DecodedPng& png) : size_(png.image.width, png.image.height) {
@@ -48,16 +70,14 @@ std::shared_ptr<const AlphaMask> AlphaMasks::load(const std::filesystem::path& c
     std::shared_ptr<const AlphaMask>& mask = known_[canonical];
     if (mask) return mask;
     const std::string text = readFile(canonical, limits.imageFileBytes, "image-file");
-    const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+    const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+    const image::PngLimits pngLimits{.side = limits.imageSide, .fileBytes = limits.imageFileBytes};
     constexpr std::string_view kNoName;
-    try {
-        mask = std::make_shared<const AlphaMask>(
-            image::decodePng(bytes, kNoName, {.side = limits.imageSide, .fileBytes = limits.imageFileBytes}));
-    } catch (const Error& error) {
-        constexpr std::size_t kAfterColon = 2; // ": not a readable PNG ...", without a name before it
-        throw Error(error.status(), std::string(error.what()).substr(kAfterColon) +
-                                        (error.status() == ExitStatus::overLimit ? ", or set --limit image-side" : ""));
-    }
+    Limits soFar = limits;
+    soFar.texels += texels_;
+    requireMemoryFor(nameless([&] { return image::pngSize(bytes, kNoName, pngLimits); }), bytes.size(), soFar);
+    mask = std::make_shared<const AlphaMask>(nameless([&] { return image::decodePng(bytes, kNoName, pngLimits); }));
+    texels_ += mask->texels().size();
     image::keepInput(canonical);
     return mask;
 }

@@ -39,12 +39,13 @@ private:
 /// Reads masks, each file once.
 class AlphaMasks {
 public:
-    /// Throws Error (badInput, overLimit): "not a readable PNG: ...; save it again", without the file's name, which the
-    /// caller knows as the user wrote it.
+    /// `limits.texels` are those of others. Throws Error (badInput, overLimit): "not a readable PNG: ...; save it again", without
+    /// the file's name, which the caller knows as the user wrote it.
     std::shared_ptr<const AlphaMask> load(const std::filesystem::path& canonical, const Limits& limits);
 
 private:
     std::map<std::filesystem::path, std::shared_ptr<const AlphaMask>> known_;
+    std::uint64_t texels_ = 0; ///< of them all
 };
 
 } // namespace shadowlab::scene

@@ -29,6 +29,7 @@ struct Limits {
     double coordinate = 1e15; ///< metres; beyond it squares overflow float and detail is lost even in double
     std::uint64_t memoryBytes = memoryToUse(); ///< scene and pictures together, as memory_estimate.h guesses them
     std::uint64_t pictureBytes = 0;            ///< of these, what the pictures that were asked for will take
+    std::uint64_t texels = 0;                  ///< of the alpha maps that the scene has so far
 };
 
 struct LoadOptions {

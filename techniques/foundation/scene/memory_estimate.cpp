@@ -29,6 +29,11 @@ std::uint64_t leastLimit() {
     return least;
 }
 
+/// Of what there is before the next part of the scene comes.
+std::uint64_t memorySoFar(const Limits& limits) {
+    return kBytesAtRest + limits.pictureBytes + limits.texels * kBytesPerTexel;
+}
+
 } // namespace
 
 std::uint64_t memoryToUse() {
@@ -37,11 +42,15 @@ std::uint64_t memoryToUse() {
 }
 
 std::uint64_t memoryForTriangles(std::uint64_t triangles, const Limits& limits) {
-    return kBytesAtRest + limits.pictureBytes + triangles * kBytesPerTriangle;
+    return memorySoFar(limits) + triangles * kBytesPerTriangle;
 }
 
 std::uint64_t memoryForMeshFile(std::uint64_t fileBytes, const Limits& limits) {
-    return kBytesAtRest + limits.pictureBytes + fileBytes * kBytesPerMeshByte;
+    return memorySoFar(limits) + fileBytes * kBytesPerMeshByte;
+}
+
+std::uint64_t memoryForAlphaMap(std::uint64_t texels, std::uint64_t fileBytes, const Limits& limits) {
+    return memorySoFar(limits) + texels * kBytesPerTexelRead + fileBytes;
 }
 
 std::string beyondMemory(std::uint64_t bytesNeeded, std::uint64_t limit) {

@@ -12,6 +12,8 @@ struct Limits;
 constexpr std::uint64_t kBytesAtRest = 160'000'000; ///< program, libraries, driver and a small picture: up to 150 MB
 constexpr std::uint64_t kBytesPerTriangle = 450;    ///< shadow volumes 220, ray tracing with its tree 400
 constexpr std::uint64_t kBytesPerMeshByte = 10;     ///< text, numbers and corners of an OBJ file while it is read: 9
+constexpr std::uint64_t kBytesPerTexelRead = 6;     ///< of an alpha map while it is read, beside its file: 5
+constexpr std::uint64_t kBytesPerTexel = 3;         ///< of one that has been read, with its texture: 2
 
 /// What this process may use: the least of the machine's memory, its control group's and its own limit (`ulimit -v`),
 /// less a quarter for everything else. Read once, so that a run has one limit.
@@ -21,6 +23,8 @@ std::uint64_t memoryToUse();
 std::uint64_t memoryForTriangles(std::uint64_t triangles, const Limits& limits);
 /// Bytes that reading an OBJ file of this size takes in all.
 std::uint64_t memoryForMeshFile(std::uint64_t fileBytes, const Limits& limits);
+/// Bytes that reading an alpha map of so many texels takes in all.
+std::uint64_t memoryForAlphaMap(std::uint64_t texels, std::uint64_t fileBytes, const Limits& limits);
 
 /// "some 9160 MB of memory are needed, more than the limit of 6000 MB": the middle of a refusal.
 std::string beyondMemory(std::uint64_t bytesNeeded, std::uint64_t limit);

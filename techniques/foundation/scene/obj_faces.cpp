@@ -151,7 +151,8 @@ void readAlphaMap(const tinyobj::material_t& mtl, Material& material, const Allo
         notes.push_back("material '" + shown(mtl.name) + "': map_d \"" + shown(mtl.alpha_texname) + "\" " + why);
     };
     const auto path = folders.resolve(mtl.alpha_texname);
-    if (!path || !whyUnreadable(*path).empty()) return ignore("cannot be read and is ignored");
+    if (!path) return ignore("is ignored: it " + std::string(kOutsideMessage));
+    if (const std::string fault = whyUnreadable(*path); !fault.empty()) return ignore("is ignored: it " + fault);
     try {
         material.alphaMask = masks.load(*path, limits);
         material.alphaMap = path->string();

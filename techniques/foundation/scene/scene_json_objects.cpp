@@ -19,7 +19,9 @@ constexpr std::uint32_t kWhite = 0; ///< index of the default material
 
 class ObjectReader {
 public:
-    explicit ObjectReader(const SceneReading& reading) : reading_(reading) {
+    explicit ObjectReader(const SceneReading& reading) : reading_(reading), limits_(reading.options.limits) {
+        for (const Material& material : reading.scene.materials)
+            countTexels(material);
         for (std::uint32_t i = 0; i < reading.scene.materials.size(); ++i)
             materialIndex_[reading.scene.materials[i].name] = i;
         sceneMaterials_ = materialIndex_;
@@ -45,9 +47,12 @@ private:
     std::uint32_t materialIndex(const JsonObject& keys) const;
     dvec3 scaleOf(const JsonObject& keys) const;
     void checkTriangles(const JsonObject& keys, std::uint64_t more) const;
+    void countTexels(const Material& material);
     std::string uniqueName(const std::string& wish);
 
     const SceneReading& reading_;
+    Limits limits_;                                       ///< with the texels of all masks so far
+    std::set<const AlphaMask*> countedMasks_;             ///< materials may share one
     std::map<std::string, std::uint32_t> materialIndex_;  ///< all of the scene so far
     std::map<std::string, std::uint32_t> sceneMaterials_; ///< those of the scene file, which `material` may name
     std::map<std::pair<std::string, NormalMode>, std::shared_ptr<const Mesh>> shapes_; ///< by ShapeRequest::id
@@ -100,7 +105,6 @@ JsonObject ObjectReader::checkedKeys(const JsonValue& value, const std::string& 
 }
 
 void ObjectReader::checkTriangles(const JsonObject& keys, std::uint64_t more) const {
-    const Limits& limits = reading_.options.limits;
     const std::uint64_t triangles = triangles_ + more;
     const auto refuse = [&](const std::string& why, const char* limit) {
         reading_.document.fail(keys.value().offset,
@@ -108,9 +112,15 @@ void ObjectReader::checkTriangles(const JsonObject& keys, std::uint64_t more) co
                                    "; simplify or remove objects, or set --limit " + limit,
                                ExitStatus::overLimit);
     };
-    if (triangles > limits.triangles) refuse("more than the limit of " + std::to_string(limits.triangles), "triangles");
-    if (const std::uint64_t needed = memoryForTriangles(triangles, limits); needed > limits.memoryBytes)
-        refuse("for which " + beyondMemory(needed, limits.memoryBytes), "memory");
+    if (triangles > limits_.triangles)
+        refuse("more than the limit of " + std::to_string(limits_.triangles), "triangles");
+    if (const std::uint64_t needed = memoryForTriangles(triangles, limits_); needed > limits_.memoryBytes)
+        refuse("for which " + beyondMemory(needed, limits_.memoryBytes), "memory");
+}
+
+void ObjectReader::countTexels(const Material& material) {
+    const AlphaMask* mask = material.alphaMask.get();
+    if (mask && countedMasks_.insert(mask).second) limits_.texels += mask->texels().size();
 }
 
 ObjectReader::LoadedMesh ObjectReader::shape(const JsonObject& keys, NormalMode mode) {
@@ -151,6 +161,7 @@ std::uint32_t ObjectReader::materialOfFile(const std::filesystem::path& canonica
                         (attempt == 1 ? std::string() : " no. " + std::to_string(attempt)) + ")";
     entry->second = static_cast<std::uint32_t>(reading_.scene.materials.size());
     materialIndex_[material.name] = entry->second;
+    countTexels(material);
     reading_.scene.materials.push_back(std::move(material));
     return entry->second;
 }
@@ -161,6 +172,7 @@ ObjectReader::LoadedMesh ObjectReader::loadedFile(const JsonObject& keys, Normal
     LoadedMesh& loaded = entry->second;
     if (!isNew) return loaded;
     LoadOptions options = reading_.options; // the mesh's own references may use the scene's folder too
+    options.limits = limits_;
     options.allowed.push_back(reading_.file.parent_path().empty() ? "." : reading_.file.parent_path());
     ObjFile obj = loadObj(file.path, mode, options);
     for (const MeshPart& part : obj.mesh.parts)

@@ -102,6 +102,39 @@ TEST(AlphaMask, WhatIsNoImageIsAnErrorInASceneAndANoteInAMesh) {
     }
 }
 
+TEST(AlphaMask, AllOfASceneTogetherAreWithinItsMemory) {
+    const TempFolder folder;
+    const std::uint64_t texels = 1000;
+    const std::vector<image::Color8> row(texels);
+    for (const char* name : {"a.png", "b.png", "c.png"})
+        folder.write(name, pngOf(row, false));
+    folder.write("m.mtl", "newmtl leaf\nmap_d c.png\n");
+    folder.write("m.obj", "mtllib m.mtl\n" + kSquare + "vt 0 0\nusemtl leaf\nf 1/1 2/1 3/1\n");
+    const auto file = folder.write("scene.json", "");
+    const std::string text = "{" + kCamera + R"(, "materials": {"a": {"alphaMap": "a.png"},
+"b": {"alphaMap": "b.png"}, "again": {"alphaMap": "a.png"}}, "objects": [{"mesh": "m.obj"}]})";
+    const auto with = [&](std::uint64_t bytes) {
+        LoadOptions options;
+        options.limits.memoryBytes = kBytesAtRest + bytes;
+        return parseSceneJson(text, file, options);
+    };
+    // Of the three, two are kept while the third is read.
+    const std::uint64_t needed = 2 * texels * kBytesPerTexel + texels * kBytesPerTexelRead;
+    const std::uint64_t aFile = std::filesystem::file_size(folder.path() / "c.png");
+    const auto whole = with(needed + aFile + 2000); // and room for an OBJ file
+    EXPECT_EQ(whole->notes.size(), 0u);
+    EXPECT_NE(whole->materials.back().alphaMask, nullptr);
+    const auto withoutThird = with(needed + aFile - 1);
+    ASSERT_GE(withoutThird->notes.size(), 1u);
+    EXPECT_TRUE(contains(withoutThird->notes[0], "map_d \"c.png\" is ignored: 1000 x 1 pixels, for which some "))
+        << withoutThird->notes[0];
+    const Error error = errorOf([&] { with(texels * (kBytesPerTexel + kBytesPerTexelRead) + aFile - 1); });
+    EXPECT_EQ(error.status(), ExitStatus::overLimit);
+    EXPECT_TRUE(contains(error.what(), "scene.json:2:")) << error.what();
+    EXPECT_TRUE(contains(error.what(), "\"b.png\", 1000 x 1 pixels")) << error.what();
+    EXPECT_TRUE(contains(error.what(), ", or set --limit memory")) << error.what();
+}
+
 TEST(AlphaMask, OfMeshesWithoutTextureCoordinatesCutsNothingAndSaysSo) {
     const TempFolder folder;
     folder.write("leaf.png", pngOf({{0, 0, 0, 0}}, false));
