@@ -222,14 +222,14 @@ int mergeReports(const ReportOptions& options) {
                                                   "; merge parts that one program was asked for with the same words");
     for (const report::Store& part : stores)
         part.readAll(); // before anything of it is taken over
+    if (const std::vector<std::string> missing = report::missingPoints(stores, plan); !missing.empty())
+        throw Error(ExitStatus::badInput, "points that are in none of the parts: " + std::to_string(missing.size()) +
+                                              ", the first is '" + missing.front() +
+                                              "'; run the shards that are missing, and merge them, too");
     const report::Store store(options.output);
     store.begin(plan);
     for (const report::Store& part : stores)
         store.takeOver(part);
-    if (const std::vector<std::string> missing = report::missingPoints(store, plan); !missing.empty())
-        throw Error(ExitStatus::badInput, "points that are in none of the parts: " + std::to_string(missing.size()) +
-                                              ", the first is '" + missing.front() +
-                                              "'; run the shards that are missing, and merge them, too");
     writeAll(store);
     return 0;
 }

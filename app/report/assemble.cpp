@@ -33,11 +33,13 @@ std::optional<Costs> costsIn(const std::vector<Times>& ofShards, const std::stri
 
 } // namespace
 
-std::vector<std::string> missingPoints(const Store& store, const Plan& plan) {
+std::vector<std::string> missingPoints(std::span<const Store> stores, const Plan& plan) {
     std::vector<std::string> missing;
     for (const PlannedGroup& group : plan.groups)
         for (const PointKey& point : group.points)
-            if (!store.judged(group, point)) missing.push_back(group.title + "@" + group.light + " " + point.name());
+            if (std::ranges::none_of(stores,
+                                     [&](const Store& store) { return store.judged(group, point).has_value(); }))
+                missing.push_back(group.title + "@" + group.light + " " + point.name());
     return missing;
 }
 

@@ -1,12 +1,14 @@
 // From the parts in a folder to a report: everything that is written at the end follows from them alone.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <span>
+
 #include "app/report/store.h"
 
 namespace shadowlab::report {
 
-/// The points of a plan that a folder does not have yet, as "SCENE@LIGHT POINT".
-std::vector<std::string> missingPoints(const Store& store, const Plan& plan);
+/// The points of a plan that none of the folders has yet, as "SCENE@LIGHT POINT".
+std::vector<std::string> missingPoints(std::span<const Store> stores, const Plan& plan);
 
 /// What the folder has of its plan, analysed. Groups are split where their points are held against different truths.
 Report assemble(const Store& store);

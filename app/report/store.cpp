@@ -27,6 +27,12 @@ namespace fs = std::filesystem;
     throw Error(ExitStatus::badInput, path.string() + ": cannot be read; look at its permissions, or delete it");
 }
 
+[[noreturn]] void failAsChanged(const fs::path& picture) {
+    throw Error(ExitStatus::badInput,
+                picture.string() + ": is not the picture that was drawn here; run this part of the report again, "
+                                   "which draws it anew");
+}
+
 [[noreturn]] void failAsForeign(const fs::path& path) {
     throw Error(ExitStatus::badInput, path.string() + ": is no part of a report that this program wrote; delete it");
 }
@@ -124,19 +130,29 @@ Plan Store::plan() const {
     return *plan;
 }
 
-std::optional<Judge::Judged> Store::judged(const PlannedGroup& group, const PointKey& point) const {
-    const fs::path base = groupFolder(group) / fileName(point.name());
+fs::path Store::pointFile(const PlannedGroup& group, const PointKey& point) const {
+    return groupFolder(group) / fileName(point.name());
+}
+
+std::optional<Store::Part> Store::part(const PlannedGroup& group, const PointKey& point) const {
+    const fs::path base = pointFile(group, point);
     const auto part = readJson(base.string() + ".json", [](const Json& json) {
         return std::pair(errorsFromJson(json), json.at("pictures").get<std::array<std::string, 2>>());
     });
     if (!part) return std::nullopt;
     Judge::Judged judged{part->first, pictureOf(base.string() + ".png"), pictureOf(base.string() + "-errors.png")};
-    if (digestsOf(judged) != part->second) return std::nullopt; // without its pictures it has to be drawn again
-    return judged;
+    const auto now = digestsOf(judged);
+    return Part{std::move(judged), {now[0] == part->second[0], now[1] == part->second[1]}};
+}
+
+std::optional<Judge::Judged> Store::judged(const PlannedGroup& group, const PointKey& point) const {
+    std::optional<Part> found = part(group, point);
+    if (!found || !found->isWhole[0] || !found->isWhole[1]) return std::nullopt; // it has to be drawn again
+    return std::move(found->judged);
 }
 
 void Store::keep(const PlannedGroup& group, const PointKey& point, const Judge::Judged& judged) const {
-    const std::string base = (groupFolder(group) / fileName(point.name())).string();
+    const std::string base = pointFile(group, point).string();
     image::writeWhole(base + ".png", judged.picturePng);
     image::writeWhole(base + "-errors.png", judged.errorPng);
     Json part = toJson(judged.errors);
@@ -183,8 +199,12 @@ void Store::readAll() const {
     for (const Shard& shard : shards())
         static_cast<void>(machine(shard));
     for (const PlannedGroup& group : plan().groups) {
-        for (const PointKey& point : group.points)
-            static_cast<void>(judged(group, point));
+        for (const PointKey& point : group.points) {
+            const std::optional<Part> found = part(group, point);
+            const std::string base = pointFile(group, point).string();
+            if (found && !found->isWhole[0]) failAsChanged(base + ".png");
+            if (found && !found->isWhole[1]) failAsChanged(base + "-errors.png");
+        }
         for (const Shard& shard : shards())
             static_cast<void>(times(group, shard));
     }

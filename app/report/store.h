@@ -8,6 +8,7 @@
 // Every file is whole or not there, so a report goes on from wherever it was stopped.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -26,6 +27,7 @@ public:
     /// The plan of a folder. Throws Error (badInput) where there is none, or one that cannot be read.
     [[nodiscard]] Plan plan() const;
 
+    /// None, too, where one of its pictures is not as it was drawn: the point has to be judged again.
     [[nodiscard]] std::optional<Judge::Judged> judged(const PlannedGroup& group, const PointKey& point) const;
     void keep(const PlannedGroup& group, const PointKey& point, const Judge::Judged& judged) const;
 
@@ -38,7 +40,7 @@ public:
     [[nodiscard]] std::vector<Shard> shards() const;
     [[nodiscard]] Machine machine(const Shard& shard) const;
 
-    /// Throws Error (badInput) with its name for a file that cannot be read, or that this program did not write.
+    /// Throws Error (badInput) with its name for a file that cannot be read, or that is not as this program wrote it.
     void readAll() const;
     /// Takes over all parts of another report. Throws Error (badInput) where both have a point and do not agree.
     void takeOver(const Store& other) const;
@@ -46,7 +48,16 @@ public:
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
 private:
+    /// A point, and which of its two pictures are as they were drawn.
+    struct Part {
+        Judge::Judged judged;
+        std::array<bool, 2> isWhole;
+    };
+    [[nodiscard]] std::optional<Part> part(const PlannedGroup& group, const PointKey& point) const;
+
     [[nodiscard]] std::filesystem::path groupFolder(const PlannedGroup& group) const;
+    /// Without an ending.
+    [[nodiscard]] std::filesystem::path pointFile(const PlannedGroup& group, const PointKey& point) const;
 
     std::filesystem::path folder_;
 };

@@ -176,7 +176,7 @@ TEST_F(ReportStoreTest, PartsThatDisagreeAreNotMerged) {
         each->keep(plan.groups[0], plan.groups[0].points[0], madeUpErrors(1));
     }
     store.takeOver(other); // the same
-    EXPECT_EQ(missingPoints(store, plan).size(), 1u);
+    EXPECT_EQ(missingPoints({&store, 1}, plan).size(), 1u);
     other.keep(plan.groups[0], plan.groups[0].points[0], madeUpErrors(2));
     EXPECT_THROW(store.takeOver(other), Error);
     EXPECT_EQ(store.judged(plan.groups[0], plan.groups[0].points[0])->errors.falseLit, 1);
