@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/diagram/markup.h"
 
+#include "techniques/foundation/image/utf8.h"
+
 namespace shadowlab::diagram {
 
 std::string escapedMarkup(std::string_view text) {
     std::string out;
-    for (const char c : text)
+    for (const char c : image::withoutNoncharacters(text))
         switch (c) {
         case '&': out += "&amp;"; break;
         case '<': out += "&lt;"; break;

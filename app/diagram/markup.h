@@ -8,7 +8,8 @@
 
 namespace shadowlab::diagram {
 
-/// With the signs that markup is made of written as such. No control character is allowed there; each becomes a blank.
+/// With the signs that markup is made of written as such. No control character is allowed there; each becomes a blank. What is no
+/// character at all becomes the replacement character.
 std::string escapedMarkup(std::string_view text);
 
 /// Bytes as letters (RFC 4648, section 4), for data URIs.

@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/image/utf8.h"
 
 namespace shadowlab::diagram {
 
@@ -150,11 +151,12 @@ struct Brush {
         constexpr double kSlant = 0.2; // DejaVu Sans Oblique leans by 11 degrees
         if (style.isItalic) matrix.xy = -kSlant * style.size;
         cairo_set_font_matrix(cairo, &matrix);
+        const std::string letters = image::withoutNoncharacters(text.text);
         cairo_text_extents_t extents;
-        cairo_text_extents(cairo, text.text.c_str(), &extents);
+        cairo_text_extents(cairo, letters.c_str(), &extents);
         const double share = style.anchor == Anchor::start ? 0 : style.anchor == Anchor::middle ? 0.5 : 1;
         cairo_move_to(cairo, text.place.x - share * extents.x_advance, text.place.y);
-        cairo_text_path(cairo, text.text.c_str());
+        cairo_text_path(cairo, letters.c_str());
         if (style.hasRim) {
             cairo_set_source_rgb(cairo, 1, 1, 1);
             cairo_set_line_width(cairo, kRimWidth);

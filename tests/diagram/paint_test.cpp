@@ -29,6 +29,19 @@ protected:
     Painter painter_{session::assetsRoot() / "fonts"};
 };
 
+TEST_F(PaintTest, WhatIsNoCharacterIsDrawnAsTheReplacementOfOne) {
+    const auto written = [&](const std::string& text) {
+        Drawing drawing({200, 100});
+        drawing.text({10, 50}, text, {});
+        return painted(drawing);
+    };
+    const image::Image expected = written("a\xEF\xBF\xBD");
+    EXPECT_GT(inked(expected), inked(written("a")) + 20);
+    // Cairo refuses each of them: U+FFFF, U+FDD0, U+10FFFE, and a byte that begins nothing.
+    for (const char* odd : {"a\xEF\xBF\xBF", "a\xEF\xB7\x90", "a\xF4\x8F\xBF\xBE", "a\xFF"})
+        EXPECT_EQ(written(odd), expected);
+}
+
 TEST_F(PaintTest, FilledRectanglesHaveTheirColorAndPlace) {
     Drawing drawing({200, 100});
     drawing.rectangle({20, 30}, {50, 40}, "#0072b2", {"#000000", 0, false});

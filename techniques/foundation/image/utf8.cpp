@@ -60,4 +60,11 @@ std::string encodeUtf8(std::u32string_view text) {
     return bytes;
 }
 
+std::string withoutNoncharacters(std::string_view text) {
+    std::u32string points = decodeUtf8(text);
+    for (char32_t& point : points)
+        if ((point & 0xFFFE) == 0xFFFE || (point >= 0xFDD0 && point <= 0xFDEF)) point = kReplacementCharacter;
+    return encodeUtf8(points);
+}
+
 } // namespace shadowlab::image
