@@ -27,6 +27,8 @@ inline constexpr const char* kInstallDrivers = "apt install libgl1-mesa-dri, or 
 inline constexpr const char* kInstallEglDrivers = "apt install libegl-mesa0 libgl1-mesa-dri, or take --backend osmesa";
 inline constexpr const char* kInstallWindowDrivers =
     "apt install libgl1 libgl1-mesa-dri, or take --backend egl or osmesa";
+inline constexpr const char* kMoreMemory =
+    "allow the program more memory (ulimit -v), or install the library's package again";
 inline constexpr const char* kNewerDriver = "take a newer driver, and unset MESA_GL_VERSION_OVERRIDE if it is set";
 
 /// Keeps track of which context is current. EGL, GLX and OSMesa each have their own idea of it and do not know of each

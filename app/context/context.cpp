@@ -69,7 +69,7 @@ std::string describeGl(void (*(*load)(const char*))()) {
 
 std::unique_ptr<Context> createContext(Backend backend, bool debug) {
     std::string reasons;
-    bool tooOld = false;
+    std::string mend = std::string(kInstallEgl) + " libosmesa6";
     for (const BackendEntry& entry : kBackends) {
         if (backend != Backend::automatic && backend != entry.backend) continue;
         try {
@@ -79,10 +79,9 @@ std::unique_ptr<Context> createContext(Backend backend, bool debug) {
                 throw Error(ExitStatus::noContext, std::string("no graphics context from ") + entry.name + ": " +
                                                        why.reason + "; " + why.mend);
             reasons.append(reasons.empty() ? "" : ", ").append(entry.name).append(": ").append(why.reason);
-            tooOld = tooOld || why.mend == kNewerDriver;
+            if (why.mend == kNewerDriver || why.mend == kMoreMemory) mend = why.mend;
         }
     }
-    const std::string mend = tooOld ? kNewerDriver : std::string(kInstallEgl) + " libosmesa6";
     throw Error(ExitStatus::noContext, "no graphics context (" + reasons + "); " + mend);
 }
 

@@ -173,6 +173,7 @@ private:
 std::unique_ptr<Context> createEglContext(bool debug) {
     // Mesa prints its own remarks about every attempt that fails; ours stay one line. The user's own setting wins.
     ::setenv("EGL_LOG_LEVEL", "fatal", 0);
+    if (const std::string& fault = egl().library.fault(); !fault.empty()) throw Unavailable(fault, kMoreMemory);
     if (!egl().library.loaded()) throw Unavailable("libEGL.so.1 is missing", kInstallEgl);
     if (!egl().complete) throw Unavailable("libEGL lacks functions of EGL 1.4", kInstallEgl);
     TrackedContext::releaseCurrent();

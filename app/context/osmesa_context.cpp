@@ -95,6 +95,7 @@ void requireSurvivableSettings() {
 } // namespace
 
 std::unique_ptr<Context> createOsmesaContext() {
+    if (const std::string& fault = osmesa().library.fault(); !fault.empty()) throw Unavailable(fault, kMoreMemory);
     if (!osmesa().library.loaded()) throw Unavailable("libOSMesa.so.8 is missing", kInstallOsmesa);
     if (!osmesa().complete)
         throw Unavailable("libOSMesa is older than Mesa 11.2 and cannot do core profiles", kInstallOsmesa);
