@@ -201,7 +201,9 @@ Work workFor(const std::vector<std::string>& given, const std::vector<std::strin
     app.footer(
         "shadowlab COMMAND --help tells more about each. `shadowlab SCENE` is short for `shadowlab demo SCENE`.\n"
         "--plugin FILE, anywhere, adds the techniques of a plug-in to those of all commands; --limit NAME=VALUE\n"
-        "sets a limit of `list limits`.");
+        "sets a limit of `list limits`.\n"
+        "Exit status: 0 done, 1 judged and found wanting (grade, report --hard), 2 command line, 3 input, 4 output,\n"
+        "5 no OpenGL 3.3, 6 over a limit, 70 a fault of the program; docs/errors.md tells more.");
 
     try {
         std::vector<std::string> words(given.rbegin(), given.rend()); // CLI11 takes them from the end

@@ -10,6 +10,7 @@ scenes.py, references.py and outputs.py. SHADOWLAB_LONG=1 runs those that take l
 import dataclasses
 import hashlib
 import os
+import re
 import stat
 import subprocess
 import sys
@@ -23,6 +24,7 @@ from row import TIME_LIMIT
 from scenes import SCENES
 
 LEAST_ROWS = 220  # fewer, and rows have been lost
+ERRORS_PAGE = Path(__file__).resolve().parents[2] / "docs" / "errors.md"
 
 
 def listing(folder):
@@ -97,6 +99,9 @@ def main():
     rows = [dataclasses.replace(row, title=f"{family}: {row.title}") for family, table in families.items() for row in table]
     if len({row.title for row in rows}) != len(rows):
         sys.exit("two rows have the same title")
+    told = {int(status) for cell in re.findall(r"^\| ([\d, ]+) \|", ERRORS_PAGE.read_text(), re.MULTILINE) for status in cell.split(",")}
+    if untold := {row.status for row in rows} - told:
+        sys.exit(f"statuses that docs/errors.md does not tell: {sorted(untold)}")
     if not os.environ.get("SHADOWLAB_LONG"):
         rows = [row for row in rows if not row.is_long]
     if not wanted and len(rows) < LEAST_ROWS:
