@@ -306,11 +306,11 @@ int requireDrawable(const CaptureOptions& options) {
     if (static_cast<std::uint32_t>(longest) > limits.side)
         throw Error(ExitStatus::overLimit, asked + " needs " + std::to_string(longest) +
                                                " samples on a side, the limit is " + std::to_string(limits.side) +
-                                               "; " + mend + ", or set --limit picture-side");
+                                               "; " + mend + ", or set --limit picture-side=VALUE");
     if (static_cast<std::uint64_t>(samples) > limits.samples)
         throw Error(ExitStatus::overLimit, asked + " needs " + std::to_string(samples) + " samples, the limit is " +
                                                std::to_string(limits.samples) + "; " + mend +
-                                               ", or set --limit picture-samples");
+                                               ", or set --limit picture-samples=VALUE");
     session::reserveForPictures(static_cast<std::uint64_t>(samples), session::kBytesPerDrawnSample, asked, mend);
     return longest;
 }

@@ -113,7 +113,7 @@ ivec2 sizeFrom(const std::string& option, const std::string& text, std::string_v
         throw Error(ExitStatus::overLimit,
                     option + ": '" + text + "' is larger than " + std::to_string(longestSide) +
                         " pixels, the limit for either side; choose a smaller size, or set --limit " +
-                        std::string(limit));
+                        std::string(limit) + "=VALUE");
     return size;
 }
 
@@ -156,7 +156,7 @@ int limitedCountFrom(const std::string& option, const std::string& text, std::st
     if (static_cast<std::uint64_t>(value) > session::limitNamed(limit))
         throw Error(ExitStatus::overLimit, option + ": " + text + " is more than the limit of " +
                                                std::to_string(session::limitNamed(limit)) +
-                                               "; write less, or set --limit " + std::string(limit));
+                                               "; write less, or set --limit " + std::string(limit) + "=VALUE");
     return value;
 }
 

@@ -114,7 +114,7 @@ void reserveForPictures(std::uint64_t samples, std::uint64_t bytesPerSample, con
     limits.pictureBytes = samples * bytesPerSample;
     if (const std::uint64_t needed = scene::memoryForTriangles(0, limits); needed > limits.memoryBytes)
         throw Error(ExitStatus::overLimit, asked + ": " + scene::beyondMemory(needed, limits.memoryBytes) + "; " +
-                                               mend + ", or set --limit memory");
+                                               mend + ", or set --limit memory=VALUE");
 }
 
 } // namespace shadowlab::session

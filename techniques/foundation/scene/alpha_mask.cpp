@@ -37,8 +37,9 @@ auto nameless(const Read& read) {
         return read();
     } catch (const Error& error) {
         constexpr std::size_t kAfterColon = 2; // ": not a readable PNG ..."
-        throw Error(error.status(), std::string(error.what()).substr(kAfterColon) +
-                                        (error.status() == ExitStatus::overLimit ? ", or set --limit image-side" : ""));
+        throw Error(error.status(),
+                    std::string(error.what()).substr(kAfterColon) +
+                        (error.status() == ExitStatus::overLimit ? ", or set --limit image-side=VALUE" : ""));
     }
 }
 
@@ -48,7 +49,7 @@ void requireMemoryFor(const image::PngSize& size, std::uint64_t fileBytes, const
     if (const std::uint64_t needed = memoryForAlphaMap(texels, fileBytes, limits); needed > limits.memoryBytes)
         throw Error(ExitStatus::overLimit, std::to_string(size.width) + " x " + std::to_string(size.height) +
                                                " pixels, for which " + beyondMemory(needed, limits.memoryBytes) +
-                                               "; scale it down, or set --limit memory");
+                                               "; scale it down, or set --limit memory=VALUE");
 }
 
 } // namespace

@@ -78,9 +78,10 @@ std::string readFile(const std::filesystem::path& file, std::uint64_t maximumByt
         throw Error(ExitStatus::badInput,
                     shownPath(file) + ": " + faultSentence(fault) + "; give the path of a readable file");
     const auto refuseSize = [&](const std::string& size) {
-        throw Error(ExitStatus::overLimit, shownPath(file) + ": " + size + " is more than the limit of " +
-                                               counted(maximumBytes, "byte") + "; split the file or simplify it" +
-                                               (limit.empty() ? "" : ", or set --limit " + std::string(limit)));
+        throw Error(ExitStatus::overLimit,
+                    shownPath(file) + ": " + size + " is more than the limit of " + counted(maximumBytes, "byte") +
+                        "; split the file or simplify it" +
+                        (limit.empty() ? "" : ", or set --limit " + std::string(limit) + "=VALUE"));
     };
     if (open.size() > maximumBytes) refuseSize(counted(open.size(), "byte"));
 

@@ -173,7 +173,7 @@ private:
         if (stack_.size() >= maximumDepth_)
             document_.fail(offset,
                            "nested deeper than " + std::to_string(maximumDepth_) +
-                               " levels; flatten the file, or set --limit json-depth",
+                               " levels; flatten the file, or set --limit json-depth=VALUE",
                            ExitStatus::overLimit);
         lastEnd_ = consumed_;
         stack_.push_back({.value = startOf(kind, offset), .keyOffsets = {}});

@@ -46,7 +46,7 @@ void requireMemoryFor(const std::filesystem::path& file, const Limits& limits) {
     if (const std::uint64_t needed = memoryForMeshFile(bytes, limits); needed > limits.memoryBytes)
         throw Error(ExitStatus::overLimit, shownPath(file) + ": to read " + counted(bytes, "byte") + ", " +
                                                beyondMemory(needed, limits.memoryBytes) +
-                                               "; simplify the model, or set --limit memory");
+                                               "; simplify the model, or set --limit memory=VALUE");
 }
 
 } // namespace

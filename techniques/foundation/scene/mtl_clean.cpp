@@ -41,7 +41,7 @@ public:
     Cleaner(std::string_view text, const std::filesystem::path& file, const Limits& limits)
         : lines_(text, file, limits.lineBytes) {}
 
-    std::string run(std::vector<std::string>& notes) {
+    CleanMtl run(std::vector<std::string>& notes) {
         while (lines_.nextStatement()) {
             const std::string keyword(lines_.keyword());
             const auto statement = std::ranges::find(kStatements, keyword, &NumberStatement::keyword);
@@ -54,7 +54,7 @@ public:
             else if (statement != kStatements.end())
                 numbers(*statement);
             else if (keyword == "map_d")
-                result_ += "map_d " + std::string(lines_.restOfLine()) + "\n";
+                alphaMap();
         }
         if (clamped_ > 0)
             notes.push_back(lines_.place(firstClampedLine_) + ": " + firstClamped_ +
@@ -86,13 +86,20 @@ private:
     void newMaterial() {
         const std::string name(lines_.restOfLine());
         if (name.empty()) lines_.fail("newmtl without a name; write one after it");
-        if (!names_.insert(name).second && repeated_.empty()) {
+        isDefinition_ = names_.insert(name).second;
+        if (!isDefinition_ && repeated_.empty()) {
             repeated_ = name;
             repeatedLine_ = lines_.line();
         }
         inMaterial_ = true;
+        material_ = name;
         // Defaults first: a later statement of the file replaces them. 0.8 is the scene's default grey.
-        result_ += "newmtl " + name + "\nKd 0.8 0.8 0.8\nNs 32\nNi 1.5\n";
+        result_.text += "newmtl " + name + "\nKd 0.8 0.8 0.8\nNs 32\nNi 1.5\n";
+    }
+
+    void alphaMap() {
+        result_.text += "map_d " + std::string(lines_.restOfLine()) + "\n";
+        if (isDefinition_) result_.alphaMapPlaces.insert_or_assign(material_, lines_.place(lines_.line()));
     }
 
     void numbers(const NumberStatement& statement) {
@@ -113,10 +120,10 @@ private:
         // One number for a colour means grey.
         if (count < statement.count) values[1] = count < 2 ? values[0] : values[1];
         if (count < statement.count && statement.count == 3) values[2] = values[0];
-        result_ += statement.keyword;
+        result_.text += statement.keyword;
         for (std::size_t i = 0; i < statement.count; ++i)
-            result_.append(1, ' ').append(numberText(values[i]));
-        result_ += '\n';
+            result_.text.append(1, ' ').append(numberText(values[i]));
+        result_.text += '\n';
     }
 
     double clamped(double value, const NumberStatement& statement) {
@@ -130,8 +137,9 @@ private:
     }
 
     StatementLines lines_;
-    std::string result_;
-    bool inMaterial_ = false;
+    CleanMtl result_;
+    bool inMaterial_ = false, isDefinition_ = false; ///< of a name's definitions, the first one counts
+    std::string material_;
     std::set<std::string> names_;
     std::size_t clamped_ = 0, firstClampedLine_ = 0, repeatedLine_ = 0;
     std::string firstClamped_, repeated_;
@@ -140,8 +148,8 @@ private:
 
 } // namespace
 
-std::string cleanMtl(std::string_view text, const std::filesystem::path& file, const Limits& limits,
-                     std::vector<std::string>& notes) {
+CleanMtl cleanMtl(std::string_view text, const std::filesystem::path& file, const Limits& limits,
+                  std::vector<std::string>& notes) {
     return Cleaner(text, file, limits).run(notes);
 }
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,10 +12,15 @@
 
 namespace shadowlab::scene {
 
+struct CleanMtl {
+    std::string text;
+    std::map<std::string, std::string> alphaMapPlaces; ///< of a material that names one: "FILE:LINE" of its map_d
+};
+
 /// Throws Error "FILE:LINE: ..." where a value is no finite number; values out of range are clamped with one note,
 /// and each kind of statement that would have changed the look but is ignored gets one.
 /// A material without Kd gets the default grey.
-std::string cleanMtl(std::string_view text, const std::filesystem::path& file, const Limits& limits,
-                     std::vector<std::string>& notes);
+CleanMtl cleanMtl(std::string_view text, const std::filesystem::path& file, const Limits& limits,
+                  std::vector<std::string>& notes);
 
 } // namespace shadowlab::scene

@@ -50,11 +50,19 @@ public:
                 throw Error(ExitStatus::badInput, place(library) + ": material file \"" + shown(name) + "\" " + why +
                                                       "; name a readable file");
             const std::string text = readFile(path, options_.limits.materialFileBytes, "material-file");
-            std::istringstream clean(cleanMtl(text, path, options_.limits, notes_));
-            tinyobj::LoadMtl(materialIndex, materials, &clean, warning, error);
+            CleanMtl clean = cleanMtl(text, path, options_.limits, notes_);
+            std::istringstream statements(std::move(clean.text));
+            tinyobj::LoadMtl(materialIndex, materials, &statements, warning, error);
+            alphaMapPlaces_.merge(clean.alphaMapPlaces); // as for the materials, the first library to define one counts
             found = true;
         }
         return found;
+    }
+
+    /// "FILE:LINE: " of a material's map_d.
+    [[nodiscard]] std::string alphaMapPlace(const std::string& material) const {
+        const auto found = alphaMapPlaces_.find(material);
+        return found == alphaMapPlaces_.end() ? "" : found->second + ": ";
     }
 
 private:
@@ -86,6 +94,7 @@ private:
     const std::filesystem::path& file_;
     const LoadOptions& options_;
     AllowedFolders folders_;
+    std::map<std::string, std::string> alphaMapPlaces_;
     std::vector<std::string>& notes_;
 };
 
@@ -144,11 +153,13 @@ Material converted(const tinyobj::material_t& mtl) {
 }
 
 /// map_d: kept when it can be read; otherwise the material goes without, as it does not decide what the mesh is.
-void readAlphaMap(const tinyobj::material_t& mtl, Material& material, const AllowedFolders& folders, AlphaMasks& masks,
-                  const Limits& limits, std::vector<std::string>& notes) {
+void readAlphaMap(const tinyobj::material_t& mtl, const std::string& place, Material& material,
+                  const AllowedFolders& folders, AlphaMasks& masks, const Limits& limits,
+                  std::vector<std::string>& notes) {
     if (mtl.alpha_texname.empty()) return;
     const auto ignore = [&](const std::string& why) {
-        notes.push_back("material '" + shown(mtl.name) + "': map_d \"" + shown(mtl.alpha_texname) + "\" " + why);
+        notes.push_back(place + "material '" + shown(mtl.name) + "': map_d \"" + shown(mtl.alpha_texname) + "\" " +
+                        why);
     };
     const auto path = folders.resolve(mtl.alpha_texname);
     if (!path) return ignore("is ignored: it " + std::string(kOutsideMessage));
@@ -201,7 +212,8 @@ ObjFaces readFaces(ObjScan& scan, const std::filesystem::path& file, const LoadO
         if (mtl.name.empty() || !known.insert(mtl.name).second)
             continue; // LoadMtl adds a nameless one for an empty file
         collector.faces.materials.push_back(converted(mtl));
-        readAlphaMap(mtl, collector.faces.materials.back(), folders, masks, options.limits, collector.faces.notes);
+        readAlphaMap(mtl, materialReader.alphaMapPlace(mtl.name), collector.faces.materials.back(), folders, masks,
+                     options.limits, collector.faces.notes);
     }
     noteUnknownMaterials(scan, file, known, collector.faces);
     return std::move(collector.faces);

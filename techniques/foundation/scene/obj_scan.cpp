@@ -112,7 +112,7 @@ void Scanner::face() {
     while (const auto token = lines_.nextToken()) {
         if (++corners > limits_.polygonCorners)
             lines_.fail("the face has more than " + std::to_string(limits_.polygonCorners) +
-                            " corners, the limit; split it, or set --limit polygon-corners",
+                            " corners, the limit; split it, or set --limit polygon-corners=VALUE",
                         ExitStatus::overLimit);
         // v, v/vt, v//vn or v/vt/vn; an empty part after a slash means "none".
         const std::size_t slash = token->find('/');
@@ -135,11 +135,11 @@ void Scanner::face() {
     triangles_ += corners - 2;
     if (triangles_ > limits_.triangles)
         lines_.fail("more than " + std::to_string(limits_.triangles) +
-                        " triangles, the limit; simplify the model, or set --limit triangles",
+                        " triangles, the limit; simplify the model, or set --limit triangles=VALUE",
                     ExitStatus::overLimit);
     if (const std::uint64_t needed = memoryForTriangles(triangles_, limits_); needed > limits_.memoryBytes)
         lines_.fail("for the " + counted(triangles_, "triangle") + " so far, " +
-                        beyondMemory(needed, limits_.memoryBytes) + "; simplify the model, or set --limit memory",
+                        beyondMemory(needed, limits_.memoryBytes) + "; simplify the model, or set --limit memory=VALUE",
                     ExitStatus::overLimit);
 }
 

@@ -108,7 +108,7 @@ void readLights(const SceneReading& reading, const JsonObject& top) {
     if (values.size() > reading.options.limits.lights)
         top.fail("lights",
                  "are " + std::to_string(values.size()) + ", more than the limit of " +
-                     std::to_string(reading.options.limits.lights) + "; remove some, or set --limit lights",
+                     std::to_string(reading.options.limits.lights) + "; remove some, or set --limit lights=VALUE",
                  ExitStatus::overLimit);
     std::map<std::string, std::size_t> offsetOfName;
     int unnamed = 0;

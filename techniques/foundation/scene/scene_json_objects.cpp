@@ -109,7 +109,7 @@ void ObjectReader::checkTriangles(const JsonObject& keys, std::uint64_t more) co
     const auto refuse = [&](const std::string& why, const char* limit) {
         reading_.document.fail(keys.value().offset,
                                keys.what() + " brings the scene to " + counted(triangles, "triangle") + ", " + why +
-                                   "; simplify or remove objects, or set --limit " + limit,
+                                   "; simplify or remove objects, or set --limit " + limit + "=VALUE",
                                ExitStatus::overLimit);
     };
     if (triangles > limits_.triangles)
@@ -277,7 +277,7 @@ void readObjects(const SceneReading& reading, const JsonObject& top) {
     if (values.size() > reading.options.limits.objects)
         top.fail("objects",
                  "are " + std::to_string(values.size()) + ", more than the limit of " +
-                     std::to_string(reading.options.limits.objects) + "; remove some, or set --limit objects",
+                     std::to_string(reading.options.limits.objects) + "; remove some, or set --limit objects=VALUE",
                  ExitStatus::overLimit);
     ObjectReader reader(reading);
     reader.countShapes(values);

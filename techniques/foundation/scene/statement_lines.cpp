@@ -31,7 +31,7 @@ bool StatementLines::nextLine() {
     }
     if (lineEnd_ - cursor_ > lineBytes_)
         fail("the line is " + counted(lineEnd_ - cursor_, "byte") + " long, more than the limit of " +
-                 std::to_string(lineBytes_) + "; break it up, or set --limit mesh-line",
+                 std::to_string(lineBytes_) + "; break it up, or set --limit mesh-line=VALUE",
              ExitStatus::overLimit);
     nextLine_ = lineEnd_ + (text_.substr(lineEnd_, 2) == "\r\n" ? 2 : 1);
     return true;

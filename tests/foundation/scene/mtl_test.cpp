@@ -189,9 +189,25 @@ TEST(Mtl, AlphaMapsAreKeptWhenTheyMayBeRead) {
     EXPECT_EQ(obj.materials[1].alphaMask, nullptr);
     EXPECT_EQ(obj.materials[2].alphaMask, nullptr);
     ASSERT_EQ(obj.notes.size(), 3u);
-    EXPECT_TRUE(contains(obj.notes[0], "\"../../etc/passwd\" is ignored: it lies outside")) << obj.notes[0];
-    EXPECT_TRUE(contains(obj.notes[1], "\"none.png\" is ignored: ")) << obj.notes[1];
+    EXPECT_TRUE(contains(obj.notes[0], "m.mtl:4: material 'b': map_d \"../../etc/passwd\" is ignored: it lies outside"))
+        << obj.notes[0];
+    EXPECT_TRUE(contains(obj.notes[1], "m.mtl:6: material 'c': map_d \"none.png\" is ignored: ")) << obj.notes[1];
     EXPECT_TRUE(contains(obj.notes[2], "no holes are cut in 1 triangle without texture coordinates")) << obj.notes[2];
+}
+
+TEST(Mtl, ANoteOnAnAlphaMapNamesTheLineThatCounts) {
+    const TempFolder folder;
+    folder.write("a.mtl", "newmtl a\nmap_d first.png\nmap_d last.png\nnewmtl a\nmap_d again.png\n");
+    folder.write("b.mtl", "newmtl a\nmap_d other.png\n");
+    const ObjFile obj =
+        loadObj(folder.write("m.obj", "mtllib a.mtl b.mtl\n" + kTriangles + "f 1 2 3\n"), NormalMode::file, {});
+    std::size_t named = 0;
+    for (const std::string& note : obj.notes)
+        if (contains(note, "map_d")) {
+            EXPECT_TRUE(contains(note, "a.mtl:3: material 'a': map_d \"last.png\" is ignored: ")) << note;
+            ++named;
+        }
+    EXPECT_EQ(named, 1u);
 }
 
 } // namespace
