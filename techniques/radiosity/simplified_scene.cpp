@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/radiosity/simplified_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -22,18 +23,23 @@ constexpr std::size_t kFewestLeft = 8;
 // What would still have more than this share of its triangles stays as it is: it loses more in shape than light gains in speed.
 constexpr double kWorthIt = 0.75;
 
-// Cells of a 2^15th of the scene's size, and thus fifteen bits of a lattice's numbers.
+// From cells of an object's own size to a 2^15th of it, and thus fifteen bits of a lattice's numbers.
 constexpr int kSteps = 60;
 
 /// An object that is made coarser.
 struct Heavy {
     Heavy(const scene::Scene& scene, std::size_t number, double size)
-        : number(number), object(scene.objects[number]), clusters(object), sceneSize(size) {}
+        : number(number), object(scene.objects[number]), clusters(object), sceneSize(size) {
+        // However small it is in the scene: cells that hold all of it leave nothing, and need not be tried.
+        if (clusters.size() > 0) firstStep = std::max(0, static_cast<int>(4 * std::log2(sceneSize / clusters.size())));
+        lastStep = firstStep + kSteps;
+    }
 
     std::size_t number;
     const scene::Object& object;
     VertexClusters clusters;
     double sceneSize;
+    int firstStep = 0, lastStep = 0;        ///< of those at which it is made coarser
     std::map<int, std::size_t> roughCounts; ///< by step
     std::optional<ClusteredMesh> coarse;    ///< nothing: stays as it is
 
@@ -42,7 +48,7 @@ struct Heavy {
     [[nodiscard]] std::size_t count() const { return coarse ? coarse->triangles.size() : original(); }
     /// About how many remain with cells of that step, or of the first after it that leaves enough.
     std::size_t roughCount(int step) {
-        for (; step <= kSteps; ++step) {
+        for (step = std::max(step, firstStep); step <= lastStep; ++step) {
             const auto [entry, isNew] = roughCounts.try_emplace(step, 0);
             if (isNew) entry->second = clusters.roughCount(cell(step));
             if (entry->second >= kFewestLeft) return entry->second;
@@ -50,12 +56,12 @@ struct Heavy {
         return original();
     }
     void simplify(int step) {
-        for (; step <= kSteps; ++step) {
+        for (step = std::clamp(step, firstStep, lastStep); step <= lastStep; ++step) {
             coarse = clusters.clustered(cell(step));
             if (coarse->triangles.size() >= kFewestLeft) break;
         }
         const auto left = static_cast<double>(coarse->triangles.size());
-        if (step > kSteps || left > kWorthIt * static_cast<double>(original())) coarse.reset();
+        if (step > lastStep || left > kWorthIt * static_cast<double>(original())) coarse.reset();
     }
 };
 
@@ -88,11 +94,11 @@ std::shared_ptr<const scene::Mesh> withoutTriangles(const scene::Mesh& mesh) {
     return empty;
 }
 
-/// The last step, from the coarsest on, at which there are no more than `most`.
+/// The last step, from the first to the finest, at which there are no more than `most`.
 template <typename Count>
-int lastStepWithin(int first, std::size_t most, const Count& countAt) {
+int lastStepWithin(int first, int finest, std::size_t most, const Count& countAt) {
     int step = first;
-    while (step < kSteps && countAt(step + 1) <= most)
+    while (step < finest && countAt(step + 1) <= most)
         ++step;
     return step;
 }
@@ -143,10 +149,11 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces
         });
     };
     const auto rough = [&](int step) { return sum([&](Heavy& one) { return one.roughCount(step); }); };
-    int step = lastStepWithin(0, mostFaces, rough);
+    const int finest = std::ranges::max_element(heavy, {}, &Heavy::lastStep)->lastStep;
+    int step = lastStepWithin(0, finest, mostFaces, rough);
     while (step > 0 && simplified(step) > mostFaces)
         --step;
-    step = lastStepWithin(step, mostFaces, simplified);
+    step = lastStepWithin(step, finest, mostFaces, simplified);
     answer.trianglesAfter = simplified(step);
     answer.cellMetres = heavy.front().cell(step);
 

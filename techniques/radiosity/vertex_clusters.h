@@ -36,6 +36,8 @@ public:
     /// corner lies on a side, so no gap opens, but their normal would be chance.
     [[nodiscard]] ClusteredMesh clustered(double cell) const;
 
+    /// The diagonal of the box around the mesh, in metres. With cells as large as that nothing remains.
+    [[nodiscard]] double size() const { return glm::length(upper_ - lower_); }
     /// Of the vertices and triangles of the original.
     [[nodiscard]] const std::vector<dvec3>& positions() const { return positions_; }
     [[nodiscard]] std::uint32_t partOf(std::size_t triangle) const { return parts_[triangle]; }

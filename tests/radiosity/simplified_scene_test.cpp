@@ -237,6 +237,39 @@ TEST(SimplifiedScene, WhatStaysAndWhatDoesNotVanish) {
     EXPECT_EQ(simplifiedScene(before, 1).scene->objects[0].mesh, before.objects[0].mesh) << "as near as it gets";
 }
 
+/// A mesh so small that all of it fits into the smallest cells that the scene's size would give: hundreds of thousands of patches
+/// too small to be seen would exchange light, each with all others.
+TEST(SimplifiedScene, HoweverSmallSomethingIsItBecomesCoarser) {
+    int tried = 0;
+    for (const double radius : {1e-3, 1e-5, 1e-9, 1e-12, 1e-30})
+        for (const bool isAlone : {false, true}) {
+            scene::Scene before = sceneOf(scene::makeSphere(radius, 64));
+            if (!isAlone) addObject(before, scene::makeSphere(1, 64), translation({3, 0, 0}));
+            addObject(before, scene::makeBox({1, 1, 1}), translation({-3, 0, 0}));
+            const SimplifiedScene after = simplifiedScene(before, 600);
+            const scene::Mesh& mesh = *after.scene->objects[0].mesh;
+            EXPECT_LE(after.trianglesAfter, 600u) << radius;
+            EXPECT_GE(mesh.triangles.size(), 8u) << radius;
+            EXPECT_EQ(edgesWithoutOpposite(mesh), 0) << radius;
+            ASSERT_EQ(after.cornersOfObject[0].size(), before.objects[0].mesh->triangles.size());
+            float farthest = 0;
+            for (const vec3& p : mesh.positionsMesh)
+                farthest = std::max(farthest, glm::length(p / static_cast<float>(radius)));
+            EXPECT_NEAR(farthest, 1, 0.2)
+                << radius; // cells of about its size: an octahedron's vertices lie outside or inside
+            ++tried;
+        }
+    EXPECT_EQ(tried, 10);
+
+    // And a scene whose things are all small, because one of them stands far away.
+    scene::Scene far = sceneOf(scene::makeSphere(1, 64));
+    addObject(far, scene::makeTorus(1, 0.4, {64, 32}), translation({3, 0, 0}));
+    addObject(far, scene::makeBox({1, 1, 1}), translation({-4e11, 0, 0}));
+    const SimplifiedScene after = simplifiedScene(far, 1000);
+    EXPECT_LE(after.trianglesAfter, 1000u);
+    EXPECT_GT(after.trianglesAfter, 1000u / 3);
+}
+
 TEST(SimplifiedScene, TheSameForAnyNumberOfThreads) {
     scene::Scene before = sceneOf(scene::makeSphere(1, 64));
     addObject(before, scene::makeTorus(1, 0.4, {64, 32}), translation({3, 0, 0}));
