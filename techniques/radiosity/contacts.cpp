@@ -70,7 +70,7 @@ void cut(std::vector<Patch>& pieces, const Segment& segment, double touching) {
         const dvec3 across = glm::normalize(glm::cross(segment.to - segment.from, patch.normal));
         const Polygon left = partBefore({segment.from, across}, patch.polygon, touching);
         const Polygon right = partBefore({segment.from, -across}, patch.polygon, touching);
-        if (left.isEmpty() || right.isEmpty()) continue;
+        if (hasNoArea(left) || hasNoArea(right)) continue;
         pieces[i] = pieceOf(patch, left);
         pieces.push_back(pieceOf(patch, right));
     }

@@ -24,10 +24,11 @@ Cuts cutsOf(const Polygon& p, double size) {
 
 std::size_t countOf(const Cuts& cuts) { return static_cast<std::size_t>(cuts.u) * static_cast<std::size_t>(cuts.v); }
 
-Patch patchOf(const Polygon& polygon, std::uint32_t face) {
+void addPatch(const Polygon& polygon, std::uint32_t face, std::vector<Patch>& patches) {
+    if (hasNoArea(polygon)) return;
     const dvec3 vector = areaVector(polygon);
     const double area = glm::length(vector);
-    return {polygon, vector / area, centroid(polygon), area, face};
+    patches.push_back({polygon, vector / area, centroid(polygon), area, face});
 }
 
 // [anchor: cut-into-patches]
@@ -38,7 +39,7 @@ void cutQuad(const Polygon& q, const Cuts& cuts, std::uint32_t face, std::vector
     };
     for (int j = 0; j < cuts.v; ++j)
         for (int i = 0; i < cuts.u; ++i)
-            patches.push_back(patchOf({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, face));
+            addPatch({at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, face, patches);
 }
 
 void cutTriangle(const Polygon& t, int n, std::uint32_t face, std::vector<Patch>& patches) {
@@ -47,8 +48,8 @@ void cutTriangle(const Polygon& t, int n, std::uint32_t face, std::vector<Patch>
     };
     for (int j = 0; j < n; ++j)
         for (int i = 0; i + j < n; ++i) {
-            patches.push_back(patchOf({at(i, j), at(i + 1, j), at(i, j + 1)}, face));
-            if (i + j + 1 < n) patches.push_back(patchOf({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, face));
+            addPatch({at(i, j), at(i + 1, j), at(i, j + 1)}, face, patches);
+            if (i + j + 1 < n) addPatch({at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, face, patches);
         }
 }
 

@@ -13,6 +13,8 @@ dvec3 areaVector(const Polygon& polygon) {
     return 0.5 * sum;
 }
 
+bool hasNoArea(const Polygon& polygon) { return !(glm::length(areaVector(polygon)) > 0); }
+
 dvec3 centroid(const Polygon& polygon) {
     const dvec3 unit = glm::normalize(areaVector(polygon));
     dvec3 sum(0.0);

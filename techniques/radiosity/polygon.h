@@ -39,6 +39,9 @@ private:
 
 /// Area times the unit normal of the front side.
 dvec3 areaVector(const Polygon& polygon);
+/// Has it fewer corners than a triangle, or do they lie in one line, as those of pieces do that are smaller than what rounding leaves of
+/// positions? Such a piece gets no light and sends none.
+bool hasNoArea(const Polygon& polygon);
 /// Of its area, not of its corners.
 dvec3 centroid(const Polygon& polygon);
 

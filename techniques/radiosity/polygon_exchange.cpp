@@ -115,11 +115,20 @@ void refine(const Quad& q, const dvec3& normal, const Polygon& target, double wh
         refine(parts[i], normal, target, values[i], 0.5 * allowed, halvings - 1, pieces, sum);
 }
 
-/// What of each lies before the other's plane; nothing if nothing does.
+Polygon relativeTo(const dvec3& origin, const Polygon& polygon) {
+    Polygon moved;
+    for (const dvec3& corner : polygon.corners())
+        moved.add(corner - origin);
+    return moved;
+}
+
+/// What of each lies before the other's plane; nothing if nothing does. Places are relative to a corner of the first: far from the
+/// origin the points of a small piece would be rounded so much that halving it never settles.
 struct Facing {
     Polygon a, b;
     dvec3 normalA{0.0};
-    Facing(const Polygon& wholeA, const Polygon& wholeB) {
+    Facing(const Polygon& farA, const Polygon& farB) {
+        const Polygon wholeA = relativeTo(farA[0], farA), wholeB = relativeTo(farA[0], farB);
         const Plane planeA = planeOf(wholeA), planeB = planeOf(wholeB);
         const double touching = kTouching * (sizeOf(wholeA) + sizeOf(wholeB));
         a = partBefore(planeB, wholeA, touching);

@@ -67,8 +67,8 @@ Patch pieceOf(const Patch& patch, const Polygon& polygon) {
     return {polygon, patch.normal, centroid(polygon), area, patch.face};
 }
 
-/// Of all corners that a polygon can have, two halves, for a cut beside them would add one more.
-std::vector<Polygon> piecesOf(const Patch& patch) {
+/// In halves or quarters. Of all corners that a polygon can have, two halves, for a cut beside them would add one more.
+std::vector<Polygon> partsOf(const Patch& patch) {
     const Polygon& p = patch.polygon;
     const auto middle = [&](std::size_t i) { return 0.5 * (p[i] + p[(i + 1) % p.count()]); };
     if (p.count() == 3)
@@ -107,6 +107,13 @@ std::vector<Polygon> piecesOf(const Patch& patch) {
                     partBefore({patch.centre, second}, partBefore({patch.centre, first}, p, touching), touching);
                 !piece.isEmpty())
                 pieces.push_back(piece);
+    return pieces;
+}
+
+/// The patch as it is, if a piece would be too small for its corners to differ.
+std::vector<Polygon> piecesOf(const Patch& patch) {
+    std::vector<Polygon> pieces = partsOf(patch);
+    if (std::ranges::any_of(pieces, hasNoArea)) return {patch.polygon};
     return pieces;
 }
 
