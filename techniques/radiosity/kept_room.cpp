@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "techniques/radiosity/light_balance.h"
+#include "techniques/radiosity/patch_memory.h"
 
 namespace shadowlab::radiosity {
 
@@ -78,6 +79,7 @@ bool KeptRoom::advance(const scene::Snapshot& snapshot, const RadiosityParams& p
     if (!room_->advance(deadline)) return false;
     requireFew(params.solver, room_->patches().size());
     do {
+        requireMemory(*roomOf_, room_->patches().size(), bytesPerPair(params.solver));
         if (!findFormFactors(params, deadline) || !advanceLights(deadline)) return false;
     } while (refineOn());
     if (!cells_) cells_ = surfaceCells(*roomOf_, *room_);

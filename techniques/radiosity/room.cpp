@@ -5,6 +5,7 @@
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/radiosity/contacts.h"
 #include "techniques/radiosity/look_around.h"
+#include "techniques/radiosity/patch_memory.h"
 
 namespace shadowlab::radiosity {
 
@@ -68,8 +69,12 @@ void Room::cut() {
     exchangingFaces_.ofTriangle = sides_.faces.ofTriangle;
     for (std::size_t i = 0; i < sides_.faces.all.size(); ++i)
         (i < sides_.exchanging ? exchangingFaces_ : loose).all.push_back(sides_.faces.all[i]);
+    requireMemory(scene_, exchangingFaces_.all.size()); // each is a patch at least, and where they touch there are more
     const double size = cutWithinBudget();
-    allPatches_ = cutIntoPatches(loose, size); // for now without the others
+    requireMemory(scene_, patches_.size());
+    // Beside what it holds, a floor can be so large that it exchanges light with nothing: it is not cut as fine as the rest.
+    const double sizeOfLoose = std::max(size, sizeForBudget(loose, settings_.patches));
+    allPatches_ = cutIntoPatches(loose, sizeOfLoose); // for now without the others
     for (Patch& patch : allPatches_)
         patch.face += static_cast<std::uint32_t>(sides_.exchanging);
     surroundings_.resize(patches_.size());

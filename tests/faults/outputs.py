@@ -3,9 +3,11 @@
 import os
 
 from references import HOLES, dot
-from row import LIGHT, Row, scene
+from row import BOX, LIGHT, Row, scene
 
 SCENE = {"s.json": scene()}
+SMALL_BALL = scene(objects=f'"objects": [{BOX}, {{"shape": "sphere", "radius": 1e-9, "segments": 96, "translate": [0, 2, 0]}}]')
+BOX_OVER_FLOOR = scene(objects=f'"objects": [{BOX}, {{"shape": "quad", "size": [9, 9], "translate": [0, -2, 0]}}]')
 
 
 def capture_to(output, *more):
@@ -88,7 +90,9 @@ OUTPUTS = [
     refused("a picture beyond memory", ["capture", "s.json", "-o", "x.png", "--size", "900x900", "--limit", "memory=170000000"], 6, "--size 900x900", "MB of memory", "--limit memory"),
     refused("a measurement beyond memory", ["measure", "s.json", "--limit", "memory=170000000", "--size", "400x400"], 6, "--size 400x400", "--limit memory"),
     refused("a scene beyond memory", ["inspect", "s.json", "--limit", "memory=160001000"], 6, "s.json:1:", "12 triangles", "--limit memory"),
+    refused("patches beyond memory", capture_to("x.png", "-t", "radiosity", "--limit", "memory=161000000"), 6, '"s" makes', "patches", "--limit memory", files={"s.json": BOX_OVER_FLOOR}),
     refused("no memory at all", capture_to("x.png", "--limit", "memory=0"), 2, "from 1 to 1000000000000000"),
+    drawn("radiosity of a ball that nobody can see", ["x.png"], capture_to("x.png", "-t", "radiosity"), files={"s.json": SMALL_BALL}),
     drawn("a limit that is higher", ["x.png"], capture_to("x.png", "--limit", "lights=100"),
           files={"s.json": scene(lights='"lights": [' + ", ".join([LIGHT] * 70) + "]")}),
     refused("a report into a file", ["report", "s.json", "-t", "unshadowed", "--quick", "--size", "32x24", "-o", "s.json"], 4, "s.json"),

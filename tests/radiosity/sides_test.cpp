@@ -71,6 +71,27 @@ TEST(Sides, SkinsThatHaveFallenTogetherCountOnce) {
     EXPECT_EQ(compared, 4);
 }
 
+/// Within the rounding of so large a floor, whatever stands on it lies in it; cut as fine as a box, it would be patches without end.
+TEST(Sides, AFloorWithoutEndIsNotCutLikeABox) {
+    scene::Scene scene;
+    scene.materials.emplace_back();
+    addObject(scene, scene::makeQuad({2e7, 2e7}));
+    addObject(scene, scene::makeBox({1, 1, 1}), translation({0, 2, 0}));
+    addObject(scene, scene::makeBox({1, 1, 1}), translation({2, 2, 0}));
+    constexpr std::size_t kMost = 200;
+    Room room(scene, {kMost, true, {false, false, false}});
+    while (!room.advance(std::chrono::steady_clock::now())) {
+    }
+    std::size_t ofFloor = 0;
+    for (const Patch& patch : room.allPatches())
+        ofFloor += room.faceOf(patch).object == 0;
+    EXPECT_GE(room.patches().size(), 20u) << "of the boxes";
+    EXPECT_EQ(std::ranges::count(room.patches(), 0u, [&](const Patch& p) { return room.faceOf(p).object; }), 0)
+        << "the case is too easy: the floor exchanges light with them";
+    EXPECT_GE(ofFloor, 2u);
+    EXPECT_LE(ofFloor, kMost);
+}
+
 TEST(Sides, PatchesUnderABoxAreLeftOut) {
     scene::Scene scene = floorScene();
     addObject(scene, scene::makeBox({2, 1, 2}), translation({0, 0.5, 0}));

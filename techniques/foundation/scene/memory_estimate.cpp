@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <set>
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -51,6 +52,15 @@ std::uint64_t memoryForMeshFile(std::uint64_t fileBytes, const Limits& limits) {
 
 std::uint64_t memoryForAlphaMap(std::uint64_t texels, std::uint64_t fileBytes, const Limits& limits) {
     return memorySoFar(limits) + texels * kBytesPerTexelRead + fileBytes;
+}
+
+MemoryBudget memoryBudget(const Scene& scene, const Limits& limits) {
+    Limits asLoaded = limits;
+    std::set<const AlphaMask*> masks;
+    for (const Material& material : scene.materials)
+        if (const AlphaMask* mask = material.alphaMask.get(); mask && masks.insert(mask).second)
+            asLoaded.texels += mask->texels().size();
+    return {memoryForTriangles(triangleCount(scene), asLoaded), limits.memoryBytes};
 }
 
 std::string beyondMemory(std::uint64_t bytesNeeded, std::uint64_t limit) {

@@ -7,6 +7,8 @@
 namespace shadowlab::scene {
 
 struct Limits;
+struct MemoryBudget;
+struct Scene;
 
 // Each a tenth or more above the largest that was measured (peak resident memory, Mesa's software renderer).
 constexpr std::uint64_t kBytesAtRest = 160'000'000; ///< program, libraries, driver and a small picture: up to 150 MB
@@ -25,6 +27,9 @@ std::uint64_t memoryForTriangles(std::uint64_t triangles, const Limits& limits);
 std::uint64_t memoryForMeshFile(std::uint64_t fileBytes, const Limits& limits);
 /// Bytes that reading an alpha map of so many texels takes in all.
 std::uint64_t memoryForAlphaMap(std::uint64_t texels, std::uint64_t fileBytes, const Limits& limits);
+
+/// Of a scene that has been loaded.
+MemoryBudget memoryBudget(const Scene& scene, const Limits& limits);
 
 /// "some 9160 MB of memory are needed, more than the limit of 6000 MB": the middle of a refusal.
 std::string beyondMemory(std::uint64_t bytesNeeded, std::uint64_t limit);

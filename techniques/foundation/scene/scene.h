@@ -101,6 +101,11 @@ struct Revisions {
     friend bool operator==(const Revisions&, const Revisions&) = default;
 };
 
+/// What a scene takes, as it was guessed when it was loaded, and how much it may take with all that is made of it.
+struct MemoryBudget {
+    std::uint64_t takenBytes = 0, limitBytes = ~std::uint64_t{0};
+};
+
 struct Scene {
     std::string name; ///< "colonnade", or the file's name without its ending
     Camera camera;
@@ -111,6 +116,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Object> objects;
     std::vector<std::string> notes; ///< one-line remarks for stderr (missing .mtl, dropped triangles ...)
+    MemoryBudget memory;
     Revisions revisions;
 };
 

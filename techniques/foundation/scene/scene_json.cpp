@@ -62,6 +62,7 @@ std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::
     readMaterials(reading, top);
     readObjects(reading, top);
     addEmitterSurfaces(*scene);
+    scene->memory = memoryBudget(*scene, options.limits);
     return scene;
 }
 

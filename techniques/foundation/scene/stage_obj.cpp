@@ -185,6 +185,7 @@ std::shared_ptr<const Scene> stageObj(const std::filesystem::path& file, const L
     scene->objects.push_back(std::move(floor));
     scene->objects.push_back(std::move(object));
     addEmitterSurfaces(*scene);
+    scene->memory = memoryBudget(*scene, options.limits);
     return scene;
 }
 

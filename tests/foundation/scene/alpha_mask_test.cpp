@@ -124,6 +124,9 @@ TEST(AlphaMask, AllOfASceneTogetherAreWithinItsMemory) {
     const auto whole = with(needed + aFile + 2000); // and room for an OBJ file
     EXPECT_EQ(whole->notes.size(), 0u);
     EXPECT_NE(whole->materials.back().alphaMask, nullptr);
+    ASSERT_EQ(triangleCount(*whole), 1u);
+    EXPECT_EQ(whole->memory.takenBytes, kBytesAtRest + 3 * texels * kBytesPerTexel + kBytesPerTriangle);
+    EXPECT_EQ(whole->memory.limitBytes, kBytesAtRest + needed + aFile + 2000);
     const auto withoutThird = with(needed + aFile - 1);
     ASSERT_GE(withoutThird->notes.size(), 1u);
     EXPECT_TRUE(contains(withoutThird->notes[0], "map_d \"c.png\" is ignored: 1000 x 1 pixels, for which some "))
