@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""./demo and ./check in a checkout that cannot be written say so in one line, and repeat neither bash nor a log of long ago."""
+"""./demo and ./check in a checkout that cannot be written say so in one line, and repeat neither bash nor a log of long ago; ./check
+refuses words that it does not know before it does anything."""
 # SPDX-License-Identifier: MIT
 import os
 import shutil
@@ -49,12 +50,25 @@ def complaints_about(script, obstacle):
             yield f"./{script}, {obstacle.__name__}: exit status {result.returncode}, {lines}"
 
 
+def complaints_about_words(words):
+    with tempfile.TemporaryDirectory() as folder:
+        root = Path(folder).resolve()
+        shutil.copytree(ROOT / ".ci", root / ".ci")
+        shutil.copy(ROOT / "check", root / "check")
+        result = subprocess.run([root / "check", *words], stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
+        lines = (result.stdout + result.stderr).splitlines()
+        if result.returncode != 2 or len(lines) != 1 or not lines[0].startswith("check: '") or (root / "build").exists():
+            yield f"./check {words}: exit status {result.returncode}, {lines}"
+
+
 def main():
+    unknown = [["--short"], ["tests"], ["--long", "test"], ["--long", ""], ["--long", "tests", "--quick"], ["-h", "-h"]]
     obstacles = [build_is_a_file, lock_is_a_folder, log_is_a_folder]
     if os.geteuid() != 0:
         obstacles.append(build_belongs_to_another)
     complaints = [c for script in ("demo", "check") for obstacle in obstacles for c in complaints_about(script, obstacle)]
-    print("\n".join(complaints) or f"{len(obstacles)} obstacles, each told in one line")
+    complaints += [c for words in unknown for c in complaints_about_words(words)]
+    print("\n".join(complaints) or f"{len(obstacles)} obstacles and {len(unknown)} unknown words, each told in one line")
     sys.exit(1 if complaints else 0)
 
 
