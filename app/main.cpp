@@ -9,10 +9,11 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/messages.h"
+#include "app/context/address_space.h"
 #include "app/context/signals.h"
 #include "app/session/plugins.h"
 #include "techniques/foundation/error.h"
-#include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/temporaries.h"
 
 namespace {
 
@@ -54,6 +55,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    shadowlab::context::spareAddresses();
     shadowlab::commands::keepStandardDescriptors();
     shadowlab::context::installSignalHandlers();
     std::atexit(onExit);

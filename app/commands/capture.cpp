@@ -39,13 +39,12 @@ std::filesystem::path sceneFile(const std::string& scene) {
 /// Would these two names lead to one and the same regular file?
 bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code ignored;
-    const auto target = [&](const std::filesystem::path& path) { // a link may lead to a file yet to be made
-        const bool isLoose = std::filesystem::is_symlink(path, ignored) && !std::filesystem::exists(path, ignored);
-        return std::filesystem::weakly_canonical(
-            isLoose ? path.parent_path() / std::filesystem::read_symlink(path, ignored) : path, ignored);
-    };
     if (std::filesystem::exists(a, ignored) && !std::filesystem::is_regular_file(a, ignored)) return false; // /dev/null
-    return std::filesystem::equivalent(a, b, ignored) || target(a) == target(b);
+    return std::filesystem::equivalent(a, b, ignored) || image::outputTarget(a) == image::outputTarget(b);
+}
+
+[[noreturn]] void refuseOutput(const std::string& option, const std::filesystem::path& path, const std::string& other) {
+    throw Error(ExitStatus::usage, option + ": '" + path.string() + "' is also " + other + "; choose another name");
 }
 
 class Capture {
@@ -63,6 +62,9 @@ public:
         loadScene();
         motion_ = motionOf(options_.motion, *base_);
         requirePlaceForNumbers(options_, motion_.frames);
+        for (int frame = 1; frame < motion_.frames && !options_.stats.empty() && !isFilm(options_); ++frame)
+            if (const auto picture = numbered(options_.output, frame); sameFile(options_.stats, picture))
+                refuseOutput("--stats", options_.stats, "the picture " + picture.string() + " that is written");
         for (std::size_t i = 0; i < slots_.size(); ++i) {
             stages_.emplace_back();
             if (i < options_.stages.size() && !options_.stages[i].empty())
@@ -94,19 +96,16 @@ private:
     /// Before any work: can the outputs be written, and would they destroy something?
     void checkOutputs() const {
         const std::filesystem::path picture = numbered(options_.output, 0), input = sceneFile(options_.scene);
-        const auto refuse = [](const std::string& option, const std::filesystem::path& path, const std::string& other) {
-            throw Error(ExitStatus::usage,
-                        option + ": '" + path.string() + "' is also " + other + "; choose another name");
-        };
-        if (sameFile(picture, input)) refuse("-o", picture, "the scene that is read");
+        if (sameFile(picture, input)) refuseOutput("-o", picture, "the scene that is read");
         const std::filesystem::path& path = options_.motion.path;
-        if (!path.empty() && sameFile(picture, path)) refuse("-o", picture, "the path that is read");
+        if (!path.empty() && sameFile(picture, path)) refuseOutput("-o", picture, "the path that is read");
         image::probeWritable(picture);
         if (session::isMp4(picture)) session::requireFfmpeg(picture);
         if (options_.stats.empty()) return;
-        if (sameFile(options_.stats, input)) refuse("--stats", options_.stats, "the scene that is read");
-        if (!path.empty() && sameFile(options_.stats, path)) refuse("--stats", options_.stats, "the path that is read");
-        if (sameFile(options_.stats, picture)) refuse("--stats", options_.stats, "the picture that is written");
+        if (sameFile(options_.stats, input)) refuseOutput("--stats", options_.stats, "the scene that is read");
+        if (!path.empty() && sameFile(options_.stats, path))
+            refuseOutput("--stats", options_.stats, "the path that is read");
+        if (sameFile(options_.stats, picture)) refuseOutput("--stats", options_.stats, "the picture that is written");
         image::probeWritable(options_.stats);
     }
 

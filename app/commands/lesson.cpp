@@ -93,6 +93,7 @@ int lesson(const LessonOptions& options) {
     if (!options.output.empty()) image::probeWritable(options.output);
     const Lesson lesson = session::loadLesson(
         options.lesson, {.assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = session::limits()});
+    if (!options.output.empty()) image::probeWritable(options.output); // it may be a file that the lesson is read from
     const std::unique_ptr<context::Context> context = context::createContext(options.backend);
     if (!options.output.empty()) {
         if (const int limit = context::largestSide(); std::max(options.size.x, options.size.y) > limit)

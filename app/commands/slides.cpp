@@ -79,6 +79,7 @@ private:
         if (names.empty()) names = session::builtInDecks(loading.assetsRoot);
         for (const std::string& name : names) {
             Deck deck(name, loading);
+            image::keepInput(deck.file());
             if (std::ranges::find(decks_, deck.name(), &Deck::name) != decks_.end())
                 throw Error(ExitStatus::usage, "two of the decks are called '" + scene::shown(deck.name()) +
                                                    "', and so would be their slides; draw them into two folders");

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "app/context/backends.h"
+#include "app/context/driver_settings.h"
 #include "techniques/foundation/error.h"
 
 namespace shadowlab::context {
@@ -68,6 +69,7 @@ std::string describeGl(void (*(*load)(const char*))()) {
 }
 
 std::unique_ptr<Context> createContext(Backend backend, bool debug) {
+    requireUsableSettings(); // of all backends, and said once
     std::string reasons;
     std::string mend = std::string(kInstallEgl) + " libosmesa6";
     for (const BackendEntry& entry : kBackends) {

@@ -9,7 +9,7 @@
 
 #include "app/context/library.h"
 #include "techniques/foundation/error.h"
-#include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/temporaries.h"
 
 namespace shadowlab::context {
 

@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "app/context/backends.h"
+#include "app/context/driver_settings.h"
+#include "app/context/driver_threads.h"
 #include "app/context/library.h"
 
 namespace shadowlab::context {
@@ -176,6 +178,8 @@ std::unique_ptr<Context> createEglContext(bool debug) {
     if (const std::string& fault = egl().library.fault(); !fault.empty()) throw Unavailable(fault, kMoreMemory);
     if (!egl().library.loaded()) throw Unavailable("libEGL.so.1 is missing", kInstallEgl);
     if (!egl().complete) throw Unavailable("libEGL lacks functions of EGL 1.4", kInstallEgl);
+    requireUsableSettings();
+    doWithoutRefusedThreads();
     TrackedContext::releaseCurrent();
     std::string reasons, lastReason, mend = kInstallDrivers;
     for (const Candidate& candidate : candidates()) {

@@ -2,11 +2,14 @@
 // Mesa 25.1 removed it, so it is loaded at run time; the few declarations needed are repeated here from GL/osmesa.h,
 // which cannot be included beside glad.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <string_view>
 
 #include "app/context/backends.h"
+#include "app/context/driver_settings.h"
+#include "app/context/driver_threads.h"
 #include "app/context/library.h"
 
 namespace shadowlab::context {
@@ -75,7 +78,7 @@ private:
     Buffer pixel_{};
 };
 
-/// Two settings under which OSMesa ends the program instead of saying that it has no context.
+/// Settings under which OSMesa ends the program instead of saying that it has no context.
 void requireSurvivableSettings() {
     const auto setting = [](const char* name) {
         const char* value = std::getenv(name);
@@ -90,6 +93,9 @@ void requireSurvivableSettings() {
     if (!shaders.empty() && shaders < "330" && setting("MESA_GL_VERSION_OVERRIDE").empty())
         throw Unavailable("MESA_GLSL_VERSION_OVERRIDE asks for shaders older than those of OpenGL 3.3",
                           "unset MESA_GLSL_VERSION_OVERRIDE");
+    constexpr std::array<std::string_view, 4> kNo{"0", "n", "no", "false"};
+    if (std::ranges::find(kNo, setting("DRAW_USE_LLVM")) != kNo.end())
+        throw Unavailable("DRAW_USE_LLVM takes away what OSMesa counts on", "unset DRAW_USE_LLVM");
 }
 
 } // namespace
@@ -100,6 +106,8 @@ std::unique_ptr<Context> createOsmesaContext() {
     if (!osmesa().complete)
         throw Unavailable("libOSMesa is older than Mesa 11.2 and cannot do core profiles", kInstallOsmesa);
     requireSurvivableSettings();
+    requireUsableSettings();
+    doWithoutRefusedThreads();
     TrackedContext::releaseCurrent();
     auto context = std::make_unique<OsMesaContext>();
     context->makeCurrent();

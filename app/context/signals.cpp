@@ -1,5 +1,5 @@
 // The handlers do only what POSIX allows in one: set a flag and an alarm; when the alarm rings, or the second time, remove
-// temporaries and _exit.
+// temporaries and _exit. Signals that nobody sends to have work ended in order (Ctrl-\ and others) remove temporaries, too.
 // SPDX-License-Identifier: MIT
 #include "app/context/signals.h"
 
@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <csignal>
 
-#include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/temporaries.h"
 
 namespace shadowlab::context {
 namespace {
@@ -36,7 +36,28 @@ void onInterrupt(int signal) {
     errno = savedErrno;
 }
 
-void onAlarm(int) { endNow(receivedSignal.load()); }
+/// What ends a program by default still ends it so, with a core file where that is wanted, but leaves nothing half-written.
+void onEnd(int signal) {
+    image::removeTemporariesNow();
+    std::signal(signal, SIG_DFL);
+    std::raise(signal); // delivered when this handler returns
+}
+
+void onAlarm(int signal) {
+    if (const int received = receivedSignal.load()) endNow(received);
+    onEnd(signal); // an alarm of somebody else's
+}
+
+/// Unless it was ignored from the start (nohup, a command in the background of a script).
+void handleUnlessIgnored(int signal, void (*handler)(int)) {
+    struct sigaction given {
+    }, taken{};
+    if (::sigaction(signal, nullptr, &given) != 0 || given.sa_handler == SIG_IGN) return;
+    taken.sa_handler = handler;
+    taken.sa_flags = SA_RESTART;
+    sigemptyset(&taken.sa_mask);
+    ::sigaction(signal, &taken, nullptr);
+}
 
 } // namespace
 
@@ -47,15 +68,21 @@ void installSignalHandlers() {
     sigemptyset(&interrupt.sa_mask);
     for (const int signal : {SIGINT, SIGTERM})
         ::sigaction(signal, &interrupt, nullptr);
-    // The terminal was closed. Whoever wants to work on all the same (nohup) has it ignored from the start.
-    struct sigaction given {};
-    if (::sigaction(SIGHUP, nullptr, &given) == 0 && given.sa_handler != SIG_IGN)
-        ::sigaction(SIGHUP, &interrupt, nullptr);
+    handleUnlessIgnored(SIGHUP, onInterrupt);  // the terminal was closed
+    handleUnlessIgnored(SIGXCPU, onInterrupt); // ulimit -t: a second later it comes again, and ends the program at once
+    for (const int signal : {SIGQUIT, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF, SIGIO, SIGPWR})
+        handleUnlessIgnored(signal, onEnd);
 
     struct sigaction alarm {};
     alarm.sa_handler = onAlarm;
     sigemptyset(&alarm.sa_mask);
     ::sigaction(SIGALRM, &alarm, nullptr);
+    // Whoever started the program may have held some back; that is inherited.
+    sigset_t handled;
+    sigemptyset(&handled);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGALRM})
+        sigaddset(&handled, signal);
+    ::pthread_sigmask(SIG_UNBLOCK, &handled, nullptr);
 
     struct sigaction ignore {};
     ignore.sa_handler = SIG_IGN;

@@ -12,6 +12,8 @@
 
 #include "app/context/backends.h"
 #include "app/context/display_loss.h"
+#include "app/context/driver_settings.h"
+#include "app/context/driver_threads.h"
 
 namespace shadowlab::context {
 namespace {
@@ -135,6 +137,8 @@ private:
 } // namespace
 
 std::unique_ptr<Context> createWindowContext(const WindowOptions& options) {
+    requireUsableSettings();
+    doWithoutRefusedThreads();
     TrackedContext::releaseCurrent();
     auto context = std::make_unique<GlfwContext>(options);
     context->makeCurrent();

@@ -2,17 +2,17 @@
 #include "app/hard/parts.h"
 
 #include <algorithm>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
 
 #include "app/hard/results_json.h"
+#include "app/report/part_file.h"
 #include "app/report/store.h"
 #include "app/session/digest.h"
 #include "app/session/program_digest.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
+#include "techniques/foundation/scene/file_access.h"
 
 namespace shadowlab::hard {
 
@@ -20,9 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Nothing where there is no such file, or none that can be read: what is made of it is no part of ours then.
 std::string textOf(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    return scene::whyUnreadable(file).empty() ? report::partBytes(file) : std::string();
+}
+
+Json jsonOf(const fs::path& file) {
+    const std::string text = textOf(file);
+    return report::isText(text) ? Json::parse(text, nullptr, false) : Json(Json::value_t::discarded);
 }
 
 bool isThere(const fs::path& file) {
@@ -32,7 +37,7 @@ bool isThere(const fs::path& file) {
 
 /// Is it a JSON object with all of these members?
 bool holds(const fs::path& file, std::initializer_list<const char*> members) {
-    const Json json = Json::parse(textOf(file), nullptr, false);
+    const Json json = jsonOf(file);
     return std::ranges::all_of(members, [&](const char* member) { return json.contains(member); });
 }
 
@@ -71,7 +76,7 @@ std::string Parts::madeFrom(const Case& one) const {
 std::optional<CaseResult> Parts::find(const Case& one) const {
     if (!isThere(fileOf(one))) return std::nullopt;
     try {
-        const Json part = Json::parse(textOf(fileOf(one)));
+        const Json part = jsonOf(fileOf(one));
         if (part.at("madeFrom") != madeFrom(one)) return std::nullopt;
         for (const auto& [picture, digest] : part.at("pictures").items())
             if (session::digestOf(textOf(folder_ / "pictures" / picture)) != digest.get<std::string>())

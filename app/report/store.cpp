@@ -5,13 +5,12 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <set>
 #include <stdexcept>
 
 #include "app/report/json_parts.h"
+#include "app/report/part_file.h"
 #include "app/session/digest.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
@@ -41,10 +40,7 @@ namespace fs = std::filesystem;
 std::optional<std::string> bytesOf(const fs::path& file) {
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) return std::nullopt;
-    std::ifstream stream(file, std::ios::binary);
-    std::string bytes(std::istreambuf_iterator<char>(stream), {});
-    if (!stream) failToRead(file);
-    return bytes;
+    return partBytes(file);
 }
 
 std::vector<std::uint8_t> pictureOf(const fs::path& file) {
@@ -57,6 +53,7 @@ template <typename Read>
 auto readJson(const fs::path& file, const Read& read) -> std::optional<decltype(read(Json()))> {
     const std::optional<std::string> text = bytesOf(file);
     if (!text) return std::nullopt;
+    if (!isText(*text)) failAsForeign(file);
     try {
         return read(Json::parse(*text));
     } catch (const Json::exception&) {

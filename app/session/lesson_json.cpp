@@ -5,6 +5,7 @@
 #include "app/session/lesson_parts.h"
 #include "app/session/limits.h"
 #include "app/session/state_json.h"
+#include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/file_access.h"
 #include "techniques/foundation/scene/message_text.h"
@@ -105,7 +106,9 @@ Lesson loadLesson(const std::string& nameOrPath, const scene::LoadOptions& optio
                                                   suggestion(nameOrPath, known));
         file = options.assetsRoot / "lessons" / (nameOrPath + ".json");
     }
-    return parseLesson(scene::readFile(file, limits().sceneFileBytes, "scene-file"), file, options);
+    const std::string text = scene::readFile(file, limits().sceneFileBytes, "scene-file");
+    image::keepInput(file);
+    return parseLesson(text, file, options);
 }
 
 std::vector<LessonText> builtInLessons(const std::filesystem::path& assetsRoot) {

@@ -3,6 +3,7 @@
 #include "app/session/light_changes.h"
 #include "app/session/limits.h"
 #include "app/session/path.h"
+#include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/scene/message_text.h"
 #include "techniques/foundation/scene/scene_json.h"
 
@@ -72,7 +73,9 @@ Path parsePath(const std::string& text, const std::filesystem::path& file, const
 }
 
 Path loadPath(const std::filesystem::path& file, const scene::Scene& scene) {
-    return parsePath(scene::readFile(file, limits().sceneFileBytes, "scene-file"), file, scene);
+    const std::string text = scene::readFile(file, limits().sceneFileBytes, "scene-file");
+    image::keepInput(file);
+    return parsePath(text, file, scene);
 }
 
 } // namespace shadowlab::session

@@ -2,10 +2,10 @@
 #include "app/session/plugin_file.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/scene/file_access.h"
 #include "techniques/plugin.h"
 
 namespace shadowlab::session {
@@ -47,9 +47,10 @@ void requirePluginFile(const std::filesystem::path& file) {
         refusePlugin(file, "a plug-in is a file; name the .so that was built");
     if (const auto size = std::filesystem::file_size(file, failed); failed || size > kLargestFile)
         refusePlugin(file, "the file is larger than 256 MiB, which no plug-in is; name the .so that was built");
-    std::ifstream stream(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream) refusePlugin(file, "the file cannot be read; mend its permissions");
+    if (const std::string why = scene::whyUnreadable(file); !why.empty())
+        refusePlugin(file, why + "; mend its permissions");
+    const std::string bytes = scene::readFile(file, kLargestFile);
+    image::keepInput(file);
     constexpr std::string_view kElf = "\x7f"
                                       "ELF";
     if (!bytes.starts_with(kElf))

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <limits>
 #include <set>
 #include <sstream>
 #include <vector>
@@ -14,14 +13,16 @@
 #include "app/session/plugins.h"
 #include "techniques/foundation/gl/added_shaders.h"
 #include "techniques/foundation/gl/shader_text.h"
+#include "techniques/foundation/scene/file_access.h"
 
 namespace shadowlab::session {
 
 namespace {
 
+/// The program and what it has loaded already: no limit is for them.
 std::string digestOfFile(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return digestOf(std::string(std::istreambuf_iterator<char>(stream), {}));
+    if (!scene::whyUnreadable(file).empty()) return {}; // a program may be run without being read
+    return digestOf(scene::readFile(file, std::numeric_limits<std::int64_t>::max()));
 }
 
 /// The texts of all shaders, and of what they include: an edited one may include files of its own.

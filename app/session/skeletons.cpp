@@ -5,14 +5,15 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
-#include <iterator>
 
 #include "app/session/assets.h"
+#include "app/session/limits.h"
 #include "app/session/plugins.h"
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
+#include "techniques/foundation/scene/file_access.h"
 #include "techniques/registry.h"
 
 namespace shadowlab::session {
@@ -60,10 +61,9 @@ std::string renamed(std::string text, const std::string& name) {
 }
 
 std::string textOf(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), {}};
-    if (!stream) throw Error(ExitStatus::badInput, file.string() + ": cannot be read; install shadowlab again");
-    return text;
+    if (const std::string why = scene::whyUnreadable(file); !why.empty())
+        throw Error(ExitStatus::badInput, file.string() + ": " + why + "; install shadowlab again");
+    return scene::readFile(file, limits().sceneFileBytes, "scene-file");
 }
 
 } // namespace
@@ -92,7 +92,9 @@ void writeSkeleton(const std::string& skeleton, const std::string& name, const f
     std::error_code failed;
     if (!fs::is_directory(source, failed))
         throw Error(ExitStatus::badInput, source.string() + ": there is no such skeleton; install shadowlab again");
-    const fs::path target = fs::absolute(folder).lexically_normal();
+    const fs::path absolute = fs::absolute(folder, failed);
+    if (failed) throw Error(ExitStatus::cannotWrite, image::outputErrorText(folder, failed.value(), false));
+    const fs::path target = absolute.lexically_normal();
     const fs::path made = target.has_filename() ? target : target.parent_path();
     if (fs::exists(fs::symlink_status(made, failed)))
         throw Error(ExitStatus::cannotWrite,
@@ -111,6 +113,9 @@ void writeSkeleton(const std::string& skeleton, const std::string& name, const f
         if (const std::size_t at = message.find(temporary); at != std::string::npos)
             message.replace(at, temporary.size(), made.string());
         throw Error(fault.status(), message);
+    } catch (const fs::filesystem_error& fault) {
+        throw Error(ExitStatus::badInput,
+                    source.string() + ": cannot be read: " + fault.code().message() + "; install shadowlab again");
     }
     output.commit();
 }

@@ -3,6 +3,7 @@
 #include "app/context/signals.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -11,17 +12,22 @@
 #include <functional>
 
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
 
 namespace shadowlab::context {
 namespace {
 
-/// Signal handlers belong to a whole process, so each case has its own. Returns its exit status, -1 if it was killed.
+/// Signal handlers belong to a whole process, so each case has its own. Returns its exit status, less than 0 where a signal killed it.
 int inChild(const std::function<int()>& action) {
     const pid_t child = ::fork();
-    if (child == 0) ::_exit(action());
+    if (child == 0) {
+        const rlimit noCore{0, 0};
+        ::setrlimit(RLIMIT_CORE, &noCore);
+        ::_exit(action());
+    }
     int status = 0;
     ::waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
 int afterOne(int signal) {
@@ -44,6 +50,7 @@ TEST(Signals, FirstOneSetsTheFlag) {
     EXPECT_EQ(afterOne(SIGINT), 130);
     EXPECT_EQ(afterOne(SIGTERM), 143);
     EXPECT_EQ(afterOne(SIGHUP), 129);
+    EXPECT_EQ(afterOne(SIGXCPU), 152);
     EXPECT_EQ(afterOne(SIGPIPE), 0);
     EXPECT_EQ(afterOne(SIGXFSZ), 0);
 }
@@ -89,6 +96,62 @@ TEST(Signals, OneEndsWorkThatNeverAsks) {
     EXPECT_EQ(status, 143);
     EXPECT_TRUE(fs::is_empty(folder));
     fs::remove_all(folder);
+}
+
+// What ends a program by default does so, and whatever was under way goes before: a file, and a folder with all that is in it.
+TEST(Signals, OthersEndTheProgramAsEverAndLeaveNothing) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / ("shadowlab_quit_" + std::to_string(::getpid()));
+    fs::create_directory(folder);
+    for (const int signal : {SIGQUIT, SIGUSR1, SIGALRM}) {
+        const int status = inChild([&] {
+            installSignalHandlers();
+            image::OutputFile file(folder / "a");
+            file.write("half");
+            const image::OutputFolder inner(folder / "b");
+            fs::create_directories(inner.path() / "c" / "d");
+            for (int i = 0; i < 300; ++i) // more than one call of the kernel lists
+                image::writeWhole(inner.path() / "c" / ("a-name-of-some-length-" + std::to_string(i)), "whole");
+            fs::create_symlink(folder.parent_path(), inner.path() / "link");
+            std::raise(signal);
+            return 0;
+        });
+        EXPECT_EQ(status, -signal);
+        EXPECT_TRUE(fs::is_empty(folder)) << signal;
+    }
+    fs::remove_all(folder);
+}
+
+TEST(Signals, TheSecondOneRemovesFolders) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / ("shadowlab_folder_" + std::to_string(::getpid()));
+    fs::create_directory(folder);
+    const int status = inChild([&] {
+        installSignalHandlers();
+        const image::OutputFolder inner(folder / "b");
+        image::writeWhole(inner.path() / "c", "whole");
+        std::raise(SIGINT);
+        std::raise(SIGINT);
+        return 0;
+    });
+    EXPECT_EQ(status, 130);
+    EXPECT_TRUE(fs::is_empty(folder));
+    fs::remove_all(folder);
+}
+
+// Who starts a program may hold signals back; held back it would never end.
+TEST(Signals, ThoseThatWereHeldBackArrive) {
+    const int status = inChild([] {
+        sigset_t held;
+        sigemptyset(&held);
+        for (const int signal : {SIGTERM, SIGALRM})
+            sigaddset(&held, signal);
+        ::sigprocmask(SIG_BLOCK, &held, nullptr);
+        installSignalHandlers();
+        std::raise(SIGTERM);
+        return interrupted() ? 0 : 1;
+    });
+    EXPECT_EQ(status, 0);
 }
 
 } // namespace

@@ -1,13 +1,19 @@
 """Outputs, surroundings and command lines: what cannot be written, what is missing on the machine, what nobody can have meant."""
 # SPDX-License-Identifier: MIT
 import os
+from pathlib import Path
 
 from references import HOLES, dot
-from row import BOX, LIGHT, Row, scene
+from row import BOX, FACE, LIGHT, Row, scene
 
 SCENE = {"s.json": scene()}
 SMALL_BALL = scene(objects=f'"objects": [{BOX}, {{"shape": "sphere", "radius": 1e-9, "segments": 96, "translate": [0, 2, 0]}}]')
 BOX_OVER_FLOOR = scene(objects=f'"objects": [{BOX}, {{"shape": "quad", "size": [9, 9], "translate": [0, -2, 0]}}]')
+DECK = '{"title": "T", "scene": "s.json", "slides": [{"name": "a", "title": "A", "slots": [{"technique": "unshadowed"}], "caption": "c", "alt": "x"}]}'
+
+
+def lesson(name):
+    return (Path(__file__).resolve().parents[2] / "assets" / "lessons" / f"{name}.json").read_text(encoding="utf-8")
 
 
 def capture_to(output, *more):
@@ -63,6 +69,10 @@ OUTPUTS = [
             environment={"GALLIUM_DRIVER": "zink"}),
     refused("shaders of another time alone", capture_to("x.png", "--backend", "osmesa"), 5, "MESA_GLSL_VERSION_OVERRIDE", "unset",
             environment={"MESA_GLSL_VERSION_OVERRIDE": "120"}),
+    *[refused(f"a setting of Mesa's developers: {name}={value}", capture_to("x.png", *backend), 5, name, "unset", environment={name: value})
+      for name, value, *backend in (("GALLIUM_NOOP", "1"), ("LP_PERF", "no_depth"), ("ST_DEBUG", "wf"), ("LP_NATIVE_VECTOR_WIDTH", "7"),
+                                    ("MESA_EXTENSION_OVERRIDE", "-GL_ARB_texture_float"), ("DRAW_USE_LLVM", "0", "--backend", "osmesa"))],
+    drawn("a width of vectors that Mesa has code for", ["x.png"], capture_to("x.png"), environment={"LP_NATIVE_VECTOR_WIDTH": "128"}),
     refused("a window without a display", capture_to("x.png", "--backend", "window"), 5, "display"),
     refused("a display that is not there", capture_to("x.png", "--backend", "window"), 5, "display", environment={"DISPLAY": ":8888"}),
     refused("shaders that are broken", capture_to("x.png", "-t", "unshadowed"), 3, "shade_light.frag", files={"shaders/light.glsl": "float ;\n"},
@@ -77,6 +87,18 @@ OUTPUTS = [
     Row("a scene for the numbers of a report", {"report.json": scene()},
         ["report", "report.json", "--quick", "--size", "64x48", "-t", "unshadowed", "-o", "."], 4, ["report.json", "overwritten"]),
     refused("the picture for its numbers, through a link", capture_to("x.png", "--stats", "n.json"), 2, "--stats", files={"x.png": link_to("n.json")}),
+    refused("a deck for one of its slides, through a link", ["slides", "d.json", "-o", ".", "--size", "640x360"], 2, "d-a.png", "that is read",
+            files={"d.json": DECK, "d-a.png": link_to("d.json")}),
+    refused("a lesson for its picture, through a link", ["lesson", "l.json", "-o", "l.png", "--size", "320x180"], 2, "l.png", "that is read",
+            files={"l.json": lesson("acne"), "l.png": link_to("l.json")}),
+    refused("materials for their picture, through a link", ["capture", "m.obj", "-o", "m.png", "--size", "32x24"], 2, "m.png", "that is read",
+            files={"m.obj": "mtllib m.mtl\n" + FACE + "f 1 2 3\n", "m.mtl": "newmtl m\n", "m.png": link_to("m.mtl")}),
+    refused("a plug-in for a picture, through a link", capture_to("x.png", "--plugin", "p.so"), 3, "p.so", "no shared library",
+            files={"p.so": "no library", "x.png": link_to("p.so")}),
+    refused("a plug-in that cannot be read to its end", capture_to("x.png", "--plugin", "/proc/self/mem"), 3, "/proc/self/mem"),
+    refused("a later picture for the numbers, through a link", capture_to("x_#.png", "--frames", "3", "--stats", "n.json"), 2, "--stats", "x_2.png",
+            files={"n.json": link_to("x_2.png")}),
+    drawn("a picture through two links to where nothing is", ["c.png"], capture_to("a.png"), files={"a.png": link_to("b.png"), "b.png": link_to("c.png")}),
     refused("a limit nobody knows", capture_to("x.png", "--limit", "trianlges=3"), 2, '"triangles"'),
     refused("a limit without its value", capture_to("x.png", "--limit", "triangles"), 2, "--limit triangles=20000000"),
     refused("a limit of nothing", capture_to("x.png", "--limit", "triangles=0"), 2, "from 1 to 1000000000"),

@@ -28,6 +28,8 @@ Reason reasonFor(const std::filesystem::path& path, int errorNumber) {
     case EFBIG: return {"file too large", "raise the file size limit (ulimit -f)"};
     case ENOENT: return missingFolder(path);
     case ENOTDIR: return {"a part of the path is a file and not a folder", "choose another name"};
+    case EEXIST:
+    case ENOTEMPTY: return {"there is something of that name already", "choose another name"};
     case EISDIR: return {"is a folder", "add a file name to it"};
     case EACCES:
     case EPERM: return {"permission denied", "choose a folder that you may write to"};

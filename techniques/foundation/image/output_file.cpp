@@ -12,11 +12,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
 #include <cerrno>
-#include <climits>
-#include <cstring>
 #include <mutex>
 #include <set>
 
@@ -28,38 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// --- the list of temporaries that a signal handler can walk
-// ----------------------------------------------------------- A handler may not allocate or lock: fixed places, each
-// guarded by one lock-free atomic. Outputs beyond these are still removed by their destructors and, after a kill, by
-// the next run.
-enum SlotState { kFree, kClaimed, kLive };
-struct Slot {
-    std::atomic<int> state{kFree};
-    char path[PATH_MAX];
-};
-constexpr std::size_t kSlots = 32; // outputs open at one time; the program opens one or two
-std::array<Slot, kSlots> slots;
-static_assert(std::atomic<int>::is_always_lock_free);
-
-int claimSlot(const std::string& path) {
-    if (path.size() >= PATH_MAX) return -1;
-    for (std::size_t i = 0; i < kSlots; ++i) {
-        int expected = kFree;
-        if (!slots[i].state.compare_exchange_strong(expected, kClaimed)) continue;
-        std::memcpy(slots[i].path, path.c_str(), path.size() + 1);
-        slots[i].state.store(kLive);
-        return static_cast<int>(i);
-    }
-    return -1;
-}
-
-void freeSlot(int& slot) {
-    if (slot >= 0) slots[static_cast<std::size_t>(slot)].state.store(kFree);
-    slot = -1;
-}
-
-// --- names
-// --------------------------------------------------------------------------------------------------------------
 /// `.NAME.tmp.`; a long name is cut, for the temporary's own name must also fit into 255 bytes with its numbers.
 std::string temporaryPrefix(const fs::path& target) {
     return std::string(".").append(target.filename().string(), 0, 200).append(".tmp.");
@@ -141,8 +106,8 @@ OutputFile::OutputFile(const fs::path& path) : shown_(path), target_(path) {
     if (::lstat(path.c_str(), &status) == 0 && S_ISLNK(status.st_mode)) {
         std::error_code error;
         target_ = fs::canonical(path, error);
-        if (error) target_ = folderOf(path) / fs::read_symlink(path, error); // points to a file yet to be made
-        if (error) fail(error.value());
+        if (error && error.value() != ENOENT) fail(error.value());
+        if (error) target_ = outputTarget(path);
     }
     if (::stat(target_.c_str(), &status) == 0) {
         if (S_ISDIR(status.st_mode)) fail(EISDIR);
@@ -151,8 +116,7 @@ OutputFile::OutputFile(const fs::path& path) : shown_(path), target_(path) {
             return;
         }
         if (isInput(target_))
-            throw Error(ExitStatus::usage,
-                        path.string() + ": is a file of the scene that is read; choose another name");
+            throw Error(ExitStatus::usage, path.string() + ": is a file that is read; choose another name");
         replaces_ = true;
         // Renaming over it would work, but whoever made it read-only wants to keep it.
         if (::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0)
@@ -167,7 +131,7 @@ OutputFile::OutputFile(const fs::path& path) : shown_(path), target_(path) {
 
 OutputFile::~OutputFile() {
     if (!temporary_.empty()) repeated([this] { return ::unlink(temporary_.c_str()); });
-    freeSlot(slot_);
+    listed_.strike();
     if (descriptor_ >= 0) ::close(descriptor_);
     if (lock_ >= 0) ::close(lock_);
 }
@@ -199,7 +163,7 @@ void OutputFile::createTemporary() {
         }
         descriptor_ = descriptor;
         temporary_ = name;
-        slot_ = claimSlot(name);
+        listed_.list(name);
         lock_ = ::fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
         return;
     }
@@ -240,7 +204,7 @@ void OutputFile::commit() {
     if (!renames) return;
     if (repeated([this] { return ::rename(temporary_.c_str(), target_.c_str()); }) != 0) fail(errno);
     temporary_.clear();
-    freeSlot(slot_);
+    listed_.strike();
     // The new name itself lasts once the folder is on disk. The file is whole either way, so a refusal is not an error.
     const int folder = ::open(folderOf(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder >= 0) {
@@ -269,16 +233,24 @@ void probeWritable(const fs::path& path) {
     if (!special) OutputFile probe(path); // makes the temporary, removes it again
 }
 
+fs::path outputTarget(const fs::path& path) {
+    std::error_code failed;
+    fs::path target = path;
+    constexpr int kMostLinks = 40; // as Linux follows
+    for (int links = 0; fs::is_symlink(fs::symlink_status(target, failed)); ++links) {
+        if (links == kMostLinks) return path;
+        target = folderOf(target) / fs::read_symlink(target, failed); // what is absolute replaces the folder
+    }
+    const fs::path whole = fs::absolute(target, failed); // the first part that is not there ends what is resolved
+    const fs::path resolved = failed ? target : fs::weakly_canonical(whole, failed);
+    return failed ? target : resolved;
+}
+
 void keepInput(const fs::path& file) {
     std::error_code failed;
     const fs::path canonical = fs::canonical(file, failed);
     const std::lock_guard lock(inputs().mutex);
     if (!failed) inputs().files.insert(canonical);
-}
-
-void removeTemporariesNow() noexcept {
-    for (Slot& slot : slots)
-        if (slot.state.load() == kLive) ::unlink(slot.path);
 }
 
 } // namespace shadowlab::image

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "techniques/foundation/image/temporaries.h"
+
 namespace shadowlab::image {
 
 /// One output on its way. Destroyed before commit(), it leaves nothing behind and the old file as it was.
@@ -36,7 +38,7 @@ private:
     std::string temporary_;        ///< empty when writing directly
     int descriptor_ = -1;
     int lock_ = -1; ///< second descriptor of the temporary; tells other runs that it is in use
-    int slot_ = -1; ///< place in the list that removeTemporariesNow() walks
+    ListedTemporary listed_;
     bool replaces_ = false;
 };
 
@@ -48,11 +50,12 @@ void writeWhole(const std::filesystem::path& path, std::string_view text);
 /// permission, name too long). Leaves everything as it was. Throws Error (cannotWrite).
 void probeWritable(const std::filesystem::path& path);
 
-/// From now on no output may replace this file: it is a scene, or an image of one, that was read. A picture beside the scene is
-/// easily given the name of an image that the scene shows. OutputFile then throws Error (usage).
-void keepInput(const std::filesystem::path& file);
+/// The file that an output of this name is: symbolic links resolved, also those that lead to a file yet to be made. With links in
+/// a circle, the name itself.
+std::filesystem::path outputTarget(const std::filesystem::path& path);
 
-/// Removes the temporaries of every output under way. Async-signal-safe: for the handler that is about to _exit.
-void removeTemporariesNow() noexcept;
+/// From now on no output may replace this file: it is a scene, a mesh, an image, a deck ... that was read. A picture beside the
+/// scene is easily given the name of an image that the scene shows. OutputFile then throws Error (usage).
+void keepInput(const std::filesystem::path& file);
 
 } // namespace shadowlab::image

@@ -59,12 +59,15 @@ OutputFolder::OutputFolder(const fs::path& target) : target_(target) {
         else if (errno != EEXIST && errno != EINTR)
             fail(errno);
     }
+    listed_.list(temporary_);
     lock_ = lockedFolder(temporary_); // best effort: without it, another run that makes the same folder may disturb
 }
 
 OutputFolder::~OutputFolder() {
     std::error_code ignored;
     if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+    if (ignored)
+        fs::remove(temporary_, ignored); // with a umask that forbids to look into it; then nothing is in it either
     if (lock_ >= 0) ::close(lock_);
 }
 
@@ -75,6 +78,7 @@ void OutputFolder::fail(int errorNumber) const {
 void OutputFolder::commit() {
     while (::rename(temporary_.c_str(), target_.c_str()) != 0)
         if (errno != EINTR) fail(errno);
+    listed_.strike();
     temporary_.clear();
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 #include <filesystem>
 
+#include "techniques/foundation/image/temporaries.h"
+
 namespace shadowlab::image {
 
 /// Makes a folder, and those above it that are not there. Throws Error (cannotWrite) with the reason and the mend.
@@ -26,6 +28,7 @@ private:
     [[noreturn]] void fail(int errorNumber) const;
 
     std::filesystem::path target_, temporary_;
+    ListedTemporary listed_;
     int lock_ = -1; ///< the temporary, open; tells other runs that it is in use
 };
 

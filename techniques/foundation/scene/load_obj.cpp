@@ -1,6 +1,7 @@
 // An OBJ file from text to mesh: read, scan strictly, let tinyobjloader parse, build.
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/scene/file_access.h"
 #include "techniques/foundation/scene/holes.h"
 #include "techniques/foundation/scene/message_text.h"
@@ -54,6 +55,7 @@ void requireMemoryFor(const std::filesystem::path& file, const Limits& limits) {
 ObjFile loadObj(const std::filesystem::path& file, NormalMode mode, const LoadOptions& options) {
     requireMemoryFor(file, options.limits);
     ObjScan scan = scanObj(readFile(file, options.limits.fileBytes, "mesh-file"), file, options.limits);
+    image::keepInput(file);
     ObjFaces faces = readFaces(scan, file, options);
     ObjFile obj;
     obj.mesh = buildMesh(scan, faces);

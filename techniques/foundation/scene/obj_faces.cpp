@@ -13,6 +13,7 @@
 #include <tiny_obj_loader.h>
 
 #include "techniques/foundation/error.h"
+#include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/scene/alpha_mask.h"
 #include "techniques/foundation/scene/file_access.h"
 #include "techniques/foundation/scene/message_text.h"
@@ -50,6 +51,7 @@ public:
                 throw Error(ExitStatus::badInput, place(library) + ": material file \"" + shown(name) + "\" " + why +
                                                       "; name a readable file");
             const std::string text = readFile(path, options_.limits.materialFileBytes, "material-file");
+            image::keepInput(path);
             CleanMtl clean = cleanMtl(text, path, options_.limits, notes_);
             std::istringstream statements(std::move(clean.text));
             tinyobj::LoadMtl(materialIndex, materials, &statements, warning, error);
