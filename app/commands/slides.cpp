@@ -86,6 +86,12 @@ private:
             decks_.push_back(std::move(deck));
         }
         checkOnly();
+        for (const Deck& deck : decks_) {
+            for (std::size_t i = 0; i < deck.slides().size(); ++i)
+                image::requireNoInput(options_.output / (deck.name() + "-" + numbered(deck, i) + ".png"));
+            for (const char* ending : {".html", ".md"})
+                image::requireNoInput(options_.output / (deck.name() + ending));
+        }
         for (const Deck& deck : decks_)
             for (const std::string& slide : deck.slides())
                 total_ += isWanted(slide);

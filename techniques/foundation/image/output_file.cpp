@@ -85,12 +85,6 @@ Inputs& inputs() {
     return all;
 }
 
-bool isInput(const fs::path& file) {
-    std::error_code ignored;
-    const std::lock_guard lock(inputs().mutex);
-    return inputs().files.contains(fs::canonical(file, ignored));
-}
-
 } // namespace
 
 OutputFile::OutputFile(const fs::path& path) : shown_(path), target_(path) {
@@ -115,8 +109,7 @@ OutputFile::OutputFile(const fs::path& path) : shown_(path), target_(path) {
             openSpecial();
             return;
         }
-        if (isInput(target_))
-            throw Error(ExitStatus::usage, path.string() + ": is a file that is read; choose another name");
+        requireNoInput(path);
         replaces_ = true;
         // Renaming over it would work, but whoever made it read-only wants to keep it.
         if (::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0)
@@ -251,6 +244,14 @@ void keepInput(const fs::path& file) {
     const fs::path canonical = fs::canonical(file, failed);
     const std::lock_guard lock(inputs().mutex);
     if (!failed) inputs().files.insert(canonical);
+}
+
+void requireNoInput(const fs::path& path) {
+    std::error_code ignored;
+    const fs::path file = fs::canonical(path, ignored);
+    const std::lock_guard lock(inputs().mutex);
+    if (inputs().files.contains(file))
+        throw Error(ExitStatus::usage, path.string() + ": is a file that is read; choose another name");
 }
 
 } // namespace shadowlab::image

@@ -57,5 +57,7 @@ std::filesystem::path outputTarget(const std::filesystem::path& path);
 /// From now on no output may replace this file: it is a scene, a mesh, an image, a deck ... that was read. A picture beside the
 /// scene is easily given the name of an image that the scene shows. OutputFile then throws Error (usage).
 void keepInput(const std::filesystem::path& file);
+/// What OutputFile will say of a name that leads to such a file, before the work begins. Throws Error (usage).
+void requireNoInput(const std::filesystem::path& path);
 
 } // namespace shadowlab::image
