@@ -62,6 +62,8 @@ public:
         loadScene();
         motion_ = motionOf(options_.motion, *base_);
         requirePlaceForNumbers(options_, motion_.frames);
+        for (int frame = 1; frame < motion_.frames && !isFilm(options_); ++frame)
+            image::requireNoInput(numbered(options_.output, frame));
         for (int frame = 1; frame < motion_.frames && !options_.stats.empty() && !isFilm(options_); ++frame)
             if (const auto picture = numbered(options_.output, frame); sameFile(options_.stats, picture))
                 refuseOutput("--stats", options_.stats, "the picture " + picture.string() + " that is written");
@@ -113,7 +115,7 @@ private:
         base_ = scene::loadScene(
             options_.scene,
             {.assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = session::limits()});
-        image::probeWritable(numbered(options_.output, 0)); // it may be an image that the scene shows
+        image::requireNoInput(numbered(options_.output, 0)); // it may be an image that the scene shows
         if (!options_.light.empty()) defaultLight_ = session::lightIndex(*base_, options_.light);
     }
 

@@ -114,7 +114,7 @@ int captureWindow(const CaptureOptions& options) {
     if (options.steps) {
         settle(screen); // which passes run is known when they have run
         for (const StageKey& pass :
-             std::vector(desk.bench.pane(0).passesOf(desk.bench.document().panes[0].technique))) {
+             std::vector(desk.bench.pane(0).passesOf(desk.bench.document().panes[0].technique, *scene))) {
             ui::chooseStage(desk, session::passStage(pass, *scene));
             write(0);
         }

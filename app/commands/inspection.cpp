@@ -96,10 +96,12 @@ scene::Scene alone(const std::string& name, scene::ObjFile obj) {
     scene.materials.emplace_back(); // of parts whose material no file defines
     scene::Object object;
     object.name = name;
+    const scene::MaterialsByName known = scene::materialsByName(scene.materials);
     for (const scene::MeshPart& part : obj.mesh.parts) {
-        const auto found = std::ranges::find(scene.materials, part.materialName, &scene::Material::name);
-        const auto index = std::min<std::ptrdiff_t>(found - scene.materials.begin(), std::ssize(scene.materials) - 1);
-        object.partMaterials.push_back(static_cast<std::uint32_t>(index));
+        const auto found = known.find(part.materialName);
+        const bool isKnown = found != known.end();
+        object.partMaterials.push_back(isKnown ? found->second
+                                               : static_cast<std::uint32_t>(scene.materials.size()) - 1);
     }
     object.mesh = scene::sharedMesh(std::move(obj.mesh));
     scene.objects.push_back(std::move(object));

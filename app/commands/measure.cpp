@@ -20,8 +20,7 @@ namespace {
 int lightToMeasure(const scene::Scene& scene, const std::string& asked, const std::string& name) {
     if (scene.lights.empty())
         throw Error(ExitStatus::badInput,
-                    "scene '" + scene::shown(asked) +
-                        "' has no light whose shadows could be measured; add one under \"lights\"");
+                    scene::shown(asked) + ": has no light whose shadows could be measured; add one under \"lights\"");
     return name.empty() ? 0 : session::lightIndex(scene, name);
 }
 

@@ -88,8 +88,8 @@ private:
                 name, {.assetsRoot = session::assetsRoot(), .allowed = options_.allowed, .limits = session::limits()});
             if (scene->lights.empty())
                 throw Error(ExitStatus::badInput,
-                            "scene '" + scene::shown(name) +
-                                "' has no light whose shadows could be measured; add one under \"lights\"");
+                            scene::shown(name) +
+                                ": has no light whose shadows could be measured; add one under \"lights\"");
             const int light = options_.light.empty() ? 0 : session::lightIndex(*scene, options_.light);
             if (std::ranges::any_of(scenes_, [&](const Shown& shown) { return shown.scene->name == scene->name; }))
                 throw Error(ExitStatus::usage,

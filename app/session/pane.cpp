@@ -150,8 +150,8 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
         if (!converged_) return; // the last picture stays
     }
     if (frame.stopAfter && !(request.state.technique == drawn_.technique && request.state.values() == drawn_.values() &&
-                             !passesOf(drawn_.technique).empty()))
-        keepPasses(request.state.technique,
+                             !passesOf(drawn_.technique, scene).empty()))
+        keepPasses(request,
                    session.render(slot, request.view, {.refine = false, .deadline = work.deadline}).result.passes);
     RenderedFrame rendered = session.render(slot, request.view, frame);
     converged_ = rendered.converged;
@@ -159,7 +159,7 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
     if (step) requirePassRan(rendered, *step, *slot.info);
     encode(session, encoder, request, slot, stage, rendered);
-    if (!frame.stopAfter) keepPasses(request.state.technique, rendered.result.passes);
+    if (!frame.stopAfter) keepPasses(request, rendered.result.passes);
     // Times are taken now and then; between, the last ones stand.
     if (!work.timePasses && drawn_.technique == request.state.technique) {
         rendered.result.passMs = std::move(rendered_.result.passMs);
@@ -171,14 +171,26 @@ void Pane::draw(Session& session, const PictureEncoder& encoder, const PaneReque
     isDrawn_ = true;
 }
 
-void Pane::keepPasses(const std::string& technique, const std::vector<StageKey>& passes) {
-    passes_ = distinct(passes);
-    passesTechnique_ = technique;
+namespace {
+
+std::vector<std::string> lightNames(const scene::Scene& scene) {
+    std::vector<std::string> names;
+    for (const scene::Light& light : scene.lights)
+        names.push_back(light.name);
+    return names;
 }
 
-const std::vector<StageKey>& Pane::passesOf(std::string_view technique) const {
+} // namespace
+
+void Pane::keepPasses(const PaneRequest& request, const std::vector<StageKey>& passes) {
+    passes_ = distinct(passes);
+    passesTechnique_ = request.state.technique;
+    passesLights_ = lightNames(*request.snapshot);
+}
+
+const std::vector<StageKey>& Pane::passesOf(std::string_view technique, const scene::Scene& scene) const {
     static const std::vector<StageKey> kNone;
-    return technique == passesTechnique_ ? passes_ : kNone;
+    return technique == passesTechnique_ && lightNames(scene) == passesLights_ ? passes_ : kNone;
 }
 
 /// False when the technique was not ready in time.

@@ -84,8 +84,9 @@ public:
     }
     [[nodiscard]] const PaneRequest& drawnFor() const { return drawnFor_; }
     /// The technique's passes that run with the settings of the picture, in order, also where it stops after one of them. None
-    /// while the picture is still another technique's, as it may be for long: a small window has no room for a new one.
-    [[nodiscard]] const std::vector<StageKey>& passesOf(std::string_view technique) const;
+    /// while the picture is still another technique's, or of a scene with other lights, as it may be for long: a small window has
+    /// no room for a new one, and from outside no passes run.
+    [[nodiscard]] const std::vector<StageKey>& passesOf(std::string_view technique, const scene::Scene& scene) const;
     [[nodiscard]] double progress() const { return progress_; } ///< 0..1 of what the technique prepares
     /// 0..1 of what it draws; while pictures are not refined, of the first whole one.
     [[nodiscard]] double drawnShare() const { return rendered_.drawn; }
@@ -93,7 +94,7 @@ public:
     void forget() { drawnFor_ = {}; }
 
 private:
-    void keepPasses(const std::string& technique, const std::vector<StageKey>& passes);
+    void keepPasses(const PaneRequest& request, const std::vector<StageKey>& passes);
     void draw(Session& session, const PictureEncoder& encoder, const PaneRequest& request, const PaneWork& work);
     bool drawOutside(Session& session, const PictureEncoder& encoder, const PaneRequest& request, Slot& slot,
                      const PaneWork& work);
@@ -107,8 +108,9 @@ private:
     PaneRequest drawnFor_;
     bool isDrawn_ = false; ///< rendered_ is of drawnFor_, and not of what was asked for before
     std::vector<StageKey> passes_;
-    std::string passesTechnique_; ///< whose they are
-    PaneState drawn_;             ///< of the picture
+    std::string passesTechnique_;           ///< whose they are
+    std::vector<std::string> passesLights_; ///< of the scene they ran for; they name lights by number
+    PaneState drawn_;                       ///< of the picture
     std::string failure_;
     double progress_ = 1;
     bool converged_ = true, timed_ = false;

@@ -39,6 +39,9 @@ void refusePlugin(const std::filesystem::path& file, const std::string& whatAndM
 }
 
 void requirePluginFile(const std::filesystem::path& file) {
+    for (const std::string_view word : {"$ORIGIN", "${ORIGIN}", "$LIB", "${LIB}", "$PLATFORM", "${PLATFORM}"})
+        if (file.native().find(word) != std::string::npos)
+            refusePlugin(file, std::string(word) + " stands for something else where libraries are loaded; rename it");
     std::error_code failed;
     const auto status = std::filesystem::status(file, failed);
     if (!std::filesystem::exists(status))

@@ -9,7 +9,11 @@ namespace shadowlab::session {
 
 void SceneLoader::begin(const std::string& nameOrPath) {
     wanted_ = nameOrPath;
-    running_.push_back(std::async(std::launch::async, [nameOrPath, options = options_] {
+    if (!running_) start();
+}
+
+void SceneLoader::start() {
+    running_ = std::async(std::launch::async, [nameOrPath = wanted_, options = options_] {
         Result result{nameOrPath, nullptr, ""};
         try {
             result.scene = scene::loadScene(nameOrPath, options);
@@ -19,22 +23,19 @@ void SceneLoader::begin(const std::string& nameOrPath) {
             result.fault = fault.what();
         }
         return result;
-    }));
+    });
 }
 
 std::optional<SceneLoader::Result> SceneLoader::take() {
-    std::optional<Result> arrived;
-    for (auto one = running_.begin(); one != running_.end();) {
-        if (one->wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-            ++one;
-            continue;
-        }
-        Result result = one->get();
-        one = running_.erase(one);
-        if (result.nameOrPath == wanted_) arrived = std::move(result);
+    if (!running_ || running_->wait_for(std::chrono::seconds(0)) != std::future_status::ready) return {};
+    Result result = running_->get();
+    running_.reset();
+    if (result.nameOrPath != wanted_) { // another was asked for meanwhile
+        start();
+        return {};
     }
-    if (arrived) wanted_.clear();
-    return arrived;
+    wanted_.clear();
+    return result;
 }
 
 } // namespace shadowlab::session

@@ -19,7 +19,7 @@ public:
 
     explicit SceneLoader(scene::LoadOptions options) : options_(std::move(options)) {}
 
-    /// Begins to load. What was asked for before and is not there yet is forgotten when it comes.
+    /// Begins to load, or does so when what was asked for before is there, which is then forgotten: the limit of memory is for one.
     void begin(const std::string& nameOrPath);
     /// What is asked for and not there yet; empty: nothing.
     [[nodiscard]] const std::string& loading() const { return wanted_; }
@@ -27,9 +27,11 @@ public:
     std::optional<Result> take();
 
 private:
+    void start();
+
     scene::LoadOptions options_;
     std::string wanted_;
-    std::vector<std::future<Result>> running_; ///< their destructors wait: a loader does not outlive its files' limits
+    std::optional<std::future<Result>> running_; ///< its destructor waits: a loader does not outlive its files' limits
 };
 
 } // namespace shadowlab::session

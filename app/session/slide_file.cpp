@@ -11,7 +11,9 @@
 #include "app/session/derived_stages.h"
 #include "app/session/limits.h"
 #include "app/session/stepping.h"
+#include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
 #include "techniques/foundation/scene/file_access.h"
 #include "techniques/foundation/scene/json_value.h"
 #include "techniques/foundation/scene/write_scene.h"
@@ -174,7 +176,9 @@ SavedSlide saveSlide(const Document& document, const scene::Scene& shown, const 
     SavedSlide saved{folder / kSavedDeck, {}, {}};
     std::string text = "{\n  \"title\": \"Slides\",\n  \"slides\": [\n  ]\n}\n";
     std::vector<std::string> names;
-    if (std::filesystem::exists(saved.deck)) {
+    const image::FolderLock alone(folder); // another window may add to it as well
+    std::error_code ignored;
+    if (std::filesystem::exists(saved.deck, ignored)) {
         names = Deck(saved.deck.string(), loading).slides();
         text = scene::readFile(saved.deck, limits().sceneFileBytes, "scene-file");
     }
@@ -187,6 +191,14 @@ SavedSlide saveSlide(const Document& document, const scene::Scene& shown, const 
     }
     image::writeWhole(saved.deck, withSlide(text, saved.deck, slideText(document, reference, saved.name)));
     return saved;
+}
+
+std::filesystem::path currentFolder() {
+    std::error_code failed;
+    std::filesystem::path folder = std::filesystem::current_path(failed);
+    if (failed)
+        throw Error(ExitStatus::cannotWrite, "the folder that the program was started in is gone; start it in another");
+    return folder;
 }
 
 } // namespace shadowlab::session

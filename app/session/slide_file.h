@@ -31,4 +31,7 @@ struct SavedSlide {
 SavedSlide saveSlide(const Document& document, const scene::Scene& shown, const std::filesystem::path& folder,
                      const scene::LoadOptions& loading);
 
+/// Where slides, scenes and pictures of the window go. Throws Error (cannotWrite) where somebody has deleted it.
+std::filesystem::path currentFolder();
+
 } // namespace shadowlab::session

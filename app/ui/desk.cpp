@@ -43,7 +43,8 @@ void step(Desk& desk, int by) {
     const int active = desk.bench.document().active;
     const session::Pane& pane = desk.bench.pane(active);
     const session::PaneState& state = desk.bench.document().panes[static_cast<std::size_t>(active)];
-    chooseStage(desk, session::stepped(state.stage, pane.passesOf(state.technique), *desk.bench.shownScene(),
+    const scene::Scene& scene = *desk.bench.shownScene();
+    chooseStage(desk, session::stepped(state.stage, pane.passesOf(state.technique, scene), scene,
                                        desk.bench.document().light, by));
 }
 
@@ -106,6 +107,14 @@ void moveCamera(Desk& desk, const std::function<scene::Camera(const scene::Camer
         desk.bench.setOutsideCamera(move(desk.bench.document().outsideCamera));
     else
         desk.bench.setCamera(move(desk.bench.document().camera));
+}
+
+void complain(Desk& desk, const std::string& fault) {
+    std::erase_if(desk.messages, [&](const Message& message) { return message.text == fault; });
+    constexpr int kMostFaults = 3;
+    while (std::ranges::count_if(desk.messages, &Message::fault) >= kMostFaults)
+        desk.messages.erase(std::ranges::find_if(desk.messages, &Message::fault));
+    desk.messages.push_back({fault, true, 0});
 }
 
 } // namespace shadowlab::ui

@@ -46,6 +46,7 @@ struct KeyPress {
 };
 
 /// A sentence over the pictures. Faults stay until they are clicked away or mended, news go by themselves.
+/// What goes wrong is told at the top of the window; the picture has to be seen below, so older messages give way.
 struct Message {
     std::string text;
     bool fault = false;
@@ -102,5 +103,8 @@ void resetCamera(Desk& desk);
 /// Which of the two cameras the active pane looks through, and hands move.
 bool looksFromOutside(const Desk& desk);
 void moveCamera(Desk& desk, const std::function<scene::Camera(const scene::Camera&)>& move);
+
+/// Tells of a fault, once.
+void complain(Desk& desk, const std::string& fault);
 
 } // namespace shadowlab::ui

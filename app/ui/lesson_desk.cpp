@@ -85,7 +85,7 @@ void openLesson(Desk& desk, const std::string& nameOrPath, bool atItsEnd) {
         if (!desk.lesson.earlier) desk.lesson.earlier = desk.bench.document();
         desk.lesson.now = std::move(lesson);
     } catch (const Error& fault) {
-        desk.messages.push_back({fault.what(), true, 0});
+        complain(desk, fault.what());
         return;
     }
     const std::vector<LessonStep> steps = stepsOf(*desk.lesson.now);

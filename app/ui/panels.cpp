@@ -117,7 +117,8 @@ void animationPart(Desk& desk, const Theme& theme) {
     float speed = static_cast<float>(animation.speed);
     ImGui::SetNextItemWidth(-theme.em * 4);
     if (ImGui::SliderFloat("speed", &speed, static_cast<float>(session::kSlowest),
-                           static_cast<float>(session::kFastest), "%.2g x", ImGuiSliderFlags_Logarithmic))
+                           static_cast<float>(session::kFastest), "%.2g x",
+                           ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp)) // Ctrl+click takes any number
         desk.bench.setAnimation([&](session::Animation& a) { a.speed = speed; });
     hint("half as fast (,), twice as fast (.)");
 }
@@ -344,8 +345,8 @@ float stepPanelHeight(const Desk& desk, const Theme& theme, float width) {
 void stepPanel(Desk& desk, const Area& area, const Theme& theme) {
     const session::Document& document = desk.bench.document();
     const session::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
-    const std::vector<StageKey>& passes = desk.bench.pane(document.active).passesOf(state.technique);
     const scene::Scene& scene = *desk.bench.shownScene();
+    const std::vector<StageKey>& passes = desk.bench.pane(document.active).passesOf(state.technique, scene);
     const auto now = session::stepOf(state.stage, passes, scene, document.light);
     beginIn("step", area, ImGuiWindowFlags_NoNav);
     if (!now) {

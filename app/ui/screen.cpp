@@ -19,7 +19,6 @@ namespace shadowlab::ui {
 
 namespace {
 
-constexpr int kMostFaults = 3;            ///< messages at a time; older ones give way
 constexpr double kBetweenTimes = 1.5;     ///< seconds, while something moves
 constexpr double kRestBeforeTimes = 0.25; ///< seconds; the judge's own look at what is new comes first, and is timed
 
@@ -177,15 +176,6 @@ void Screen::drawWidgets() {
     }
     if (desk_.shown.strip) stripPanel(desk_, strip_, {{0, below}, {pictures.size.x, size_.y - below}}, theme_);
     if (desk_.shown.keys) keyOverlay(size_, theme_);
-}
-
-void Screen::complain(const std::string& fault) {
-    for (const Message& message : desk_.messages)
-        if (message.text == fault) return;
-    // The picture has to be seen below them.
-    while (std::ranges::count_if(desk_.messages, &Message::fault) >= kMostFaults)
-        desk_.messages.erase(std::ranges::find_if(desk_.messages, &Message::fault));
-    desk_.messages.push_back({fault, true, 0});
 }
 
 void Screen::withdraw(const std::string& beginning) {

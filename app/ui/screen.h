@@ -54,7 +54,7 @@ public:
     [[nodiscard]] const std::vector<std::string>& ran() const { return ran_; }
 
     void say(const std::string& news) { desk_.messages.push_back({news, false, clock_ + 6}); }
-    void complain(const std::string& fault);
+    void complain(const std::string& fault) { ui::complain(desk_, fault); }
     [[nodiscard]] const std::vector<Message>& messages() const { return desk_.messages; }
     /// Takes back a fault that has been mended.
     void withdraw(const std::string& beginning);

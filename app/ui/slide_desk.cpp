@@ -31,9 +31,10 @@ void showStop(Desk& desk) {
     desk.bench.showDocument(on.stops[on.stop].document);
 }
 
-void complain(Desk& desk, const std::string& fault) {
-    std::erase_if(desk.messages, [&](const Message& message) { return message.text == fault; });
-    desk.messages.push_back({fault, true, 0});
+/// The deck as it is now. Somebody may have made it shorter.
+void replaceDeck(SlideDesk& on, const std::filesystem::path& file) {
+    on.deck.emplace(file.string(), on.loading);
+    on.at = std::min(on.at, on.deck->slides().size() - 1);
 }
 
 } // namespace
@@ -98,14 +99,14 @@ void leaveSlides(Desk& desk) {
 void saveAsSlide(Desk& desk) {
     try {
         const session::SavedSlide saved = session::saveSlide(desk.bench.document(), *desk.bench.shownScene(),
-                                                             std::filesystem::current_path(), desk.slides.loading);
+                                                             session::currentFolder(), desk.slides.loading);
         desk.requests.news = "saved as slide " + saved.name + " of " + saved.deck.string() +
                              (saved.sceneFile.empty() ? "" : ", with its scene " + saved.sceneFile.filename().string());
         // Whoever goes through that very deck finds the slide at its end.
         std::error_code ignored;
         if (desk.slides.deck && std::filesystem::equivalent(desk.slides.deck->file(), saved.deck, ignored))
-            desk.slides.deck.emplace(saved.deck.string(), desk.slides.loading);
-    } catch (const Error& fault) {
+            replaceDeck(desk.slides, saved.deck);
+    } catch (const std::exception& fault) {
         complain(desk, fault.what());
     }
 }

@@ -146,11 +146,12 @@ void SourcePanel::update(Desk& desk) {
     const session::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
     session::Pane& pane = desk.bench.pane(document.active);
     const TechniqueInfo& info = findTechnique(state.technique);
-    const auto now =
-        session::stepOf(state.stage, pane.passesOf(state.technique), *desk.bench.shownScene(), document.light);
+    const scene::Scene& scene = *desk.bench.shownScene();
+    const std::vector<StageKey>& passes = pane.passesOf(state.technique, scene);
+    const auto now = session::stepOf(state.stage, passes, scene, document.light);
     const session::PickedPixel& picked = desk.bench.pickedPixel();
     const bool isKnown = picked.askedFor.view.picked && picked.askedFor.state.technique == state.technique;
-    shown_ = session::stepSource(info, now ? &passInfo(info.passes, pane.passesOf(state.technique)[*now].id) : nullptr,
+    shown_ = session::stepSource(info, now ? &passInfo(info.passes, passes[*now].id) : nullptr,
                                  pane.slotFor(state).params, *source_, isKnown ? &picked.probe : nullptr);
 }
 

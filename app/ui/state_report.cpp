@@ -59,9 +59,10 @@ std::string stateReport(Desk& desk, const Screen& screen) {
                                   {"direction", numbers(light.directionWorld)}});
     using Kind = session::Selection::Kind;
     const auto index = static_cast<std::size_t>(desk.selection.index);
-    json["selection"] = desk.selection.kind == Kind::light    ? scene.lights[index].name
-                        : desk.selection.kind == Kind::object ? scene.objects[index].name
-                                                              : std::string();
+    // What is undone may take what is selected away.
+    const bool isLight = desk.selection.kind == Kind::light && index < scene.lights.size();
+    const bool isObject = desk.selection.kind == Kind::object && index < scene.objects.size();
+    json["selection"] = isLight ? scene.lights[index].name : isObject ? scene.objects[index].name : std::string();
     const session::PickedPixel& picked = desk.bench.pickedPixel();
     json["picked"] = nullptr;
     json["partner"] = nullptr;

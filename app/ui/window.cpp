@@ -20,12 +20,14 @@
 #include "app/session/own_program.h"
 #include "app/session/scene_loader.h"
 #include "app/session/shader_watch.h"
+#include "app/session/slide_file.h"
 #include "app/session/window_settings.h"
 #include "app/ui/screen.h"
 #include "app/ui/state_report.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/gl/debug.h"
 #include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
 #include "techniques/foundation/scene/message_text.h"
 #include "techniques/foundation/scene/write_scene.h"
 
@@ -187,9 +189,10 @@ private:
             any = true;
             screen_->withdraw("saving ");
             if (ended->status == 0)
-                screen_->say("saved " + ended->words[3] + " and beside it the scene and the command line");
+                screen_->say("saved " + scene::shown(ended->words[3]) +
+                             " and beside it the scene and the command line");
             else
-                screen_->complain("the picture was not saved: " + ended->message);
+                discardScreenshot(*ended);
         }
         if (watch_.changed()) {
             any = true;
@@ -203,7 +206,8 @@ private:
         if (!requests.scene.empty()) {
             if (!loadFault_.empty()) screen_->withdraw(std::exchange(loadFault_, {})); // one such message is enough
             loader_.begin(requests.scene);
-            screen_->say("loading " + requests.scene);
+            screen_->withdraw("loading ");
+            screen_->say("loading " + scene::shown(requests.scene));
             requests.scene.clear();
         }
         if (std::exchange(requests.saveScene, false)) saveScene();
@@ -230,7 +234,7 @@ private:
     [[nodiscard]] std::filesystem::path freeName(const std::vector<std::string>& endings) const {
         const std::string stem = desk_->bench.shownScene()->name;
         for (int number = 1;; ++number) {
-            const std::filesystem::path path = std::filesystem::current_path() / (stem + "-" + std::to_string(number));
+            const std::filesystem::path path = session::currentFolder() / (stem + "-" + std::to_string(number));
             const bool taken = std::ranges::any_of(endings, [&](const std::string& ending) {
                 std::error_code ignored;
                 return std::filesystem::exists(path.string() + ending, ignored);
@@ -240,15 +244,15 @@ private:
     }
 
     [[nodiscard]] std::string sceneText() const {
-        return scene::sceneText(*desk_->bench.shownScene(), desk_->bench.document().camera,
-                                std::filesystem::current_path());
+        return scene::sceneText(*desk_->bench.shownScene(), desk_->bench.document().camera, session::currentFolder());
     }
 
     void saveScene() {
         try {
+            const image::FolderLock alone(session::currentFolder()); // two windows choose two names
             const std::filesystem::path file = freeName({".json"}).string() + ".json";
             image::writeWhole(file, sceneText());
-            screen_->say("saved " + file.string());
+            screen_->say("saved " + scene::shownPath(file));
         } catch (const std::exception& fault) {
             screen_->complain(fault.what());
         }
@@ -256,19 +260,33 @@ private:
 
     void saveScreenshot() {
         try {
+            const ivec2 size = screen_->pictureSize();
+            if (std::min(size.x, size.y) < 1)
+                throw Error(ExitStatus::usage, "there is no room for a picture in this window; make it larger");
+            const image::FolderLock alone(session::currentFolder());
             const std::string stem = freeName({".json", ".png", ".txt"}).string();
             image::writeWhole(stem + ".json", sceneText());
             std::vector<std::string> words =
-                session::captureWords(desk_->bench.document(), stem + ".json", stem + ".png", screen_->pictureSize());
-            for (const std::filesystem::path& folder : scene::foldersToAllow(
-                     *desk_->bench.shownScene(), std::filesystem::current_path(), session::assetsRoot()))
+                session::captureWords(desk_->bench.document(), stem + ".json", stem + ".png", size);
+            for (const std::filesystem::path& folder :
+                 scene::foldersToAllow(*desk_->bench.shownScene(), session::currentFolder(), session::assetsRoot()))
                 words.insert(words.end(), {"--allow", folder.string()});
             image::writeWhole(stem + ".txt", "shadowlab " + session::asCommandLine(words) + "\n");
-            screen_->say("saving " + stem + ".png");
+            screen_->say("saving " + scene::shownPath(stem + ".png"));
             program_.start(std::move(words));
         } catch (const std::exception& fault) {
             screen_->complain(fault.what());
         }
+    }
+
+    /// Without the picture the scene and the command line beside it are of no use.
+    void discardScreenshot(const session::OwnProgram::Ended& ended) {
+        std::error_code ignored;
+        for (const char* ending : {".json", ".txt"})
+            std::filesystem::remove(std::filesystem::path(ended.words[3]).replace_extension(ending), ignored);
+        constexpr std::string_view kProgram = "shadowlab: ";
+        const std::size_t begin = ended.message.starts_with(kProgram) ? kProgram.size() : 0;
+        screen_->complain("the picture was not saved: " + ended.message.substr(begin));
     }
 
     void toggleFullScreen() {
@@ -301,13 +319,24 @@ private:
 
     void drop(int count, const char** paths) {
         for (int i = 0; i < count; ++i) {
-            const std::filesystem::path path = std::filesystem::absolute(paths[i]);
+            const std::string dropped = scene::shown(paths[i]);
+            if (dropped.find("://") != std::string::npos) {
+                screen_->complain(dropped + ": is an address and no file; save it, and drop the file");
+                continue;
+            }
+            std::error_code failed;
+            const std::filesystem::path path = std::filesystem::absolute(paths[i], failed);
+            if (failed) {
+                screen_->complain(dropped + ": cannot be found: " + failed.message() + "; drop it from another folder");
+                continue;
+            }
             std::string ending = path.extension().string();
             std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
             if (ending == ".json" || ending == ".obj")
                 desk_->requests.scene = path.string();
             else
-                screen_->complain(path.string() + ": neither a .json scene nor an .obj mesh; drop one of these");
+                screen_->complain(scene::shownPath(path) +
+                                  ": neither a .json scene nor an .obj mesh; drop one of these");
         }
     }
 

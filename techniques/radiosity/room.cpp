@@ -51,6 +51,7 @@ bool Room::advance(std::chrono::steady_clock::time_point deadline) {
 }
 
 void Room::simplify() {
+    requireMemoryToSimplify(scene_);
     simple_ = simplifiedScene(scene_, static_cast<std::size_t>(kShareOfFaces * static_cast<double>(settings_.patches)));
     world_ = trace::worldTriangles(*simple_->scene);
     plain_ = facesOf(*simple_->scene, world_);

@@ -19,6 +19,13 @@ def with_material(statements):
 USES = "mtllib m.mtl\nusemtl a\n" + FACE + "f 1 2 3\n"
 
 MESHES = [
+    *[refused_mesh(f"a coordinate beyond all numbers, written {number[:12]}", f"v {number} 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "m.obj:1", "finite")
+      for number in ("0.1e400", ".1e400", "-0.1e999", "1" + 400 * "0" + ".5e-10", "1e99999999999999999999")],
+    drawn_mesh("coordinates nearer to zero than all numbers", "v 1e-400 -0.1e-400 0." + 400 * "0" + "1\nv 1 0 0\nv 0 1e-99999999999999999999 1\nf 1 2 3\n"),
+    drawn_mesh("a material file that is named ten thousand times", "mtllib" + 10000 * " m.mtl" + "\n" + FACE + "usemtl m7\nf 1 2 3\n",
+               files={"m.mtl": "".join(f"newmtl m{i}\n" for i in range(100))}),
+    Row("more materials than memory", {"m.obj": "mtllib m.mtl\n" + FACE + "f 1 2 3\n", "m.mtl": "".join(f"newmtl m{i}\n" for i in range(40000))},
+        ["capture", "m.obj", "-o", "x.png", "--limit", "memory=300000000"], 6, ["m.mtl: for 40000 materials", "--limit memory"]),
     refused_mesh("an index beyond the last vertex", FACE + "f 1 2 9\n", "m.obj:4:", "9", "3"),
     refused_mesh("the largest 32-bit index", FACE + "f 1 2 2147483647\n", "m.obj:4:", "2147483647"),
     refused_mesh("an index that overflows 32 bits", FACE + "f 1 2 99999999999\n", "m.obj:4:"),

@@ -3,7 +3,7 @@
 import os
 from pathlib import Path
 
-from references import HOLES, dot
+from references import HOLES, cut_dot, dot
 from row import BOX, FACE, LIGHT, Row, scene
 
 SCENE = {"s.json": scene()}
@@ -93,6 +93,14 @@ OUTPUTS = [
             files={"l.json": lesson("acne"), "l.png": link_to("l.json")}),
     refused("materials for their picture, through a link", ["capture", "m.obj", "-o", "m.png", "--size", "32x24"], 2, "m.png", "that is read",
             files={"m.obj": "mtllib m.mtl\n" + FACE + "f 1 2 3\n", "m.mtl": "newmtl m\n", "m.png": link_to("m.mtl")}),
+    refused("a mask that cannot be read, for its picture", ["capture", "m.obj", "-o", "a.png", "--size", "32x24"], 2, "a.png", "that is read",
+            files={"m.obj": "mtllib m.mtl\n" + FACE + "usemtl m\nf 1 2 3\n", "m.mtl": "newmtl m\nmap_d a.png\n", "a.png": cut_dot()}),
+    Row("a mask for a later picture", {"s.json": HOLES.replace("a.png", "f_3.png"), "f_3.png": dot()},
+        ["capture", "s.json", "-o", "f_#.png", "--frames", "3", "--size", "32x24"], 2, ["f_3.png", "that is read"]),
+    refused("a plug-in whose name means something else to the loader", capture_to("x.png", "--plugin", "$ORIGIN.so"), 3, "rename",
+            files={"$ORIGIN.so": "no library"}),
+    refused("half a surrogate pair in a name", ["capture", "\udced\udca0\udc80.obj", "-o", "x.png"], 3, "\\xed\\xa0\\x80"),
+    refused("measuring without a light", ["measure", "d.json", "--size", "64x48"], 3, "d.json: has no light", files={"d.json": scene(lights="")}),
     refused("a plug-in for a picture, through a link", capture_to("x.png", "--plugin", "p.so"), 3, "p.so", "no shared library",
             files={"p.so": "no library", "x.png": link_to("p.so")}),
     refused("a plug-in that cannot be read to its end", capture_to("x.png", "--plugin", "/proc/self/mem"), 3, "/proc/self/mem"),

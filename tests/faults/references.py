@@ -23,6 +23,11 @@ def dot():
     return picture_of(1)
 
 
+def cut_dot():
+    """The same, damaged."""
+    return dot()[:40]
+
+
 def picture_of(side, height=None, interlaced=0):
     """A PNG that says it has so many pixels on a side, and has one."""
     def chunk(kind, content):

@@ -19,6 +19,8 @@ def objects(text):
 
 
 SCENES = [
+    *[drawn_scene(f"an exposure that pictures cannot hold, {exposure}", scene(more=f'\n"exposure": {exposure}'), "s.json:2:13: ", "half floats")
+      for exposure in ("1e-8", "1e6")],
     refused_scene("an empty scene", "", "s.json:1:1"),
     refused_scene("a scene of blanks", "  \n\t ", "s.json:"),
     refused_scene("a list for a scene", "[]", "s.json:1:"),

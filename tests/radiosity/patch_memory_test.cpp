@@ -34,6 +34,14 @@ std::uint64_t patchesOf(const RadiosityParams& params) {
     return kept.room().patches().size();
 }
 
+TEST(PatchMemory, ManyTrianglesTakeTheirsBeforeThereArePatches) {
+    constexpr std::uint64_t kTaken = 160'000'000;
+    const std::uint64_t triangles = scene::triangleCount(emptyRoom({1, 1, 1}));
+    ASSERT_GE(triangles, 12u);
+    const std::string said = refusalOf({kTaken, kTaken + triangles * kBytesPerTriangleSimplified - 1}, {});
+    EXPECT_NE(said.find(" triangles, for which some 161 MB of memory are needed"), std::string::npos) << said;
+}
+
 TEST(PatchMemory, ExactlyWhatTheLimitLeaves) {
     using enum SolverKind;
     constexpr std::uint64_t kTaken = 160'000'000;

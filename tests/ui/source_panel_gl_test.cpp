@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "app/session/assets.h"
+#include "app/session/limits.h"
 #include "app/session/stepping.h"
 #include "app/ui/screen.h"
 #include "techniques/foundation/gl/program.h"
@@ -54,7 +55,8 @@ TEST_F(SourcePanelTest, EveryStepOfEveryTechniqueShowsItsLines) {
     for (const RegisteredTechnique& technique : registeredTechniques()) {
         if (technique.info->id == "radiosity") continue; // its form factors take long, and it draws no other panel
         show(std::string(technique.info->id), "");
-        for (const StageKey& pass : std::vector(desk->bench.pane(0).passesOf(technique.info->id))) {
+        for (const StageKey& pass :
+             std::vector(desk->bench.pane(0).passesOf(technique.info->id, *desk->bench.shownScene()))) {
             show(std::string(technique.info->id), session::passStage(pass, *desk->bench.shownScene()));
             const session::StepSource& step = screen->stepSource();
             EXPECT_FALSE(step.pieces.empty()) << technique.info->id << " " << pass.id;
@@ -78,7 +80,7 @@ TEST_F(SourcePanelTest, NoStepOfOneTechniqueIsTakenForOneOfAnother) {
     show("shadow-map", "pass:lights-off");
     EXPECT_FALSE(screen->stepSource().pieces.empty());
     ui::chooseTechnique(*desk, "radiosity");
-    EXPECT_TRUE(desk->bench.pane(0).passesOf("radiosity").empty());
+    EXPECT_TRUE(desk->bench.pane(0).passesOf("radiosity", *desk->bench.shownScene()).empty());
     ui::step(*desk, 1);
     EXPECT_EQ(desk->bench.document().panes[0].stage, "");
     show("radiosity", "pass:lights-off"); // which nothing in the window asks for any more
@@ -88,6 +90,26 @@ TEST_F(SourcePanelTest, NoStepOfOneTechniqueIsTakenForOneOfAnother) {
     EXPECT_EQ(desk->bench.document().panes[0].stage, "pass:lights-off");
     drawn();
     EXPECT_FALSE(screen->stepSource().pieces.empty());
+}
+
+// Passes name lights by number. From outside, and in a window without room for a picture, none run for a new scene.
+TEST_F(SourcePanelTest, NoStepOfASceneWithMoreLightsIsTaken) {
+    const auto scene = [](const std::string& name) {
+        return scene::loadScene(name,
+                                {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = session::limits()});
+    };
+    desk->bench.showScene(scene("three-lights"), "three-lights");
+    show("shadow-map", "");
+    const std::vector<StageKey> passes = desk->bench.pane(0).passesOf("shadow-map", *desk->bench.shownScene());
+    ASSERT_TRUE(std::ranges::any_of(passes, [](const StageKey& pass) { return pass.light == 2; }));
+    ui::toggleSource(*desk);
+    show("shadow-map", "outside");
+    desk->bench.showScene(scene("still-life"), "still-life");
+    ASSERT_LT(desk->bench.shownScene()->lights.size(), 3u);
+    EXPECT_TRUE(desk->bench.pane(0).passesOf("shadow-map", *desk->bench.shownScene()).empty());
+    ui::step(*desk, 1);
+    drawn();
+    EXPECT_TRUE(screen->messages().empty());
 }
 
 TEST_F(SourcePanelTest, ThePictureMakesRoomForItAndTheSettingsToo) {

@@ -13,6 +13,7 @@
 #include "techniques/foundation/gl/shader_text.h"
 #include "techniques/foundation/nearest_names.h"
 #include "techniques/foundation/scene/file_access.h"
+#include "techniques/foundation/scene/message_text.h"
 
 namespace shadowlab::gl {
 
@@ -36,7 +37,17 @@ std::optional<std::string> textOfFile(const std::string& path) {
     std::error_code failed;
     if (!std::filesystem::exists(path, failed) && !failed) return std::nullopt;
     try {
-        return scene::readFile(path, kLargestFile); // a FIFO or a device never makes it wait
+        std::string text = scene::readFile(path, kLargestFile); // a FIFO or a device never makes it wait
+        constexpr std::string_view kByteOrderMark =
+            "\xEF\xBB\xBF"; // some editors begin with one; compilers stumble over it
+        if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+        if (const std::size_t nul = text.find('\0'); nul != std::string::npos)
+            throw Error(ExitStatus::badInput,
+                        scene::shownPath(path) + ":" +
+                            std::to_string(
+                                1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n')) +
+                            ": holds a NUL byte, so it is no text; save it again");
+        return text;
     } catch (const Error& fault) {
         throw Error(ExitStatus::badInput, fault.what());
     }

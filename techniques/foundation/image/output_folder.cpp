@@ -7,7 +7,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <string>
+#include <thread>
 
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/image/output_error.h"
@@ -37,6 +39,20 @@ void makeFolders(const fs::path& folder) {
         fs::create_directories(folder, failed);
     } while (failed.value() == EINTR);
     if (failed) throw Error(ExitStatus::cannotWrite, outputErrorText(folder, failed.value(), false));
+}
+
+FolderLock::FolderLock(const fs::path& folder)
+    : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    constexpr int kTries = 200;
+    constexpr std::chrono::milliseconds kPause(10);
+    for (int i = 0; descriptor_ >= 0 && i < kTries; ++i) {
+        if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || (errno != EWOULDBLOCK && errno != EINTR)) return;
+        std::this_thread::sleep_for(kPause);
+    }
+}
+
+FolderLock::~FolderLock() {
+    if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 OutputFolder::OutputFolder(const fs::path& target) : target_(target) {

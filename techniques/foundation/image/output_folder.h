@@ -10,6 +10,19 @@ namespace shadowlab::image {
 /// Makes a folder, and those above it that are not there. Throws Error (cannotWrite) with the reason and the mend.
 void makeFolders(const std::filesystem::path& folder);
 
+/// Keeps other runs of the program that ask for the same out of a folder while a free name is chosen there and taken. Best effort:
+/// who holds it for two seconds has been stopped, and file systems without locks have none.
+class FolderLock {
+public:
+    explicit FolderLock(const std::filesystem::path& folder);
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+private:
+    int descriptor_ = -1;
+};
+
 /// A new folder on its way. Destroyed before commit(), it leaves nothing behind.
 class OutputFolder {
 public:

@@ -36,6 +36,7 @@ std::vector<std::uint8_t> encodeGreyAlpha(int width, int height, std::span<const
 struct PngLimits {
     std::uint32_t side = 16384;             ///< pixels, each of width and height
     std::uint64_t fileBytes = 256ull << 20; ///< enough for an incompressible 8192 x 8192 RGB picture
+    bool withTexts = true;                  ///< else they are passed over: a kilobyte of them may unpack to megabytes
 };
 
 struct DecodedPng {

@@ -48,13 +48,16 @@ struct Reader {
 };
 
 /// Everything up to the pixels.
-bool readHeader(const Reader& reader, Source& source) {
+bool readHeader(const Reader& reader, Source& source, bool withTexts) {
     const png_structp png = reader.png;
+    constexpr png_byte kTexts[] = "tEXt\0zTXt\0iTXt\0iCCP"; // the last one is compressed, too
+    constexpr int kTextKinds = 4;
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_read_fn(png, &source, takeBytes);
     png_set_user_limits(png, 0x7fffffff, 0x7fffffff); // the size is judged by our own limits, with our own message
     png_set_chunk_malloc_max(png, 8u << 20);          // a text chunk that unpacks to more is an attack, not a caption
     png_set_chunk_cache_max(png, 128);
+    if (!withTexts) png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, kTexts, kTextKinds);
     png_read_info(png, reader.info);
     return true;
 }
@@ -109,7 +112,7 @@ PngSize judgedSize(const Reader& reader, Source& source, std::string_view name, 
     constexpr std::size_t kSignatureBytes = 8;
     if (source.left < kSignatureBytes || png_sig_cmp(source.next, 0, kSignatureBytes) != 0)
         badPng(name, "it does not start like one");
-    if (!readHeader(reader, source)) badPng(name, reader.failure.message);
+    if (!readHeader(reader, source, limits.withTexts)) badPng(name, reader.failure.message);
     const PngSize size{png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info)};
     if (size.width > limits.side || size.height > limits.side)
         throw Error(ExitStatus::overLimit, std::string(name) + ": " + std::to_string(size.width) + " x " +
@@ -123,7 +126,9 @@ PngSize judgedSize(const Reader& reader, Source& source, std::string_view name, 
 PngSize pngSize(std::span<const std::uint8_t> bytes, std::string_view name, const PngLimits& limits) {
     const Reader reader;
     Source source{bytes.data(), bytes.size()};
-    return judgedSize(reader, source, name, limits);
+    PngLimits sizeAlone = limits;
+    sizeAlone.withTexts = false;
+    return judgedSize(reader, source, name, sizeAlone);
 }
 
 DecodedPng decodePng(std::span<const std::uint8_t> bytes, std::string_view name, const PngLimits& limits) {

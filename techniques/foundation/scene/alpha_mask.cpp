@@ -68,18 +68,28 @@ bool AlphaMask::isHole(dvec2 texcoord) const {
 }
 
 std::shared_ptr<const AlphaMask> AlphaMasks::load(const std::filesystem::path& canonical, const Limits& limits) {
-    std::shared_ptr<const AlphaMask>& mask = known_[canonical];
-    if (mask) return mask;
+    if (const auto found = known_.find(canonical); found != known_.end()) return found->second;
+    if (const auto found = failed_.find(canonical); found != failed_.end()) throw found->second;
+    image::keepInput(canonical); // also where it cannot be read: it was meant to be
+    try {
+        return known_[canonical] = read(canonical, limits);
+    } catch (const Error& error) {
+        failed_.emplace(canonical, error);
+        throw;
+    }
+}
+
+std::shared_ptr<const AlphaMask> AlphaMasks::read(const std::filesystem::path& canonical, const Limits& limits) {
     const std::string text = readFile(canonical, limits.imageFileBytes, "image-file");
     const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-    const image::PngLimits pngLimits{.side = limits.imageSide, .fileBytes = limits.imageFileBytes};
+    const image::PngLimits pngLimits{.side = limits.imageSide, .fileBytes = limits.imageFileBytes, .withTexts = false};
     constexpr std::string_view kNoName;
     Limits soFar = limits;
     soFar.texels += texels_;
     requireMemoryFor(nameless([&] { return image::pngSize(bytes, kNoName, pngLimits); }), bytes.size(), soFar);
-    mask = std::make_shared<const AlphaMask>(nameless([&] { return image::decodePng(bytes, kNoName, pngLimits); }));
+    auto mask =
+        std::make_shared<const AlphaMask>(nameless([&] { return image::decodePng(bytes, kNoName, pngLimits); }));
     texels_ += mask->texels().size();
-    image::keepInput(canonical);
     return mask;
 }
 

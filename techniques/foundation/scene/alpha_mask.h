@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "techniques/foundation/error.h"
 #include "techniques/foundation/math/types.h"
 
 namespace shadowlab::image {
@@ -44,7 +45,11 @@ public:
     std::shared_ptr<const AlphaMask> load(const std::filesystem::path& canonical, const Limits& limits);
 
 private:
+    std::shared_ptr<const AlphaMask> read(const std::filesystem::path& canonical, const Limits& limits);
+
     std::map<std::filesystem::path, std::shared_ptr<const AlphaMask>> known_;
+    std::map<std::filesystem::path, Error>
+        failed_;               ///< what was wrong with those that are none: many materials may name one
     std::uint64_t texels_ = 0; ///< of them all
 };
 

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "techniques/foundation/scene/memory_estimate.h"
@@ -55,6 +57,11 @@ struct ObjFile {
     std::vector<Material> materials; ///< of the MTL files, named as MeshPart::materialName
     std::vector<std::string> notes;
 };
+/// Which material has a name: the first of `materials`. A mesh may have as many parts as materials, so nobody searches them one by
+/// one. The names are those of `materials`, which has to stay as it is.
+using MaterialsByName = std::unordered_map<std::string_view, std::uint32_t>;
+MaterialsByName materialsByName(const std::vector<Material>& materials);
+
 ObjFile loadObj(const std::filesystem::path& file, NormalMode mode, const LoadOptions& options);
 
 /// A bare mesh made presentable: on a floor, one key light, a camera that frames it.

@@ -20,10 +20,10 @@ void addNotes(const ObjScan& scan, const std::filesystem::path& file, ObjFile& o
         obj.notes.push_back(name + ":" + std::to_string(scan.unusableNormalLine) + ": " +
                             counted(scan.unusableNormals, "normal") +
                             " (vn) without a direction; flat normals are used there");
+    const MaterialsByName known = materialsByName(obj.materials);
     for (const MeshPart& part : obj.mesh.parts)
-        for (const Material& material : obj.materials)
-            if (const std::string note = noteOnWholePart(material, part);
-                material.name == part.materialName && !note.empty())
+        if (const auto found = known.find(part.materialName); found != known.end())
+            if (const std::string note = noteOnWholePart(obj.materials[found->second], part); !note.empty())
                 obj.notes.push_back(name + ": " + note);
     // Below this size float squares underflow in shaders, and below 1e-38 floats lose their digits.
     constexpr float kTiny = 1e-15f;
@@ -51,6 +51,13 @@ void requireMemoryFor(const std::filesystem::path& file, const Limits& limits) {
 }
 
 } // namespace
+
+MaterialsByName materialsByName(const std::vector<Material>& materials) {
+    MaterialsByName byName;
+    for (std::uint32_t i = 0; i < materials.size(); ++i)
+        byName.try_emplace(materials[i].name, i);
+    return byName;
+}
 
 ObjFile loadObj(const std::filesystem::path& file, NormalMode mode, const LoadOptions& options) {
     requireMemoryFor(file, options.limits);

@@ -52,6 +52,10 @@ std::uint64_t memoryForMeshFile(std::uint64_t fileBytes, const Limits& limits) {
     return memorySoFar(limits) + fileBytes * kBytesPerMeshByte;
 }
 
+std::uint64_t memoryForMaterials(std::uint64_t materials, const Limits& limits) {
+    return memorySoFar(limits) + materials * kBytesPerMaterial;
+}
+
 std::uint64_t memoryForAlphaMap(std::uint64_t texels, std::uint64_t fileBytes, const Limits& limits) {
     return memorySoFar(limits) + texels * kBytesPerTexelRead + fileBytes;
 }

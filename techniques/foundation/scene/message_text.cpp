@@ -20,6 +20,10 @@ std::size_t sequenceLength(std::string_view text) {
     if (length > text.size()) return 0;
     for (std::size_t i = 1; i < length; ++i)
         if ((byte(i) & 0xc0) != 0x80) return 0;
+    // Longer than need be, a half of a surrogate pair, or beyond the last code point (The Unicode Standard, table 3-7).
+    if ((byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xed && byte(1) > 0x9f) ||
+        (byte(0) == 0xf0 && byte(1) < 0x90) || (byte(0) == 0xf4 && byte(1) > 0x8f))
+        return 0;
     return length;
 }
 

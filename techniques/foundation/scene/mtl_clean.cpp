@@ -94,6 +94,7 @@ private:
         inMaterial_ = true;
         material_ = name;
         // Defaults first: a later statement of the file replaces them. 0.8 is the scene's default grey.
+        ++result_.materials;
         result_.text += "newmtl " + name + "\nKd 0.8 0.8 0.8\nNs 32\nNi 1.5\n";
     }
 

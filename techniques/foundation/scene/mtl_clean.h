@@ -2,6 +2,7 @@
 // tinyobjloader then reads. Everything else (other maps, PBR extensions, illum ...) is left out.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -14,6 +15,7 @@ namespace shadowlab::scene {
 
 struct CleanMtl {
     std::string text;
+    std::uint64_t materials = 0; ///< newmtl statements, also those that repeat a name: tinyobjloader keeps them all
     std::map<std::string, std::string> alphaMapPlaces; ///< of a material that names one: "FILE:LINE" of its map_d
 };
 

@@ -5,6 +5,7 @@
 #include "techniques/foundation/scene/obj_faces.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <unordered_set>
 
@@ -37,6 +38,10 @@ public:
         bool found = false;
         for (const std::string& name : candidates(library)) {
             const std::filesystem::path path = allowed(name, library);
+            if (!read_.insert(*folders_.resolve(name)).second) { // one line may name it ten thousand times
+                found = true;
+                continue;
+            }
             std::error_code ignored;
             const std::filesystem::file_status status = std::filesystem::status(path, ignored);
             if (!std::filesystem::exists(status)) {
@@ -53,6 +58,7 @@ public:
             const std::string text = readFile(path, options_.limits.materialFileBytes, "material-file");
             image::keepInput(path);
             CleanMtl clean = cleanMtl(text, path, options_.limits, notes_);
+            requireMemoryFor(materials_ += clean.materials, path);
             std::istringstream statements(std::move(clean.text));
             tinyobj::LoadMtl(materialIndex, materials, &statements, warning, error);
             alphaMapPlaces_.merge(clean.alphaMapPlaces); // as for the materials, the first library to define one counts
@@ -88,6 +94,14 @@ private:
                     place(library) + ": material file \"" + shown(name) + "\" " + std::string(kOutsideMessage));
     }
 
+    void requireMemoryFor(std::uint64_t materials, const std::filesystem::path& path) const {
+        const Limits& limits = options_.limits;
+        if (const std::uint64_t needed = memoryForMaterials(materials, limits); needed > limits.memoryBytes)
+            throw Error(ExitStatus::overLimit, shownPath(path) + ": for " + counted(materials, "material") + ", " +
+                                                   beyondMemory(needed, limits.memoryBytes) +
+                                                   "; leave out those that no face uses, or set --limit memory=VALUE");
+    }
+
     [[nodiscard]] std::string place(const ObjReference& library) const {
         return shownPath(file_) + ":" + std::to_string(library.line);
     }
@@ -96,6 +110,8 @@ private:
     const std::filesystem::path& file_;
     const LoadOptions& options_;
     AllowedFolders folders_;
+    std::set<std::filesystem::path> read_; ///< canonical
+    std::uint64_t materials_ = 0;          ///< of them all
     std::map<std::string, std::string> alphaMapPlaces_;
     std::vector<std::string>& notes_;
 };

@@ -43,6 +43,17 @@ ReferredFile readReference(const SceneReading& reading, const JsonObject& object
     return {std::move(path), *canonical};
 }
 
+namespace {
+
+/// Pictures are kept in half floats before exposure. Below 1/65504 their largest number is no white, and above 65504 the steps
+/// between their smallest, 6e-8, are a level of 255.
+bool isBeyondHalfFloats(float exposure) {
+    constexpr float kLargest = 65504;
+    return exposure < 1 / kLargest || exposure > kLargest;
+}
+
+} // namespace
+
 std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::filesystem::path& file,
                                             const LoadOptions& options) {
     const JsonDocument document(text, file, options.limits.jsonDepth);
@@ -58,6 +69,10 @@ std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::
     scene->ambient = top.color("ambient", reading.atLeastZero(), scene->ambient);
     scene->background = top.color("background", reading.atLeastZero(), scene->background);
     scene->exposure = static_cast<float>(top.number("exposure", reading.aboveZero(), scene->exposure));
+    if (const JsonValue* exposure = top.find("exposure"); exposure && isBeyondHalfFloats(scene->exposure))
+        scene->notes.push_back(document.place(exposure->offset) + ": \"exposure\" " + numberText(scene->exposure) +
+                               " asks for brightnesses that pictures do not hold (half floats, 6e-8 to 65504); make it "
+                               "a number from 1/65504 to 65504, and intensities as much smaller or larger");
     readLights(reading, top);
     readMaterials(reading, top);
     readObjects(reading, top);

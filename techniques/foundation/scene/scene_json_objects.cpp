@@ -43,7 +43,8 @@ private:
     LoadedMesh meshOf(const JsonObject& keys);
     LoadedMesh loadedFile(const JsonObject& keys, NormalMode mode);
     LoadedMesh shape(const JsonObject& keys, NormalMode mode);
-    std::uint32_t materialOfFile(const std::filesystem::path& canonical, const ObjFile& file, const std::string& name);
+    std::uint32_t materialOfFile(const std::filesystem::path& canonical, const ObjFile& file,
+                                 const MaterialsByName& known, const std::string& name);
     std::uint32_t materialIndex(const JsonObject& keys) const;
     dvec3 scaleOf(const JsonObject& keys) const;
     void checkTriangles(const JsonObject& keys, std::uint64_t more) const;
@@ -149,12 +150,12 @@ void ObjectReader::countShapes(std::span<const JsonValue> values) {
 /// Index of a material that an MTL file defines, added to the scene on first use. A name that is taken gets the mesh
 /// file's name as an addition.
 std::uint32_t ObjectReader::materialOfFile(const std::filesystem::path& canonical, const ObjFile& file,
-                                           const std::string& name) {
-    const auto found = std::ranges::find(file.materials, name, &Material::name);
-    if (name.empty() || found == file.materials.end()) return kWhite;
+                                           const MaterialsByName& known, const std::string& name) {
+    const auto found = known.find(name);
+    if (name.empty() || found == known.end()) return kWhite;
     const auto [entry, isNew] = materialOfFile_.try_emplace({canonical.string(), name}, 0);
     if (!isNew) return entry->second;
-    Material material = *found;
+    Material material = file.materials[found->second];
     material.ofMesh = true;
     for (int attempt = 1; materialIndex_.contains(material.name); ++attempt)
         material.name = name + " (" + canonical.stem().string() +
@@ -175,8 +176,9 @@ ObjectReader::LoadedMesh ObjectReader::loadedFile(const JsonObject& keys, Normal
     options.limits = limits_;
     options.allowed.push_back(reading_.file.parent_path().empty() ? "." : reading_.file.parent_path());
     ObjFile obj = loadObj(file.path, mode, options);
+    const MaterialsByName known = materialsByName(obj.materials);
     for (const MeshPart& part : obj.mesh.parts)
-        loaded.partMaterials.push_back(materialOfFile(file.canonical, obj, part.materialName));
+        loaded.partMaterials.push_back(materialOfFile(file.canonical, obj, known, part.materialName));
     loaded.mesh = sharedMesh(std::move(obj.mesh));
     loaded.file = file.canonical;
     std::vector<std::string>& notes = reading_.scene.notes;

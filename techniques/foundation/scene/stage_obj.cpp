@@ -144,17 +144,17 @@ std::vector<std::uint32_t> addMaterials(Scene& scene, const Mesh& mesh, const st
     clay.diffuse = vec3(0.72f, 0.62f, 0.52f); // warm, so that the mesh stands out from the grey floor
     scene.materials = {Material{}, floor, clay};
     std::vector<std::uint32_t> partMaterials;
+    const MaterialsByName known = materialsByName(fromFile);
     for (const MeshPart& part : mesh.parts) {
         partMaterials.push_back(kClay);
-        for (const Material& material : fromFile) {
-            if (part.materialName.empty() || material.name != part.materialName) continue;
-            partMaterials.back() = static_cast<std::uint32_t>(scene.materials.size());
-            scene.materials.push_back(material);
-            scene.materials.back().ofMesh = true;
-            for (int i = 0; i < 3; ++i) // parts have different names, so only the three above can be in the way
-                if (scene.materials[i].name == material.name) scene.materials.back().name += " (of the mesh)";
-            break;
-        }
+        const auto found = known.find(part.materialName);
+        if (part.materialName.empty() || found == known.end()) continue;
+        const Material& material = fromFile[found->second];
+        partMaterials.back() = static_cast<std::uint32_t>(scene.materials.size());
+        scene.materials.push_back(material);
+        scene.materials.back().ofMesh = true;
+        for (int i = 0; i < 3; ++i) // parts have different names, so only the three above can be in the way
+            if (scene.materials[i].name == material.name) scene.materials.back().name += " (of the mesh)";
     }
     return partMaterials;
 }

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/statement_lines.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <limits>
 
 #include "techniques/foundation/scene/message_text.h"
@@ -90,17 +92,33 @@ void StatementLines::fail(const std::string& message, ExitStatus status) const {
     throw Error(status, place(line_) + ": " + message);
 }
 
+namespace {
+
+/// The power of ten that a positive decimal number is just below: 3 for 123.4, -1 for 0.01234, 2 for 0.5e2.
+std::int64_t powerOfTen(std::string_view number) {
+    const std::size_t e = std::min(number.find_first_of("eE"), number.size());
+    const std::string_view digits = number.substr(0, e);
+    std::string_view exponentText = number.substr(std::min(e + 1, number.size()));
+    if (exponentText.starts_with('+')) exponentText.remove_prefix(1);
+    std::int64_t exponent = 0;
+    const auto [end, error] = std::from_chars(exponentText.data(), exponentText.data() + exponentText.size(), exponent);
+    constexpr std::int64_t kBeyondAll = std::int64_t{1} << 62;
+    if (error == std::errc::result_out_of_range) exponent = exponentText.starts_with('-') ? -kBeyondAll : kBeyondAll;
+    const auto point = static_cast<std::int64_t>(std::min(digits.find('.'), digits.size()));
+    const auto first = static_cast<std::int64_t>(std::min(digits.find_first_of("123456789"), digits.size()));
+    return (first < point ? point - first : point + 1 - first) + std::clamp(exponent, -kBeyondAll, kBeyondAll);
+}
+
+} // namespace
+
 std::optional<double> readNumber(std::string_view token) {
     if (token.starts_with('+') && !token.starts_with("+-")) token.remove_prefix(1); // from_chars knows no plus sign
     double value = 0.0;
     const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
     if (error == std::errc::invalid_argument || end != token.data() + token.size()) return std::nullopt;
     if (error == std::errc::result_out_of_range) {
-        // Too large or too small? A negative exponent or a leading zero makes it small.
-        const std::string_view digits = token.starts_with('-') ? token.substr(1) : token;
-        const bool isTiny = token.find("e-") != std::string_view::npos || token.find("E-") != std::string_view::npos ||
-                            (digits.starts_with("0.") || digits.starts_with('.'));
-        return isTiny ? 0.0 : std::numeric_limits<double>::infinity();
+        const std::string_view size = token.starts_with('-') ? token.substr(1) : token;
+        return powerOfTen(size) <= 0 ? 0.0 : std::numeric_limits<double>::infinity();
     }
     return value;
 }
