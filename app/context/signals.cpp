@@ -69,7 +69,7 @@ void installSignalHandlers() {
     for (const int signal : {SIGINT, SIGTERM})
         ::sigaction(signal, &interrupt, nullptr);
     handleUnlessIgnored(SIGHUP, onInterrupt);  // the terminal was closed
-    handleUnlessIgnored(SIGXCPU, onInterrupt); // ulimit -t: a second later it comes again, and ends the program at once
+    handleUnlessIgnored(SIGXCPU, onInterrupt); // ulimit -S -t: a second later it comes again, and ends the program at once
     for (const int signal : {SIGQUIT, SIGUSR1, SIGUSR2, SIGVTALRM, SIGPROF, SIGIO, SIGPWR})
         handleUnlessIgnored(signal, onEnd);
 
