@@ -36,7 +36,8 @@ std::optional<std::string> wrongNumber(const Problem& problem) {
         for (const double exchangeArea : problem.exchange.row(i))
             if (!isFromZeroTo(kMost, exchangeArea))
                 return patchName(i) +
-                       " has a form factor that is negative or no number; compute the form factors again";
+                       " has a form factor that is negative or no number, which rounding makes of sizes too far apart; "
+                       "bring those of the objects nearer together, or choose more patches";
     }
     return std::nullopt;
 }

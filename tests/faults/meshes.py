@@ -24,6 +24,7 @@ MESHES = [
     drawn_mesh("coordinates nearer to zero than all numbers", "v 1e-400 -0.1e-400 0." + 400 * "0" + "1\nv 1 0 0\nv 0 1e-99999999999999999999 1\nf 1 2 3\n"),
     drawn_mesh("a material file that is named ten thousand times", "mtllib" + 10000 * " m.mtl" + "\n" + FACE + "usemtl m7\nf 1 2 3\n",
                files={"m.mtl": "".join(f"newmtl m{i}\n" for i in range(100))}),
+    drawn_mesh("a material file that is not there, named twice", "mtllib a.mtl a.mtl\nmtllib ./a.mtl\n" + FACE + "f 1 2 3\n", "missing"),
     Row("more materials than memory", {"m.obj": "mtllib m.mtl\n" + FACE + "f 1 2 3\n", "m.mtl": "".join(f"newmtl m{i}\n" for i in range(40000))},
         ["capture", "m.obj", "-o", "x.png", "--limit", "memory=300000000"], 6, ["m.mtl: for 40000 materials", "--limit memory"]),
     refused_mesh("an index beyond the last vertex", FACE + "f 1 2 9\n", "m.obj:4:", "9", "3"),

@@ -38,10 +38,7 @@ public:
         bool found = false;
         for (const std::string& name : candidates(library)) {
             const std::filesystem::path path = allowed(name, library);
-            if (!read_.insert(*folders_.resolve(name)).second) { // one line may name it ten thousand times
-                found = true;
-                continue;
-            }
+            if (!read_.insert(*folders_.resolve(name)).second) continue; // one line may name it ten thousand times
             std::error_code ignored;
             const std::filesystem::file_status status = std::filesystem::status(path, ignored);
             if (!std::filesystem::exists(status)) {
