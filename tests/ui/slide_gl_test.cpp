@@ -140,5 +140,32 @@ TEST_F(SlideDeskTest, OneKeyMakesASlideOfWhatIsSeen) {
     EXPECT_EQ(stops[0].document.layout, session::Layout::split);
 }
 
+// Somebody may write the deck anew while it is shown: there is no slide any more where the window was.
+TEST_F(SlideDeskTest, ADeckMayBecomeShorter) {
+    const scene::TempFolder folder;
+    const std::filesystem::path home = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path());
+    Lab lab;
+    lab.screen.fit({640, 400}, 1);
+    ui::saveAsSlide(lab.desk);
+    const std::filesystem::path file = folder.path() / "slides.json";
+    const std::filesystem::path shorter = folder.path() / "shorter.json";
+    std::filesystem::copy_file(file, shorter);
+    for (int i = 0; i < 4; ++i)
+        ui::saveAsSlide(lab.desk);
+    ui::openDeck(lab.desk, file.string());
+    while (lab.desk.slides.at < 4)
+        ui::stepSlides(lab.desk, 1);
+    std::filesystem::rename(shorter, file);
+    ui::saveAsSlide(lab.desk);
+    ASSERT_TRUE(lab.desk.slides.deck);
+    ASSERT_EQ(lab.desk.slides.deck->slides().size(), 2u);
+    EXPECT_EQ(lab.desk.slides.at, 1u);
+    ui::stepSlides(lab.desk, -1);
+    EXPECT_EQ(lab.desk.slides.at, 0u);
+    EXPECT_TRUE(lab.screen.messages().empty());
+    std::filesystem::current_path(home);
+}
+
 } // namespace
 } // namespace shadowlab
