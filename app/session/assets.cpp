@@ -14,10 +14,12 @@ std::optional<std::filesystem::path> installedShare() {
     return share;
 }
 
+std::filesystem::path sourceTree() { return SHADOWLAB_SOURCE_DIR; }
+
 std::filesystem::path assetsRoot() {
     if (const char* chosen = std::getenv("SHADOWLAB_ASSETS"); chosen && *chosen) return chosen;
     if (const auto share = installedShare()) return *share / "assets";
-    return SHADOWLAB_SOURCE_ASSETS;
+    return sourceTree() / "assets";
 }
 
 } // namespace shadowlab::session

@@ -13,8 +13,8 @@ ShaderWatch::ShaderWatch() {
     std::error_code ignored;
     if (const char* chosen = std::getenv("SHADOWLAB_SHADERS"); chosen && *chosen) {
         folder_ = chosen;
-    } else if (!installedShare() && std::filesystem::is_directory(SHADOWLAB_SOURCE_SHADERS, ignored)) {
-        folder_ = SHADOWLAB_SOURCE_SHADERS;
+    } else if (!installedShare() && std::filesystem::is_directory(sourceTree() / "shaders", ignored)) {
+        folder_ = sourceTree() / "shaders";
         // Only once a file in it is saved: until then the program shows what it was built with.
     }
     seen_ = listing();
