@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands/command_line.h"
+#include "app/commands/json_values.h"
 #include "app/commands/messages.h"
 #include "app/commands/progress.h"
 #include "app/commands/text_table.h"
@@ -77,7 +76,6 @@ std::string sheetText(const Sheet& sheet, const std::string& picture) {
 }
 
 std::string sheetJson(const Sheet& sheet, const std::string& picture) {
-    using Json = nlohmann::ordered_json;
     Json cases = Json::array();
     for (const CaseResult& result : sheet.results)
         cases.push_back({{"case", result.which->id},

@@ -4,9 +4,8 @@
 #include <array>
 #include <charconv>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands/inspection.h"
+#include "app/commands/json_values.h"
 #include "app/commands/messages.h"
 #include "app/commands/text_table.h"
 #include "techniques/foundation/scene/message_text.h"
@@ -14,8 +13,6 @@
 namespace shadowlab::commands {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// One count of a mesh, as it is called: in JSON, as a line, as a column, and what it is.
 struct Count {
@@ -151,9 +148,7 @@ std::string text(const Inspection& inspection) {
     return text;
 }
 
-Json vector(const dvec3& value) { return {value.x, value.y, value.z}; }
-
-Json json(const Inspection& inspection) {
+Json inspectionJson(const Inspection& inspection) {
     Json meshes = Json::array(), remarks = Json::array(), scene;
     for (const InspectedMesh& mesh : inspection.meshes) {
         Json& entry = meshes.emplace_back(Json{{"name", mesh.name}, {"objects", mesh.objects}});
@@ -163,8 +158,8 @@ Json json(const Inspection& inspection) {
         entry["closed"] = mesh.report.isClosed();
         entry["outward"] = mesh.outward;
         entry["holes"] = mesh.report.hasHoles;
-        entry["sizeMetres"] = vector(mesh.sizeMetres);
-        entry["originOffset"] = vector(mesh.originOffset);
+        entry["sizeMetres"] = vectorJson(mesh.sizeMetres);
+        entry["originOffset"] = vectorJson(mesh.originOffset);
         entry["largestInWorld"] = mesh.largestInWorld;
         entry["scale"] = kScales[static_cast<std::size_t>(mesh.scale)];
     }
@@ -193,7 +188,7 @@ Json json(const Inspection& inspection) {
 
 int inspect(const InspectOptions& options) {
     const Inspection inspection = inspectFile(options);
-    print(options.json ? json(inspection).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+    print(options.json ? inspectionJson(inspection).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                        : text(inspection));
     return 0;
 }

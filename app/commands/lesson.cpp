@@ -3,9 +3,8 @@
 #include <array>
 #include <charconv>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands/command_line.h"
+#include "app/commands/json_values.h"
 #include "app/commands/messages.h"
 #include "app/commands/text_table.h"
 #include "app/context/signals.h"
@@ -29,7 +28,7 @@ using session::Lesson;
 using session::MeasuredExpectation;
 
 /// "falseShadow of slot 2 in box 1", "fact 'sum of form factors'".
-std::string nameOf(const Lesson& lesson, const Expectation& expected) {
+std::string nameOfExpectation(const Lesson& lesson, const Expectation& expected) {
     std::string name = expected.quantity;
     if (!expected.fact.empty()) name += " '" + expected.fact + "'";
     if (lesson.states[0].slots.size() > 1) name += " of slot " + std::to_string(expected.slot + 1);
@@ -51,40 +50,40 @@ std::string table(const Lesson& lesson, const std::vector<MeasuredExpectation>& 
     for (std::size_t i = 0; i < measured.size(); ++i) {
         const Expectation& expected = lesson.expectations[i];
         const auto [before, after] = measured[i].values;
-        rows.push_back({nameOf(lesson, expected), shortNumber(before), expected.before.text(), shortNumber(after),
-                        expected.after.text(),
+        rows.push_back({nameOfExpectation(lesson, expected), shortNumber(before), expected.before.text(),
+                        shortNumber(after), expected.after.text(),
                         session::holdsAsExpected({measured[i]}) ? "as expected" : "NOT as expected"});
     }
     return lesson.text.title + ", " + std::to_string(lesson.size.x) + " x " + std::to_string(lesson.size.y) +
            " pixels\n\n" + aligned(rows);
 }
 
-nlohmann::ordered_json boundJson(const session::Bound& bound) {
-    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+Json boundJson(const session::Bound& bound) {
+    Json json = Json::object();
     if (bound.atLeast) json["atLeast"] = *bound.atLeast;
     if (bound.atMost) json["atMost"] = *bound.atMost;
     return json;
 }
 
-std::string json(const Lesson& lesson, const std::vector<MeasuredExpectation>& measured) {
-    nlohmann::ordered_json root{{"lesson", lesson.text.name},
-                                {"title", lesson.text.title},
-                                {"size", {lesson.size.x, lesson.size.y}},
-                                {"asExpected", session::holdsAsExpected(measured)},
-                                {"expectations", nlohmann::ordered_json::array()}};
+std::string lessonJson(const Lesson& lesson, const std::vector<MeasuredExpectation>& measured) {
+    Json root{{"lesson", lesson.text.name},
+              {"title", lesson.text.title},
+              {"size", {lesson.size.x, lesson.size.y}},
+              {"asExpected", session::holdsAsExpected(measured)},
+              {"expectations", Json::array()}};
     for (std::size_t i = 0; i < measured.size(); ++i) {
         const Expectation& expected = lesson.expectations[i];
-        nlohmann::ordered_json entry{{"quantity", nameOf(lesson, expected)}};
+        Json entry{{"quantity", nameOfExpectation(lesson, expected)}};
         const char* const names[] = {"before", "after"};
         for (std::size_t state = 0; state < 2; ++state) {
-            nlohmann::ordered_json one{{"value", measured[i].values[state]}, {"compared", measured[i].compared[state]}};
+            Json one{{"value", measured[i].values[state]}, {"compared", measured[i].compared[state]}};
             one["bound"] = boundJson(state == 0 ? expected.before : expected.after);
             one["holds"] = measured[i].holds[state];
             entry[names[state]] = std::move(one);
         }
         root["expectations"].push_back(std::move(entry));
     }
-    return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace
@@ -115,7 +114,7 @@ int lesson(const LessonOptions& options) {
     if (!options.measure) return 0;
     const std::vector<MeasuredExpectation> measured = session::measureLesson(lesson);
     context::throwIfInterrupted();
-    print(options.json ? json(lesson, measured) : table(lesson, measured));
+    print(options.json ? lessonJson(lesson, measured) : table(lesson, measured));
     if (!session::holdsAsExpected(measured))
         throw Error(ExitStatus::badInput, scene::shownPath(lesson.text.file) +
                                               ": what was measured is not as the lesson says; change its settings, or "

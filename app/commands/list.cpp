@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <functional>
 
-#include <nlohmann/json.hpp>
-
 #include "app/commands/command_line.h"
+#include "app/commands/json_values.h"
 #include "app/commands/messages.h"
 #include "app/diagram/figures.h"
 #include "app/session/assets.h"
@@ -200,10 +199,10 @@ std::string lines(const Table& table) {
     return text;
 }
 
-std::string json(const std::string& what, const Table& table) {
-    nlohmann::ordered_json entries = nlohmann::ordered_json::array();
+std::string tableJson(const std::string& what, const Table& table) {
+    Json entries = Json::array();
     for (const std::vector<std::string>& row : table.rows) {
-        nlohmann::ordered_json entry;
+        Json entry;
         for (std::size_t i = 0; i < row.size(); ++i) {
             const bool boolean =
                 table.columns[i] == "available" || table.columns[i] == "perLight" || table.columns[i] == "derived";
@@ -214,9 +213,7 @@ std::string json(const std::string& what, const Table& table) {
         }
         entries.push_back(std::move(entry));
     }
-    return nlohmann::ordered_json{{what, entries}}.dump(2, ' ', false,
-                                                        nlohmann::ordered_json::error_handler_t::replace) +
-           "\n";
+    return Json{{what, entries}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace
@@ -232,7 +229,7 @@ int list(const ListOptions& options) {
     for (const auto& [name, make] : tables) {
         if (name == options.what) {
             const Table table = make();
-            print(options.json ? json(name, table) : lines(table));
+            print(options.json ? tableJson(name, table) : lines(table));
             return 0;
         }
         known.push_back(name);

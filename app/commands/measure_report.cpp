@@ -8,27 +8,24 @@
 #include <cstdio>
 
 #include "app/commands/capture_stats.h"
+#include "app/commands/json_values.h"
 #include "app/commands/text_table.h"
 
 namespace shadowlab::commands {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Result = session::TechniqueErrors;
 
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
-
 /// What a technique is judged by.
-const char* nameOf(measure::TruthOf truth) { return truth == measure::TruthOf::area ? "area" : "centre"; }
+const char* nameOfTruth(measure::TruthOf truth) { return truth == measure::TruthOf::area ? "area" : "centre"; }
 
 Json resultJson(const Measured& measured, const Result& result) {
     const measure::Counts& counts = result.counts;
     Json entry;
     entry["technique"] = result.technique;
     entry["light"] = measured.light;
-    entry["truth"] = nameOf(result.truth);
+    entry["truth"] = nameOfTruth(result.truth);
     entry["pixels"] = counts.pixels;
     entry["lit"] = counts.lit;
     entry["shadowed"] = counts.shadowed;
@@ -39,16 +36,16 @@ Json resultJson(const Measured& measured, const Result& result) {
     entry["falseShadow"] = counts.falseShadow;
     entry["coreErrors"] = result.coreErrors;
     entry["stray"] = counts.stray;
-    entry["edgeErrorPx"] = number(result.edgeErrorPx);
+    entry["edgeErrorPx"] = numberJson(result.edgeErrorPx);
     entry["boundaryPx"] = nullptr;
     if (result.boundaryPx)
         entry["boundaryPx"] = {
             {"mean", result.boundaryPx->mean}, {"p95", result.boundaryPx->p95}, {"max", result.boundaryPx->max}};
     entry["rmse"] = counts.rmse;
-    entry["psnr"] = number(result.picture.psnr);
-    entry["ssim"] = number(result.picture.ssim);
-    entry["flip"] = number(result.picture.flip);
-    entry["excessFlipRate"] = number(result.excessFlipRate);
+    entry["psnr"] = numberJson(result.picture.psnr);
+    entry["ssim"] = numberJson(result.picture.ssim);
+    entry["flip"] = numberJson(result.picture.flip);
+    entry["excessFlipRate"] = numberJson(result.excessFlipRate);
     entry["converged"] = result.converged;
     entry["ms"] = timesJson(result.times);
     entry["ms"]["firstPrepare"] = result.firstPrepareMs;
@@ -75,7 +72,7 @@ Rows truthRows(const Measured& measured) {
         const auto found = std::ranges::find(measured.results, truth, &Result::truth);
         if (found == measured.results.end()) continue;
         const measure::Counts& counts = found->counts;
-        rows[0].insert(rows[0].end(), {std::string(nameOf(truth)) + ", pixels", "share"});
+        rows[0].insert(rows[0].end(), {std::string(nameOfTruth(truth)) + ", pixels", "share"});
         const std::array parts = {counts.lit, counts.shadowed, counts.turnedAway, counts.ties};
         for (std::size_t i = 0; i < parts.size(); ++i)
             rows[i + 1].insert(rows[i + 1].end(), {std::to_string(parts[i]), percent(parts[i], counts.pixels)});
@@ -91,7 +88,7 @@ Rows errorRows(const Measured& measured) {
                "max", "RMSE", "served", measured.frames > 1 ? "excess flips" : ""}};
     for (const Result& result : measured.results) {
         const auto& boundary = result.boundaryPx;
-        rows.push_back({result.technique, nameOf(result.truth), std::to_string(result.counts.falseLit),
+        rows.push_back({result.technique, nameOfTruth(result.truth), std::to_string(result.counts.falseLit),
                         std::to_string(result.counts.falseShadow), std::to_string(result.coreErrors),
                         fixed(result.edgeErrorPx, 4), boundary ? fixed(boundary->mean, 3) : "-",
                         boundary ? fixed(boundary->p95, 2) : "-", boundary ? fixed(boundary->max, 2) : "-",

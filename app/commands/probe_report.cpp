@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include <nlohmann/json.hpp>
-
+#include "app/commands/json_values.h"
 #include "app/commands/rays_json.h"
 #include "app/commands/shadow_json.h"
 #include "app/commands/text_table.h"
@@ -13,8 +12,6 @@
 namespace shadowlab::commands {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLongestName = 200; ///< characters of a name out of a file; no terminal shows more
 
@@ -49,8 +46,6 @@ void addRay(const std::vector<Probe::Node>& tree, std::size_t index, std::string
         if (tree[i].parent == static_cast<int>(index)) addRay(tree, i, text);
 }
 
-Json vector(const dvec3& v) { return {v.x, v.y, v.z}; }
-
 Json factsJson(const std::vector<Probe::Fact>& facts) {
     Json json = Json::array();
     for (const Probe::Fact& fact : facts) {
@@ -62,7 +57,7 @@ Json factsJson(const std::vector<Probe::Fact>& facts) {
     return json;
 }
 
-const char* nameOf(Probe::Role role) {
+const char* nameOfRole(Probe::Role role) {
     switch (role) {
     case Probe::Role::eye: return "eye";
     case Probe::Role::reflection: return "reflection";
@@ -76,15 +71,15 @@ const char* nameOf(Probe::Role role) {
 Json patchJson(const Probe::Patch& patch) {
     Json corners = Json::array();
     for (const dvec3& corner : patch.cornersWorld)
-        corners.push_back(vector(corner));
+        corners.push_back(vectorJson(corner));
     return {{"object", patch.object},
             {"corners", corners},
-            {"centre", vector(patch.centreWorld)},
-            {"normal", vector(patch.normalWorld)},
+            {"centre", vectorJson(patch.centreWorld)},
+            {"normal", vectorJson(patch.normalWorld)},
             {"area", patch.area},
-            {"emission", vector(patch.emission)},
-            {"reflectance", vector(patch.reflectance)},
-            {"radiosity", vector(patch.radiosity)}};
+            {"emission", vectorJson(patch.emission)},
+            {"reflectance", vectorJson(patch.reflectance)},
+            {"radiosity", vectorJson(patch.radiosity)}};
 }
 
 Json exchangeJson(const Probe& probe) {
@@ -96,8 +91,6 @@ Json exchangeJson(const Probe& probe) {
     json["F_kj"] = probe.exchange->formFactorKj;
     return json;
 }
-
-Json orNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 } // namespace
 
@@ -113,26 +106,26 @@ std::string probeText(const ProbedPixel& probed) {
 std::string probeJson(const ProbedPixel& probed) {
     Json vectors = Json::object(), rays = Json::array(), tree = Json::array();
     for (const Probe::Vector& one : probed.probe.vectors)
-        vectors[one.label] = vector(one.directionWorld);
+        vectors[one.label] = vectorJson(one.directionWorld);
     for (const Probe::Segment& segment : probed.probe.geometry)
         rays.push_back({{"label", segment.label},
-                        {"role", nameOf(segment.role)},
-                        {"from", vector(segment.fromWorld)},
-                        {"to", vector(segment.toWorld)},
+                        {"role", nameOfRole(segment.role)},
+                        {"from", vectorJson(segment.fromWorld)},
+                        {"to", vectorJson(segment.toWorld)},
                         {"endless", segment.isEndless}});
     for (const Probe::Node& node : probed.probe.tree)
         tree.push_back({{"parent", node.parent < 0 ? Json() : Json(node.parent)},
                         {"label", node.label},
-                        {"role", nameOf(node.role)},
-                        {"sign", orNull(node.sign)},
-                        {"surface", orNull(node.surface)},
-                        {"object", orNull(node.object)},
-                        {"end", orNull(node.end)},
+                        {"role", nameOfRole(node.role)},
+                        {"sign", textJson(node.sign)},
+                        {"surface", textJson(node.surface)},
+                        {"object", textJson(node.object)},
+                        {"end", textJson(node.end)},
                         {"ray", node.segment < 0 ? Json() : Json(node.segment)},
                         {"facts", factsJson(node.facts)}});
     const Json json{{"scene", probed.scene},
                     {"technique", probed.technique},
-                    {"light", orNull(probed.light)},
+                    {"light", textJson(probed.light)},
                     {"size", {probed.size.x, probed.size.y}},
                     {"pixel", {probed.pixel.x, probed.pixel.y}},
                     {"partner", probed.partner ? Json{probed.partner->x, probed.partner->y} : Json()},

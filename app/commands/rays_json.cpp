@@ -5,34 +5,26 @@ namespace shadowlab::commands {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json vector(const dvec2& v) { return {v.x, v.y}; }
-Json vector(const dvec3& v) { return {v.x, v.y, v.z}; }
-Json orNull(const std::optional<dvec3>& v) { return v ? vector(*v) : Json(); }
-Json orNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
-Json orNull(const std::optional<double>& number) { return number ? Json(*number) : Json(); }
-
 Json vectors(const std::vector<dvec3>& list) {
     Json json = Json::array();
     for (const dvec3& v : list)
-        json.push_back(vector(v));
+        json.push_back(vectorJson(v));
     return json;
 }
 
 Json sampleJson(const RaysProbe::Sample& sample) {
-    Json json{
-        {"place", vector(sample.place)},
-        {"subpixel", sample.subpixel ? Json{vector((*sample.subpixel)[0]), vector((*sample.subpixel)[1])} : Json()},
-        {"from", vector(sample.fromWorld)},
-        {"to", sample.meets ? vector(sample.toWorld) : Json()},
-        {"object", orNull(sample.object)},
-        {"time", sample.time},
-        {"I", vector(sample.intensity)},
-        {"reflected", orNull(sample.reflectedWorld)},
-        {"refracted", orNull(sample.refractedWorld)},
-        {"onLight", orNull(sample.onLightWorld)},
-        {"arrives", sample.onLightWorld ? Json(sample.arrives) : Json()}};
+    Json json{{"place", vectorJson(sample.place)},
+              {"subpixel",
+               sample.subpixel ? Json{vectorJson((*sample.subpixel)[0]), vectorJson((*sample.subpixel)[1])} : Json()},
+              {"from", vectorJson(sample.fromWorld)},
+              {"to", sample.meets ? vectorJson(sample.toWorld) : Json()},
+              {"object", textJson(sample.object)},
+              {"time", sample.time},
+              {"I", vectorJson(sample.intensity)},
+              {"reflected", vectorJson(sample.reflectedWorld)},
+              {"refracted", vectorJson(sample.refractedWorld)},
+              {"onLight", vectorJson(sample.onLightWorld)},
+              {"arrives", sample.onLightWorld ? Json(sample.arrives) : Json()}};
     return json;
 }
 
@@ -45,7 +37,7 @@ Json samplesJson(const Probe& probe) {
     for (const RaysProbe::Sample& sample : rays.samples)
         samples.push_back(sampleJson(sample));
     for (const RaysProbe::Mover& mover : rays.movers)
-        movers.push_back({{"object", mover.object}, {"velocity", vector(mover.velocityWorld)}});
+        movers.push_back({{"object", mover.object}, {"velocity", vectorJson(mover.velocityWorld)}});
     return {{"count", rays.count},
             {"aperture", rays.aperture},
             {"focus", rays.focus},
@@ -53,9 +45,9 @@ Json samplesJson(const Probe& probe) {
             {"movers", movers},
             {"glossDegrees", rays.glossDegrees},
             {"translucencyDegrees", rays.translucencyDegrees},
-            {"exactShare", orNull(rays.exactShare)},
-            {"sampledShare", orNull(rays.sampledShare())},
-            {"mean", vector(rays.mean())},
+            {"exactShare", numberJson(rays.exactShare)},
+            {"sampledShare", numberJson(rays.sampledShare())},
+            {"mean", vectorJson(rays.mean())},
             {"rays", samples}};
 }
 
@@ -67,15 +59,15 @@ Json structureJson(const Probe& probe) {
         volumes.push_back({{"level", volume.level},
                            {"parent", volume.parent < 0 ? Json() : Json(volume.parent)},
                            {"ball", volume.isBall},
-                           {"lower", vector(volume.lowerWorld)},
-                           {"upper", vector(volume.upperWorld)},
-                           {"object", orNull(volume.object)},
+                           {"lower", vectorJson(volume.lowerWorld)},
+                           {"upper", vectorJson(volume.upperWorld)},
+                           {"object", textJson(volume.object)},
                            {"asked", volume.isAsked},
                            {"entered", volume.isEntered}});
     for (const StructureProbe::Cell& cell : structure.cells)
         cells.push_back({{"at", {cell.at.x, cell.at.y, cell.at.z}},
-                         {"lower", vector(cell.lowerWorld)},
-                         {"upper", vector(cell.upperWorld)},
+                         {"lower", vectorJson(cell.lowerWorld)},
+                         {"upper", vectorJson(cell.upperWorld)},
                          {"objects", cell.objects}});
     return {{"volumes", volumes},
             {"counts", {structure.counts.x, structure.counts.y, structure.counts.z}},

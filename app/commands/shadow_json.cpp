@@ -8,13 +8,7 @@ namespace shadowlab::commands {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json vector(const dvec3& v) { return {v.x, v.y, v.z}; }
-Json vector(const dvec4& v) { return {v.x, v.y, v.z, v.w}; }
 Json texel(const ivec2& t) { return {t.x, t.y}; }
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-Json orNull(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
 Json tapsJson(const std::vector<MapProbe::Tap>& taps) {
     Json json = Json::array();
@@ -46,21 +40,21 @@ Json momentsJson(const MapProbe& map) {
     if (!map.moments) return {};
     Json read = Json::object(), bounds = Json::array();
     for (const auto& [name, value] : map.moments->read)
-        read[name] = number(value);
+        read[name] = numberJson(value);
     for (const MapProbe::Moments::Bound& bound : map.moments->bounds)
         bounds.push_back({{"of", bound.of},
-                          {"compared", number(bound.compared)},
-                          {"mean", number(bound.mean)},
-                          {"variance", number(bound.variance)},
-                          {"visibility", number(bound.visibility)}});
+                          {"compared", numberJson(bound.compared)},
+                          {"mean", numberJson(bound.mean)},
+                          {"variance", numberJson(bound.variance)},
+                          {"visibility", numberJson(bound.visibility)}});
     return {{"z", map.moments->depth},
             {"read", read},
             {"bounds", bounds},
-            {"bound", number(map.moments->unreduced)},
-            {"visibility", number(map.moments->visibility)}};
+            {"bound", numberJson(map.moments->unreduced)},
+            {"visibility", numberJson(map.moments->visibility)}};
 }
 
-const char* nameOf(VolumeProbe::Part part) {
+const char* nameOfPart(VolumeProbe::Part part) {
     switch (part) {
     case VolumeProbe::Part::side: return "side";
     case VolumeProbe::Part::topCap: return "top cap";
@@ -76,7 +70,7 @@ Json decisionJson(const Probe& probe) {
     const auto& blocker = probe.decision->blocker;
     return {{"visibility", probe.decision->visibility},
             {"turnedAway", probe.decision->isTurnedAway},
-            {"error", orNull(probe.decision->why)},
+            {"error", textJson(probe.decision->why)},
             {"blocker", blocker ? Json{{"object", blocker->object}, {"triangle", blocker->triangle}} : Json()}};
 }
 
@@ -87,15 +81,15 @@ Json volumeJson(const Probe& probe) {
     for (const VolumeProbe::Crossing& crossing : volume.crossings) {
         const bool isSide = crossing.part == VolumeProbe::Part::side;
         faces.push_back({{"object", crossing.object},
-                         {"part", nameOf(crossing.part)},
+                         {"part", nameOfPart(crossing.part)},
                          {"edge", isSide ? Json{crossing.of[0], crossing.of[1]} : Json()},
                          {"triangle", isSide ? Json() : Json(crossing.of[0])},
-                         {"distance", number(crossing.distance)},
+                         {"distance", numberJson(crossing.distance)},
                          {"sign", crossing.sign},
                          {"beyond", crossing.beyond},
                          {"way", crossing.way == VolumeProbe::Way::pass ? "z-pass" : "z-fail"},
                          {"counted", crossing.counted},
-                         {"uncounted", orNull(crossing.uncounted)}});
+                         {"uncounted", textJson(crossing.uncounted)}});
     }
     Json casters = Json::array();
     for (const VolumeProbe::Caster& caster : volume.casters)
@@ -109,7 +103,7 @@ Json volumeJson(const Probe& probe) {
                            {"sides", caster.sides.size() / 3},
                            {"bottomCap", caster.bottomCap.size() / 3},
                            {"distance", caster.distance ? Json(*caster.distance) : Json()},
-                           {"endPlane", caster.endWorld ? vector(*caster.endWorld) : Json()}});
+                           {"endPlane", caster.endWorld ? vectorJson(*caster.endWorld) : Json()}});
     return {{"zPass", {{"n_f", volume.frontsBefore}, {"n_b", volume.backsBefore}}},
             {"zFail", {{"n_f", volume.frontsBeyond}, {"n_b", volume.backsBeyond}}},
             {"eyeIn", volume.eyeCount},
@@ -125,15 +119,15 @@ Json mapJson(const Probe& probe) {
     const MapProbe& map = *probe.map;
     Json rows = Json::array();
     for (int row = 0; row < 4; ++row)
-        rows.push_back(vector(glm::transpose(map.lightClipFromLightRelative)[row]));
+        rows.push_back(vectorJson(glm::transpose(map.lightClipFromLightRelative)[row]));
     return {{"map", map.layerName},
             {"layer", map.layer},
-            {"originWorld", vector(map.originWorld)},
+            {"originWorld", vectorJson(map.originWorld)},
             {"lightClipFromLightRelative", rows},
             {"resolution", map.resolution},
             {"texel", texel(map.texel)},
             {"texelWidth", map.texelMetres},
-            {"str", vector(map.str)},
+            {"str", vectorJson(map.str)},
             {"first", map.first},
             {"stored", map.stored},
             {"compared", map.compared},
@@ -142,7 +136,7 @@ Json mapJson(const Probe& probe) {
               {"stored", map.storedMetres},
               {"point", map.pointMetres},
               {"compared", map.comparedMetres}}},
-            {"blocker", map.blockerWorld ? vector(*map.blockerWorld) : Json()},
+            {"blocker", map.blockerWorld ? vectorJson(*map.blockerWorld) : Json()},
             {"taps", tapsJson(map.taps)},
             {"search", searchJson(map)},
             {"moments", momentsJson(map)}};
@@ -166,19 +160,20 @@ Json planeJson(const Probe& probe) {
     for (const PlaneProbe::Cover& cover : plane.covers)
         covers.push_back({{"object", cover.object},
                           {"triangle", cover.triangle},
-                          {"point", vector(cover.placeWorld)},
+                          {"point", vectorJson(cover.placeWorld)},
                           {"height", cover.height},
                           {"weight", cover.weight},
                           {"casts", cover.casts},
-                          {"why", orNull(cover.why)}});
+                          {"why", textJson(cover.why)}});
     if (!plane.receives) {
         Json others = Json::array();
         for (const PlaneProbe::Other& other : plane.others)
-            others.push_back({{"object", other.object}, {"plane", vector(other.planeWorld)}});
-        return {{"plane", Json()}, {"light", vector(plane.lightWorld)}, {"others", others}, {"covers", Json::array()}};
+            others.push_back({{"object", other.object}, {"plane", vectorJson(other.planeWorld)}});
+        return {
+            {"plane", Json()}, {"light", vectorJson(plane.lightWorld)}, {"others", others}, {"covers", Json::array()}};
     }
-    return {{"plane", vector(plane.planeWorld)},
-            {"light", vector(plane.lightWorld)},
+    return {{"plane", vectorJson(plane.planeWorld)},
+            {"light", vectorJson(plane.lightWorld)},
             {"lightHeight", plane.lightHeight},
             {"covers", covers}};
 }

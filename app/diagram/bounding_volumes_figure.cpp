@@ -18,7 +18,7 @@ namespace {
 using Volume = StructureProbe::Volume;
 
 constexpr double kTreeShare = 0.44, kNode = 24; ///< of the width; pixels: radius of a node
-constexpr double kRow = 2.45 * kNode;           ///< between nodes of the last level
+constexpr double kTreeRow = 2.45 * kNode;       ///< between nodes of the last level
 constexpr std::size_t kMostLeaves = 16;         ///< two for each letter's size on a slide
 constexpr double kLongTimes = 2.5;              ///< the ray is cut where it would make the volumes small
 
@@ -28,7 +28,7 @@ Answer answerOf(const Volume& volume) {
     if (!volume.isAsked) return Answer::spared;
     return volume.isEntered ? Answer::entered : Answer::missed;
 }
-Stroke strokeOf(Answer answer) {
+Stroke strokeOfAnswer(Answer answer) {
     if (answer == Answer::entered) return {colorText(look::kDepthFail), 4, false};
     if (answer == Answer::missed) return {colorText(look::kOccluded), 3.5, true};
     return {"#8c8c8c", 2.5, true};
@@ -42,7 +42,7 @@ std::string letterOf(std::size_t i) {
 
 /// Whole levels, as many as the tree has room for. They stand level by level, so that is a number of volumes.
 std::vector<Volume> shownVolumes(const StructureProbe& structure, double height) {
-    const auto most = std::min(kMostLeaves, static_cast<std::size_t>(height / kRow));
+    const auto most = std::min(kMostLeaves, static_cast<std::size_t>(height / kTreeRow));
     std::vector<Volume> shown;
     std::size_t begin = 0;
     while (begin < structure.volumes.size()) {
@@ -81,7 +81,7 @@ void drawVolumes(Drawing& drawing, const Box& area, const FigureSource& source, 
     for (const scene::Object& object : source.scene.objects)
         if (object.emitterOfLight < 0) drawObject(drawing, area, view, object, {"#b3b3b3", 2.5, false});
     for (const Volume& volume : volumes) {
-        const Stroke stroke = strokeOf(answerOf(volume));
+        const Stroke stroke = strokeOfAnswer(answerOf(volume));
         const Box box = rectangleOf(view, volume.lowerWorld, volume.upperWorld);
         if (volume.isBall) {
             std::vector<dvec2> circle; // as a line, which can be dashed
@@ -115,7 +115,7 @@ void drawVolumes(Drawing& drawing, const Box& area, const FigureSource& source, 
         const dvec2 at = volumes[i].isBall ? box.corner + 0.5 * box.size + radius * dvec2(0.707, -0.707)
                                            : box.corner + dvec2(i % 2 == 0 ? 0.0 : box.size.x, 0);
         labels.place(drawing, at, letterOf(i),
-                     {.size = kText, .isBold = true, .color = strokeOf(answerOf(volumes[i])).color}, 4);
+                     {.size = kText, .isBold = true, .color = strokeOfAnswer(answerOf(volumes[i])).color}, 4);
     }
     labels.place(drawing, glm::mix(from, to, 0.3), "Pixel ray", {.size = kText, .isBold = true}, 10);
 }
@@ -152,7 +152,7 @@ private:
 
 void drawTree(Drawing& drawing, const Box& area, const std::vector<Volume>& volumes, const image::Font& font) {
     const Tree tree(volumes);
-    const double names = 230, row = std::min(area.size.y / tree.rows(), 2 * kRow);
+    const double names = 230, row = std::min(area.size.y / tree.rows(), 2 * kTreeRow);
     const double column = (area.size.x - names - 4 * kNode) / std::max(1, tree.levels());
     const double top = area.corner.y + 0.5 * (area.size.y - row * tree.rows());
     const auto at = [&](std::size_t i) {
@@ -170,7 +170,7 @@ void drawTree(Drawing& drawing, const Box& area, const std::vector<Volume>& volu
         drawing.text(whole + dvec2(-kNode, -kNode - 10), "scene", {.size = kText});
     }
     for (std::size_t i = 0; i < volumes.size(); ++i) {
-        Stroke stroke = strokeOf(answerOf(volumes[i]));
+        Stroke stroke = strokeOfAnswer(answerOf(volumes[i]));
         stroke.isDashed = false;
         const bool isSpared = !volumes[i].isAsked;
         drawing.circle(at(i), kNode, isSpared ? "#f2f2f2" : "#ffffff", stroke,

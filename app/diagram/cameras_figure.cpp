@@ -20,13 +20,14 @@ namespace {
 
 using Cell = MapProbe::Cell;
 
-constexpr double kBorder = 16, kLines = 122; ///< pixels; kLines: of the text under the drawing
-constexpr double kAxis = 120,
+constexpr double kLinesHeight = 122; ///< pixels; kLinesHeight: of the text under the drawing
+constexpr double kAxisLength = 120,
                  kLeastAxis = 0.3; ///< pixels of a whole axis; shorter ones lie too nearly across the paper
 constexpr double kBar = 30;        ///< pixels: thickness of the map
 constexpr double kBarShare = 0.42, kPictureShare = 0.25; ///< of the way to the nearest thing, or to the point
 constexpr double kBeside = 20;                           ///< pixels from a line to what is measured along it
-constexpr const char *kEyeColor = "#1a1a1a", *kLightColor = "#a06000", *kStored = "#a06000", *kCompared = "#0072b2";
+constexpr const char *kEyeColor = "#1a1a1a", *kLightsColor = "#a06000", *kStoredColor = "#a06000",
+                     *kComparedColor = "#0072b2";
 
 /// Depths as greys: near dark, far light, as a depth buffer is shown.
 std::string shade(double share) {
@@ -176,7 +177,7 @@ private:
         labels_.avoid(bar_[0], bar_[1]);
         labels_.avoid(bar_[0] - thick, bar_[1] - thick);
         labels_.place(drawing, bar_[0].x > bar_[1].x ? bar_[0] : bar_[1], "shadow map",
-                      {.size = kText, .isBold = true, .color = kStored}, 14);
+                      {.size = kText, .isBold = true, .color = kStoredColor}, 14);
     }
 
     /// Beside a line, as an engineer measures it.
@@ -209,7 +210,7 @@ private:
             const dvec2 way = -glm::normalize(light.at), axis = inPlane(axes_.depthWorld);
             const dvec2 texel =
                 sheet_(light.at + way * (barDepth_ / glm::dot(way, axis))) - 0.5 * kBar * glm::normalize(down(axis));
-            drawing.rectangle(texel - 9.0, dvec2(18), "none", {kStored, 4, false});
+            drawing.rectangle(texel - 9.0, dvec2(18), "none", {kStoredColor, 4, false});
         }
         drawing.rectangle(pixel_ - 9.0, dvec2(18), "#ffffff", {kEyeColor, 3.5, false});
         labels_.avoid({pixel_ - 10.0, dvec2(20)});
@@ -217,13 +218,13 @@ private:
         const dvec2 ray = point - from;
         const double turn = ray.x * (eye.y - from.y) - ray.y * (eye.x - from.x), side = turn > 0 ? -1 : 1;
         const dvec2 start = light.isDirection || !lightIsSeen ? from : sheet_(light.at);
-        measure(drawing, start, point, side, "z(u,v) = " + fourDigits(map_.pointMetres) + " m", kCompared);
+        measure(drawing, start, point, side, "z(u,v) = " + fourDigits(map_.pointMetres) + " m", kComparedColor);
         if (map_.blockerWorld) {
             const dvec2 blocker = sheet_(sheet_.section().of(*map_.blockerWorld));
             const dvec2 unit = glm::normalize(point - start);
             const dvec2 end = start + glm::dot(blocker - start, unit) * unit;
-            measure(drawing, start, end, -side, "d(u,v) = " + fourDigits(map_.firstMetres) + " m", kStored);
-            drawing.circle(end, 8, kStored, {"#ffffff", 2, false}, "blocker");
+            measure(drawing, start, end, -side, "d(u,v) = " + fourDigits(map_.firstMetres) + " m", kStoredColor);
+            drawing.circle(end, 8, kStoredColor, {"#ffffff", 2, false}, "blocker");
         }
         labels_.place(drawing, glm::mix(eye, point, 0.55), "w(u,v) = " + fourDigits(glm::length(sheet_.eye())) + " m",
                       {.size = kText, .isBold = true}, 12);
@@ -239,7 +240,7 @@ private:
         for (const auto& [axis, letter] : {std::pair(z, "z"), std::pair(isX ? x : y, isX ? "x" : "y")}) {
             const dvec2 way = down(inPlane(axis));
             if (glm::length(way) < kLeastAxis) continue;
-            const dvec2 tip = from + kAxis * way;
+            const dvec2 tip = from + kAxisLength * way;
             drawing.arrow(from, tip, {color, 5, false});
             labels_.avoid(from, tip);
             labels_.place(drawing, tip, LabelText{letter, index, ""}, style, 8);
@@ -253,7 +254,7 @@ private:
             drawAxesAt(drawing, sheet_(sheet_.eye()), -worldAxes[2], worldAxes[0], worldAxes[1], "v", kEyeColor);
         if (!sheet_.light().isDirection && sheet_.shows(sheet_.light().at))
             drawAxesAt(drawing, sheet_(sheet_.light().at), axes_.depthWorld, axes_.acrossWorld, axes_.upWorld, "L",
-                       kLightColor);
+                       kLightsColor);
     }
 
     void drawPlaces(Drawing& drawing) {
@@ -301,7 +302,8 @@ Diagram drawCamerasFigure(const FigureSource& source) {
         throw Error(ExitStatus::badInput, std::string(source.technique) +
                                               " asks no shadow map there; ask shadow-map, about a pixel in its light");
     Drawing drawing(source.size);
-    const Box area{dvec2(kBorder), source.size - 2 * kBorder}, field{area.corner, area.size - dvec2(0, kLines)};
+    const Box area{dvec2(kSectionBorder), source.size - 2 * kSectionBorder},
+        field{area.corner, area.size - dvec2(0, kLinesHeight)};
     Cameras(source, field).draw(drawing);
     drawing.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
 

@@ -29,7 +29,7 @@ constexpr std::size_t kCoarse = 900; ///< triangles: of more the edges would be 
 }
 
 /// Of a ray and a triangle, after Moeller and Trumbore (1997): does it meet it farther away than its start?
-bool meets(const dvec3& from, const dvec3& way, const CasterSolid::Corners& c) {
+bool meetsTriangle(const dvec3& from, const dvec3& way, const CasterSolid::Corners& c) {
     const dvec3 u = c[1] - c[0], v = c[2] - c[0], p = glm::cross(way, v);
     const double area = glm::dot(u, p);
     if (area == 0) return false;
@@ -147,7 +147,7 @@ void drawTriangles(Drawing& drawing, const SpaceView& view, const CasterSolid& s
 
 bool isHidden(const CasterSolid& solid, const dvec3& placeWorld, const dvec3& towardViewerWorld) {
     for (std::size_t t = 0; t < solid.triangles(); ++t)
-        if (meets(placeWorld, towardViewerWorld, solid.corners(t))) return true;
+        if (meetsTriangle(placeWorld, towardViewerWorld, solid.corners(t))) return true;
     return false;
 }
 

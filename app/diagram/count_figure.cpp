@@ -17,9 +17,9 @@ namespace {
 
 using Crossing = VolumeProbe::Crossing;
 
-constexpr double kBorder = 16, kFormulaEm = 36, kRow = 44;
-constexpr double kLines = 2 * kRow + 66; ///< pixels of formula, verdict and legend under the drawing
-constexpr std::size_t kMostMarks = 10;   ///< crossings with a sign beside them: more cover one another
+constexpr double kCountFormulaEm = 36, kCountRow = 44;
+constexpr double kCountLines = 2 * kCountRow + 66; ///< pixels of formula, verdict and legend under the drawing
+constexpr std::size_t kMostMarks = 10;             ///< crossings with a sign beside them: more cover one another
 
 /// The lines of the lecture's algorithm: n_f and n_b of the technique's own way.
 struct Counts {
@@ -34,8 +34,8 @@ Counts countsOf(const FigureSource& source) {
     return {false, volume.frontsBeyond, volume.backsBeyond};
 }
 
-void drawCrossings(Drawing& drawing, Labels& labels, const SectionSheet& sheet, const VolumeProbe& volume,
-                   const Counts& counts) {
+void drawCountedCrossings(Drawing& drawing, Labels& labels, const SectionSheet& sheet, const VolumeProbe& volume,
+                          const Counts& counts) {
     std::vector<std::pair<dvec2, int>> marks;
     for (const Crossing& crossing : volume.crossings) {
         if (crossing.beyond == counts.isPass || std::isinf(crossing.distance)) continue;
@@ -50,7 +50,7 @@ void drawCrossings(Drawing& drawing, Labels& labels, const SectionSheet& sheet, 
                      {.size = kLetter, .isBold = true, .color = signColor(marks[i].second)}, 14);
 }
 
-void drawLine(Drawing& drawing, Labels& labels, const SectionSheet& sheet, bool isPass) {
+void drawEyeLine(Drawing& drawing, Labels& labels, const SectionSheet& sheet, bool isPass) {
     const dvec2 point = sheet(dvec2(0.0)), from = lineStart(sheet), to = lineEnd(sheet);
     const Stroke counted{"#1a1a1a", 5, false}, other{"#8c8c8c", 2.5, true};
     if (isPass)
@@ -74,7 +74,8 @@ Diagram drawCountFigure(const FigureSource& source) {
     const VolumeProbe& volume = *probe.volume;
     const Counts counts = countsOf(source);
     Drawing drawing(source.size);
-    const Box area{dvec2(kBorder), source.size - 2 * kBorder}, field{area.corner, area.size - dvec2(0, kLines)};
+    const Box area{dvec2(kSectionBorder), source.size - 2 * kSectionBorder},
+        field{area.corner, area.size - dvec2(0, kCountLines)};
     std::vector<dvec2> places;
     const dvec2 eye = probe.section->of(probe.geometry[0].fromWorld);
     for (const Crossing& crossing : volume.crossings)
@@ -83,12 +84,12 @@ Diagram drawCountFigure(const FigureSource& source) {
     Labels labels(source.font, field);
     drawCountedAreas(drawing, sheet, volume);
     sheet.drawScene(drawing, labels);
-    drawLine(drawing, labels, sheet, counts.isPass);
+    drawEyeLine(drawing, labels, sheet, counts.isPass);
     const auto truth = std::ranges::find(probe.facts, "truth", &Probe::Fact::label);
     const std::string isTrue = truth == probe.facts.end() ? "" : truth->value;
     const bool isLit = isTrue == "lit";
     sheet.drawPoint(drawing, labels, isLit ? "illuminated" : isTrue == "turned away" ? "turned away" : "shadowed");
-    drawCrossings(drawing, labels, sheet, volume, counts);
+    drawCountedCrossings(drawing, labels, sheet, volume, counts);
     sheet.drawEye(drawing, labels);
     sheet.drawLight(drawing, labels);
     drawing.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
@@ -98,10 +99,10 @@ Diagram drawCountFigure(const FigureSource& source) {
                                ", \\quad n_b = " + std::to_string(counts.backs) + ", \\quad n_f " +
                                (isEqual ? "=" : "\\ne") + " n_b";
     const FormulaFonts fonts{source.font, source.font};
-    const dvec2 foot = area.corner + dvec2(0, field.size.y + kRow);
-    const Extent extent = Formula(number).draw(drawing, foot, kFormulaEm, "#1a1a1a", fonts);
+    const dvec2 foot = area.corner + dvec2(0, field.size.y + kCountRow);
+    const Extent extent = Formula(number).draw(drawing, foot, kCountFormulaEm, "#1a1a1a", fonts);
     drawing.text(foot + dvec2(extent.width + 24, 0), isEqual ? ": illuminated" : ": in shadow",
-                 {.size = kFormulaEm, .isBold = true});
+                 {.size = kCountFormulaEm, .isBold = true});
     std::string remark;
     if (isTrue == "turned away")
         remark = "The surface is turned away from the light, and dark for that.";
@@ -112,7 +113,7 @@ Diagram drawCountFigure(const FigureSource& source) {
     else if (volume.eyeCount > 0)
         remark = "The view point is in " + std::to_string(volume.eyeCount) +
                  (volume.eyeCount == 1 ? " volume itself." : " volumes itself.");
-    drawing.text(foot + dvec2(0, kRow - 4), remark,
+    drawing.text(foot + dvec2(0, kCountRow - 4), remark,
                  {.size = kText, .isBold = isLit != isEqual, .color = isLit != isEqual ? "#a04000" : "#4d4d4d"});
     using enum LegendEntry::Kind;
     const LegendEntry legend[] = {

@@ -14,9 +14,9 @@ namespace shadowlab::diagram {
 
 namespace {
 
-constexpr double kBorder = 16, kGap = 24, kRow = 36;
-constexpr double kLines = 4 * kRow + 14; ///< pixels of the text under each drawing
-constexpr double kBent = 0.995;          ///< cosine between two polygons: of less than six degrees nobody sees the edge
+constexpr double kEdgeGap = 24, kEdgeRow = 36;
+constexpr double kEdgeLines = 4 * kEdgeRow + 14; ///< pixels of the text under each drawing
+constexpr double kBent = 0.995; ///< cosine between two polygons: of less than six degrees nobody sees the edge
 
 struct SharedEdge {
     std::array<std::uint32_t, 2> ends{};
@@ -66,12 +66,12 @@ std::optional<SharedEdge> otherEdge(const CasterSolid& solid, const SharedEdge& 
 void drawEdge(Drawing& drawing, const Box& cell, const CasterSolid& solid, const SharedEdge& edge,
               const image::Font& font) {
     const bool outline = isOutline(solid, edge);
-    const FacingPanel panel(solid, edge.polygons, edge.ends, outline, {cell.corner, cell.size - dvec2(0, kLines)});
+    const FacingPanel panel(solid, edge.polygons, edge.ends, outline, {cell.corner, cell.size - dvec2(0, kEdgeLines)});
     panel.draw(drawing, font);
-    dvec2 foot = cell.corner + dvec2(0.5 * cell.size.x, cell.size.y - kLines);
+    dvec2 foot = cell.corner + dvec2(0.5 * cell.size.x, cell.size.y - kEdgeLines);
     const std::vector<double> products = panel.products();
     for (std::size_t i = 0; i < 2; ++i) {
-        foot.y += kRow;
+        foot.y += kEdgeRow;
         drawing.text(foot,
                      productText(products[i], static_cast<int>(i) + 1, solid.unit()) +
                          (products[i] > 0 ? ": toward" : ": away"),
@@ -82,7 +82,7 @@ void drawEdge(Drawing& drawing, const Box& cell, const CasterSolid& solid, const
                                                                    : "Both away from the light:";
     for (const std::string& line :
          {sides, std::string(outline ? "this edge is an outline" : "this edge is no outline")}) {
-        foot.y += kRow + 2;
+        foot.y += kEdgeRow + 2;
         drawing.text(foot, line, {.size = kHeading, .anchor = Anchor::middle, .isBold = true});
     }
 }
@@ -99,10 +99,12 @@ Diagram drawEdgeFigure(const FigureSource& source) {
                                               "choose a pixel of another object");
     const auto other = otherEdge(solid, *outline);
     Drawing drawing(source.size);
-    const double columns = other ? 2 : 1, width = (source.size.x - 2 * kBorder - (columns - 1) * kGap) / columns;
-    const dvec2 size(width, source.size.y - 2 * kBorder);
-    drawEdge(drawing, {dvec2(kBorder), size}, solid, *outline, source.font);
-    if (other) drawEdge(drawing, {dvec2(kBorder + width + kGap, kBorder), size}, solid, *other, source.font);
+    const double columns = other ? 2 : 1,
+                 width = (source.size.x - 2 * kSectionBorder - (columns - 1) * kEdgeGap) / columns;
+    const dvec2 size(width, source.size.y - 2 * kSectionBorder);
+    drawEdge(drawing, {dvec2(kSectionBorder), size}, solid, *outline, source.font);
+    if (other)
+        drawEdge(drawing, {dvec2(kSectionBorder + width + kEdgeGap, kSectionBorder), size}, solid, *other, source.font);
     return {std::move(drawing),
             "An outline edge of " + solid.object->name +
                 " between a polygon that faces toward the light and one that faces away, and an edge "

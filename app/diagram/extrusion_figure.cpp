@@ -14,8 +14,8 @@ namespace shadowlab::diagram {
 
 namespace {
 
-constexpr double kBorder = 16, kFormulaEm = 40, kRow = 34;
-constexpr double kLines = 110 + 2 * kRow; ///< pixels of formula and numbers under the drawing
+constexpr double kFormulaEm = 40, kExtrusionRow = 34;
+constexpr double kExtrusionLines = 110 + 2 * kExtrusionRow; ///< pixels of formula and numbers under the drawing
 
 /// The vertex of the outline whose way from P to P' passes nearest to the picked point.
 std::uint32_t chosenVertex(const CasterSolid& solid, const dvec3& pointWorld) {
@@ -47,7 +47,8 @@ Diagram drawExtrusionFigure(const FigureSource& source) {
         throw Error(ExitStatus::badInput,
                     solid.object->name + " has no outline for this light; choose a pixel of another object");
     Drawing drawing(source.size);
-    const Box area{dvec2(kBorder), source.size - 2 * kBorder}, field{area.corner, area.size - dvec2(0, kLines)};
+    const Box area{dvec2(kSectionBorder), source.size - 2 * kSectionBorder},
+        field{area.corner, area.size - dvec2(0, kExtrusionLines)};
     const VolumeSketch sketch(source, solid, field);
     const SpaceView& view = sketch.view();
     Labels labels(source.font, field);
@@ -101,13 +102,13 @@ Diagram drawExtrusionFigure(const FigureSource& source) {
     const std::vector<std::string> lines =
         source.font.wrap(how, kText, static_cast<int>(area.size.x - extent.width - 50));
     for (std::size_t i = 0; i < lines.size() && i < 2; ++i)
-        drawing.text(foot + dvec2(extent.width + 50, extent.above + kRow * static_cast<double>(i)), lines[i],
+        drawing.text(foot + dvec2(extent.width + 50, extent.above + kExtrusionRow * static_cast<double>(i)), lines[i],
                      {.size = kText, .color = "#4d4d4d"});
     foot.y += 110 + kText - 10;
     const dvec4& l = solid.lightWorld;
     const std::string from = std::string(isSun ? "toward the light L = " : "light source at ") + coordinates(dvec3(l));
     drawing.text(foot, from + ",  P = " + coordinates(p), {.size = kText});
-    drawing.text(foot + dvec2(0, kRow),
+    drawing.text(foot + dvec2(0, kExtrusionRow),
                  isEndless ? "P' = (" + coordinates(dvec3(end)).substr(1, coordinates(dvec3(end)).size() - 2) + ", 0)"
                            : "P' = " + coordinates(dvec3(end)) + ",  d = |P' \u2212 P| = " + fourDigits(d) + " m",
                  {.size = kText});

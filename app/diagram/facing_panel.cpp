@@ -18,7 +18,7 @@ constexpr double kNormal = 0.62;         ///< length of N as it is drawn, of wha
 constexpr double kToLight = 1.25;        ///< likewise of L, where the light is farther away than kNear
 constexpr double kNear = 2.2;            ///< likewise
 constexpr double kNeighbours = 0.62;     ///< paleness
-constexpr dvec2 kMargin{64, 58};         ///< pixels for labels
+constexpr dvec2 kFacingMargin{64, 58};   ///< pixels for labels
 constexpr const char* kNormalColor = "#0072b2";
 constexpr const char* kLightColor = "#a06000";
 
@@ -94,7 +94,7 @@ void FacingPanel::chooseView() {
         for (const std::size_t t : *list)
             for (const dvec3& corner : solid_.corners(t))
                 shown.push_back(corner);
-    view_.emplace(shown, best, area_, kMargin);
+    view_.emplace(shown, best, area_, kFacingMargin);
 }
 
 void FacingPanel::drawPolygons(Drawing& drawing, Labels& labels) const {

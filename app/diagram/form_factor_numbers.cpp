@@ -10,7 +10,7 @@ namespace shadowlab::diagram {
 
 namespace {
 
-constexpr double kRow = 37; ///< pixels from one line of numbers to the next
+constexpr double kNumbersRow = 37; ///< pixels from one line of numbers to the next
 
 /// Lines of numbers beside the figure.
 class Column {
@@ -18,11 +18,11 @@ public:
     Column(Drawing& drawing, const Box& area, const image::Font& font) : svg_(drawing), font_(font), area_(area) {}
 
     void heading(const std::string& text) {
-        y_ += y_ > 0 ? kRow + 16 : kHeading;
+        y_ += y_ > 0 ? kNumbersRow + 16 : kHeading;
         write(0, text, {.size = kHeading, .isBold = true});
     }
     void row(const std::string& name, const std::string& value) {
-        y_ += kRow;
+        y_ += kNumbersRow;
         write(0, name, {.size = kText + 2});
         if (!value.empty()) write(kValues, value, {.size = kText + 2});
     }
@@ -37,7 +37,7 @@ public:
         const TextStyle style{.size = kText + 4};
         const std::string above = "cos \u03c6\u2c7c cos \u03c6\u2096", below = "\u03c0 r\u00b2",
                           name = "F\u2c7c\u2096 = ";
-        y_ += 1.6 * kRow;
+        y_ += 1.6 * kNumbersRow;
         double x = 0;
         write(x, name, style);
         x += textSize(font_, name, style.size).x + 12;
@@ -50,7 +50,7 @@ public:
         write(x + 0.5 * (width - textSize(font_, below, style.size).x), below, style);
         y_ -= 0.72 * style.size;
         write(x + width + 12, "dA\u2096  =  " + value, style);
-        y_ += 0.4 * kRow;
+        y_ += 0.4 * kNumbersRow;
     }
 
 private:

@@ -16,7 +16,7 @@ namespace {
 constexpr double kFigureWidth = 1080, kGap = 40; ///< pixels; the rest of the width is for numbers
 constexpr double kLeastNumbers = 600;            ///< of that width there must be at least so much
 constexpr double kLabel = 30;                    ///< em: indices are smaller than their letters
-const dvec2 kMargin(130, 58);                    ///< pixels around what is drawn, for labels
+const dvec2 kFigureMargin(130, 58);              ///< pixels around what is drawn, for labels
 constexpr double kArcShare = 0.45;               ///< of the shorter of a normal and r, as it is drawn
 constexpr int kArcPieces = 24, kAvoided = 6;     ///< pieces of an arc; so many are one line that labels avoid
 
@@ -24,11 +24,6 @@ const Stroke kThin{"#1a1a1a", 2, false}, kThick{"#1a1a1a", 4, false};
 
 double angleBetween(const dvec3& a, const dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); // the arc cosine of nearly 1 has no digits
-}
-
-std::string degrees(double angle) {
-    const std::string text = std::to_string(std::round(glm::degrees(angle) * 10) / 10);
-    return text.substr(0, text.find('.') + 2) + "\u00b0";
 }
 
 /// The numbers of a room that has space for no more.
@@ -41,7 +36,7 @@ std::string oneLine(const Probe::Exchange& exchange) {
 }
 
 /// What is drawn of one of the two surfaces.
-struct Surface {
+struct DrawnSurface {
     const Probe::Patch* patch;
     std::string letter, index, color; ///< the letter as an index
     dvec3 toOtherWorld;               ///< unit, from its centre to that of the other one
@@ -50,15 +45,16 @@ struct Surface {
     [[nodiscard]] double phi() const { return angleBetween(patch->normalWorld, toOtherWorld); }
 };
 
-class Figure {
+class FormFactorDrawing {
 public:
-    Figure(const Probe::Exchange& exchange, const Box& area, const image::Font& font)
+    FormFactorDrawing(const Probe::Exchange& exchange, const Box& area, const image::Font& font)
         : view_(patchView(exchange.j, *exchange.k)), labels_(font, area), area_(area) {
         const dvec3 wayWorld = exchange.k->centreWorld - exchange.j.centreWorld, unit = glm::normalize(wayWorld);
         distance_ = glm::length(wayWorld);
         const dvec2 far = view_.of(view_.distanceShare * wayWorld);
-        surfaces_ = {Surface{&exchange.j, "j", "\u2c7c", colorText(look::kPatchJ), unit, view_.magnified[0], dvec2(0)},
-                     Surface{&*exchange.k, "k", "\u2096", colorText(look::kPatchK), -unit, view_.magnified[1], far}};
+        surfaces_ = {
+            DrawnSurface{&exchange.j, "j", "\u2c7c", colorText(look::kPatchJ), unit, view_.magnified[0], dvec2(0)},
+            DrawnSurface{&*exchange.k, "k", "\u2096", colorText(look::kPatchK), -unit, view_.magnified[1], far}};
         // Where they point at each other, normals must not meet.
         const double drawn = view_.distanceShare * distance_;
         normalLength_ = (surfaces_[0].phi() < 0.6 && surfaces_[1].phi() < 0.6 ? 0.4 : 0.6) * drawn;
@@ -66,12 +62,12 @@ public:
     }
 
     void draw(Drawing& drawing) {
-        for (const Surface& surface : surfaces_)
+        for (const DrawnSurface& surface : surfaces_)
             drawSurface(drawing, surface);
         drawLine(drawing);
-        for (const Surface& surface : surfaces_)
+        for (const DrawnSurface& surface : surfaces_)
             drawAngle(drawing, surface);
-        for (const Surface& surface : surfaces_)
+        for (const DrawnSurface& surface : surfaces_)
             drawNormal(drawing, surface);
         label(drawing);
     }
@@ -80,7 +76,7 @@ public:
     [[nodiscard]] std::string liberties() const {
         std::string text;
         if (view_.distanceShare < 1) text = "r is drawn shorter by the part between the strokes";
-        for (const Surface& surface : surfaces_) {
+        for (const DrawnSurface& surface : surfaces_) {
             if (surface.magnified == 1) continue;
             if (!text.empty()) text += "; ";
             text += "surface " + surface.letter + " is drawn " + fourDigits(surface.magnified) + " times as large";
@@ -88,15 +84,15 @@ public:
         return text;
     }
     [[nodiscard]] bool showsABack() const {
-        return std::ranges::any_of(surfaces_, [&](const Surface& surface) { return !showsItsFront(surface); });
+        return std::ranges::any_of(surfaces_, [&](const DrawnSurface& surface) { return !showsItsFront(surface); });
     }
 
 private:
     [[nodiscard]] dvec2 onSheet(dvec2 metres) const { return offset_ + scale_ * dvec2(metres.x, -metres.y); }
-    [[nodiscard]] dvec2 tip(const Surface& surface) const {
+    [[nodiscard]] dvec2 tip(const DrawnSurface& surface) const {
         return surface.centre + normalLength_ * view_.of(surface.patch->normalWorld);
     }
-    [[nodiscard]] bool showsItsFront(const Surface& surface) const {
+    [[nodiscard]] bool showsItsFront(const DrawnSurface& surface) const {
         return glm::dot(surface.patch->normalWorld, view_.towardViewerWorld) > 0;
     }
 
@@ -106,17 +102,17 @@ private:
             low = glm::min(low, place);
             high = glm::max(high, place);
         };
-        for (const Surface& surface : surfaces_) {
+        for (const DrawnSurface& surface : surfaces_) {
             for (const dvec2& corner : drawnCorners(*surface.patch, view_, surface.magnified, surface.centre))
                 include(corner);
             include(tip(surface));
         }
-        const dvec2 room = area_.size - 2.0 * kMargin, size = high - low;
+        const dvec2 room = area_.size - 2.0 * kFigureMargin, size = high - low;
         scale_ = std::min(room.x / std::max(size.x, 1e-300), room.y / std::max(size.y, 1e-300));
         offset_ = area_.corner + 0.5 * area_.size - scale_ * dvec2(0.5, -0.5) * (low + high);
     }
 
-    void drawSurface(Drawing& drawing, const Surface& surface) {
+    void drawSurface(Drawing& drawing, const DrawnSurface& surface) {
         std::vector<dvec2> corners;
         for (const dvec2& corner : drawnCorners(*surface.patch, view_, surface.magnified, surface.centre))
             corners.push_back(onSheet(corner));
@@ -137,7 +133,7 @@ private:
     }
 
     /// The arc from the normal to r, in the plane of both, as that plane is seen.
-    void drawAngle(Drawing& drawing, const Surface& surface) {
+    void drawAngle(Drawing& drawing, const DrawnSurface& surface) {
         const dvec3 &n = surface.patch->normalWorld, &r = surface.toOtherWorld;
         const double phi = surface.phi();
         const double radius = kArcShare * std::min(normalLength_, 0.5 * view_.distanceShare * distance_);
@@ -152,7 +148,7 @@ private:
         drawing.path(arc, false, "", kThin);
     }
 
-    void drawNormal(Drawing& drawing, const Surface& surface) {
+    void drawNormal(Drawing& drawing, const DrawnSurface& surface) {
         const dvec2 from = onSheet(surface.centre), to = onSheet(tip(surface));
         drawing.arrow(from, to, kThick);
         drawing.circle(from, 6, "#1a1a1a", {"#ffffff", 1.5, false});
@@ -161,18 +157,18 @@ private:
 
     void label(Drawing& drawing) {
         const TextStyle letter{.size = kLabel, .isItalic = true};
-        for (const Surface& surface : surfaces_) {
+        for (const DrawnSurface& surface : surfaces_) {
             labels_.place(drawing, onSheet(tip(surface)), "N" + surface.index, letter, 8);
             const double radius = kArcShare * std::min(normalLength_, 0.5 * view_.distanceShare * distance_);
             const dvec3 middle = glm::normalize(surface.patch->normalWorld + (1 + 1e-9) * surface.toOtherWorld);
             labels_.place(drawing, onSheet(surface.centre + radius * view_.of(middle)),
-                          "\u03c6" + surface.index + " = " + degrees(surface.phi()), letter, 10);
+                          "\u03c6" + surface.index + " = " + degreesText(surface.phi()), letter, 10);
         }
         labels_.place(drawing, onSheet(0.5 * (surfaces_[0].centre + surfaces_[1].centre)),
                       "r = " + fourDigits(distance_) + " m", letter, view_.distanceShare < 1 ? 18 : 8);
-        for (const Surface& surface : surfaces_) {
+        for (const DrawnSurface& surface : surfaces_) {
             // At the corner that lies farthest from the other surface.
-            const Surface& other = surfaces_[&surface == surfaces_.data() ? 1 : 0];
+            const DrawnSurface& other = surfaces_[&surface == surfaces_.data() ? 1 : 0];
             const std::vector<dvec2> corners = drawnCorners(*surface.patch, view_, surface.magnified, surface.centre);
             const dvec2 corner = std::ranges::max(
                 corners, {}, [&](dvec2 place) { return glm::dot(place, surface.centre - other.centre); });
@@ -186,7 +182,7 @@ private:
     PatchView view_;
     Labels labels_;
     Box area_;
-    std::array<Surface, 2> surfaces_;
+    std::array<DrawnSurface, 2> surfaces_;
     double distance_ = 0, normalLength_ = 0, scale_ = 1; ///< metres; pixels for each
     dvec2 offset_{0.0};
 };
@@ -199,10 +195,10 @@ void drawFormFactor(Drawing& drawing, const Box& area, const Probe::Exchange& ex
                  {.size = kHeading, .isBold = true});
     const double below = 1.4 * kText;
     const bool hasNumbers = area.size.x > kFigureWidth + kGap + kLeastNumbers;
-    Figure figure(exchange,
-                  {area.corner + dvec2(0, 1.5 * kHeading),
-                   {hasNumbers ? kFigureWidth : area.size.x, area.size.y - 1.5 * kHeading - 2 * below}},
-                  font);
+    FormFactorDrawing figure(exchange,
+                             {area.corner + dvec2(0, 1.5 * kHeading),
+                              {hasNumbers ? kFigureWidth : area.size.x, area.size.y - 1.5 * kHeading - 2 * below}},
+                             font);
     figure.draw(drawing);
     const dvec2 foot = area.corner + dvec2(0, area.size.y - 8);
     const TextStyle small{.size = kText, .color = "#4d4d4d"};

@@ -10,9 +10,9 @@ namespace shadowlab::diagram {
 
 namespace {
 
-constexpr double kColumn = 290, kGap = 36, kSwatch = 120; ///< pixels
-constexpr double kLeastArrow = 14;                        ///< shorter ones would be nothing but a head
-constexpr std::size_t kMostArrows = 64;                   ///< more subpixels are too small for them
+constexpr double kColumn = 290, kColumnGap = 36, kSwatch = 120; ///< pixels
+constexpr double kLeastArrow = 14;                              ///< shorter ones would be nothing but a head
+constexpr std::size_t kMostArrows = 64;                         ///< more subpixels are too small for them
 
 const Stroke kEdge{"#1a1a1a", 4, false}, kInner{"#8c8c8c", 2, false}, kWay{"#1a1a1a", 2.5, false};
 
@@ -55,8 +55,8 @@ Diagram drawJitter(const FigureSource& source) {
     const Box room = writeFoot(drawing, roomOf(source), foot, source.font);
 
     const double heading = 1.9 * kText;
-    const double side = std::min(room.size.x - kColumn - kGap, room.size.y - heading);
-    const dvec2 corner = room.corner + dvec2(0.5 * (room.size.x - side - kGap - kColumn),
+    const double side = std::min(room.size.x - kColumn - kColumnGap, room.size.y - heading);
+    const dvec2 corner = room.corner + dvec2(0.5 * (room.size.x - side - kColumnGap - kColumn),
                                              heading + 0.5 * (room.size.y - heading - side));
     drawing.text(corner - dvec2(0, 0.9 * kText),
                  "One pixel, divided into " +
@@ -73,7 +73,7 @@ Diagram drawJitter(const FigureSource& source) {
     for (const RaysProbe::Sample& sample : rays.samples)
         drawSample(drawing, sample, corner, side, radius, hasArrows, exposure);
 
-    const dvec2 column = corner + dvec2(side + kGap, 0);
+    const dvec2 column = corner + dvec2(side + kColumnGap, 0);
     drawSwatch(drawing, column, rays.mean(), exposure, "pixel intensity",
                "mean of " + counted(rays.samples.size(), "ray", "rays"), "I = ");
     if (!source.probe.tree.empty())

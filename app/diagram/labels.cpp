@@ -12,7 +12,7 @@ namespace shadowlab::diagram {
 
 namespace {
 
-constexpr int kDirections = 16;
+constexpr int kPlacesAround = 16;
 constexpr double kStep = 14;       ///< pixels between the rings that are tried
 constexpr int kRings = 14;         ///< the farthest is some 200 pixels away
 constexpr double kBolder = 1.12;   ///< of bold letters, in the widths of the others that are measured
@@ -68,8 +68,8 @@ bool Labels::place(Drawing& drawing, dvec2 anchor, const LabelText& text, const 
     std::optional<Box> best;
     double least = std::numeric_limits<double>::infinity(), distance = 0;
     for (int ring = 0; ring < kRings; ++ring)
-        for (int i = 0; i < kDirections; ++i) {
-            const double angle = glm::two_pi<double>() * (i + 0.5) / kDirections, reach = away + kStep * ring;
+        for (int i = 0; i < kPlacesAround; ++i) {
+            const double angle = glm::two_pi<double>() * (i + 0.5) / kPlacesAround, reach = away + kStep * ring;
             const dvec2 toward(std::cos(angle), std::sin(angle));
             // The box touches the ring with its nearest side.
             const dvec2 middle =

@@ -15,9 +15,9 @@ namespace shadowlab::diagram {
 
 namespace {
 
-constexpr double kFaceShare = 0.36;   ///< of the width: the light's own face
-constexpr double kLook = 0.3;         ///< how far from above the plane of the light and N is looked at: sine
-constexpr double kNormalShare = 0.35; ///< of the way to the light
+constexpr double kFaceShare = 0.36;       ///< of the width: the light's own face
+constexpr double kLook = 0.3;             ///< how far from above the plane of the light and N is looked at: sine
+constexpr double kLampNormalShare = 0.35; ///< of the way to the light
 constexpr int kCirclePieces = 72;
 
 const std::string& arriving() {
@@ -94,7 +94,7 @@ void drawSpace(Drawing& drawing, const Box& area, const FigureSource& source, co
     ParallelView view(across + kLook * (glm::dot(upward, toLight) > 0 ? -upward : upward), upward);
     std::vector<dvec3> places = face.rimWorld();
     places.push_back(point);
-    places.push_back(point + kNormalShare * away * normal);
+    places.push_back(point + kLampNormalShare * away * normal);
     places.push_back(point - 0.06 * away * normal);
     view.fit(places, {area.corner + dvec2(50, 60), area.size - dvec2(100, 90)});
     Labels labels(source.font, area);
@@ -122,7 +122,7 @@ void drawSpace(Drawing& drawing, const Box& area, const FigureSource& source, co
             drawing.line(to - dvec2(8, -8), to + dvec2(8, -8), {blocked(), 4, false});
             drawing.circle(to, 2, blocked(), {blocked(), 0, false}, "blocked");
         }
-    const dvec2 at = view(point), tip = view(point + kNormalShare * away * normal);
+    const dvec2 at = view(point), tip = view(point + kLampNormalShare * away * normal);
     const dvec2 along(36, 0);
     drawing.line(at - along, at + along, {"#8c8c8c", 5, false});
     drawing.arrow(at, tip, {"#4d4d4d", 4, false});

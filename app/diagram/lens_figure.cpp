@@ -19,8 +19,8 @@ namespace {
 constexpr double kProjectionShare = 0.22;
 constexpr double kLensHeight = 0.42; ///< of the room's height: what the aperture is drawn as, if that makes it larger
 constexpr double kLensBulge = 16;    ///< pixels
-constexpr double kFarTimes = 1.9;    ///< rays that go farther than so many times the focus are cut
-constexpr int kArcPieces = 20;
+constexpr double kBeyondFocus = 1.9; ///< rays that go farther than so many times the focus are cut
+constexpr int kLensArcPieces = 20;
 
 /// The plane of the drawing: metres along the camera's axis, and at right angles to it above the ray through the lens's middle.
 /// A shear along the heights: planes square to the axis stay what they are, and the middle ray is level.
@@ -40,7 +40,7 @@ public:
         slope = plane.ofDirection(way).y / plane.ofDirection(way).x;
         farthest = focus;
         for (const RaysProbe::Sample& sample : rays.samples)
-            farthest = std::max(farthest, std::min(plane.of(sample.toWorld).x, kFarTimes * focus));
+            farthest = std::max(farthest, std::min(plane.of(sample.toWorld).x, kBeyondFocus * focus));
         farthest *= 1.04;
         metre_ = dvec2(room.size.x / (1.08 * farthest));
         double reach = 0.5 * rays.aperture;
@@ -92,8 +92,8 @@ void drawLensShape(Drawing& drawing, const LensSheet& sheet, double aperture) {
     const dvec2 top = sheet({0, 0.5 * aperture}), bottom = sheet({0, -0.5 * aperture});
     std::vector<dvec2> rim;
     for (const double side : {1.0, -1.0})
-        for (int i = 0; i <= kArcPieces; ++i) {
-            const double t = static_cast<double>(i) / kArcPieces, share = side > 0 ? t : 1 - t;
+        for (int i = 0; i <= kLensArcPieces; ++i) {
+            const double t = static_cast<double>(i) / kLensArcPieces, share = side > 0 ? t : 1 - t;
             rim.push_back(glm::mix(top, bottom, share) + dvec2(side * kLensBulge * 4 * share * (1 - share), 0));
         }
     drawing.path(rim, true, "#d6ebf7", {colorText(look::kDepthFail), 3, false}); // a light tint of that blue

@@ -100,7 +100,7 @@ void drawDetail(Drawing& drawing, const Box& area, const Probe& probe, const sce
     drawing.rectangle(area.corner, area.size, "none", {"#bfbfbf", 2, false});
 }
 
-void writeNumbers(Drawing& drawing, const Box& area, const Probe& probe, const image::Font& font) {
+void writeMapNumbers(Drawing& drawing, const Box& area, const Probe& probe, const image::Font& font) {
     const MapProbe& map = *probe.map;
     TextColumn column(drawing, area, font);
     const bool isInside = glm::all(glm::greaterThanEqual(map.texel, ivec2(0))) &&
@@ -159,7 +159,7 @@ void drawMap(Drawing& drawing, const Box& area, const Probe& probe, const scene:
     drawDetail(drawing, {right + under, {kRight, detail}}, probe, scene, font);
     const Box below{right + under + dvec2(0, detail + 16),
                     {kRight, area.size.y - kHeading - 18 - detail - 16 - kLegend - 14}};
-    writeNumbers(drawing, {below.corner, below.size - dvec2(taps ? kTaps + 24 : 0, 0)}, probe, font);
+    writeMapNumbers(drawing, {below.corner, below.size - dvec2(taps ? kTaps + 24 : 0, 0)}, probe, font);
     if (taps)
         drawTaps(drawing, {below.corner + dvec2(kRight - kTaps, kHeading + 22), {kTaps, below.size.y - kHeading - 22}},
                  *probe.map);

@@ -17,8 +17,13 @@ std::string fourDigits(double value);
 Stroke strokeOf(Probe::Role role);
 /// "0.42 0.4 0.38": red, green and blue in three digits at most.
 std::string colorNumbers(const dvec3& intensity);
+/// Pixels of a section's or a solid's room that stay empty on all sides.
+constexpr double kSectionBorder = 16;
+
 /// "4.2 %"
 std::string percent(double share);
+/// "41.3\u00b0" of an angle in radians.
+std::string degreesText(double angle);
 
 /// "Paths of pixel rays": where they go in the scene, in the plane of incidence of the first surface.
 void drawPaths(Drawing& drawing, const Box& area, const Probe& probe, const ShownTree& shown, const scene::Scene& scene,

@@ -11,8 +11,8 @@ namespace shadowlab::diagram {
 
 namespace {
 
-constexpr double kBorder = 24, kNumber = 130; ///< pixels; kNumber: of a count at the end of a bar
-constexpr double kNames = 470;                ///< of the words before the bars
+constexpr double kPassesBorder = 24, kNumber = 130; ///< pixels; kNumber: of a count at the end of a bar
+constexpr double kNamesWidth = 470;                 ///< of the words before the bars
 constexpr double kLeastRow = 34, kMostRow = 78;
 constexpr const char *kFromEye = "#0072b2", *kOfLight = "#a06000";
 
@@ -40,7 +40,7 @@ Diagram drawPassesFigure(const FigureSource& source) {
                                               " does not tell how often it draws; ask shadow-map with one map for each "
                                               "light, in a scene with lights");
     Drawing drawing(source.size);
-    const Box area{dvec2(kBorder), source.size - 2 * kBorder};
+    const Box area{dvec2(kPassesBorder), source.size - 2 * kPassesBorder};
     const std::size_t lights = source.scene.lights.size();
     constexpr double foot = 4 * 36 + 20;
     const double row =
@@ -53,7 +53,7 @@ Diagram drawPassesFigure(const FigureSource& source) {
     }
     drawing.text(area.corner + dvec2(0, kHeading), "Polygons that each pass of a frame draws",
                  {.size = kHeading, .isBold = true});
-    const double left = area.corner.x + std::min(kNames, 0.45 * area.size.x),
+    const double left = area.corner.x + std::min(kNamesWidth, 0.45 * area.size.x),
                  widest = area.corner.x + area.size.x - kNumber - left;
     dvec2 at = area.corner + dvec2(0, kHeading + 24);
     for (std::size_t i = 0; i < rows; ++i) {

@@ -11,7 +11,7 @@ namespace shadowlab::diagram {
 
 namespace {
 
-constexpr int kDirections = 1500;        ///< some five degrees from one to the next
+constexpr int kTriedDirections = 1500;   ///< some five degrees from one to the next
 constexpr double kSteepest = 0.9;        ///< of the viewer's height: from right above, up would be no direction
 constexpr double kSmallest = 0.3;        ///< size of the smaller surface as it is drawn, in that of the larger one
 constexpr double kOfDistance = 0.35;     ///< radius to which a surface is magnified at most, in the distance
@@ -53,7 +53,7 @@ double shownAngle(const PatchView& view, const dvec3& a, const dvec3& b) {
 
 /// The directions of a spiral from pole to pole lie about equally dense everywhere.
 dvec3 direction(int i) {
-    const double y = 1 - (2.0 * i + 1) / kDirections, away = std::sqrt(1 - y * y);
+    const double y = 1 - (2.0 * i + 1) / kTriedDirections, away = std::sqrt(1 - y * y);
     const double angle = glm::pi<double>() * (3 - std::sqrt(5.0)) * i; // the golden angle
     return {away * std::sin(angle), y, away * std::cos(angle)};
 }
@@ -71,7 +71,7 @@ public:
     [[nodiscard]] PatchView best() const {
         PatchView best;
         double most = -std::numeric_limits<double>::infinity();
-        for (int i = 0; i < kDirections; ++i) {
+        for (int i = 0; i < kTriedDirections; ++i) {
             const dvec3 towardViewer = direction(i);
             if (std::abs(towardViewer.y) > kSteepest) continue;
             PatchView view = from(towardViewer);

@@ -12,7 +12,7 @@ namespace shadowlab::diagram {
 namespace {
 
 // A surface that is this many times as far from the first one as all nearer ones would leave them no room: its ray is cut.
-constexpr double kFarTimes = 4;
+constexpr double kRayFarTimes = 4;
 // In units of the size of what is near: where the eye and the light are drawn if they are farther; how long rays are drawn
 // that end nowhere, or far away.
 constexpr double kEyeReach = 0.9, kLightReach = 0.8, kRayReach = 0.3;
@@ -77,7 +77,7 @@ private:
         const Probe::Segment& eye = segmentOf(probe_, rays.front());
         const double least = 1e-3 * glm::length(eye.fromWorld - eye.toWorld); // nearer is the same place
         for (const double distance : distances)
-            if (distance > least && (reach_ == 0 || distance <= kFarTimes * reach_)) reach_ = distance;
+            if (distance > least && (reach_ == 0 || distance <= kRayFarTimes * reach_)) reach_ = distance;
         if (reach_ == 0) reach_ = kOfEyeDistance * glm::length(eye.fromWorld - eye.toWorld);
         reach_ *= 1.001; // the farthest itself is not beyond it
         near_ = reach_;

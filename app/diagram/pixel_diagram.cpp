@@ -89,6 +89,11 @@ std::string colorNumbers(const dvec3& intensity) {
     return digits(intensity.r) + " " + digits(intensity.g) + " " + digits(intensity.b);
 }
 
+std::string degreesText(double angle) {
+    const std::string text = std::to_string(std::round(glm::degrees(angle) * 10) / 10);
+    return text.substr(0, text.find('.') + 2) + "\u00b0";
+}
+
 std::string percent(double share) {
     const double rounded = share < 0.0995 ? std::round(share * 1000) / 10 : std::round(share * 100);
     if (share > 0 && rounded < 0.1) return "< 0.1 %";

@@ -21,7 +21,7 @@ constexpr double kLens = 150;       ///< pixels: radius of the enlargement
 constexpr double kEnlarged = 2.2;   ///< pixels of the picture across it
 constexpr double kThingTimes = 0.8; ///< objects wider than so many times the ray's length are ground and walls
 // From where it is seen: beside the camera, above it, and a little from behind, so that the pixels face the reader.
-constexpr double kBeside = 0.75, kAbove = 0.38, kBehind = 0.55;
+constexpr double kBesideScreen = 0.75, kAbove = 0.38, kBehind = 0.55;
 
 class Sheet {
 public:
@@ -60,7 +60,7 @@ public:
 private:
     [[nodiscard]] dvec3 direction() const {
         // From the side on which the rays go to the right of the sheet.
-        return kBeside * right_ + kAbove * glm::cross(right_, forward_) - kBehind * forward_;
+        return kBesideScreen * right_ + kAbove * glm::cross(right_, forward_) - kBehind * forward_;
     }
     scene::Camera camera_;
     ivec2 size_;

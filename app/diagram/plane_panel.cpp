@@ -14,7 +14,7 @@ namespace {
 
 using Cover = PlaneProbe::Cover;
 
-constexpr const char* kShadow = "#1a1a1a";
+constexpr const char* kPlaneShadow = "#1a1a1a";
 
 /// The receiver's line in the drawing's plane, through the point: unit. None where the two planes are the same.
 struct PlaneCut {
@@ -112,7 +112,7 @@ void drawShadows(Drawing& drawing, Labels& labels, const SectionSheet& sheet, co
             const double from = std::max(one.from, surface.from), to = std::min(one.to, surface.to);
             if (!(from < to)) continue;
             falls = true;
-            drawing.line(sheet(from * plane.along), sheet(to * plane.along), {kShadow, 11, false});
+            drawing.line(sheet(from * plane.along), sheet(to * plane.along), {kPlaneShadow, 11, false});
         }
         if (falls && (!nearest || away(one) < away(*nearest))) nearest = &one;
     }
@@ -173,7 +173,7 @@ void drawNormal(Drawing& drawing, Labels& labels, const SectionSheet& sheet, con
     labels.place(drawing, tip, "N", {.size = kText, .isBold = true, .color = "#0072b2"}, 8);
 }
 
-void writeNumbers(Drawing& drawing, const Box& area, const Probe& probe, const image::Font& font) {
+void writePlaneNumbers(Drawing& drawing, const Box& area, const Probe& probe, const image::Font& font) {
     const PlaneProbe& plane = *probe.plane;
     TextColumn column(drawing, area, font);
     column.heading("Receiver plane N\u00b7P + D = 0");
@@ -247,10 +247,10 @@ void drawPlane(Drawing& drawing, const Box& area, const Probe& probe, const scen
     sheet.drawLight(drawing, labels);
     drawCovers(drawing, labels, sheet, probe); // last: its labels keep away from all lines
     drawing.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
-    writeNumbers(drawing, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}},
-                 probe, font);
+    writePlaneNumbers(drawing, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}},
+                      probe, font);
     using enum LegendEntry::Kind;
-    const LegendEntry legend[] = {{line, kShadow, "projected shadow"},
+    const LegendEntry legend[] = {{line, kPlaneShadow, "projected shadow"},
                                   {dashed, colorText(look::kRefractionRay), "its borders"},
                                   {line, colorText(look::kOccluded), "light that does not arrive"},
                                   {line, colorText(look::kEqualDepth), "light that does"},

@@ -14,7 +14,7 @@ namespace {
 
 using Crossing = VolumeProbe::Crossing;
 
-constexpr double kBorder = 16, kLines = 56; ///< pixels; kLines: of the text under the drawing
+constexpr double kPlusOneLines = 56; ///< pixels; kPlusOneLines: of the text under the drawing
 
 /// The sides of that caster's volume between eye and point, in order.
 std::vector<const Crossing*> sidesBefore(const VolumeProbe& volume, const CasterSolid& solid) {
@@ -51,7 +51,8 @@ Diagram drawPlusOneFigure(const FigureSource& source) {
         throw Error(ExitStatus::badInput, "no side of the volume of " + solid.object->name +
                                               " lies between the eye and the pixel; choose one farther in its shadow");
     Drawing drawing(source.size);
-    const Box area{dvec2(kBorder), source.size - 2 * kBorder}, field{area.corner, area.size - dvec2(0, kLines)};
+    const Box area{dvec2(kSectionBorder), source.size - 2 * kSectionBorder},
+        field{area.corner, area.size - dvec2(0, kPlusOneLines)};
     const VolumeSketch sketch(source, solid, field);
     const SpaceView& view = sketch.view();
     Labels labels(source.font, field);

@@ -13,7 +13,7 @@ namespace shadowlab::diagram {
 
 namespace {
 
-constexpr double kBorder = 16, kGap = 24, kLines = 84; ///< pixels; kLines: of the text under each drawing
+constexpr double kPolygonGap = 24, kPolygonLines = 84; ///< pixels; kPolygonLines: of the text under each drawing
 
 /// Of the polygons on the other side the one that is turned away as much as this one is turned toward the light; of equal
 /// ones the nearest.
@@ -42,15 +42,15 @@ Diagram drawPolygonFigure(const FigureSource& source) {
                       other = counterpart(solid, picked);
     Drawing drawing(source.size);
     const std::vector<std::size_t> polygons = other == picked ? std::vector{picked} : std::vector{picked, other};
-    const double width = (source.size.x - 2 * kBorder - kGap * static_cast<double>(polygons.size() - 1)) /
+    const double width = (source.size.x - 2 * kSectionBorder - kPolygonGap * static_cast<double>(polygons.size() - 1)) /
                          static_cast<double>(polygons.size());
     for (std::size_t i = 0; i < polygons.size(); ++i) {
-        const Box cell{{kBorder + static_cast<double>(i) * (width + kGap), kBorder},
-                       {width, source.size.y - 2 * kBorder}};
-        const FacingPanel panel(solid, polygons[i], {cell.corner, cell.size - dvec2(0, kLines)});
+        const Box cell{{kSectionBorder + static_cast<double>(i) * (width + kPolygonGap), kSectionBorder},
+                       {width, source.size.y - 2 * kSectionBorder}};
+        const FacingPanel panel(solid, polygons[i], {cell.corner, cell.size - dvec2(0, kPolygonLines)});
         panel.draw(drawing, source.font);
         const double product = panel.products().front();
-        const dvec2 foot = cell.corner + dvec2(0.5 * width, cell.size.y - kLines + 38);
+        const dvec2 foot = cell.corner + dvec2(0.5 * width, cell.size.y - kPolygonLines + 38);
         drawing.text(foot, productText(product, 0, solid.unit()),
                      {.size = kHeading, .anchor = Anchor::middle, .isBold = true});
         drawing.text(foot + dvec2(0, 36),

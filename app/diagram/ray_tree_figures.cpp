@@ -12,20 +12,21 @@ namespace shadowlab::diagram {
 namespace {
 
 constexpr double kLeastColumn = 200; ///< pixels: three numbers, or a name
-constexpr double kNodeHeight = 100, kMostPitch = 190, kLeastPitch = 156, kTop = 100;
+constexpr double kFigureNodeHeight = 100, kMostPitch = 190, kLeastPitch = 156, kFigureTop = 100;
 
 /// As many rays as can be told apart in such a room. Rooms of one size show the same ones: paths beside their tree.
 ShownTree shownIn(const FigureSource& source) {
     const Box room = roomOf(source);
     const int ends = std::clamp(static_cast<int>(room.size.x / kLeastColumn), 1, kMostEnds);
-    const double levels = (room.size.y - kTop - kNodeHeight - 2.6 * kText) / kLeastPitch + 1;
+    const double levels = (room.size.y - kFigureTop - kFigureNodeHeight - 2.6 * kText) / kLeastPitch + 1;
     return shownTree(source.probe, ends, std::clamp(static_cast<int>(levels), 1, kMostLevels));
 }
 
 void drawNode(Drawing& drawing, const Probe::Node& node, dvec2 at, double width, const image::Font& font) {
     const bool isLeaf = node.surface.empty();
-    drawing.rectangle(at - 0.5 * dvec2(width, kNodeHeight), {width, kNodeHeight}, isLeaf ? "#f2f2f2" : "#ffffff",
-                      {isLeaf ? "#8c8c8c" : "#1a1a1a", isLeaf ? 1.5 : 3.0, false}, isLeaf ? 4 : 20);
+    drawing.rectangle(at - 0.5 * dvec2(width, kFigureNodeHeight), {width, kFigureNodeHeight},
+                      isLeaf ? "#f2f2f2" : "#ffffff", {isLeaf ? "#8c8c8c" : "#1a1a1a", isLeaf ? 1.5 : 3.0, false},
+                      isLeaf ? 4 : 20);
     std::vector<std::pair<std::string, bool>> lines;
     if (!isLeaf) lines.emplace_back(node.surface, true);
     lines.emplace_back(shortened(font, isLeaf ? endName(node) : node.object, kText, width - 12), false);
@@ -67,18 +68,18 @@ Diagram drawTreeFigure(const FigureSource& source) {
     drawing.text(room.corner + dvec2(0, kHeading), "Ray-tracing tree", {.size = kHeading, .isBold = true});
 
     const double column = room.size.x / std::max(1, layout.ends()), width = std::min(320.0, column - 12);
-    const double free = room.size.y - kTop - kNodeHeight;
+    const double free = room.size.y - kFigureTop - kFigureNodeHeight;
     const double pitch = std::min(kMostPitch, free / std::max(1, layout.levels() - 1));
     // A flat tree stands in the middle of its room.
-    const double top = kTop + 0.5 * std::max(0.0, free - pitch * (layout.levels() - 1));
+    const double top = kFigureTop + 0.5 * std::max(0.0, free - pitch * (layout.levels() - 1));
     const auto centre = [&](int ray) {
         const dvec2 place = layout.place(ray);
-        return room.corner + dvec2((place.x + 0.5) * column, top + kNodeHeight / 2 + pitch * place.y);
+        return room.corner + dvec2((place.x + 0.5) * column, top + kFigureNodeHeight / 2 + pitch * place.y);
     };
     const auto node = [&](int ray) -> const Probe::Node& { return tree[static_cast<std::size_t>(ray)]; };
     for (const int ray : shown.rays) {
         const dvec2 to = centre(ray);
-        drawing.line(node(ray).parent < 0 ? to - dvec2(0, kNodeHeight / 2 + 44) : centre(node(ray).parent), to,
+        drawing.line(node(ray).parent < 0 ? to - dvec2(0, kFigureNodeHeight / 2 + 44) : centre(node(ray).parent), to,
                      strokeOf(node(ray).role));
     }
     for (const int ray : shown.rays)
@@ -93,7 +94,7 @@ Diagram drawTreeFigure(const FigureSource& source) {
         const double half = 0.5 * textSize(source.font, sign, kText).x;
         const double lean = isRoot ? 1 : centre(ray).x - centre(node(ray).parent).x;
         const double aside = isRoot ? half + 14 : std::min(half + 14, column / 2 - 4 - half);
-        drawing.text(centre(ray) + dvec2(lean >= 0 ? aside : -aside, -kNodeHeight / 2 - 10), sign,
+        drawing.text(centre(ray) + dvec2(lean >= 0 ? aside : -aside, -kFigureNodeHeight / 2 - 10), sign,
                      {.size = kText, .anchor = Anchor::middle, .isBold = true});
     }
     return {std::move(drawing), "The ray-tracing tree: surfaces, and the reflection and refraction rays between them"};

@@ -13,11 +13,11 @@ namespace shadowlab::diagram {
 
 namespace {
 
-constexpr double kFigureWidth = 760, kGap = 40, kNumbersWidth = 1060; ///< pixels
-constexpr double kLabel = 30;                                         ///< em: indices are smaller than their letters
-constexpr double kRow = 38;                                           ///< pixels from one line of numbers to the next
-constexpr double kLeastCosine = 0.02;      ///< of a direction that has light enough to be shown
-constexpr int kPieces = 90, kAvoided = 15; ///< of half a circle; so many are one line that labels avoid
+constexpr double kReflectorWidth = 760, kReflectorGap = 40, kNumbersWidth = 1060; ///< pixels
+constexpr double kLobeLabel = 30;                ///< em: indices are smaller than their letters
+constexpr double kTableRow = 38;                 ///< pixels from one line of numbers to the next
+constexpr double kLeastCosine = 0.02;            ///< of a direction that has light enough to be shown
+constexpr int kPieces = 90, kAvoidedPieces = 15; ///< of half a circle; so many are one line that labels avoid
 const std::string kJ = "\u2c7c";
 
 /// The direction that is pointed out.
@@ -39,12 +39,7 @@ Way shownWay(const Probe::Exchange& exchange, const dvec3& eyeWorld) {
     return way("the eye", eyeWorld);
 }
 
-std::string degrees(double angle) {
-    const std::string text = std::to_string(std::round(glm::degrees(angle) * 10) / 10);
-    return text.substr(0, text.find('.') + 2) + "\u00b0";
-}
-
-void drawFigure(Drawing& drawing, const Box& area, const Way& way, const image::Font& font) {
+void drawLobes(Drawing& drawing, const Box& area, const Way& way, const image::Font& font) {
     const double most =
         std::min(area.size.y - 105, 0.46 * area.size.x); // of the length of an arrow: I dA along the normal
     const dvec2 at = area.corner + dvec2(0.5 * area.size.x, area.size.y - 46);
@@ -57,9 +52,9 @@ void drawFigure(Drawing& drawing, const Box& area, const Way& way, const image::
         const double angle = glm::pi<double>() * (static_cast<double>(i) / kPieces - 0.5);
         equal.push_back(at + most * toward(angle));
         lobe.push_back(at + most * std::cos(angle) * toward(angle));
-        if (i == 0 || i % kAvoided != 0) continue;
-        labels.avoid(equal[equal.size() - 1 - kAvoided], equal.back());
-        labels.avoid(lobe[lobe.size() - 1 - kAvoided], lobe.back());
+        if (i == 0 || i % kAvoidedPieces != 0) continue;
+        labels.avoid(equal[equal.size() - 1 - kAvoidedPieces], equal.back());
+        labels.avoid(lobe[lobe.size() - 1 - kAvoidedPieces], lobe.back());
     }
     drawing.path(lobe, true, "#fdf3dc", rim); // a light tint of look::kPatchJ
     drawing.path(equal, false, "", {"#1a1a1a", 2.5, true});
@@ -81,15 +76,15 @@ void drawFigure(Drawing& drawing, const Box& area, const Way& way, const image::
         arc.push_back(at + radius * toward(way.phi * i / kPieces));
     drawing.path(arc, false, "", rim);
 
-    const TextStyle letter{.size = kLabel, .isItalic = true};
+    const TextStyle letter{.size = kLobeLabel, .isItalic = true};
     labels.place(drawing, top, "N" + kJ, letter, 8);
     labels.place(drawing, shown, "I dA" + kJ + " cos \u03c6", letter, 12);
     labels.place(drawing, at + most * toward(-0.8), "I", letter, 8);
-    labels.place(drawing, at + radius * toward(0.5 * way.phi), "\u03c6 = " + degrees(way.phi), letter, 6);
+    labels.place(drawing, at + radius * toward(0.5 * way.phi), "\u03c6 = " + degreesText(way.phi), letter, 6);
     labels.place(drawing, at - half * 0.9, "dA" + kJ, letter, 8);
 }
 
-void writeNumbers(Drawing& drawing, const Box& area, const Probe::Patch& j, const Way& way) {
+void writeReflectorNumbers(Drawing& drawing, const Box& area, const Probe::Patch& j, const Way& way) {
     struct Row {
         std::string name, meaning;
         dvec3 values;
@@ -106,17 +101,17 @@ void writeNumbers(Drawing& drawing, const Box& area, const Probe::Patch& j, cons
     };
     const TextStyle style{.size = kText + 2};
     const double columns[] = {0, 185, 580, 750, 920, 936};
-    double y = area.corner.y + kHeading + kRow;
+    double y = area.corner.y + kHeading + kTableRow;
     drawing.text({area.corner.x, y},
                  "In every direction the same intensity I:   B = \u222b I cos \u03c6 d\u03c9 = \u03c0 I",
                  {.size = kText + 4});
-    y += 1.15 * kRow;
+    y += 1.15 * kTableRow;
     for (int i = 0; i < 3; ++i)
         drawing.text({area.corner.x + columns[2 + i], y},
                      std::array{"red", "green", "blue"}[static_cast<std::size_t>(i)],
                      {.size = kText, .anchor = Anchor::end, .color = "#4d4d4d"});
     for (const Row& row : rows) {
-        y += kRow;
+        y += kTableRow;
         drawing.text({area.corner.x + columns[0], y}, row.name, style);
         drawing.text({area.corner.x + columns[1], y}, row.meaning, style);
         for (int i = 0; i < 3; ++i)
@@ -134,17 +129,19 @@ void drawReflector(Drawing& drawing, const Box& area, const Probe::Exchange& exc
                  {.size = kHeading, .isBold = true});
     const Way way = shownWay(exchange, eyeWorld);
     const double top = 1.2 * kHeading;
-    if (area.size.x < kFigureWidth + kGap + kNumbersWidth) { // the numbers below
-        const double numbers = kHeading + 8.6 * kRow;
-        drawFigure(drawing, {area.corner + dvec2(0, top), {area.size.x, area.size.y - top - numbers}}, way, font);
-        writeNumbers(drawing, {area.corner + dvec2(0, area.size.y - numbers), {area.size.x, numbers}}, exchange.j, way);
+    if (area.size.x < kReflectorWidth + kReflectorGap + kNumbersWidth) { // the numbers below
+        const double numbers = kHeading + 8.6 * kTableRow;
+        drawLobes(drawing, {area.corner + dvec2(0, top), {area.size.x, area.size.y - top - numbers}}, way, font);
+        writeReflectorNumbers(drawing, {area.corner + dvec2(0, area.size.y - numbers), {area.size.x, numbers}},
+                              exchange.j, way);
         return;
     }
-    drawFigure(drawing, {area.corner + dvec2(0, 1.2 * kHeading), {kFigureWidth, area.size.y - 1.2 * kHeading}}, way,
-               font);
-    writeNumbers(drawing,
-                 {area.corner + dvec2(kFigureWidth + kGap, 0), {area.size.x - kFigureWidth - kGap, area.size.y}},
-                 exchange.j, way);
+    drawLobes(drawing, {area.corner + dvec2(0, 1.2 * kHeading), {kReflectorWidth, area.size.y - 1.2 * kHeading}}, way,
+              font);
+    writeReflectorNumbers(drawing,
+                          {area.corner + dvec2(kReflectorWidth + kReflectorGap, 0),
+                           {area.size.x - kReflectorWidth - kReflectorGap, area.size.y}},
+                          exchange.j, way);
 }
 
 } // namespace shadowlab::diagram

@@ -14,8 +14,8 @@ namespace {
 
 // The eye and the light are drawn where they are, unless one of them is so many times as far away as all else.
 constexpr double kFarTimes = 4;
-constexpr double kMargin = 46; ///< pixels around what is drawn, for its signs
-constexpr double kRow = 32;    ///< pixels from one line of text to the next
+constexpr double kSheetMargin = 46; ///< pixels around what is drawn, for its signs
+constexpr double kSheetRow = 32;    ///< pixels from one line of text to the next
 
 } // namespace
 
@@ -85,7 +85,7 @@ void SectionSheet::fit(const std::vector<dvec2>& places) {
         high = glm::max(high, place);
     }
     const dvec2 extent = glm::max(high - low, dvec2(1e-12));
-    scale_ = std::min((area_.size.x - 2 * kMargin) / extent.x, (area_.size.y - 2 * kMargin) / extent.y);
+    scale_ = std::min((area_.size.x - 2 * kSheetMargin) / extent.x, (area_.size.y - 2 * kSheetMargin) / extent.y);
     middle_ = 0.5 * (low + high);
     centre_ = area_.corner + 0.5 * area_.size;
 }
@@ -189,7 +189,7 @@ void drawLegend(Drawing& drawing, const Box& area, std::span<const LegendEntry> 
     dvec2 at = area.corner + dvec2(0, kText);
     for (const LegendEntry& entry : entries) {
         const double width = kSign + kGap + textSize(font, entry.text, kText).x;
-        if (at.x + width > area.corner.x + area.size.x && at.x > area.corner.x) at = {area.corner.x, at.y + kRow};
+        if (at.x + width > area.corner.x + area.size.x && at.x > area.corner.x) at = {area.corner.x, at.y + kSheetRow};
         const dvec2 middle = at + dvec2(0.5 * kSign, -0.35 * kText);
         switch (entry.kind) {
         case LegendEntry::Kind::filled:
@@ -207,18 +207,18 @@ void drawLegend(Drawing& drawing, const Box& area, std::span<const LegendEntry> 
 }
 
 void TextColumn::heading(const std::string& text) {
-    y_ += y_ > 0 ? kRow + 14 : kHeading;
+    y_ += y_ > 0 ? kSheetRow + 14 : kHeading;
     svg_.text(area_.corner + dvec2(0, y_), text, {.size = kHeading, .isBold = true});
     y_ += 6;
 }
 
-bool TextColumn::hasRoom(int lines) const { return y_ + lines * kRow <= area_.size.y; }
+bool TextColumn::hasRoom(int lines) const { return y_ + lines * kSheetRow <= area_.size.y; }
 
 bool TextColumn::row(const std::string& text, const std::string& color) {
     const std::vector<std::string> lines = font_.wrap(text, kText, static_cast<int>(area_.size.x));
     if (!hasRoom(static_cast<int>(lines.size()))) return false;
     for (const std::string& line : lines) {
-        y_ += kRow;
+        y_ += kSheetRow;
         svg_.text(area_.corner + dvec2(0, y_), line, {.size = kText, .color = color});
     }
     return true;

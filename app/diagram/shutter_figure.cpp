@@ -15,7 +15,7 @@ namespace shadowlab::diagram {
 
 namespace {
 
-constexpr double kAxisHeight = 190, kSwatch = 96, kSwatchColumn = 200; ///< pixels
+constexpr double kAxisHeight = 190, kInstantSwatch = 96, kSwatchColumn = 200; ///< pixels
 
 /// Pixels of the picture.
 class PictureOf {
@@ -84,8 +84,8 @@ void drawTimes(Drawing& drawing, const Box& area, const FigureSource& source, co
     drawing.text({right, y + 60}, "shutter closes, " + fourDigits(rays.shutter),
                  {.size = kText, .anchor = Anchor::end});
     const dvec2 swatch(area.corner.x + area.size.x - kSwatchColumn + 40, area.corner.y + 10);
-    drawing.rectangle(swatch, dvec2(kSwatch), shownColor(rays.mean(), exposure), {"#1a1a1a", 3, false});
-    drawing.text(swatch + dvec2(0, kSwatch + 1.3 * kText), "their mean", {.size = kText, .isBold = true});
+    drawing.rectangle(swatch, dvec2(kInstantSwatch), shownColor(rays.mean(), exposure), {"#1a1a1a", 3, false});
+    drawing.text(swatch + dvec2(0, kInstantSwatch + 1.3 * kText), "their mean", {.size = kText, .isBold = true});
 }
 
 } // namespace

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kAway = 5;       ///< of the radius of what is shown: a moderate perspective, as of things on a desk
 constexpr int kDirections = 1000; ///< some six degrees apart
-constexpr double kSteepest = 0.8; ///< sine of the angle above or below the horizon
+constexpr double kSteepestView = 0.8; ///< sine of the angle above or below the horizon
 
 } // namespace
 
@@ -53,7 +53,7 @@ dvec3 bestDirection(const std::function<double(const dvec3&)>& worth) {
     double most = -std::numeric_limits<double>::infinity();
     for (int i = 0; i < kDirections; ++i) {
         const double y = 1 - (2.0 * i + 1) / kDirections, across = std::sqrt(1 - y * y);
-        if (std::abs(y) > kSteepest) continue;
+        if (std::abs(y) > kSteepestView) continue;
         const double angle = glm::pi<double>() * (3 - std::sqrt(5.0)) * i;
         const dvec3 direction(across * std::sin(angle), y, across * std::cos(angle));
         const double value = worth(direction);

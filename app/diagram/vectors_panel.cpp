@@ -43,7 +43,7 @@ std::string fixed(double value) {
     return (value < 0 && rounded != 0 ? "\u2212" : "") + text.substr(text.starts_with('-') ? 1 : 0);
 }
 
-std::string degrees(double cosine) {
+std::string degreesOfCosine(double cosine) {
     return std::to_string(std::lround(glm::degrees(std::acos(std::clamp(cosine, -1.0, 1.0))))) + "\u00b0";
 }
 
@@ -64,8 +64,8 @@ std::string brought(const Probe& probe, Probe::Role role, const char* name) {
     return "";
 }
 
-void drawFigure(Drawing& drawing, const Box& area, const Probe& probe, const DrawingPlane& plane,
-                const image::Font& font) {
+void drawPlaneOfVectors(Drawing& drawing, const Box& area, const Probe& probe, const DrawingPlane& plane,
+                        const image::Font& font) {
     // Below an opaque surface there is nothing to see.
     const double above = find(probe, "T") ? 0.5 * area.size.y : area.size.y - 2 * kHeading;
     const dvec2 at = area.corner + dvec2(0.5 * area.size.x, above);
@@ -114,7 +114,7 @@ void drawVectors(Drawing& drawing, const Box& area, const Probe& probe, const im
     const double em = area.size.x >= kWide ? kText : 0.92 * kText;
     const double row = kText * 1.15, tableHeight = row * static_cast<double>(probe.vectors.size()) + 2 * row + 8;
     const Box figure{area.corner + dvec2(0, kHeading + 8), {area.size.x, area.size.y - kHeading - 8 - tableHeight - 4}};
-    drawFigure(drawing, figure, probe, plane, font);
+    drawPlaneOfVectors(drawing, figure, probe, plane, font);
     double y = area.corner.y + area.size.y - tableHeight + row;
     bool leaves = false;
     for (const Probe::Vector& vector : probe.vectors) {
@@ -133,8 +133,8 @@ void drawVectors(Drawing& drawing, const Box& area, const Probe& probe, const im
     }
     const Probe::Vector *v = find(probe, "V"), *n = find(probe, "N"), *t = find(probe, "T");
     std::string angles;
-    if (v && n) angles = "angle of incidence " + degrees(glm::dot(v->directionWorld, n->directionWorld));
-    if (t && n) angles += ", of refraction " + degrees(-glm::dot(t->directionWorld, n->directionWorld));
+    if (v && n) angles = "angle of incidence " + degreesOfCosine(glm::dot(v->directionWorld, n->directionWorld));
+    if (t && n) angles += ", of refraction " + degreesOfCosine(-glm::dot(t->directionWorld, n->directionWorld));
     drawing.text({area.corner.x, y + 4}, angles, {.size = em});
     if (leaves)
         drawing.text({area.corner.x, y + row}, "dashed: not in the plane of the others",

@@ -41,7 +41,7 @@ struct Rays {
 };
 
 /// How far along the ray it meets the cut's line; none where it is parallel to it.
-std::optional<double> meets(const Ray& ray, const CapLine& cap) {
+std::optional<double> distanceTo(const Ray& ray, const CapLine& cap) {
     const dvec2 along = cap.to - cap.from;
     const double area = cross(ray.way, along);
     if (area == 0) return std::nullopt;
@@ -79,7 +79,7 @@ int countAt(dvec2 place, std::span<const CapLine> caps, const PlaneLight& light)
     int count = 0;
     for (const CapLine& cap : caps)
         if (isOn(ray, cap))
-            if (const auto distance = meets(ray, cap); distance && *distance > 0 && *distance < length)
+            if (const auto distance = distanceTo(ray, cap); distance && *distance > 0 && *distance < length)
                 count += cap.sign;
     return count;
 }
@@ -117,11 +117,11 @@ std::vector<CountedArea> countedAreas(std::span<const CapLine> caps, const Plane
         std::vector<Event> events;
         for (const CapLine& cap : caps)
             if (isOn(middle, cap))
-                if (const auto distance = meets(middle, cap); distance && *distance > 0)
+                if (const auto distance = distanceTo(middle, cap); distance && *distance > 0)
                     events.push_back({*distance, &cap});
         std::ranges::sort(events, {}, &Event::distance);
         const auto place = [&](const Ray& ray, const CapLine* cap) {
-            const auto distance = cap ? meets(ray, *cap) : std::optional(reach);
+            const auto distance = cap ? distanceTo(ray, *cap) : std::optional(reach);
             return ray.origin + distance.value_or(reach) * ray.way;
         };
         int count = 0;

@@ -11,14 +11,15 @@ namespace shadowlab::diagram {
 
 namespace {
 
-constexpr double kBorder = 16, kLegend = 112; ///< pixels; three rows of a legend on half a slide
+constexpr double kLegend = 112; ///< pixels; three rows of a legend on half a slide
 
 } // namespace
 
 Diagram drawVolumeFigure(const FigureSource& source) {
     const CasterSolid solid = casterSolid(source, true);
     Drawing drawing(source.size);
-    const Box area{dvec2(kBorder), source.size - 2 * kBorder}, field{area.corner, area.size - dvec2(0, kLegend)};
+    const Box area{dvec2(kSectionBorder), source.size - 2 * kSectionBorder},
+        field{area.corner, area.size - dvec2(0, kLegend)};
     const VolumeSketch sketch(source, solid, field);
     Labels labels(source.font, field);
     sketch.drawReceivers(drawing);

@@ -110,7 +110,7 @@ std::string rowOf(const Crossing& crossing, std::size_t number) {
            (std::isinf(crossing.distance) ? "at infinity" : fourDigits(crossing.distance) + " m");
 }
 
-void writeNumbers(Drawing& drawing, const Box& area, const Probe& probe, const image::Font& font) {
+void writeVolumeNumbers(Drawing& drawing, const Box& area, const Probe& probe, const image::Font& font) {
     const VolumeProbe& volume = *probe.volume;
     TextColumn column(drawing, area, font);
     const auto verdict = [](int count) { return signedText(count) + (count == 0 ? ", illuminated" : ", in shadow"); };
@@ -171,8 +171,8 @@ void drawVolume(Drawing& drawing, const Box& area, const Probe& probe, const sce
     drawCrossings(drawing, labels, sheet, volume);
     writeCounts(drawing, labels, sheet, volume);
     drawing.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
-    writeNumbers(drawing, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}},
-                 probe, font);
+    writeVolumeNumbers(
+        drawing, {area.corner + dvec2(area.size.x - kNumbers, 0), {kNumbers, area.size.y - kLegend - 20}}, probe, font);
     using enum LegendEntry::Kind;
     const LegendEntry legend[] = {{LegendEntry::Kind::filled, countFill(1), "in 1 volume"},
                                   {LegendEntry::Kind::filled, countFill(2), "in 2"},

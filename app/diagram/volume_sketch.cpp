@@ -12,12 +12,12 @@ namespace {
 
 constexpr std::size_t kFewEdges =
     120; ///< of an outline: of so few each is cut in pieces, so that it bends with what it meets
-constexpr int kPieces = 4;
-constexpr double kAround = 0.1;  ///< of the shadow's size: what is shown of a floor beside it
-constexpr double kBeyond = 1.25; ///< of the way to what is hit: so much is drawn of a volume that goes on
-constexpr double kGap = 0.02;    ///< of the caster's size: what lies farther apart is not one curve
-constexpr double kNear = 2.2;    ///< of the size of all else: a light that is farther away is drawn nearer
-constexpr dvec2 kMargin{70, 56}; ///< pixels for labels
+constexpr int kEdgePieces = 4;
+constexpr double kAround = 0.1;        ///< of the shadow's size: what is shown of a floor beside it
+constexpr double kBeyond = 1.25;       ///< of the way to what is hit: so much is drawn of a volume that goes on
+constexpr double kCurveGap = 0.02;     ///< of the caster's size: what lies farther apart is not one curve
+constexpr double kSketchNear = 2.2;    ///< of the size of all else: a light that is farther away is drawn nearer
+constexpr dvec2 kSketchMargin{70, 56}; ///< pixels for labels
 
 } // namespace
 
@@ -102,7 +102,7 @@ void VolumeSketch::addStrips(const VolumeProbe::Caster::OutlineEdge& edge, doubl
     strips_.push_back(strip);
     // From one surface to the next, but not across a gap between them.
     if (first && second &&
-        (onOnePlane(first, second) || glm::length(first->placeWorld - second->placeWorld) < kGap * size_))
+        (onOnePlane(first, second) || glm::length(first->placeWorld - second->placeWorld) < kCurveGap * size_))
         curveWorld_.insert(curveWorld_.end(), {first->placeWorld, second->placeWorld});
 }
 
@@ -148,9 +148,9 @@ void VolumeSketch::findStrips() {
 
     const bool isCoarse = caster.outline.size() <= kFewEdges;
     for (const VolumeProbe::Caster::OutlineEdge& edge : caster.outline)
-        for (int i = 0; i < (isCoarse ? kPieces : 1); ++i)
-            addStrips(edge, isCoarse ? static_cast<double>(i) / kPieces : 0,
-                      isCoarse ? static_cast<double>(i + 1) / kPieces : 1, isCoarse ? 8 : 3);
+        for (int i = 0; i < (isCoarse ? kEdgePieces : 1); ++i)
+            addStrips(edge, isCoarse ? static_cast<double>(i) / kEdgePieces : 0,
+                      isCoarse ? static_cast<double>(i + 1) / kEdgePieces : 1, isCoarse ? 8 : 3);
     for (std::size_t i = 0; i + 2 < caster.topCap.size(); i += 3)
         addShadow({solid_.verticesWorld[caster.topCap[i]], solid_.verticesWorld[caster.topCap[i + 1]],
                    solid_.verticesWorld[caster.topCap[i + 2]]},
@@ -178,7 +178,7 @@ dvec3 VolumeSketch::firstMet(std::uint32_t vertex) const {
 
 void VolumeSketch::placeLight(double size, const dvec3& middleWorld) {
     const dvec3 toLight = solid_.toLight(middleWorld);
-    lightIsNear_ = solid_.lightWorld.w != 0 && glm::length(toLight) < kNear * size;
+    lightIsNear_ = solid_.lightWorld.w != 0 && glm::length(toLight) < kSketchNear * size;
     lightWorld_ = lightIsNear_ ? dvec3(solid_.lightWorld) : middleWorld + 0.75 * size * glm::normalize(toLight);
 }
 
@@ -202,7 +202,7 @@ void VolumeSketch::chooseView(const dvec3& eyeWorld) {
         const double height = d.y > 0.2 && d.y < 0.5 ? 0.35 : d.y < 0 ? -1 : 0;
         return glm::length(glm::cross(axis, d)) + height + 0.25 * glm::dot(d, towardEye);
     });
-    view_.emplace(shown, best, area_, kMargin);
+    view_.emplace(shown, best, area_, kSketchMargin);
 }
 
 } // namespace shadowlab::diagram

@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kExact =
     "a projection is exact but for the rounding of edges, which leaves a pixel here and there";
 
-constexpr std::array kCases = std::to_array<Case>({
+constexpr std::array kPlanarCases = std::to_array<Case>({
     {"flat-lamp", "the projection matrix, for a lamp", 8, kExact, 3,
      "Compare the matrix with v' = (p.l) v - (p.v) l, term by term: which of the two is the row? If it is "
      "right on the ground, and things before the ground are dark, it is the receiver's border."},
@@ -33,6 +33,6 @@ constexpr std::array kCases = std::to_array<Case>({
 
 } // namespace
 
-std::span<const Case> planarCases() { return kCases; }
+std::span<const Case> planarCases() { return kPlanarCases; }
 
 } // namespace shadowlab::grading

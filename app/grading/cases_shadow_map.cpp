@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kTexels =
     "outlines are as coarse as texels: a right map of 1024 x 1024 texels stays well below";
 
-constexpr std::array kCases = std::to_array<Case>({
+constexpr std::array kShadowMapCases = std::to_array<Case>({
     {"map-lamp", "the light's camera for a lamp", 40, kTexels, 3,
      "Does the lamp take in the whole ball? Half its angle is the arc sine of the radius over the distance."},
     {"map-sun", "the light's camera for the sun: parallel rays", 40, kTexels, 3,
@@ -31,6 +31,6 @@ constexpr std::array kCases = std::to_array<Case>({
 
 } // namespace
 
-std::span<const Case> shadowMapCases() { return kCases; }
+std::span<const Case> shadowMapCases() { return kShadowMapCases; }
 
 } // namespace shadowlab::grading

@@ -12,6 +12,10 @@ double median(std::vector<double> values) {
     return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
+double elapsedMs(std::chrono::steady_clock::time_point since) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - since).count();
+}
+
 void FrameTimes::addFrame(double frameMs, double prepareMs) {
     frameMs_.push_back(frameMs);
     prepareMs_.push_back(prepareMs);

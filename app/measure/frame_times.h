@@ -2,6 +2,7 @@
 // does not count.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <chrono>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,9 @@ namespace shadowlab::measure {
 
 /// The middle of the values, or the mean of the two in the middle; 0 of none.
 double median(std::vector<double> values);
+
+/// Wall time that has passed since.
+double elapsedMs(std::chrono::steady_clock::time_point since);
 
 class FrameTimes {
 public:

@@ -21,7 +21,7 @@ bool isBetter(const Point& a, const Point& b) {
     return costA <= costB && errorA <= errorB && (costA < costB || errorA < errorB);
 }
 
-std::string ms(double value) {
+std::string milliseconds(double value) {
     std::array<char, 32> text{};
     const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed,
                                             value < 10 ? 2 : 1); // knows no locale
@@ -113,9 +113,9 @@ ExactAgainstInexact exactnessOf(const Group& group) {
     if (inexact.costs->shadow.median > 0)
         result.shadowRatio = exact.costs->shadow.median / inexact.costs->shadow.median;
     if (result.frameRatio > kMostRatio)
-        result.why = exact.key.name() + ": " + ms(exact.costs->frame.median) + ", of which " + whereTimeGoes(exact) +
-                     "; " + inexact.key.name() + ": " + ms(inexact.costs->frame.median) + ", of which " +
-                     whereTimeGoes(inexact);
+        result.why = exact.key.name() + ": " + milliseconds(exact.costs->frame.median) + ", of which " +
+                     whereTimeGoes(exact) + "; " + inexact.key.name() + ": " +
+                     milliseconds(inexact.costs->frame.median) + ", of which " + whereTimeGoes(inexact);
     return result;
 }
 

@@ -15,10 +15,7 @@ namespace shadowlab::report {
 namespace {
 
 using SteadyClock = std::chrono::steady_clock;
-
-double elapsedMs(SteadyClock::time_point since) {
-    return std::chrono::duration<double, std::milli>(SteadyClock::now() - since).count();
-}
+using measure::elapsedMs;
 
 /// Of this process in memory. 0 where the system does not say.
 double residentMegabytes() {

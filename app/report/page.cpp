@@ -12,12 +12,12 @@ namespace {
 
 using diagram::escapedMarkup;
 
-struct Verdict {
+struct Comparison {
     bool isWithin = false, isComparison = false;
     std::string words, why;
 };
 
-Verdict verdictOf(const ExactAgainstInexact& found) {
+Comparison verdictOf(const ExactAgainstInexact& found) {
     if (!found.exact && !found.inexact) return {false, false, "nothing to compare", "no point has been measured"};
     if (!found.exact) return {false, false, "no exact point", "every technique measured here has wrong pixels"};
     if (!found.inexact) return {true, false, "all exact", "no technique measured here has a wrong pixel"};
@@ -45,7 +45,7 @@ std::string summary(const Report& report) {
     for (std::size_t i = 0; i < report.groups.size(); ++i) {
         const Group& group = report.groups[i];
         const ExactAgainstInexact& found = group.exactness;
-        const Verdict verdict = verdictOf(found);
+        const Comparison verdict = verdictOf(found);
         compared += verdict.isComparison;
         within += verdict.isComparison && verdict.isWithin;
         rows += "<tbody><tr><th scope=\"row\" class=\"text\"><a href=\"#" + groupId(i) + "\">" +

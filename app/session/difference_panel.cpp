@@ -10,11 +10,7 @@ namespace {
 using measure::Verdict;
 
 // The same ground as under errors (verdict_panels): dark things are lifted, so that colours on them are seen.
-constexpr float kGround = 0.3f;
-
-image::Color8 encoded(const vec3& linear) {
-    return {image::srgbFromLinear(linear.r), image::srgbFromLinear(linear.g), image::srgbFromLinear(linear.b), 255};
-}
+constexpr float kDarkestGround = 0.3f;
 
 bool isWrong(Verdict verdict) {
     return verdict == Verdict::falseLit || verdict == Verdict::falseShadow || verdict == Verdict::stray;
@@ -45,7 +41,7 @@ Panel differencePanel(image::Image ground, const std::array<const measure::Judge
                 const image::Color8 c = ground.at(x, y);
                 const float luminance = 0.2126f * image::linearFromSrgb(c.r) + 0.7152f * image::linearFromSrgb(c.g) +
                                         0.0722f * image::linearFromSrgb(c.b);
-                ground.set(x, y, encoded(vec3(glm::mix(kGround, 1.0f, luminance))));
+                ground.set(x, y, image::encoded(vec3(glm::mix(kDarkestGround, 1.0f, luminance))));
                 continue;
             }
             const std::size_t slot = first ? 0 : 1;
@@ -53,7 +49,7 @@ Panel differencePanel(image::Image ground, const std::array<const measure::Judge
                                         : verdicts[slot] == Verdict::falseShadow ? 2 * slot + 1
                                                                                  : 2 * slot];
             ++meaning.pixels;
-            ground.set(x, y, encoded(meaning.color));
+            ground.set(x, y, image::encoded(meaning.color));
         }
     Panel panel{std::move(ground), "", StageKind::swatches, {}};
     for (const Meaning& meaning : meanings)

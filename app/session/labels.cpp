@@ -12,13 +12,9 @@ namespace shadowlab::session {
 
 namespace {
 
-constexpr image::Color8 kText{245, 245, 245, 255};
+constexpr image::Color8 kLabelText{245, 245, 245, 255};
 constexpr image::Color8 kPlate{16, 16, 18, 255};
 constexpr float kPlateCoverage = 0.9f; ///< white text keeps a contrast above 6:1 even on a white picture
-
-image::Color8 encoded(const vec3& linear) {
-    return {image::srgbFromLinear(linear.r), image::srgbFromLinear(linear.g), image::srgbFromLinear(linear.b), 255};
-}
 
 /// Three significant digits, more only before the point: legends are read from afar.
 std::string shortNumber(double value) {
@@ -49,17 +45,17 @@ Plate barPlate(const Panel& panel, const image::Font& font, double em, int wides
         const int x = left + pad, barY = top + pad / 2 + unitLines * lineHeight + pad / 2,
                   numbersY = barY + barHeight + pad / 2;
         for (int i = 0; i < unitLines; ++i)
-            font.draw(figure, x, top + pad / 2 + i * lineHeight, unit[static_cast<std::size_t>(i)], em, kText);
+            font.draw(figure, x, top + pad / 2 + i * lineHeight, unit[static_cast<std::size_t>(i)], em, kLabelText);
         const bool isCount = panel.kind == StageKind::count;
         const look::Palette& palette = isCount ? look::diverging() : look::viridis();
         for (int i = 0; i < barWidth; ++i)
-            fillRect(figure, x + i, barY, 1, barHeight, encoded(look::colorAt(palette, (i + 0.5) / barWidth)));
-        font.draw(figure, x, numbersY, low, em, kText);
-        font.draw(figure, x + barWidth - highWidth, numbersY, high, em, kText);
+            fillRect(figure, x + i, barY, 1, barHeight, image::encoded(look::colorAt(palette, (i + 0.5) / barWidth)));
+        font.draw(figure, x, numbersY, low, em, kLabelText);
+        font.draw(figure, x + barWidth - highWidth, numbersY, high, em, kLabelText);
         const double zeroAt = -display.minimum / (display.maximum - display.minimum);
         const int zeroX = static_cast<int>(zeroAt * barWidth) - zeroWidth / 2;
         if (isCount && zeroX > lowWidth + pad && zeroX + zeroWidth + pad < barWidth - highWidth)
-            font.draw(figure, x + zeroX, numbersY, "0", em, kText);
+            font.draw(figure, x + zeroX, numbersY, "0", em, kLabelText);
     };
     return plate;
 }
@@ -95,10 +91,10 @@ Plate keyPlate(const Panel& panel, const image::Font& font, double em, int wides
         for (std::size_t i = 0; i < entries.size(); ++i) {
             const int x = plateX + entries[i].x, top = plateY + entries[i].y;
             fillRect(figure, x, top + (lineHeight - swatch) / 2, swatch, swatch,
-                     encoded(panel.display.key[i].colorLinear));
+                     image::encoded(panel.display.key[i].colorLinear));
             for (std::size_t line = 0; line < entries[i].lines.size(); ++line)
                 font.draw(figure, x + swatch + pad, top + static_cast<int>(line) * lineHeight, entries[i].lines[line],
-                          em, kText);
+                          em, kLabelText);
         }
     };
     return plate;
@@ -115,7 +111,7 @@ Plate titlePlate(const std::string& title, const image::Font& font, double em, i
         plate.width = std::max(plate.width, font.measure(line, em).width + 2 * pad);
     plate.drawText = [=, &font](image::Image& figure, int left, int top) {
         for (std::size_t i = 0; i < lines.size(); ++i)
-            font.draw(figure, left + pad, top + pad / 2 + static_cast<int>(i) * lineHeight, lines[i], em, kText);
+            font.draw(figure, left + pad, top + pad / 2 + static_cast<int>(i) * lineHeight, lines[i], em, kLabelText);
     };
     return plate;
 }

@@ -18,7 +18,7 @@ namespace shadowlab::session {
 namespace {
 
 constexpr double kSentenceShare = 1.0 / 27; // of the height: two sentences take three lines
-constexpr int kLeastPicture = 120;          // pixels: narrower ones show nothing
+constexpr int kLeastFilmWidth = 120;        // pixels: narrower ones show nothing
 
 // Subtitles are made for 160 to 180 words a minute (BBC, Subtitle Guidelines); who reads here has to look at the picture as well.
 constexpr double kWordsPerSecond = 160.0 / 60, kLookSeconds = 4;
@@ -71,7 +71,7 @@ public:
         const int room = size.y - top_ - wordsHeight - 2 * pad_;
         const int width = std::min(size.x - 2 * pad_, static_cast<int>(std::lround(room * kLessonAspect)));
         pictureSize_ = {width, std::min(room, static_cast<int>(std::lround(width / kLessonAspect)))};
-        if (width < kLeastPicture)
+        if (width < kLeastFilmWidth)
             throw Error(ExitStatus::usage, "--size: " + std::to_string(size.x) + "x" + std::to_string(size.y) +
                                                " has no room for a picture beside the words; choose a larger size");
     }

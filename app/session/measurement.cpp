@@ -7,6 +7,7 @@
 #include <map>
 
 #include "app/measure/flip.h"
+#include "app/measure/frame_times.h"
 #include "app/measure/image_metrics.h"
 #include "app/measure/slot_errors.h"
 #include "techniques/foundation/gl/read_back.h"
@@ -19,10 +20,6 @@ using namespace measure;
 
 using Clock = std::chrono::steady_clock;
 using trace::Visibility;
-
-double elapsedMs(Clock::time_point since) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
-}
 
 bool publishes(const TechniqueInfo& info, std::string_view stage) {
     return std::ranges::find(info.stages, stage, &StageInfo::id) != info.stages.end();

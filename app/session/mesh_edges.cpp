@@ -20,18 +20,18 @@ namespace {
 using scene::EdgeKind;
 
 /// One kind of edge. Later ones are drawn over earlier ones: the rarer, the later.
-struct Kind {
+struct ShownKind {
     EdgeKind kind;
     vec3 colorLinear;
     const char* label;
 };
-const std::array kKinds = {
-    Kind{EdgeKind::boundary, look::kBoundaryEdge, "boundary edges, one triangle: "},
-    Kind{EdgeKind::multiple, look::kMultipleEdge, "edges of more than two triangles: "},
-    Kind{EdgeKind::inconsistent, look::kInconsistentEdge, "edges whose two triangles are wound against each other: "}};
+const std::array kKinds = {ShownKind{EdgeKind::boundary, look::kBoundaryEdge, "boundary edges, one triangle: "},
+                           ShownKind{EdgeKind::multiple, look::kMultipleEdge, "edges of more than two triangles: "},
+                           ShownKind{EdgeKind::inconsistent, look::kInconsistentEdge,
+                                     "edges whose two triangles are wound against each other: "}};
 
-constexpr float kGround = 0.35f; ///< of the picture's light: coloured lines stand out from white surfaces too
-constexpr float kFaint = 0.45f;  ///< how much of its colour a hidden edge has
+constexpr float kFaceShare = 0.35f; ///< of the picture's light: coloured lines stand out from white surfaces too
+constexpr float kFaint = 0.45f;     ///< how much of its colour a hidden edge has
 
 /// The edges of one mesh, by kind, as pairs of vertices.
 using EdgeLines = std::array<std::vector<std::uint32_t>, kKinds.size()>;
@@ -106,15 +106,11 @@ vec3 linear(const image::Color8& color) {
     return {image::linearFromSrgb(color.r), image::linearFromSrgb(color.g), image::linearFromSrgb(color.b)};
 }
 
-image::Color8 encoded(const vec3& color) {
-    return {image::srgbFromLinear(color.r), image::srgbFromLinear(color.g), image::srgbFromLinear(color.b), 255};
-}
-
 void greyAndDarken(image::Image& picture) {
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
             const float luminance = glm::dot(linear(picture.at(x, y)), vec3(0.2126f, 0.7152f, 0.0722f)); // Rec. 709
-            picture.set(x, y, encoded(vec3(kGround * luminance)));
+            picture.set(x, y, image::encoded(vec3(kFaceShare * luminance)));
         }
 }
 
@@ -130,14 +126,14 @@ void paint(image::Image& picture, const std::vector<EdgePixel>& edges) {
             }
     };
     forEachPixel([&](int x, int y, const vec3& color, bool inView) {
-        if (!inView) picture.set(x, y, encoded(glm::mix(linear(picture.at(x, y)), color, kFaint)));
+        if (!inView) picture.set(x, y, image::encoded(glm::mix(linear(picture.at(x, y)), color, kFaint)));
     });
     forEachPixel([&](int x, int y, const vec3& color, bool inView) {
         if (!inView) return;
         for (int dy = -radius; dy <= radius; ++dy)
             for (int dx = -radius; dx <= radius; ++dx)
                 if (dx * dx + dy * dy <= radius * radius && picture.contains(x + dx, y + dy))
-                    picture.set(x + dx, y + dy, encoded(color));
+                    picture.set(x + dx, y + dy, image::encoded(color));
     });
 }
 
@@ -182,7 +178,7 @@ Panel meshEdgesPanel(image::Image picture, const scene::Scene& scene, const gl::
         if (const std::string text = counts(scene, linesOfObject, kind); text != "0")
             panel.display.key.push_back({kKinds[kind].colorLinear, kKinds[kind].label + text});
     if (panel.display.key.empty())
-        panel.display.key.push_back({vec3(kGround), "no open or doubtful edges: all meshes are closed"});
+        panel.display.key.push_back({vec3(kFaceShare), "no open or doubtful edges: all meshes are closed"});
     return panel;
 }
 

@@ -32,7 +32,7 @@ private:
 };
 
 /// One entry for each label. What is drawn last is explained first: the light and the eye, then what goes between them.
-std::vector<KeyEntry> keyOf(std::span<const SceneShape> shapes) {
+std::vector<KeyEntry> keyOfShapes(std::span<const SceneShape> shapes) {
     std::vector<KeyEntry> key;
     for (const SceneShape& shape : shapes | std::views::reverse)
         if (!shape.pointsWorld.empty() && std::ranges::find(key, shape.label, &KeyEntry::label) == key.end())
@@ -78,7 +78,7 @@ std::optional<Stage> OutsideView::render(Session& session, Slot& slot, const Vie
         painter_.draw(ofPixel, outside.camera, outside.size, true);
         std::ranges::move(ofPixel, std::back_inserter(all));
     }
-    stage.display.key = keyOf(all);
+    stage.display.key = keyOfShapes(all);
     return stage;
 }
 

@@ -18,17 +18,17 @@ constexpr std::size_t kNamedRays = 8; ///< more names would cover one another
 constexpr double kLettersLong = 4;    ///< letters' heights that a ray with a name is long at least
 constexpr double kOnRay = 0.6;        ///< length of the arrows on the ray itself, in those of the others
 
-struct Kind {
+struct ShapeKind {
     const char* label;
     vec3 color;
 };
 /// In the order of Probe::Role.
-const std::array<Kind, 5>& kinds() {
-    static const std::array<Kind, 5> all = {{{"the pixel's ray, and vectors where it ends", look::kEyeRay},
-                                             {"reflection rays R", look::kReflectionRay},
-                                             {"refraction rays T", look::kRefractionRay},
-                                             {"shadow rays that arrive: lit", look::kEqualDepth},
-                                             {"shadow rays that do not arrive", look::kOccluded}}};
+const std::array<ShapeKind, 5>& kinds() {
+    static const std::array<ShapeKind, 5> all = {{{"the pixel's ray, and vectors where it ends", look::kEyeRay},
+                                                  {"reflection rays R", look::kReflectionRay},
+                                                  {"refraction rays T", look::kRefractionRay},
+                                                  {"shadow rays that arrive: lit", look::kEqualDepth},
+                                                  {"shadow rays that do not arrive", look::kOccluded}}};
     return all;
 }
 
@@ -67,7 +67,7 @@ void addArrow(std::vector<dvec3>& points, const Facing& facing, const dvec3& fro
 std::vector<SceneShape> pixelShapes(const Probe& probe, const scene::Camera& outside) {
     std::vector<SceneShape> shapes = probe.visited;
     const std::size_t first = shapes.size();
-    for (const Kind& kind : kinds())
+    for (const ShapeKind& kind : kinds())
         shapes.push_back({kind.label, kind.color, SceneShape::Kind::lines, {}});
     const auto pointsOf = [&](Probe::Role role) -> std::vector<dvec3>& {
         return shapes[first + static_cast<std::size_t>(role)].pointsWorld;

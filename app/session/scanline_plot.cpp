@@ -14,13 +14,9 @@ namespace {
 using measure::Verdict;
 using trace::Visibility;
 
-constexpr image::Color8 kGround{16, 16, 18, 255}, kText{245, 245, 245, 255}, kGrid{90, 90, 96, 255};
+constexpr image::Color8 kPlotGround{16, 16, 18, 255}, kText{245, 245, 245, 255}, kGrid{90, 90, 96, 255};
 const vec3 kTruthArea = look::linearFromSrgb8(0x8A, 0x8A, 0x90);
 const vec3 kCurve = look::linearFromSrgb8(0xF0, 0xE4, 0x42);
-
-image::Color8 encoded(const vec3& linear, std::uint8_t alpha = 255) {
-    return {image::srgbFromLinear(linear.r), image::srgbFromLinear(linear.g), image::srgbFromLinear(linear.b), alpha};
-}
 
 /// Columns and rows that are shown.
 struct Window {
@@ -32,7 +28,7 @@ struct Window {
     }
 };
 
-bool isWrong(Verdict verdict) { return verdict == Verdict::falseLit || verdict == Verdict::falseShadow; }
+bool isPlottedWrong(Verdict verdict) { return verdict == Verdict::falseLit || verdict == Verdict::falseShadow; }
 
 /// Where the curve is drawn, in the picture's pixels.
 struct Plot {
@@ -46,14 +42,14 @@ struct Plot {
 /// A thin frame above and below the row, so that its own pixels stay as they are.
 void markRow(image::Image& picture, int row, const Window& window) {
     for (const int y : {row - 2, row + 2})
-        fillRect(picture, window.left, y, window.right - window.left, 1, encoded(kCurve));
+        fillRect(picture, window.left, y, window.right - window.left, 1, image::encoded(kCurve));
 }
 
 void drawGround(image::Image& picture, const Plot& plot, int margin) {
     constexpr float kCoverage = 0.92f; // the picture shows through a little: one sees that it goes on
     for (int y = plot.top - margin; y < plot.top + plot.height + margin / 2; ++y)
         for (int x = plot.window.left; x < plot.window.right; ++x)
-            blendPixel(picture, x, y, kGround, kCoverage);
+            blendPixel(picture, x, y, kPlotGround, kCoverage);
     for (const double value : {0.0, 0.5, 1.0})
         fillRect(picture, plot.window.left, plot.rowOf(value), plot.window.right - plot.window.left, 1, kGrid);
 }
@@ -65,21 +61,22 @@ void drawCurves(image::Image& picture, const Plot& plot, const Scanline& scanlin
         const std::size_t i = truth.index(x, row);
         const int share = plot.rowOf(truth.share(i)), bottom = plot.top + plot.height;
         const bool seen = truth.share(i) > 0;
-        if (seen) fillRect(picture, x, share, 1, bottom - share, encoded(kTruthArea));
+        if (seen) fillRect(picture, x, share, 1, bottom - share, image::encoded(kTruthArea));
         const Verdict verdict = scanline.judgement.verdicts[i];
-        if (isWrong(verdict))
+        if (isPlottedWrong(verdict))
             fillRect(picture, x, plot.top, 1, plot.height,
-                     encoded(verdict == Verdict::falseLit ? look::kFalseLit : look::kFalseShadow));
+                     image::encoded(verdict == Verdict::falseLit ? look::kFalseLit : look::kFalseShadow));
         // Of a share between none and all, its top stays to be seen.
-        if (seen && share > plot.top) fillRect(picture, x, share, 1, plot.line, encoded(kTruthArea));
-        if (verdict == Verdict::tie) fillRect(picture, x, plot.top, 1, plot.height, encoded(look::kTieOnPicture));
+        if (seen && share > plot.top) fillRect(picture, x, share, 1, plot.line, image::encoded(kTruthArea));
+        if (verdict == Verdict::tie)
+            fillRect(picture, x, plot.top, 1, plot.height, image::encoded(look::kTieOnPicture));
         if (scanline.visibility.alpha(x, row) != 255) {
             before = -1;
             continue;
         }
         const int here = plot.rowOf(scanline.visibility.grey(x, row) / 255.0);
         const int from = before < 0 ? here : std::min(before, here), to = before < 0 ? here : std::max(before, here);
-        fillRect(picture, x, from - plot.line / 2, 1, to - from + plot.line, encoded(kCurve));
+        fillRect(picture, x, from - plot.line / 2, 1, to - from + plot.line, image::encoded(kCurve));
         before = here;
     }
 }
@@ -93,7 +90,7 @@ void drawNumbers(image::Image& picture, const Plot& plot, const Scanline& scanli
         const image::TextSize size = font.measure(text, em);
         for (int py = y; py < y + size.height; ++py)
             for (int px = x - 3; px < x + size.width + 3; ++px)
-                blendPixel(picture, px, py, kGround, 0.9f);
+                blendPixel(picture, px, py, kPlotGround, 0.9f);
         font.draw(picture, x, y, text, em, kText);
     };
     number("1", plot.top + 2);
@@ -110,7 +107,7 @@ int mostTellingRow(const Scanline& scanline, const Region& region) {
         int wrong = 0, changes = 0;
         for (int x = window.left; x < window.right; ++x) {
             const std::size_t i = truth.index(x, y);
-            wrong += isWrong(scanline.judgement.verdicts[i]);
+            wrong += isPlottedWrong(scanline.judgement.verdicts[i]);
             if (x == window.left) continue;
             const Visibility here = truth.visibility[i], before = truth.visibility[i - 1];
             changes += here != before && here >= Visibility::shadowed && before >= Visibility::shadowed;

@@ -5,21 +5,15 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "app/measure/frame_times.h"
 #include "app/session/derived_stages.h"
 #include "techniques/foundation/error.h"
 #include "techniques/foundation/nearest_names.h"
 
 namespace shadowlab::session {
 
-namespace {
-
 using Clock = std::chrono::steady_clock;
-
-double elapsedMs(Clock::time_point since) {
-    return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
-}
-
-} // namespace
+using measure::elapsedMs;
 
 Slot Session::makeSlot(std::string_view techniqueId) {
     const TechniqueInfo& info = findTechnique(techniqueId);

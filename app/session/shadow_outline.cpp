@@ -21,10 +21,6 @@ using measure::OutlineSegment;
 constexpr float kNarrower = 2.0f / 3;
 constexpr float kRimWidth = 2; ///< of the line's own: one pixel on each side of two
 
-image::Color8 encoded(const vec3& linear) {
-    return {image::srgbFromLinear(linear.r), image::srgbFromLinear(linear.g), image::srgbFromLinear(linear.b), 255};
-}
-
 double squaredDistance(const dvec2& point, const OutlineSegment& segment) {
     const dvec2 along = segment.to - segment.from, offset = point - segment.from;
     const double squaredLength = glm::dot(along, along);
@@ -68,7 +64,7 @@ Panel shadowOutlinePanel(image::Image picture, const std::vector<OutlineSegment>
     const Region shown = measure::shownPart(region, size);
     const float half = 0.5f * kNarrower * lineWidth(size.y), halfRim = kRimWidth * half;
     const Grid<double> squared = squaredDistances(outline, size, shown, halfRim + 0.5);
-    const image::Color8 core = encoded(look::kTrueOutline), rim = encoded(look::kLineRim);
+    const image::Color8 core = image::encoded(look::kTrueOutline), rim = image::encoded(look::kLineRim);
     for (int y = shown.corner.y; y < shown.corner.y + shown.size.y; ++y)
         for (int x = shown.corner.x; x < shown.corner.x + shown.size.x; ++x) {
             if (std::isinf(squared.at(x, y))) continue;

@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kBeside =
     1.5; ///< of the picture's half size: segments are cut there, out of sight of their round ends
-constexpr float kFaceAlpha = 0.3f;    ///< two or three layers stay distinguishable
-constexpr float kHiddenFace = 0.4f;   ///< of that, where something hides the face
-constexpr float kHiddenLine = 0.35f;  ///< alpha of a line where something hides it
-constexpr float kRimWidth = 5.0f / 3; ///< of the line's own: one pixel on each side of three
+constexpr float kFaceAlpha = 0.3f;        ///< two or three layers stay distinguishable
+constexpr float kHiddenFace = 0.4f;       ///< of that, where something hides the face
+constexpr float kHiddenLine = 0.35f;      ///< alpha of a line where something hides it
+constexpr float kLineRimWidth = 5.0f / 3; ///< of the line's own: one pixel on each side of three
 
 /// The part of a segment on the inner side of a plane in clip coordinates. False when there is none.
 bool cut(dvec4& a, dvec4& b, const dvec4& plane) {
@@ -138,11 +138,11 @@ void ShapePainter::drawLines(const std::vector<Lines>& all, ivec2 size, bool hid
     const float half = 0.5f * lineWidth(size.y);
     line_.use();
     line_.set("pictureSize", vec2(size));
-    line_.set("reach", kRimWidth * half + 1.0f); // the same for line and rim: then they have the same depths
+    line_.set("reach", kLineRimWidth * half + 1.0f); // the same for line and rim: then they have the same depths
     // All rims first: where lines cross, none cuts another in two.
     for (const bool rim : {true, false}) {
         if (hidden && rim) continue;
-        line_.set("halfWidth", rim ? kRimWidth * half : half);
+        line_.set("halfWidth", rim ? kLineRimWidth * half : half);
         for (const Lines& lines : all) {
             line_.set("color", rim ? vec4(look::kLineRim, look::kLineRimAlpha)
                                    : vec4(lines.colorLinear, hidden ? kHiddenLine : 1.0f));

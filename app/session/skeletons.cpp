@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Twice as long as any of ours: it stands in tables and on labels.
-constexpr std::size_t kLongestName = 40;
+constexpr std::size_t kLongestTechniqueName = 40;
 
 // Namespaces that a technique's own would be mixed up with, and words that no namespace can have.
 constexpr std::array kTaken = {"app",    "commands", "context", "gl",        "glm", "image", "look", "measure",
@@ -76,8 +76,9 @@ void requireFreeName(const std::string& name) {
     };
     if (!isKebabCase(name))
         refuse("is no name of a technique; use small letters, digits and hyphens between them, as my-shadows");
-    if (name.size() > kLongestName)
-        refuse("has " + std::to_string(name.size()) + " characters; use at most " + std::to_string(kLongestName));
+    if (name.size() > kLongestTechniqueName)
+        refuse("has " + std::to_string(name.size()) + " characters; use at most " +
+               std::to_string(kLongestTechniqueName));
     const std::string space = namespaceOf(name);
     if (std::ranges::find(kWords, space) != kWords.end() || std::ranges::find(kTaken, space) != kTaken.end())
         refuse("cannot be the name of a namespace beside those of the program; choose another, as my-" + name);

@@ -10,15 +10,16 @@ namespace {
 
 // Shares of the picture's height; 1/45 is what is still read from the last row of a lecture hall.
 constexpr double kTitleShare = 1.0 / 27, kSmallShare = 1.0 / 40;
-constexpr double kSmallestType = 10; ///< pixels; below, letters dissolve
-constexpr image::Color8 kGround{16, 16, 18, 255}, kText{245, 245, 245, 255}, kAccent{0xE6, 0x9F, 0x00, 255};
+constexpr double kSmallestCaption = 10; ///< pixels; below, letters dissolve
+constexpr image::Color8 kCaptionGround{16, 16, 18, 255}, kCaptionText{245, 245, 245, 255},
+    kAccent{0xE6, 0x9F, 0x00, 255};
 
 } // namespace
 
 StepCaptions::StepCaptions(const TechniqueInfo& info, const std::vector<StageKey>& passes, const scene::Scene& scene,
                            const image::Font& font, ivec2 size)
-    : font_(font), smallEm_(std::max(kSmallestType, size.y * kSmallShare)),
-      em_(std::max(kSmallestType, size.y * kTitleShare)), margin_(static_cast<int>(std::lround(em_ / 2))) {
+    : font_(font), smallEm_(std::max(kSmallestCaption, size.y * kSmallShare)),
+      em_(std::max(kSmallestCaption, size.y * kTitleShare)), margin_(static_cast<int>(std::lround(em_ / 2))) {
     std::size_t lines = 1;
     for (std::size_t i = 0; i < passes.size(); ++i) {
         const StageKey& pass = passes[i];
@@ -35,13 +36,13 @@ StepCaptions::StepCaptions(const TechniqueInfo& info, const std::vector<StageKey
 }
 
 image::Image StepCaptions::below(const image::Image& picture, std::size_t step) const {
-    image::Image whole(picture.width, picture.height + height_, kGround);
+    image::Image whole(picture.width, picture.height + height_, kCaptionGround);
     image::blit(whole, 0, 0, picture);
     const Caption& caption = captions_[step];
     int y = picture.height + margin_;
     y += font_.draw(whole, margin_, y, caption.which, smallEm_, kAccent).height;
     for (const std::string& line : caption.title)
-        y += font_.draw(whole, margin_, y, line, em_, kText).height;
+        y += font_.draw(whole, margin_, y, line, em_, kCaptionText).height;
     return whole;
 }
 

@@ -48,10 +48,10 @@ bool holds(std::string_view line, std::string_view name) {
 bool isEquation(std::string_view text) { return text.find('=') != std::string_view::npos; }
 
 /// Says the values of names where they are met first.
-class Values {
+class ShownValues {
 public:
     /// Of a step; without one of the whole. What the step itself says of a name comes first.
-    Values(const TechniqueInfo& info, const PassInfo* pass, const Probe* probe) : probe_(probe) {
+    ShownValues(const TechniqueInfo& info, const PassInfo* pass, const Probe* probe) : probe_(probe) {
         if (pass) named_.assign(pass->values.begin(), pass->values.end());
         for (const NamedValue& value : info.values)
             if (std::ranges::find(named_, value.name, &NamedValue::name) == named_.end()) named_.push_back(value);
@@ -78,7 +78,7 @@ private:
     std::set<std::string_view> said_;
 };
 
-std::vector<StepLine> textLines(std::string_view text, LineRange current, Values values) {
+std::vector<StepLine> textLines(std::string_view text, LineRange current, ShownValues values) {
     std::vector<StepLine> lines;
     std::istringstream stream{std::string(text)};
     for (std::string line; std::getline(stream, line);) {
@@ -96,7 +96,7 @@ bool isUsed(const AnchorUse& use, const params::ParamList& params) {
 }
 
 /// A piece that almost reaches the one before, in the same file, becomes a part of it.
-void addPiece(StepSource& step, const Snippet& snippet, const std::vector<std::string>& file, Values& values) {
+void addPiece(StepSource& step, const Snippet& snippet, const std::vector<std::string>& file, ShownValues& values) {
     const int last = snippet.lines.last;
     int first = snippet.lines.first - 1; // the anchor
     const auto isComment = [&](int number) {
@@ -130,7 +130,7 @@ StepSource stepSource(const TechniqueInfo& info, const PassInfo* pass, const par
     step.pseudocode = textLines(info.pseudocode, pass ? pass->pseudocodeLines : LineRange(), {info, pass, probe});
     if (!pass) return step;
     step.formula = textLines(pass->formula, kAllLines, {info, pass, probe});
-    Values values(info, pass, probe);
+    ShownValues values(info, pass, probe);
     for (const AnchorUse& use : anchorsOf(*pass)) {
         if (!isUsed(use, params)) continue;
         try {

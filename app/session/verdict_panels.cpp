@@ -25,7 +25,7 @@ struct Meaning {
     int pixels = 0;
 };
 
-std::vector<KeyEntry> keyOf(std::span<const Meaning> meanings) {
+std::vector<KeyEntry> keyOfVerdicts(std::span<const Meaning> meanings) {
     std::vector<KeyEntry> key;
     for (const Meaning& meaning : meanings)
         if (meaning.label)
@@ -34,15 +34,11 @@ std::vector<KeyEntry> keyOf(std::span<const Meaning> meanings) {
     return key;
 }
 
-image::Color8 encoded(const vec3& linear) {
-    return {image::srgbFromLinear(linear.r), image::srgbFromLinear(linear.g), image::srgbFromLinear(linear.b), 255};
-}
-
 /// Brightness alone, on the lifted ground.
 image::Color8 withoutColor(const image::Color8& c) {
     const float luminance = 0.2126f * image::linearFromSrgb(c.r) + 0.7152f * image::linearFromSrgb(c.g) +
                             0.0722f * image::linearFromSrgb(c.b);
-    return encoded(vec3(glm::mix(kErrorGround, 1.0f, luminance)));
+    return image::encoded(vec3(glm::mix(kErrorGround, 1.0f, luminance)));
 }
 
 template <typename Visit>
@@ -79,9 +75,9 @@ Panel truthPanel(const measure::Truth& truth, const Region& region) {
         // Where one object ends and another begins, a darker line: else lit things would merge with a lit ground.
         const bool rim = (x + 1 < truth.size.x && truth.objects[truth.index(x + 1, y)] != truth.objects[i]) ||
                          (y + 1 < truth.size.y && truth.objects[truth.index(x, y + 1)] != truth.objects[i]);
-        panel.picture.set(x, y, encoded(color * (rim ? kRim : 1.0f)));
+        panel.picture.set(x, y, image::encoded(color * (rim ? kRim : 1.0f)));
     });
-    panel.display.key = keyOf(meanings);
+    panel.display.key = keyOfVerdicts(meanings);
     return panel;
 }
 
@@ -96,7 +92,7 @@ Panel errorOverlay(const measure::Truth& truth, const measure::Judgement& judgem
         const Verdict verdict = judgement.verdicts[i];
         const auto paint = [&](Meaning& meaning) {
             meaning.pixels += verdict != Verdict::tie || truth.visibility[i] != Visibility::noSurface;
-            panel.picture.set(x, y, encoded(meaning.colorLinear));
+            panel.picture.set(x, y, image::encoded(meaning.colorLinear));
         };
         switch (verdict) {
         case Verdict::falseLit: paint(meanings[0]); break;
@@ -110,7 +106,7 @@ Panel errorOverlay(const measure::Truth& truth, const measure::Judgement& judgem
         case Verdict::correct: break;
         }
     });
-    panel.display.key = keyOf(meanings);
+    panel.display.key = keyOfVerdicts(meanings);
     return panel;
 }
 

@@ -13,7 +13,7 @@ namespace {
 using diagram::Drawing;
 using diagram::TextStyle;
 
-constexpr const char *kInk = "#1a1a1a", *kMarkedGround = "#ffe9b8";
+constexpr const char *kTextInk = "#1a1a1a", *kMarkedGround = "#ffe9b8";
 constexpr double kFormulaSize = 1.25; ///< times the type beside it
 constexpr double kBetween = 0.6;      ///< em between paragraphs
 
@@ -48,7 +48,7 @@ public:
         }
         isTooSmall_ = isTooSmall_ || em < kLeastType;
         y_ += extent.above;
-        if (svg_) formula.draw(*svg_, box_.corner + dvec2(0, y_), em, kInk, fonts);
+        if (svg_) formula.draw(*svg_, box_.corner + dvec2(0, y_), em, kTextInk, fonts);
         y_ += extent.below + kBetween * type_;
     }
     [[nodiscard]] bool fits() const { return y_ <= box_.size.y && !isTooSmall_; }
@@ -62,7 +62,7 @@ private:
         y_ += height;
         if (svg_)
             svg_->text(box_.corner + dvec2(indent, y_ - 0.12 * type_), line,
-                       {.size = type_, .isBold = isMarked, .color = kInk, .hasRim = false});
+                       {.size = type_, .isBold = isMarked, .color = kTextInk, .hasRim = false});
     }
 
     Drawing* svg_;

@@ -34,7 +34,7 @@ std::optional<Json> slidesIn(const fs::path& file) {
     }
 }
 
-void write(const fs::path& file, const Json& slides) {
+void writeSlides(const fs::path& file, const Json& slides) {
     image::writeWhole(file, Json{{"shadowlab", kMark}, {"slides", slides}}.dump(1) + "\n");
 }
 
@@ -72,7 +72,7 @@ void Unfinished::keep(const std::string& slide, const std::string& madeFrom,
     // Read again: other runs may draw other slides of the deck meanwhile.
     Json slides = slidesIn(file_).value_or(Json::object());
     slides[slide] = {{"madeFrom", madeFrom}, {"files", digests}};
-    write(file_, slides);
+    writeSlides(file_, slides);
 }
 
 void Unfinished::discard(const std::vector<std::string>& slides) const {
@@ -83,7 +83,7 @@ void Unfinished::discard(const std::vector<std::string>& slides) const {
     if (left->empty())
         discardAll();
     else
-        write(file_, *left);
+        writeSlides(file_, *left);
 }
 
 void Unfinished::discardAll() const {

@@ -51,21 +51,21 @@ constexpr float kRowEm = 0.35f; ///< between rows
 constexpr int kMostColumns = 4;
 
 /// The list in one size of type: which rows begin a column, and how high the highest is.
-struct Layout {
+struct KeyColumns {
     float em = 0, columnWidth = 0, height = 0;
     std::vector<std::size_t> begins;
 };
 
-float rowHeight(const KeyRow& row, const Theme& theme, const Layout& layout) {
+float rowHeight(const KeyRow& row, const Theme& theme, const KeyColumns& layout) {
     const float room = layout.columnWidth - kKeysEm * layout.em;
     return theme.text->CalcTextSizeA(layout.em, FLT_MAX, room, row.help).y + kRowEm * layout.em;
 }
 
 /// A heading, with the space before it where it is not the first of its column.
-float headingHeight(const Layout& layout, bool first) { return (first ? 1.4f : 2.2f) * layout.em; }
+float headingHeight(const KeyColumns& layout, bool first) { return (first ? 1.4f : 2.2f) * layout.em; }
 
 /// Fills one column after the other up to `most`, a heading always with its first row.
-Layout filled(const std::vector<KeyRow>& rows, const Theme& theme, Layout layout, float most) {
+KeyColumns filled(const std::vector<KeyRow>& rows, const Theme& theme, KeyColumns layout, float most) {
     layout.begins = {0};
     layout.height = 0;
     float height = 0;
@@ -84,8 +84,8 @@ Layout filled(const std::vector<KeyRow>& rows, const Theme& theme, Layout layout
 }
 
 /// The largest type in which all of it is seen at once.
-Layout largestThatFits(const std::vector<KeyRow>& rows, const Theme& theme, ImVec2 room) {
-    Layout layout;
+KeyColumns largestThatFits(const std::vector<KeyRow>& rows, const Theme& theme, ImVec2 room) {
+    KeyColumns layout;
     for (layout.em = theme.em; layout.em > 0.4f * theme.em; layout.em -= 0.5f)
         for (int columns = 1; columns <= kMostColumns; ++columns) {
             layout.columnWidth = room.x / static_cast<float>(columns) - kBetweenEm * layout.em;
@@ -110,7 +110,7 @@ void keyOverlay(ivec2 windowSize, const Theme& theme) {
         rows.push_back({"Mouse", what, does});
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const Layout layout = largestThatFits(rows, theme, room);
+    const KeyColumns layout = largestThatFits(rows, theme, room);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto text = [&](float x, float y, ImU32 color, const std::string& words, float width = 0) {
         list.AddText(theme.text, layout.em, {x, y}, color, words.c_str(), nullptr, width);

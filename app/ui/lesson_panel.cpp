@@ -51,7 +51,7 @@ bool answersChoice(const LessonDesk& on) {
 }
 
 /// The lines of a step below its title, in the order in which they stand; the first of them large where it is a score.
-std::vector<std::string> linesOf(const LessonDesk& on, LessonStep step) {
+std::vector<std::string> lessonLines(const LessonDesk& on, LessonStep step) {
     const session::Lesson& lesson = *on.now;
     std::vector<std::string> lines;
     if (step == LessonStep::question) {
@@ -68,10 +68,6 @@ std::vector<std::string> linesOf(const LessonDesk& on, LessonStep step) {
         lines.push_back(session::sentenceOf(lesson, step == LessonStep::mend ? 1 : 0));
     }
     return lines;
-}
-
-float heightOf(ImFont* font, const std::string& text, float width) {
-    return font->CalcTextSizeA(font->FontSize, FLT_MAX, width, text.c_str()).y;
 }
 
 void swatch(const Theme& theme, ImU32 color, const char* text) {
@@ -115,9 +111,9 @@ float lessonPanelHeight(const Desk& desk, const Theme& theme, float width) {
     float highest = 0;
     for (const LessonStep step : stepsOf(*desk.lesson.now)) {
         float height = 0;
-        for (const std::string& line : linesOf(desk.lesson, step))
-            height +=
-                heightOf(step == LessonStep::reveal ? theme.heading : theme.text, line, room) + style.ItemSpacing.y;
+        for (const std::string& line : lessonLines(desk.lesson, step))
+            height += wrappedHeight(step == LessonStep::reveal ? theme.heading : theme.text, line, room) +
+                      style.ItemSpacing.y;
         highest = std::max(highest, height);
     }
     const float title = std::max(ImGui::GetFrameHeight(), theme.heading->FontSize);
@@ -131,7 +127,7 @@ void lessonPanel(Desk& desk, const Area& area, const Theme& theme) {
     case LessonStep::reveal: revealPart(desk.lesson, theme); break;
     case LessonStep::artefact:
     case LessonStep::mend:
-        for (const std::string& line : linesOf(desk.lesson, desk.lesson.step))
+        for (const std::string& line : lessonLines(desk.lesson, desk.lesson.step))
             ImGui::TextWrapped("%s", line.c_str());
         break;
     }

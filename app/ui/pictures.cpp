@@ -34,8 +34,6 @@ float splitLineX(const Desk& desk, const Area& area) {
 
 bool hasSplitLine(const Desk& desk) { return desk.bench.document().layout == Layout::split && !desk.shown.blink; }
 
-ImVec2 imVec(ivec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
-
 std::string titleOf(const Desk& desk, int pane) {
     const session::PaneState& state = desk.bench.document().panes[static_cast<std::size_t>(pane)];
     const session::Pane& drawn = desk.bench.pane(pane);

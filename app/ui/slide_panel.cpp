@@ -11,10 +11,10 @@ namespace shadowlab::ui {
 
 namespace {
 
-constexpr const char* kHint = "S: on   Shift+S: back   Esc: out";
+constexpr const char* kSlideHint = "S: on   Shift+S: back   Esc: out";
 
 /// "7 of 17", and which picture, where there are more.
-std::string place(const SlideDesk& on) {
+std::string placeInDeck(const SlideDesk& on) {
     std::string text = std::to_string(on.at + 1) + " of " + std::to_string(on.deck->slides().size());
     if (on.stops.size() > 1)
         text += ", picture " + std::to_string(on.stop + 1) + " of " + std::to_string(on.stops.size());
@@ -22,7 +22,7 @@ std::string place(const SlideDesk& on) {
 }
 
 /// The lines below the title.
-std::vector<std::string> linesOf(const SlideDesk& on) {
+std::vector<std::string> slideLines(const SlideDesk& on) {
     std::vector<std::string> lines;
     if (!on.stops.empty()) {
         const session::SlideStop& stop = on.stops[on.stop];
@@ -37,10 +37,6 @@ std::vector<std::string> linesOf(const SlideDesk& on) {
     return lines;
 }
 
-float heightOf(ImFont* font, const std::string& text, float width) {
-    return font->CalcTextSizeA(font->FontSize, FLT_MAX, width, text.c_str()).y;
-}
-
 } // namespace
 
 float slidePanelHeight(const Desk& desk, const Theme& theme, float width) {
@@ -48,15 +44,15 @@ float slidePanelHeight(const Desk& desk, const Theme& theme, float width) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float room = std::max(theme.em, width - 2 * style.WindowPadding.x);
     float height = std::max(ImGui::GetFrameHeight(), theme.heading->FontSize);
-    for (const std::string& line : linesOf(desk.slides))
-        height += heightOf(theme.text, line, room) + style.ItemSpacing.y;
+    for (const std::string& line : slideLines(desk.slides))
+        height += wrappedHeight(theme.text, line, room) + style.ItemSpacing.y;
     return std::ceil(height + 2 * style.WindowPadding.y + 2 * style.ItemSpacing.y);
 }
 
 void slidePanel(Desk& desk, const Area& area, const Theme& theme) {
     const SlideDesk& on = desk.slides;
-    const int by = beginBand({"slide", on.slide.title, place(on), kHint}, area, theme);
-    for (const std::string& line : linesOf(on))
+    const int by = beginBand({"slide", on.slide.title, placeInDeck(on), kSlideHint}, area, theme);
+    for (const std::string& line : slideLines(on))
         ImGui::TextWrapped("%s", line.c_str());
     ImGui::End();
     if (by != 0) stepSlides(desk, by);

@@ -16,7 +16,7 @@ namespace {
 
 // Most lines of the sources have no more columns than this; longer ones go on in the next row.
 constexpr float kColumns = 84;
-constexpr float kLargestShare = 0.5f; ///< of the window's width: the picture is what the step is about
+constexpr float kLargestListing = 0.5f; ///< of the window's width: the picture is what the step is about
 constexpr std::size_t kNumberColumns = 4, kHangingIndent = 4, kFewestColumns = 12;
 
 constexpr ImU32 kCurrent = IM_COL32(0xE6, 0x9F, 0x00, 0x38); ///< behind the lines of the step: the accent, faintly
@@ -136,7 +136,7 @@ float SourcePanel::width(const Desk& desk, const Theme& theme, float windowWidth
     const float column = theme.code->CalcTextSizeA(theme.code->FontSize, FLT_MAX, 0, "M").x;
     const float wanted = (kColumns + kNumberColumns + 1) * column + 2 * ImGui::GetStyle().WindowPadding.x +
                          ImGui::GetStyle().ScrollbarSize;
-    return std::round(std::min(wanted, windowWidth * kLargestShare));
+    return std::round(std::min(wanted, windowWidth * kLargestListing));
 }
 
 void SourcePanel::update(Desk& desk) {

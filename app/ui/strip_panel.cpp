@@ -11,8 +11,6 @@ namespace {
 
 constexpr int kCaptionLines = 3;
 
-ImVec2 imVec(ivec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
-
 /// The picture in the middle of a frame of that size, its proportions kept.
 void drawInFrame(ImDrawList& list, const session::PanePicture& picture, ImVec2 corner, ImVec2 frame) {
     list.AddRectFilled(corner, {corner.x + frame.x, corner.y + frame.y}, IM_COL32(12, 12, 14, 255));

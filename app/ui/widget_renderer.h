@@ -14,6 +14,9 @@ inline ImTextureID imguiTexture(const gl::Texture2D& texture) {
     return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
 }
 
+/// A place in pixels, as ImGui takes it.
+inline ImVec2 imVec(ivec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+
 /// Draws a picture that has nothing to shine through, by that much quicker.
 void addOpaqueImage(ImDrawList& list, const gl::Texture2D& texture, ImVec2 low, ImVec2 high);
 

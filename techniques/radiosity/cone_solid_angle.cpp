@@ -17,7 +17,7 @@ constexpr int kParts = 16;
 
 /// By Gauss's four points, exact for polynomials of degree 7.
 template <typename Function>
-double integral(double from, double to, const Function& function) {
+double integralOf(double from, double to, const Function& function) {
     constexpr std::array<double, 2> kPlaces = {0.33998104358485626, 0.86113631159405258},
                                     kWeights = {0.65214515486254614, 0.34785484513745386};
     const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
@@ -31,7 +31,7 @@ double integral(double from, double to, const Function& function) {
 double versine(double angle) { return 2 * std::pow(std::sin(0.5 * angle), 2); }
 
 /// G of the text above.
-double within(const LightCone& cone, double theta) {
+double withinCone(const LightCone& cone, double theta) {
     const double inner = cone.half - cone.edge, outer = std::min(theta, cone.half);
     if (outer <= inner) return versine(outer);
     const auto arriving = [&](double angle) {
@@ -39,7 +39,7 @@ double within(const LightCone& cone, double theta) {
         return t * t * (3 - 2 * t) * std::sin(angle);
     };
     const double middle = 0.5 * (inner + outer); // by twice four points also a band of a right angle is right to 1e-7
-    return versine(inner) + integral(inner, middle, arriving) + integral(middle, outer, arriving);
+    return versine(inner) + integralOf(inner, middle, arriving) + integralOf(middle, outer, arriving);
 }
 
 /// A great circle whose plane has a unit normal with these parts along the axis and across it.
@@ -59,10 +59,10 @@ double upTo(const LightCone& cone, const GreatCircle& circle, double phi) {
     double from = inside;
     for (int i = 1; i <= kParts && cone.edge > 0 && from < end; ++i) {
         const double to = std::min(end, circle.phiAt(inner + cone.edge * i * i / (kParts * kParts)));
-        if (to > from) sum += integral(from, to, [&](double p) { return within(cone, circle.thetaAt(p)); });
+        if (to > from) sum += integralOf(from, to, [&](double p) { return withinCone(cone, circle.thetaAt(p)); });
         from = std::max(from, to);
     }
-    sum += std::max(0.0, end - std::max(from, circle.phiAt(cone.half))) * within(cone, cone.half);
+    sum += std::max(0.0, end - std::max(from, circle.phiAt(cone.half))) * withinCone(cone, cone.half);
     return std::copysign(sum, phi);
 }
 

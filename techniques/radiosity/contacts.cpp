@@ -55,11 +55,6 @@ std::optional<Segment> inside(const Segment& segment, const Polygon& polygon, co
 }
 
 /// With the normal of the whole: that of a sliver is noise.
-Patch pieceOf(const Patch& patch, const Polygon& polygon) {
-    const double area = glm::length(areaVector(polygon));
-    return {polygon, patch.normal, centroid(polygon), area, patch.face};
-}
-
 /// Cuts every piece that the segment goes through, along the segment's whole line.
 void cut(std::vector<Patch>& pieces, const Segment& segment, double touching) {
     for (std::size_t i = 0, count = pieces.size(); i < count; ++i) {

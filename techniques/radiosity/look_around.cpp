@@ -12,7 +12,7 @@ namespace shadowlab::radiosity {
 namespace {
 
 // Evenly spread, their share is right to a hundredth or so: the light of the surroundings is no more exact than that.
-constexpr int kRays = 256;
+constexpr int kRaysAround = 256;
 
 // Of so many rays one is followed all the way to tell where it begins. That is the same nearly everywhere on a patch: few will do.
 constexpr int kRaysPerWay = 8;
@@ -30,8 +30,8 @@ Seen lookAround(const trace::SceneTracer& tracer, const ClosedBodies& bodies, co
                 double foldMetres) {
     const auto [tangent, bitangent] = tangents(patch.normal);
     int nothing = 0, inBodies = 0, folds = 0;
-    for (int i = 0; i < kRays; ++i) {
-        const auto x = evenly(i, kRays);
+    for (int i = 0; i < kRaysAround; ++i) {
+        const auto x = evenly(i, kRaysAround);
         // Off the surface by as little as what touches may be off.
         const dvec3 from =
             placeIn(patch.polygon, x[0], x[1]).point + 2 * kTouching * sizeOf(patch.polygon) * patch.normal;
@@ -48,7 +48,7 @@ Seen lookAround(const trace::SceneTracer& tracer, const ClosedBodies& bodies, co
         folds += tracer.world().objects[met.primitive] == object &&
                  glm::distance(tracer.positionCentred(met), from) < foldMetres;
     }
-    const auto share = [](int rays) { return static_cast<double>(rays) / kRays; };
+    const auto share = [](int rays) { return static_cast<double>(rays) / kRaysAround; };
     return {share(nothing), kRaysPerWay * share(inBodies), share(folds)};
 }
 

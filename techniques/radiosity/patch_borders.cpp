@@ -13,8 +13,6 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-constexpr std::uint32_t kNone = PatchBorders::kNone;
-
 const double kCreaseCosine = std::cos(glm::radians(50.0)); // the header has the reason
 
 /// Of every object: what is nearer than that many metres is in the same place, and how long the edges of its patches are.
@@ -57,11 +55,11 @@ public:
 
     std::uint32_t at(std::uint32_t object, const dvec3& positionCentred) {
         const double touching = scales_.touching[object];
-        std::uint32_t found = kNone;
+        std::uint32_t found = PatchBorders::kNone;
         places_.near(object, boxAbout(positionCentred, touching), [&](std::uint32_t number) {
             if (number < found && glm::distance(all[number], positionCentred) <= touching) found = number;
         });
-        if (found != kNone) return found;
+        if (found != PatchBorders::kNone) return found;
         found = static_cast<std::uint32_t>(all.size());
         all.push_back(positionCentred);
         places_.add(object, positionCentred, found);
@@ -168,7 +166,7 @@ PatchBorders unlinkedBorders(const Faces& faces, const std::vector<Patch>& patch
 std::vector<std::uint32_t> PatchBorders::neighbours(std::size_t patch) const {
     std::vector<std::uint32_t> numbers;
     for (const Piece& piece : of(patch))
-        if (piece.across != kNone) numbers.push_back(pieces[piece.across].patch);
+        if (piece.across != PatchBorders::kNone) numbers.push_back(pieces[piece.across].patch);
     std::ranges::sort(numbers);
     const auto repeated = std::ranges::unique(numbers);
     numbers.erase(repeated.begin(), repeated.end());
@@ -186,20 +184,21 @@ PatchBorders patchBorders(const Faces& faces, const std::vector<Patch>& patches)
     for (std::uint32_t piece = 0; piece < borders.pieces.size(); ++piece) {
         PatchBorders::Piece& here = borders.pieces[piece];
         const auto others = piecesFromTo.find({endOf(piece), here.point});
-        if (here.across != kNone || others == piecesFromTo.end()) continue;
+        if (here.across != PatchBorders::kNone || others == piecesFromTo.end()) continue;
         const Patch& patch = patches[here.patch];
         const Face& face = faces.all[patch.face];
         double flattest = kCreaseCosine;
-        std::uint32_t across = kNone;
+        std::uint32_t across = PatchBorders::kNone;
         for (const std::uint32_t other : others->second) {
             const Patch& beyond = patches[borders.pieces[other].patch];
             const double cosine = glm::dot(patch.normal, beyond.normal);
-            const bool isTaken = borders.pieces[other].across != kNone || borders.pieces[other].patch == here.patch;
+            const bool isTaken =
+                borders.pieces[other].across != PatchBorders::kNone || borders.pieces[other].patch == here.patch;
             if (isTaken || faces.all[beyond.face].material != face.material || !(cosine > flattest)) continue;
             flattest = cosine;
             across = other;
         }
-        if (across == kNone) continue;
+        if (across == PatchBorders::kNone) continue;
         const dvec3 middle = 0.5 * (borders.pointsCentred[here.point] + borders.pointsCentred[endOf(piece)]);
         if (isContact(faces, contacts, patch.face, patches[borders.pieces[across].patch].face, middle,
                       scales.touching[face.object])) {

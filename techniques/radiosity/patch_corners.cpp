@@ -11,8 +11,6 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-constexpr std::uint32_t kNone = PatchBorders::kNone;
-
 /// Of each piece of border, the first of those that begin at the same point and that one can walk to from patch to patch about
 /// that point, over borders that light goes on across.
 std::vector<std::uint32_t> roundEachPoint(const PatchBorders& borders) {
@@ -25,7 +23,7 @@ std::vector<std::uint32_t> roundEachPoint(const PatchBorders& borders) {
     };
     for (std::uint32_t piece = 0; piece < leader.size(); ++piece) {
         const std::uint32_t across = borders.pieces[piece].across;
-        if (across == kNone) continue;
+        if (across == PatchBorders::kNone) continue;
         const std::uint32_t a = find(piece), b = find(borders.after(across)); // both begin where `across` ends
         leader[std::max(a, b)] = std::min(a, b);
     }
@@ -92,7 +90,7 @@ std::vector<Around> cornersOf(const std::vector<Patch>& patches, const PatchBord
     for (std::uint32_t i = 0; i < patches.size(); ++i)
         for (std::uint32_t piece = borders.first[i]; piece < borders.first[i + 1]; ++piece) {
             const std::uint32_t after = borders.after(piece);
-            const bool isOpen = borders.pieces[piece].across == kNone;
+            const bool isOpen = borders.pieces[piece].across == PatchBorders::kNone;
             Around& here = corners[cornerOfPiece[piece]];
             here.patches.push_back(i);
             here.normal += patches[i].normal;

@@ -55,6 +55,10 @@ void cutTriangle(const Polygon& t, int n, std::uint32_t face, std::vector<Patch>
 
 } // namespace
 
+Patch pieceOf(const Patch& patch, const Polygon& polygon) {
+    return {polygon, patch.normal, centroid(polygon), glm::length(areaVector(polygon)), patch.face};
+}
+
 std::vector<Patch> cutIntoPatches(const Faces& faces, double size) {
     std::vector<Patch> patches;
     for (std::uint32_t f = 0; f < faces.all.size(); ++f) {

@@ -15,6 +15,9 @@ struct Patch {
     [[nodiscard]] Plane plane() const { return {centre, normal}; }
 };
 
+/// The part of a patch that lies in the polygon.
+Patch pieceOf(const Patch& patch, const Polygon& polygon);
+
 /// No edge of a patch is longer than `size` metres. Quads become quads, as many along one pair of sides as along the other is
 /// needed; triangles become triangles of their own shape.
 std::vector<Patch> cutIntoPatches(const Faces& faces, double size);

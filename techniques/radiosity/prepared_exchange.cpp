@@ -10,7 +10,7 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-ExchangeMatrix within(const ExchangeMatrix& all, std::span<const std::size_t> part) {
+ExchangeMatrix partOfExchange(const ExchangeMatrix& all, std::span<const std::size_t> part) {
     ExchangeMatrix some(part.size());
     for (std::size_t i = 0; i < part.size(); ++i)
         for (std::size_t j = 0; j <= i; ++j)
@@ -23,7 +23,7 @@ double scalePart(ExchangeMatrix& matrix, std::span<const double> areas, std::spa
     std::vector<double> own;
     for (const std::size_t i : part)
         own.push_back(areas[i]);
-    const ScaledExchange scaled = scaledToClosure(within(matrix, part), own, Closure::closedRoom);
+    const ScaledExchange scaled = scaledToClosure(partOfExchange(matrix, part), own, Closure::closedRoom);
     for (std::size_t i = 0; i < part.size(); ++i)
         for (std::size_t j = 0; j <= i; ++j)
             matrix.set(part[i], part[j], scaled.exchange(i, j));

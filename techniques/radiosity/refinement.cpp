@@ -10,8 +10,6 @@ namespace {
 
 using Reason = Refinement::Reason;
 
-double luminance(const dvec3& colour) { return glm::dot(colour, dvec3(0.2126, 0.7152, 0.0722)); } // Rec. 709
-
 /// By how much the radiosity of a patch is wrong, in the mean over its area, W/m^2; the larger of two guesses.
 struct Wrong {
     double mean = 0;
@@ -62,11 +60,6 @@ void addWithLarger(std::uint32_t number, const std::vector<Patch>& patches, cons
     }
 }
 
-Patch pieceOf(const Patch& patch, const Polygon& polygon) {
-    const double area = glm::length(areaVector(polygon));
-    return {polygon, patch.normal, centroid(polygon), area, patch.face};
-}
-
 /// In halves or quarters. Of all corners that a polygon can have, two halves, for a cut beside them would add one more.
 std::vector<Polygon> partsOf(const Patch& patch) {
     const Polygon& p = patch.polygon;
@@ -111,7 +104,7 @@ std::vector<Polygon> partsOf(const Patch& patch) {
 }
 
 /// The patch as it is, if a piece would be too small for its corners to differ.
-std::vector<Polygon> piecesOf(const Patch& patch) {
+std::vector<Polygon> dividedPieces(const Patch& patch) {
     std::vector<Polygon> pieces = partsOf(patch);
     if (std::ranges::any_of(pieces, hasNoArea)) return {patch.polygon};
     return pieces;
@@ -158,7 +151,7 @@ std::vector<Refinement> patchesToRefine(const std::vector<Patch>& patches, const
         std::erase_if(cuts, [&](std::uint32_t number) { return isCut[number] != 0; });
         std::size_t after = count;
         for (const std::uint32_t number : cuts)
-            after += piecesOf(patches[number]).size() - 1;
+            after += dividedPieces(patches[number]).size() - 1;
         if (after > limits.mostPatches) break;
         count = after;
         for (const std::uint32_t number : cuts) {
@@ -188,7 +181,7 @@ Refined refined(const std::vector<Patch>& patches, std::span<const Refinement> r
             continue;
         }
         ++next;
-        for (const Polygon& piece : piecesOf(patches[i]))
+        for (const Polygon& piece : dividedPieces(patches[i]))
             add(pieceOf(patches[i], piece), Refined::kNew, 1);
     }
     return result;

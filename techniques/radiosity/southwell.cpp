@@ -11,7 +11,7 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-double largestOf(const dvec3& residual) {
+double largestMagnitude(const dvec3& residual) {
     return std::max({std::abs(residual.x), std::abs(residual.y), std::abs(residual.z)});
 }
 
@@ -22,7 +22,7 @@ public:
 private:
     void advance() override {
         const auto& residual = iterate_.residual();
-        const auto furthest = std::ranges::max_element(residual, {}, largestOf);
+        const auto furthest = std::ranges::max_element(residual, {}, largestMagnitude);
         const auto i = static_cast<std::size_t>(furthest - residual.begin());
         iterate_.addAt(i, iterate_.correction(i));
         if (glm::any(iterate_.wantsFreshResidual())) iterate_.computeResidualAnew();

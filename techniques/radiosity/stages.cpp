@@ -14,8 +14,6 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-double luminance(const dvec3& rgb) { return glm::dot(rgb, dvec3(0.2126, 0.7152, 0.0722)); } // of sRGB's primaries
-
 void publishRadiance(const Showing& showing, std::string_view stage, const std::function<void()>& draw) {
     if (showing.frame.wants(stage))
         showing.frame.drawStage(stage, kNoLight, GL_RGBA16F, [&] {

@@ -11,26 +11,26 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-constexpr int kBlock = trace::SceneTracer::kBlock;
+constexpr int kBlockSide = trace::SceneTracer::kBlock;
 
 // Blocks on a side; they are the pieces of work that a thread takes, small enough for a deadline to be kept with the slowest of
 // structures. Rows of them lie beside each other, so that what is done of a picture is its upper part.
 struct Blocks {
     ivec2 size;
-    [[nodiscard]] ivec2 many() const { return (size + kBlock - 1) / kBlock; }
+    [[nodiscard]] ivec2 many() const { return (size + kBlockSide - 1) / kBlockSide; }
     [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(many().x * many().y); }
     [[nodiscard]] ivec2 corner(std::size_t block) const {
-        return kBlock * ivec2(static_cast<int>(block) % many().x, static_cast<int>(block) / many().x);
+        return kBlockSide * ivec2(static_cast<int>(block) % many().x, static_cast<int>(block) / many().x);
     }
-    [[nodiscard]] ivec2 sizeAt(ivec2 corner) const { return glm::min(ivec2(kBlock), size - corner); }
+    [[nodiscard]] ivec2 sizeAt(ivec2 corner) const { return glm::min(ivec2(kBlockSide), size - corner); }
 };
 
 /// Calls work(index, index with rows counted from the bottom) for every pixel, a row of blocks at a time.
 template <typename Work>
 void forEachPixel(ivec2 size, const Work& work) {
     const auto width = static_cast<std::size_t>(size.x), height = static_cast<std::size_t>(size.y);
-    trace::parallelFor((height + kBlock - 1) / kBlock, [&](std::size_t row) {
-        for (std::size_t y = row * kBlock; y < std::min(height, (row + 1) * kBlock); ++y)
+    trace::parallelFor((height + kBlockSide - 1) / kBlockSide, [&](std::size_t row) {
+        for (std::size_t y = row * kBlockSide; y < std::min(height, (row + 1) * kBlockSide); ++y)
             for (std::size_t x = 0; x < width; ++x)
                 work(y * width + x, (height - 1 - y) * width + x);
     });
@@ -83,8 +83,8 @@ bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& setti
     const bool begins = tracedBlocks_ == 0;
     tracedBlocks_ = trace::parallelUntil(deadline, tracedBlocks_, blocks.count(), [&](std::size_t block) {
         const ivec2 corner = blocks.corner(block), blockSize = blocks.sizeAt(corner);
-        std::array<trace::SurfacePoint, kBlock * kBlock> blockPoints;
-        std::array<trace::Visibility, kBlock * kBlock> blockAnswers;
+        std::array<trace::SurfacePoint, kBlockSide * kBlockSide> blockPoints;
+        std::array<trace::Visibility, kBlockSide * kBlockSide> blockAnswers;
         const auto count = static_cast<std::size_t>(blockSize.x * blockSize.y);
         const std::span points(blockPoints.data(), count);
         const std::span answers(blockAnswers.data(), count);
@@ -95,7 +95,7 @@ bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& setti
         if (settings.receivers.empty()) {
             tracer.eyePoints(rays, corner, blockSize, centre, points);
         } else {
-            std::array<std::uint32_t, kBlock * kBlock> receivers;
+            std::array<std::uint32_t, kBlockSide * kBlockSide> receivers;
             forEachRow([&](int place, std::ptrdiff_t picture) {
                 std::copy_n(settings.receivers.begin() + picture, blockSize.x, receivers.begin() + place);
             });
@@ -204,7 +204,7 @@ bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, De
     // What has been traced so far: whole rows of blocks, and some blocks of the next.
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
         const std::size_t block =
-            (i / width) / kBlock * static_cast<std::size_t>(blocks.many().x) + (i % width) / kBlock;
+            (i / width) / kBlockSide * static_cast<std::size_t>(blocks.many().x) + (i % width) / kBlockSide;
         if (block < treeBlocks_ && hasTree(i)) radiance_[fromBelow] = intensities_[fromBelow];
     });
     return treeBlocks_ == blocks.count();

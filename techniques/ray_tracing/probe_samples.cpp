@@ -9,7 +9,7 @@ namespace shadowlab::ray_tracing {
 namespace {
 
 // More than that no drawing shows, and trees of glass take milliseconds.
-constexpr int kMostSamples = 256;
+constexpr int kMostListed = 256;
 constexpr int kMostLines = 16; ///< that are told in words
 
 /// Where the shadow ray ends: at the place on the light, or at the first thing before it that casts a shadow.
@@ -97,7 +97,7 @@ void describeSamples(const SamplesQuestion& asked, const SampledSettings& settin
             rays.exactShare = trace::AreaVisibility(tracer, asked.light).share(first);
     }
     RayTree tree;
-    for (int i = 0; i < std::min(settings.pattern.count, kMostSamples); ++i) {
+    for (int i = 0; i < std::min(settings.pattern.count, kMostListed); ++i) {
         const SampleNumbers numbers(settings.pattern, asked.pixel, static_cast<std::uint32_t>(i));
         const EyeSample eye = eyeSample(eyeRays, settings, asked.pixel, numbers);
         const dvec3 u = glm::normalize(eye.ray.directionCentred);

@@ -12,7 +12,7 @@ namespace {
 constexpr int kColumns = 6, kRows = 4;
 
 // Points of a cell that are looked at, on a side: small shadows lie between the middles of the cells.
-constexpr int kTries = 8;
+constexpr int kTriedPixels = 8;
 
 /// Where the rays of one pixel go.
 struct RayPath {
@@ -34,9 +34,9 @@ std::optional<RayPath> pathIn(const trace::SceneTracer& tracer, const trace::Eye
     };
     std::optional<RayPath> best = pathAt(corner + 0.5 * size);
     double longest = 0;
-    for (int y = 0; y < kTries; ++y)
-        for (int x = 0; x < kTries; ++x) {
-            const auto path = pathAt(corner + (dvec2(x, y) + 0.5) / static_cast<double>(kTries) * size);
+    for (int y = 0; y < kTriedPixels; ++y)
+        for (int x = 0; x < kTriedPixels; ++x) {
+            const auto path = pathAt(corner + (dvec2(x, y) + 0.5) / static_cast<double>(kTriedPixels) * size);
             if (!path || !path->blockerWorld) continue;
             const double length = glm::length(*path->blockerWorld - path->pointWorld);
             if (length <= longest) continue;

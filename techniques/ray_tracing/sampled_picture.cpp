@@ -13,7 +13,7 @@ namespace shadowlab::ray_tracing {
 namespace {
 
 // A block is the piece of work that a thread takes: some milliseconds for the slowest trees, so that a deadline is kept.
-constexpr int kBlock = 16;
+constexpr int kSampledBlock = 16;
 
 // Adaptive sampling asks for the first time after so many samples, and then again after as many: with fewer an edge that covers
 // a tenth of a pixel is often not met at all, and its absence looks like certainty.
@@ -24,8 +24,6 @@ double grey(double linear) {
     const double x = std::clamp(linear, 0.0, 1.0);
     return 255.0 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
 }
-
-double luminance(const dvec3& radiance) { return glm::dot(radiance, dvec3(0.2126, 0.7152, 0.0722)); } // Rec. 709
 
 } // namespace
 
@@ -57,12 +55,13 @@ bool SampledPicture::advance(const Surfaces& surfaces, const trace::MovingScene&
     // Simplified: the lens is small, so all of it is inside what its middle is in.
     const DielectricStack aroundEye = surfaces.mediaAround(rays.eyeCentred());
     const dvec3 background(surfaces.scene().background);
-    const ivec2 blocks = (size_ + kBlock - 1) / kBlock;
+    const ivec2 blocks = (size_ + kSampledBlock - 1) / kSampledBlock;
     const auto count = static_cast<std::size_t>(blocks.x * blocks.y);
     std::atomic<std::uint64_t> secondaryRays = 0;
     const auto traceBlock = [&](std::size_t block) {
-        const ivec2 corner = kBlock * ivec2(static_cast<int>(block) % blocks.x, static_cast<int>(block) / blocks.x);
-        const ivec2 end = glm::min(corner + kBlock, size_);
+        const ivec2 corner =
+            kSampledBlock * ivec2(static_cast<int>(block) % blocks.x, static_cast<int>(block) / blocks.x);
+        const ivec2 end = glm::min(corner + kSampledBlock, size_);
         RayTree tree; // its memory serves the whole block
         std::uint64_t below = 0;
         for (int y = corner.y; y < end.y; ++y)

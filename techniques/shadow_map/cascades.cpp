@@ -92,7 +92,7 @@ Box boxAroundBall(const FitRequest& request, double nearest, double farthest, co
     return {dvec3(moved - 0.5 * side, middle.z - ball.radius), dvec3(moved + 0.5 * side, middle.z + ball.radius)};
 }
 
-bool isWithin(const Box& inner, const Box& outer) {
+bool isBoxWithin(const Box& inner, const Box& outer) {
     const dvec2 innerExtent(inner.upper - inner.lower), outerExtent(outer.upper - outer.lower);
     return std::max(innerExtent.x, innerExtent.y) <= std::max(outerExtent.x, outerExtent.y);
 }
@@ -132,7 +132,7 @@ std::vector<Box> cascadeParts(const FitRequest& request, const Box& region, cons
         Box part;
         if (params.stable) {
             part = boxAroundBall(request, from, end, maps, lightViewFromLightRelative);
-            if (isWithin(region, part)) part = region; // all that matters fits into less
+            if (isBoxWithin(region, part)) part = region; // all that matters fits into less
         } else {
             part = boxAroundSlice(request, from, end, maps, lightViewFromLightRelative);
             const Box shared{glm::max(part.lower, region.lower), glm::min(part.upper, region.upper)};

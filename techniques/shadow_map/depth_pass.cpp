@@ -8,7 +8,7 @@ namespace {
 constexpr int kFirstUnit = gl::kFirstFreeUnit, kSecondUnit = kFirstUnit + 1, kPushedUnit = kFirstUnit + 2;
 
 /// Depths that differ by less are of one surface: four steps of the format.
-float apart(GLenum format) { return format == GL_DEPTH_COMPONENT16 ? 4.0f / (1 << 16) : 4.0f / (1 << 24); }
+float depthEpsilon(GLenum format) { return format == GL_DEPTH_COMPONENT16 ? 4.0f / (1 << 16) : 4.0f / (1 << 24); }
 
 /// Does the light see a front face wherever it sees the object? Then half of its triangles need not be drawn.
 bool mayLeaveOutBackFaces(const Frame& frame, const LightMaps& maps, std::size_t object) {
@@ -108,7 +108,7 @@ void DepthPass::drawDual(const Frame& frame, const LightMaps& maps, int layer, s
     for (const gl::Program* program : {&secondDepth_, &secondDepth_.cutting()}) {
         program->use();
         program->set("firstDepth", kFirstUnit);
-        program->set("apart", apart(format));
+        program->set("apart", depthEpsilon(format));
     }
     drawInto(second, 0, secondDepth_);
 

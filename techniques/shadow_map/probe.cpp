@@ -46,7 +46,7 @@ std::string layerName(const LightMaps& maps, int layer) {
     return maps.layout == Layout::cascades ? "cascade " + number : number;
 }
 
-std::array<dvec3, 3> cornersOf(const scene::Scene& scene, const trace::EyeHit& hit) {
+std::array<dvec3, 3> cornersOfHit(const scene::Scene& scene, const trace::EyeHit& hit) {
     const scene::Object& object = scene.objects[hit.object];
     const dmat4 worldFromMesh = scene::worldFromMesh(object);
     std::array<dvec3, 3> corners{};
@@ -216,7 +216,7 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
                               depths,
                               asked.light,
                               pointWorld,
-                              cornersOf(*snapshot, *hit),
+                              cornersOfHit(*snapshot, *hit),
                               {pixel.x, view.size.y - 1 - pixel.y},
                               leastReference(maps, bounds_[hit->object])};
     probe.map = probeMap(point);

@@ -22,7 +22,7 @@ double unitOf(ShadowMapParams::DepthFormat format, double largestDepth) {
 }
 
 /// The difference below which the dual-depth pass takes two depths for one surface: as in depth_pass.cpp.
-double apart(ShadowMapParams::DepthFormat format) {
+double depthEpsilon(ShadowMapParams::DepthFormat format) {
     return format == ShadowMapParams::DepthFormat::fixed16 ? 4.0 / (1 << 16) : 4.0 / (1 << 24);
 }
 
@@ -149,7 +149,7 @@ TexelDepth TexelDepths::at(const ivec2& asked) const {
     if (rules_.dual && nearest < 1) {
         double second = 1;
         for (const double depth : own)
-            if (depth > result.first + apart(params_.depthFormat)) second = std::min(second, depth);
+            if (depth > result.first + depthEpsilon(params_.depthFormat)) second = std::min(second, depth);
         result.stored = std::min(0.5 * (result.first + second), result.stored);
     }
     return result;

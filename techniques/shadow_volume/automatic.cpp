@@ -8,7 +8,7 @@ namespace shadowlab::shadow_volume {
 
 namespace {
 
-const PassInfo kPasses[] = {
+const PassInfo kAutomaticPasses[] = {
     kLightsOffPass,
     kClearStencilPass,
     {.id = "volumes",
@@ -60,7 +60,7 @@ const PassInfo kPasses[] = {
      .anchors = "light-where-zero shade-light"},
 };
 
-const StageInfo kStages[] = {
+const StageInfo kAutomaticStages[] = {
     kFacingStage,
     kLightsOffStage,
     kSilhouettesStage,
@@ -83,7 +83,7 @@ VolumeParams repaired() {
 } // namespace
 
 Automatic::Automatic()
-    : VolumeTechnique({.passes = kPasses,
+    : VolumeTechnique({.passes = kAutomaticPasses,
                        .both = {"volumes"},
                        .first = {"volumes-back", GL_FRONT},
                        .second = {"volumes-front", GL_BACK},
@@ -108,8 +108,8 @@ TechniqueInfo automaticInfo() {
         .getsWrong = "soft shadows (a light is a point)",
         .order = 45,
         .lightTypes = {point, directional, spot, rect, sphere},
-        .passes = {std::begin(kPasses), std::end(kPasses)},
-        .stages = {std::begin(kStages), std::end(kStages)},
+        .passes = {std::begin(kAutomaticPasses), std::end(kAutomaticPasses)},
+        .stages = {std::begin(kAutomaticStages), std::end(kAutomaticStages)},
         .pseudocode = kStencilSteps,
         .values = {{"stencil", "stencil"},
                    {"n_f - n_b", "z-pass, eye to point"},

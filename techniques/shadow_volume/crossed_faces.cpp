@@ -10,7 +10,7 @@ namespace shadowlab::shadow_volume {
 namespace {
 
 // The way in which the line is moved aside: any that is no simple multiple of a scene's own directions.
-constexpr dvec3 kAside{0.5413, 0.3117, 0.7809}, kFurtherAside{-0.2903, 0.8747, 0.3881};
+constexpr dvec3 kAsideWorld{0.5413, 0.3117, 0.7809}, kFurtherAsideWorld{-0.2903, 0.8747, 0.3881};
 
 /// The line with the eye as the origin, past homogeneous points. Nothing is divided, so that what is at infinity is crossed like
 /// anything else.
@@ -23,7 +23,7 @@ struct Walk {
     /// On which side the line passes the edge from p to q; exactly the opposite for the edge from q to p.
     [[nodiscard]] bool isLeftOf(const dvec3& p, const dvec3& q) const {
         const dvec3 normal = glm::cross(p, q);
-        for (const dvec3& direction : {line.directionWorld, kAside, kFurtherAside})
+        for (const dvec3& direction : {line.directionWorld, kAsideWorld, kFurtherAsideWorld})
             if (const double side = glm::dot(direction, normal); side != 0) return side > 0;
         return false;
     }

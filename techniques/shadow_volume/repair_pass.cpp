@@ -9,7 +9,7 @@ namespace shadowlab::shadow_volume {
 namespace {
 
 /// The part of the picture that is drawn, without what is in it.
-CountedPart partOf(const View& view) {
+CountedPart countedPartOf(const View& view) {
     const auto [corner, size] = drawnRegion(view);
     CountedPart part;
     part.pictureSize = view.size;
@@ -20,7 +20,7 @@ CountedPart partOf(const View& view) {
 
 CountedPart readCount(const Frame& frame, const StencilRule& stencil) {
     // Depth and stencil of a pixel come as one word: 24 bits of depth, then the count.
-    CountedPart part = partOf(frame.view());
+    CountedPart part = countedPartOf(frame.view());
     const auto width = static_cast<std::size_t>(part.size.x), height = static_cast<std::size_t>(part.size.y);
     std::vector<std::uint32_t> words(width * height);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, frame.target().framebuffer.id());
@@ -70,7 +70,7 @@ const Repair& RepairPass::decided(const Frame& frame, int light, std::span<const
 
 void RepairPass::writeBits(const Frame& frame, const Repair& repair, const StencilRule& stencil) const {
     if (!repair.anyFlipped) return;
-    const CountedPart part = partOf(frame.view());
+    const CountedPart part = countedPartOf(frame.view());
     const gl::Texture2D flips(GL_R8, part.size, "bits to be turned over");
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, part.size.x, part.size.y, GL_RED, GL_UNSIGNED_BYTE, repair.flips.data());
@@ -90,7 +90,7 @@ void RepairPass::writeBits(const Frame& frame, const Repair& repair, const Stenc
 
 void RepairPass::publish(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil) {
     const Repair& repair = decided(frame, light, volumes, stencil);
-    const CountedPart part = partOf(frame.view());
+    const CountedPart part = countedPartOf(frame.view());
     const vec3 notLookedAt = look::kShadowed, confirmed = look::kEqualDepth, changed = look::kOccluded;
     const auto width = static_cast<std::size_t>(part.pictureSize.x);
     std::vector<vec4> texels(width * static_cast<std::size_t>(part.pictureSize.y), vec4(notLookedAt, 1.0f));

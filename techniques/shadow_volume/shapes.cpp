@@ -16,10 +16,10 @@ namespace shadowlab::shadow_volume {
 namespace {
 
 // How far beyond the scene things end that have no end, as a share of the scene's size: enough to be seen to go on.
-constexpr double kBeyond = 0.02;
+constexpr double kBeyondScene = 0.02;
 
 scene::Bounds somewhatLarger(scene::Bounds bounds) {
-    const double more = kBeyond * glm::length(bounds.upperWorld - bounds.lowerWorld);
+    const double more = kBeyondScene * glm::length(bounds.upperWorld - bounds.lowerWorld);
     bounds.lowerWorld -= more;
     bounds.upperWorld += more;
     return bounds;

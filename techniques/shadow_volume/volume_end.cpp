@@ -10,7 +10,7 @@ namespace {
 
 // The end stays this share of the receivers' size beyond them: far more than the depth buffer's steps, which it must not be
 // mistaken for the last receiver by, and far less than would cost anything.
-constexpr double kBeyond = 0.0001;
+constexpr double kBeyondBounds = 0.0001;
 
 // In units of the receivers' size. A grazing light meets no side soon; what is gained by ending the volume there is little, and
 // the rounding of its far corners grows with the way.
@@ -43,7 +43,7 @@ std::optional<dvec4> endPlaneWorld(const scene::Bounds& box, const scene::Light&
     for (int axis = 0; axis < 3; ++axis)
         for (const double side : {-1.0, 1.0}) {
             dvec4 plane = sideOf(receivers, axis, side);
-            plane.w -= kBeyond * size;
+            plane.w -= kBeyondBounds * size;
             // The way is a ratio of linear functions of the point, so over the box it is longest at a corner.
             double longest = 0;
             for (int i = 0; i < 8; ++i) {
@@ -63,7 +63,7 @@ std::optional<dvec4> endPlaneWorld(const scene::Bounds& box, const scene::Light&
 
 bool missesAll(const scene::Bounds& box, const scene::Light& light, const scene::Bounds& receivers) {
     if (receivers.isEmpty()) return true;
-    const double slack = kBeyond * glm::length(receivers.upperWorld - receivers.lowerWorld);
+    const double slack = kBeyondBounds * glm::length(receivers.upperWorld - receivers.lowerWorld);
     for (int axis = 0; axis < 3; ++axis)
         for (const double side : {-1.0, 1.0}) {
             const dvec4 plane = sideOf(receivers, axis, side);

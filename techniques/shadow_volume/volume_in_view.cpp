@@ -53,7 +53,7 @@ std::optional<scene::PicturePart> partOf(const scene::Bounds& box, const dmat4& 
 }
 
 // Boxes are made larger by this share of their size: rounding must not cut. Frame::scissorTo adds a pixel in the picture.
-constexpr double kAround = 1e-6;
+constexpr double kAroundBox = 1e-6;
 
 } // namespace
 
@@ -80,7 +80,7 @@ void keepToReceivers(VolumeInView& volume, const scene::Light& light, std::span<
     scene::PicturePart all{dvec2(1e300), dvec2(-1e300)};
     bool meets = false, known = true;
     for (const scene::Bounds& receiver : receivers) {
-        const dvec3 around(kAround * glm::length(receiver.upperWorld - receiver.lowerWorld));
+        const dvec3 around(kAroundBox * glm::length(receiver.upperWorld - receiver.lowerWorld));
         scene::Bounds common = intersection({receiver.lowerWorld - around, receiver.upperWorld + around}, hull);
         if (!hasPoints(common)) continue;
         meets = true;

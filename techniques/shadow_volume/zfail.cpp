@@ -7,7 +7,7 @@ namespace shadowlab::shadow_volume {
 
 namespace {
 
-const PassInfo kPasses[] = {
+const PassInfo kZFailPasses[] = {
     kLightsOffPass,
     kClearStencilPass,
     {.id = "volumes",
@@ -55,7 +55,7 @@ const PassInfo kPasses[] = {
      .anchors = "light-where-zero shade-light"},
 };
 
-const StageInfo kStages[] = {
+const StageInfo kZFailStages[] = {
     kFacingStage,
     kLightsOffStage,
     kSilhouettesStage,
@@ -71,7 +71,7 @@ const StageInfo kStages[] = {
 } // namespace
 
 ZFail::ZFail()
-    : VolumeTechnique({.passes = kPasses,
+    : VolumeTechnique({.passes = kZFailPasses,
                        .both = {"volumes"},
                        .first = {"volumes-back", GL_FRONT},
                        .second = {"volumes-front", GL_BACK},
@@ -101,8 +101,8 @@ TechniqueInfo zfailInfo() {
         .getsWrong = "soft shadows (a light is a point); isolated pixels at cracks",
         .order = 40,
         .lightTypes = {point, directional, spot, rect, sphere},
-        .passes = {std::begin(kPasses), std::end(kPasses)},
-        .stages = {std::begin(kStages), std::end(kStages)},
+        .passes = {std::begin(kZFailPasses), std::end(kZFailPasses)},
+        .stages = {std::begin(kZFailStages), std::end(kZFailStages)},
         .pseudocode = kStencilSteps,
         .values = {{"stencil", "stencil"}, {"n_b - n_f", "z-fail, point to infinity"}},
         .sweeps = {{.title = "Counted behind", .varies = "repair", .values = "false true"}},

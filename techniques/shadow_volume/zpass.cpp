@@ -8,7 +8,7 @@ namespace shadowlab::shadow_volume {
 
 namespace {
 
-const PassInfo kPasses[] = {
+const PassInfo kZPassPasses[] = {
     kLightsOffPass,
     {.id = "clear-stencil",
      .title = "Clear the stencil buffer",
@@ -64,7 +64,7 @@ const PassInfo kPasses[] = {
      .anchors = "light-where-zero shade-light"},
 };
 
-const StageInfo kStages[] = {
+const StageInfo kZPassStages[] = {
     kFacingStage,
     kLightsOffStage,
     kSilhouettesStage,
@@ -80,7 +80,7 @@ const StageInfo kStages[] = {
 } // namespace
 
 ZPass::ZPass()
-    : VolumeTechnique({.passes = kPasses,
+    : VolumeTechnique({.passes = kZPassPasses,
                        .both = {"volumes"},
                        .first = {"volumes-front", GL_BACK},
                        .second = {"volumes-back", GL_FRONT},
@@ -123,8 +123,8 @@ TechniqueInfo zpassInfo() {
                      "soft shadows (a light is a point)",
         .order = 35,
         .lightTypes = {point, directional, spot, rect, sphere},
-        .passes = {std::begin(kPasses), std::end(kPasses)},
-        .stages = {std::begin(kStages), std::end(kStages)},
+        .passes = {std::begin(kZPassPasses), std::end(kZPassPasses)},
+        .stages = {std::begin(kZPassStages), std::end(kZPassStages)},
         .pseudocode = kZPassSteps,
         .values = {{"stencil", "stencil"}, {"n_f - n_b", "z-pass, eye to point"}},
         .sweeps = {{.title = "Textbook"},

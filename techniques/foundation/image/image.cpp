@@ -70,4 +70,8 @@ std::uint8_t srgbFromLinear(float linear) {
     return static_cast<std::uint8_t>(std::lround(encoded * 255.0));
 }
 
+Color8 encoded(const vec3& linear, std::uint8_t alpha) {
+    return {srgbFromLinear(linear.r), srgbFromLinear(linear.g), srgbFromLinear(linear.b), alpha};
+}
+
 } // namespace shadowlab::image

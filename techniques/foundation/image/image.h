@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "techniques/foundation/math/types.h"
+
 namespace shadowlab::image {
 
 /// One pixel as it stands in the file: sRGB-encoded colour and straight alpha.
@@ -56,5 +58,7 @@ void blendPixel(Image& image, int x, int y, Color8 color, float coverage);
 /// The sRGB transfer function (IEC 61966-2-1), both ways. The encoder clamps to 0..1 and rounds to nearest.
 float linearFromSrgb(std::uint8_t encoded);
 std::uint8_t srgbFromLinear(float linear);
+/// The same of a colour's three channels.
+Color8 encoded(const vec3& linear, std::uint8_t alpha = 255);
 
 } // namespace shadowlab::image

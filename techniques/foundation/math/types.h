@@ -38,4 +38,10 @@ inline dvec3 transformNormal(const dmat4& bFromA, const dvec3& normalA) {
     return glm::normalize(glm::transpose(glm::inverse(dmat3(bFromA))) * normalA);
 }
 
+/// |x| + |y| + |z|.
+inline double sumOfMagnitudes(const dvec3& v) { return glm::abs(v.x) + glm::abs(v.y) + glm::abs(v.z); }
+
+/// How bright a linear colour looks (Rec. 709, whose primaries sRGB has).
+inline double luminance(const dvec3& colorLinear) { return glm::dot(colorLinear, dvec3(0.2126, 0.7152, 0.0722)); }
+
 } // namespace shadowlab

@@ -44,7 +44,7 @@ auto nameless(const Read& read) {
 }
 
 /// Before anything is allocated for the pixels. A file of some kilobytes may unpack to gigabytes.
-void requireMemoryFor(const image::PngSize& size, std::uint64_t fileBytes, const Limits& limits) {
+void requireMemoryForMask(const image::PngSize& size, std::uint64_t fileBytes, const Limits& limits) {
     const std::uint64_t texels = std::uint64_t{size.width} * size.height;
     if (const std::uint64_t needed = memoryForAlphaMap(texels, fileBytes, limits); needed > limits.memoryBytes)
         throw Error(ExitStatus::overLimit, std::to_string(size.width) + " x " + std::to_string(size.height) +
@@ -86,7 +86,7 @@ std::shared_ptr<const AlphaMask> AlphaMasks::read(const std::filesystem::path& c
     constexpr std::string_view kNoName;
     Limits soFar = limits;
     soFar.texels += texels_;
-    requireMemoryFor(nameless([&] { return image::pngSize(bytes, kNoName, pngLimits); }), bytes.size(), soFar);
+    requireMemoryForMask(nameless([&] { return image::pngSize(bytes, kNoName, pngLimits); }), bytes.size(), soFar);
     auto mask =
         std::make_shared<const AlphaMask>(nameless([&] { return image::decodePng(bytes, kNoName, pngLimits); }));
     texels_ += mask->texels().size();

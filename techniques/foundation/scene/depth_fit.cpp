@@ -14,7 +14,7 @@ namespace shadowlab::scene {
 namespace {
 
 // Meshes with few triangles (floors, walls, boxes) are looked at themselves, larger ones by the box around them.
-constexpr std::size_t kFewTriangles = 64;
+constexpr std::size_t kFitsEachTriangle = 64;
 
 // The plane stays this much before the nearest surface, far more than rounding and far less than precision would
 // notice.
@@ -84,7 +84,7 @@ Camera withTightNear(const Camera& camera, const Scene& scene, std::span<const B
     double nearest = std::numeric_limits<double>::infinity();
     for (const auto& [depth, o] : beginning) {
         if (depth > nearest) break;
-        nearest = std::min(nearest, scene.objects[o].mesh->triangles.size() <= kFewTriangles
+        nearest = std::min(nearest, scene.objects[o].mesh->triangles.size() <= kFitsEachTriangle
                                         ? nearestOfTriangles(scene.objects[o], clipFromWorld)
                                         : nearestOfBox(bounds[o], clipFromWorld, camera.positionWorld));
     }

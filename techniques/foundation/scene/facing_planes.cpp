@@ -19,8 +19,6 @@ constexpr double kClear = 2e-14;
 // byte: so there are two, a block at a time, with float between them. A block of this size stays in the nearest cache.
 constexpr std::size_t kBlock = 256;
 
-double sumOfMagnitudes(const dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
-
 } // namespace
 
 FacingPlanes::FacingPlanes(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {

@@ -16,7 +16,7 @@ namespace shadowlab::scene {
 namespace {
 
 // Floors and walls are looked at themselves, as in visible_receivers.cpp: their boxes would be mostly empty.
-constexpr std::size_t kFewTriangles = 16;
+constexpr std::size_t kReachesEachTriangle = 16;
 // Shaders decide in float, of points relative to the eye: some 1e-7 of the distances. Both are far more than that.
 constexpr double kConeMargin = 1e-3;     // radians
 constexpr double kDistanceMargin = 1e-5; // of the distance between eye, light and what is lit
@@ -73,7 +73,7 @@ bool mayLight(const Scene& scene, const Light& light, std::span<const Bounds> bo
         std::vector<dvec4> planes = planesAroundLight(light, kDistanceMargin * extent);
         if (std::ranges::any_of(planes, [&](const dvec4& plane) { return isBeyond(bounds[o], plane); })) continue;
         const Object& object = scene.objects[o];
-        if (object.mesh->triangles.size() > kFewTriangles) return true;
+        if (object.mesh->triangles.size() > kReachesEachTriangle) return true;
         std::ranges::copy(planesWorld(clipFromWorld, part), std::back_inserter(planes));
         if (anyIsBetween(object, planes)) return true;
     }

@@ -39,7 +39,7 @@ void addNotes(const ObjScan& scan, const std::filesystem::path& file, ObjFile& o
 }
 
 /// By the size of the file, before a byte of it is read. What has no size is for readFile to refuse.
-void requireMemoryFor(const std::filesystem::path& file, const Limits& limits) {
+void requireMemoryForObj(const std::filesystem::path& file, const Limits& limits) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) return;
     const std::uint64_t bytes = std::filesystem::file_size(file, ignored);
@@ -60,7 +60,7 @@ MaterialsByName materialsByName(const std::vector<Material>& materials) {
 }
 
 ObjFile loadObj(const std::filesystem::path& file, NormalMode mode, const LoadOptions& options) {
-    requireMemoryFor(file, options.limits);
+    requireMemoryForObj(file, options.limits);
     ObjScan scan = scanObj(readFile(file, options.limits.fileBytes, "mesh-file"), file, options.limits);
     image::keepInput(file);
     ObjFaces faces = readFaces(scan, file, options);

@@ -168,9 +168,9 @@ Material converted(const tinyobj::material_t& mtl) {
 }
 
 /// map_d: kept when it can be read; otherwise the material goes without, as it does not decide what the mesh is.
-void readAlphaMap(const tinyobj::material_t& mtl, const std::string& place, Material& material,
-                  const AllowedFolders& folders, AlphaMasks& masks, const Limits& limits,
-                  std::vector<std::string>& notes) {
+void readMtlAlphaMap(const tinyobj::material_t& mtl, const std::string& place, Material& material,
+                     const AllowedFolders& folders, AlphaMasks& masks, const Limits& limits,
+                     std::vector<std::string>& notes) {
     if (mtl.alpha_texname.empty()) return;
     const auto ignore = [&](const std::string& why) {
         notes.push_back(place + "material '" + shown(mtl.name) + "': map_d \"" + shown(mtl.alpha_texname) + "\" " +
@@ -227,8 +227,8 @@ ObjFaces readFaces(ObjScan& scan, const std::filesystem::path& file, const LoadO
         if (mtl.name.empty() || !known.insert(mtl.name).second)
             continue; // LoadMtl adds a nameless one for an empty file
         collector.faces.materials.push_back(converted(mtl));
-        readAlphaMap(mtl, materialReader.alphaMapPlace(mtl.name), collector.faces.materials.back(), folders, masks,
-                     options.limits, collector.faces.notes);
+        readMtlAlphaMap(mtl, materialReader.alphaMapPlace(mtl.name), collector.faces.materials.back(), folders, masks,
+                        options.limits, collector.faces.notes);
     }
     noteUnknownMaterials(scan, file, known, collector.faces);
     return std::move(collector.faces);

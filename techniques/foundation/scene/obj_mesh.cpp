@@ -43,7 +43,7 @@ bool hasTexcoord(const ObjScan& scan, const ObjCorner& corner) {
 
 /// Perpendicular to the triangle, with twice its area as length; the difference of floats and its products are exact
 /// in double for all but absurd ratios of size, so a straight triangle gives exactly zero.
-dvec3 areaVector(const vec3& a, const vec3& b, const vec3& c) {
+dvec3 areaVectorOf(const vec3& a, const vec3& b, const vec3& c) {
     return glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
 }
 
@@ -64,7 +64,7 @@ std::vector<CornerTriangle> split(const ObjScan& scan, const ObjFaces& faces, co
             for (std::uint32_t& corner : corners)
                 corner += first;
             const auto at = [&](int i) { return rounded[faces.corners[corners[i]].position]; };
-            if (areaVector(at(0), at(1), at(2)) == dvec3(0.0))
+            if (areaVectorOf(at(0), at(1), at(2)) == dvec3(0.0))
                 ++dropped;
             else
                 result.push_back(
@@ -126,7 +126,7 @@ Mesh buildMesh(const ObjScan& scan, const ObjFaces& faces) {
     for (const CornerTriangle& triangle : triangles) {
         const auto corner = [&](int i) -> const ObjCorner& { return faces.corners[triangle.corners[i]]; };
         const auto position = [&](int i) { return rounded[corner(i).position]; };
-        const vec3 flat = vec3(glm::normalize(areaVector(position(0), position(1), position(2)))) + vec3(0.0f);
+        const vec3 flat = vec3(glm::normalize(areaVectorOf(position(0), position(1), position(2)))) + vec3(0.0f);
         uvec3 vertices;
         for (int i = 0; i < 3; ++i) {
             const vec3 given = corner(i).normal < 0 ? vec3(0.0f) : scan.normals[corner(i).normal];

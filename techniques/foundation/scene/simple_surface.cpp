@@ -10,7 +10,7 @@ namespace shadowlab::scene {
 namespace {
 
 // Relative to the lengths that are multiplied: what rounding in double can make of zero is a thousand times less.
-constexpr double kClear = 1e-12;
+constexpr double kClearOfPlane = 1e-12;
 
 // Entries of the grid per triangle, on average, at which it is given up.
 constexpr std::size_t kMostEntries = 64;
@@ -23,17 +23,15 @@ struct Corner {
     dvec3 position{0.0};
     std::uint32_t vertex = 0; ///< welded
 };
-using Triangle = std::array<Corner, 3>;
+using SurfaceTriangle = std::array<Corner, 3>;
 
-dvec3 edgeOf(const Triangle& t, std::size_t i) { return t[(i + 1) % 3].position - t[i].position; }
-dvec3 normalOf(const Triangle& t) { return glm::cross(edgeOf(t, 0), t[2].position - t[0].position); }
-
-double sumOfMagnitudes(const dvec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+dvec3 edgeOf(const SurfaceTriangle& t, std::size_t i) { return t[(i + 1) % 3].position - t[i].position; }
+dvec3 normalOf(const SurfaceTriangle& t) { return glm::cross(edgeOf(t, 0), t[2].position - t[0].position); }
 
 /// Is all of one before all of the other, along that axis, or behind it?
-bool separates(const dvec3& axis, const Triangle& a, const Triangle& b) {
+bool separates(const dvec3& axis, const SurfaceTriangle& a, const SurfaceTriangle& b) {
     double lower[2] = {1e300, 1e300}, upper[2] = {-1e300, -1e300};
-    const Triangle* both[2] = {&a, &b};
+    const SurfaceTriangle* both[2] = {&a, &b};
     for (int k = 0; k < 2; ++k)
         for (const Corner& corner : *both[k]) {
             // From a corner of the first: far from zero the products would lose their digits.
@@ -41,13 +39,13 @@ bool separates(const dvec3& axis, const Triangle& a, const Triangle& b) {
             lower[k] = std::min(lower[k], at);
             upper[k] = std::max(upper[k], at);
         }
-    const double clear = kClear * sumOfMagnitudes(axis) *
+    const double clear = kClearOfPlane * sumOfMagnitudes(axis) *
                          (std::abs(upper[0] - lower[0]) + std::abs(upper[1] - lower[1])) /
                          std::max(glm::length(axis), 1e-300);
     return lower[1] - upper[0] > clear || lower[0] - upper[1] > clear;
 }
 
-bool areApart(const Triangle& a, const Triangle& b) {
+bool areApart(const SurfaceTriangle& a, const SurfaceTriangle& b) {
     const dvec3 normalA = normalOf(a), normalB = normalOf(b);
     if (separates(normalA, a, b) || separates(normalB, a, b)) return true;
     for (std::size_t i = 0; i < 3; ++i)
@@ -62,7 +60,7 @@ bool areApart(const Triangle& a, const Triangle& b) {
 /// Two rays from the corner that both have along the sides of each triangle; the axis is square to a plane through it.
 bool separatesAtCorner(const dvec3& axis, const std::array<dvec3, 2>& a, const std::array<dvec3, 2>& b) {
     const auto side = [&](const dvec3& ray) {
-        const double at = glm::dot(axis, ray), clear = kClear * sumOfMagnitudes(axis) * sumOfMagnitudes(ray);
+        const double at = glm::dot(axis, ray), clear = kClearOfPlane * sumOfMagnitudes(axis) * sumOfMagnitudes(ray);
         return at > clear ? 1 : at < -clear ? -1 : 0;
     };
     const int ofA[2] = {side(a[0]), side(a[1])}, ofB[2] = {side(b[0]), side(b[1])};
@@ -80,7 +78,7 @@ bool separatesAtCorner(const dvec3& axis, const std::array<dvec3, 2>& a, const s
     return false;
 }
 
-bool meetInCornerAlone(const Triangle& a, std::size_t i, const Triangle& b, std::size_t j) {
+bool meetInCornerAlone(const SurfaceTriangle& a, std::size_t i, const SurfaceTriangle& b, std::size_t j) {
     const dvec3& at = a[i].position;
     const std::array<dvec3, 2> raysA = {a[(i + 1) % 3].position - at, a[(i + 2) % 3].position - at};
     const std::array<dvec3, 2> raysB = {b[(j + 1) % 3].position - at, b[(j + 2) % 3].position - at};
@@ -96,8 +94,8 @@ bool meetInCornerAlone(const Triangle& a, std::size_t i, const Triangle& b, std:
 }
 
 /// Two triangles at one edge meet elsewhere only when one is folded flat onto the other.
-bool meetInEdgeAlone(const Triangle& a, const Triangle& b) {
-    const auto shares = [](const Triangle& t, std::uint32_t vertex) {
+bool meetInEdgeAlone(const SurfaceTriangle& a, const SurfaceTriangle& b) {
+    const auto shares = [](const SurfaceTriangle& t, std::uint32_t vertex) {
         return std::ranges::any_of(t, [&](const Corner& corner) { return corner.vertex == vertex; });
     };
     std::size_t loneA = 0, loneB = 0;
@@ -109,11 +107,11 @@ bool meetInEdgeAlone(const Triangle& a, const Triangle& b) {
     const dvec3 toA = a[loneA].position - from, toB = b[loneB].position - from;
     const dvec3 normalA = glm::cross(along, toA), normalB = glm::cross(along, toB);
     const double volume = glm::dot(normalA, toB);
-    return std::abs(volume) > kClear * sumOfMagnitudes(normalA) * sumOfMagnitudes(toB) ||
+    return std::abs(volume) > kClearOfPlane * sumOfMagnitudes(normalA) * sumOfMagnitudes(toB) ||
            glm::dot(normalA, normalB) < 0;
 }
 
-bool meetAsTheyMay(const Triangle& a, const Triangle& b) {
+bool meetAsTheyMay(const SurfaceTriangle& a, const SurfaceTriangle& b) {
     std::size_t shared = 0, cornerA = 0, cornerB = 0;
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
@@ -178,7 +176,7 @@ bool overlap(const Box& a, const Box& b) {
 } // namespace
 
 bool isCertainlySimple(const Mesh& mesh, const MeshTopology& topology, std::span<const std::uint32_t> triangles) {
-    std::vector<Triangle> surface(triangles.size());
+    std::vector<SurfaceTriangle> surface(triangles.size());
     std::vector<Box> boxes(triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const uvec3& t = mesh.triangles[triangles[i]];

@@ -88,7 +88,7 @@ private:
 };
 
 /// From the front right and above, so near that the mesh and its shadow fill the picture.
-Camera framing(const Stage& stage, const Object& object, const Light& light) {
+Camera stageFraming(const Stage& stage, const Object& object, const Light& light) {
     Camera camera;
     camera.fovYDegrees = 35.0;                                          // a long lens: little distortion
     const dvec3 backwardWorld = glm::normalize(dvec3(0.35, 0.45, 1.0)); // three-quarter view, 23 degrees down
@@ -179,7 +179,7 @@ std::shared_ptr<const Scene> stageObj(const std::filesystem::path& file, const L
     Object floor = floorUnder(stage);
     floor.partMaterials = {1};
     scene->lights = {keyLight(stage)};
-    scene->camera = framing(stage, object, scene->lights.front());
+    scene->camera = stageFraming(stage, object, scene->lights.front());
     scene->ambient = vec3(0.09f);                  // umbra clearly above black
     scene->background = vec3(0.32f, 0.33f, 0.35f); // neutral, darker than the lit floor
     scene->objects.push_back(std::move(floor));

@@ -42,7 +42,7 @@ Bounds visibleOfBox(const Bounds& box, const Planes& planes) {
     return visible;
 }
 
-bool isInside(const Bounds& box, const Planes& planes) {
+bool isInsidePlanes(const Bounds& box, const Planes& planes) {
     for (const dvec4& plane : planes)
         for (int i = 0; i < 8; ++i)
             if (glm::dot(plane, dvec4(box.corner(i), 1.0)) < 0) return false;
@@ -67,7 +67,7 @@ std::vector<Bounds> visibleReceivers(const Scene& scene, std::span<const Bounds>
     for (std::size_t o = 0; o < scene.objects.size(); ++o) {
         const Object& object = scene.objects[o];
         if (!object.receivesShadow || !mayTouch(bounds[o], clipFromWorld, part)) continue;
-        if (isInside(bounds[o], planes)) {
+        if (isInsidePlanes(bounds[o], planes)) {
             receivers.push_back(bounds[o]);
             continue;
         }

@@ -171,9 +171,9 @@ struct OneSeen {
 };
 
 /// Children of a node that the bundle may touch before `farthest`; `enter` receives their nearest K.
-class Shaft {
+class RayShaft {
 public:
-    Shaft(const BlockRays& rays, float largest) : rays_(rays) {
+    RayShaft(const BlockRays& rays, float largest) : rays_(rays) {
         float reach = largest;
         for (int a = 0; a < 3; ++a) {
             origin_[a] = static_cast<float>(rays.origin[rays.axes[a]]);
@@ -227,7 +227,7 @@ struct Waiting {
 /// find, or less than zero to end. False where the bundle has come to too many leaves; it has not seen all then.
 template <typename AtLeaf>
 inline bool walk(const BlockTreeView& tree, const BlockRays& rays, const AtLeaf& atLeaf) {
-    const Shaft shaft(rays, tree.largest);
+    const RayShaft shaft(rays, tree.largest);
     float farthest = rays.farthest;
     Waiting stack[7 * 64 + 8]; // seven siblings wait at every one of at most 64 levels
     int size = 0, leaves = 0;

@@ -17,7 +17,7 @@ constexpr std::uint32_t kRunLength = 32;
 
 // A crossing nearer than this share of the distance to the light is contact, not a crossing: the hit point itself is
 // only known to about 2^-50 of the coordinates, and coplanar neighbours would otherwise shadow each other by rounding.
-constexpr double kContact = 1e-10;
+constexpr double kTouching = 1e-10;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -169,7 +169,7 @@ void ExactVisibility::forEachBlocker(const EyeHit& hit, int light, const OnBlock
     const dvec3 toward = directional ? -source.directionWorld : glm::normalize(offset);
     const double length = directional ? kInfinity : glm::length(offset);
     // Toward the sun there is no distance to take a share of: the size of the coordinates stands in for it.
-    const double contact = kContact * (directional ? 1e-2 * (1.0 + glm::length(hit.positionWorld)) : length);
+    const double contact = kTouching * (directional ? 1e-2 * (1.0 + glm::length(hit.positionWorld)) : length);
     forEachHit(hit.positionWorld, toward, length,
                [&](std::uint32_t object, std::uint32_t triangle, const RayTriangle& crossing) {
                    const bool itself = object == hit.object && triangle == hit.triangle;

@@ -18,7 +18,7 @@ constexpr double kMostCells = 64e6; // a quarter of a gigabyte of them, where th
 constexpr double kEntriesPerTriangle = 16;
 
 // The margin as a share of the grid's size: far beyond rounding, far below the size of a cell.
-constexpr double kMargin = 0x1p-20;
+constexpr double kCellMargin = 0x1p-20;
 
 constexpr std::size_t kTrianglesPerSlice = 4096; // between two looks at the clock
 
@@ -91,7 +91,7 @@ Grid::Grid(const EngineInput& input)
     const dvec3 extent = box_.upperCentred - box_.lowerCentred;
     const dvec3 largest = glm::max(glm::abs(box_.lowerCentred), glm::abs(box_.upperCentred));
     // Where all lies in one point far out, the margin still has to be more than its coordinates' rounding.
-    margin_ = std::max(kMargin * std::max({extent.x, extent.y, extent.z}),
+    margin_ = std::max(kCellMargin * std::max({extent.x, extent.y, extent.z}),
                        0x1p-40 * std::max({largest.x, largest.y, largest.z, 0x1p-900}));
     box_.lowerCentred -= 2 * margin_;
     box_.upperCentred += 2 * margin_;
