@@ -35,7 +35,7 @@ DOCS = ROOT / "docs"
 IMAGES = DOCS / "images"
 # Pages that are about no technique, by who looks for them; what is not listed here stands last.
 PAGES = {
-    "To use it": ["window", "measuring", "report", "performance", "pixel", "outside", "source", "sequences", "errors",
+    "To use it": ["packages", "window", "measuring", "report", "performance", "pixel", "outside", "source", "sequences", "errors",
                   "shadow-map-filters"],
     "To teach with it": ["teaching", "exercises", "decks", "lessons", "hard-cases"],
     "To build on": ["tour", "conventions", "scene_format", "adding_a_technique", "plugins", "relations"],

@@ -131,9 +131,8 @@ def of_deb(unpacked, control, checksums, files):
     yield from of_files(prefix)
     yield from of_menu(prefix)
     yield from of_taken_along(prefix, brought_by_apt=True)
-    for name in ("changelog.gz",):
-        if not (prefix / "share/doc/shadowlab" / name).is_file():
-            yield f"{name} is missing"
+    if not (prefix / "share/doc/shadowlab/changelog.gz").is_file():
+        yield "the list of changes is missing"
     strangers = [f for f in files if not f.startswith("usr/")]
     if strangers:
         yield f"the package writes outside of /usr: {strangers[:3]}"

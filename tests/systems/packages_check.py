@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Makes the packages of a build folder, looks into them, and uses what is in them.
 
-packages_check.py BUILD_FOLDER                 the archive is unpacked in a temporary folder, and used with an empty environment
+packages_check.py BUILD_FOLDER                 the archive is unpacked in a temporary folder, and used with an empty environment;
+                                               with SHADOWLAB_LONG also with a display
 packages_check.py BUILD_FOLDER --system DIR... as root: in a copy of each clean system (`debootstrap --variant=minbase SUITE DIR`) the .deb
                                                is installed, used and removed, and the archive is used, by one who is not root.
                                                Needs xvfb and xdotool here, and a mirror of Debian for the systems
 """
 # SPDX-License-Identifier: MIT
 import argparse
+import os
 import re
 import shutil
 import subprocess
@@ -18,11 +20,11 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import package_rules
-from places import CleanSystem, Failed, Here, expect
+from places import USER, CleanSystem, Failed, Here, expect
 from usage import Use
 
 MESA = ("libegl1", "libgl1", "libgl1-mesa-dri")  # what archive_readme.txt asks for
-COMPILER = ("g++", "cmake", "make")              # plugins.md; make is what apt adds to cmake by itself
+COMPILER = ("g++", "cmake", "make")  # plugins.md; make is what apt adds to cmake by itself
 ARCHIVE, DEB = "shadowlab-*.tar.gz", "shadowlab_*.deb"
 ONE_SLIDE = "seen-by-the-light"
 
@@ -84,6 +86,9 @@ def use_here(archive, place):
     folder = unpack(archive, home / "Downloads")
     without_complaints(archive.name, package_rules.of_archive(folder))
     use = Use(Here(home), folder / "bin/shadowlab")
+    if os.environ.get("SHADOWLAB_LONG"):
+        everything(use)
+        return
     use.pictures()
     use.slides("--only", ONE_SLIDE)
     use.technique()
@@ -107,7 +112,7 @@ def use_in(system, archive, deb):
 
     system.install(*MESA)
     folder = unpack(archive, system.home / "my programs")
-    said("chown", "-R", f"{1000}:{1000}", system.home)
+    said("chown", "-R", f"{USER}:{USER}", system.home)
     everything(Use(system, system.inside / folder.relative_to(system.home) / "bin/shadowlab"))
 
 

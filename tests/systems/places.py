@@ -57,8 +57,8 @@ class CleanSystem(Here):
     def __init__(self, pristine):
         self.pristine = Path(pristine).resolve()
         self.root = self.pristine.with_name(f"{self.pristine.name}-packages-{os.getpid()}")
-        self.inside = Path("/home/student")
-        self.home = self.root / "home/student"
+        self.inside = Path("/", "home", "student")
+        self.home = self.root / "home" / "student"
         self.user = f"{USER}:{USER}"
 
     def __enter__(self):
