@@ -35,15 +35,11 @@ def said(*words):
     return done.stdout
 
 
-def pack(build_folder, place, given_away):
-    """Both at once. `given_away`: as they are given away; else the .deb is not compressed, which takes less time."""
-    loose = [] if given_away else ["-D", "CPACK_DEBIAN_COMPRESSION_TYPE=none"]
-    with ThreadPoolExecutor() as pool:
-        made = [pool.submit(said, "cpack", "-G", kind, "--config", build_folder / "CPackConfig.cmake", "-B", place / kind, *loose)
-                for kind in ("TGZ", "DEB")]
-        for one in made:
-            one.result()
-    return the_one(place / "TGZ", ARCHIVE), the_one(place / "DEB", DEB)
+def pack(kind, pattern, build_folder, place, *settings):
+    said("cpack", "-G", kind, "--config", build_folder / "CPackConfig.cmake", "-B", place / kind, *settings)
+    made = the_one(place / kind, pattern)
+    print(f"{made.name}: {made.stat().st_size / 1e6:.1f} MB", flush=True)
+    return made
 
 
 def the_one(folder, pattern):
@@ -135,11 +131,15 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="shadowlab packages ") as temporary:
         place = Path(temporary)
-        archive, deb = pack(options.build_folder.resolve(), place, bool(options.system))
-        for package in (archive, deb):
-            print(f"{package.name}: {package.stat().st_size / 1e6:.1f} MB", flush=True)
+        build_folder = options.build_folder.resolve()
+        with ThreadPoolExecutor() as pool:  # the .deb takes as long to make as the archive to use
+            # Not compressed where it is only looked into: that takes less time.
+            loose = [] if options.system else ["-D", "CPACK_DEBIAN_COMPRESSION_TYPE=none"]
+            deb = pool.submit(pack, "DEB", DEB, build_folder, place, *loose)
+            archive = pack("TGZ", ARCHIVE, build_folder, place)
+            use_here(archive, place)
+            deb = deb.result()
         look_into(deb, place / "deb")
-        use_here(archive, place)
         for pristine in options.system:
             with CleanSystem(pristine) as system:
                 use_in(system, archive, deb)
