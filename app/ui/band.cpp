@@ -35,8 +35,8 @@ int beginBand(const BandHeading& heading, const Area& area, const Theme& theme) 
     return by;
 }
 
-float wrappedHeight(ImFont* font, const std::string& text, float width) {
-    return font->CalcTextSizeA(font->FontSize, FLT_MAX, width, text.c_str()).y;
+float wrappedHeight(ImFont* font, float size, const std::string& text, float width) {
+    return font->CalcTextSizeA(size, FLT_MAX, width, text.c_str()).y;
 }
 
 } // namespace shadowlab::ui

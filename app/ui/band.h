@@ -19,7 +19,7 @@ struct BandHeading {
 /// back, 1 on, 0 none.
 int beginBand(const BandHeading& heading, const Area& area, const Theme& theme);
 
-/// How high a text is, in pixels, that is wrapped at that width.
-float wrappedHeight(ImFont* font, const std::string& text, float width);
+/// How high a text of that size is that is wrapped at that width, all in pixels.
+float wrappedHeight(ImFont* font, float size, const std::string& text, float width);
 
 } // namespace shadowlab::ui

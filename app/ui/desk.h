@@ -3,6 +3,7 @@
 #pragma once
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,7 @@ struct Desk {
     Requests requests;
     std::vector<Message> messages;
     std::vector<KeyPress> keys; ///< since the last frame, in order: none is lost, however quick the hand
+    std::set<int> held;         ///< keys that are down, numbered as KeyPress does
     session::Selection selection, hovered;
     LessonDesk lesson;
     SlideDesk slides;

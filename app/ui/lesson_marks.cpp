@@ -30,20 +30,19 @@ void drawLook(ImDrawList& list, const session::LookBox& box, const ShownPane& sh
     list.AddRect({low.x - 1, low.y - 1}, {high.x + 1, high.y + 1}, IM_COL32(16, 16, 18, 255), 0, 0, width + 2);
     list.AddRect(low, high, kAccent, 0, 0, width);
     if (!named) return;
-    ImFont* const font = theme.text;
     const float pad = 0.35f * theme.em;
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, box.label.c_str());
+    const ImVec2 size = theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, box.label.c_str());
     const float top = static_cast<float>(shown.area.corner.y), left = static_cast<float>(shown.area.corner.x);
     const float bottom = top + static_cast<float>(shown.area.size.y),
                 right = left + static_cast<float>(shown.area.size.x);
     const float plate = size.y + 2 * pad;
     // Above the box, else below it, else in it; clear of the title of the pane, two lines at most.
     float y = low.y - plate - width;
-    if (y < top + 2.5f * theme.heading->FontSize) y = high.y + width;
+    if (y < top + 2.5f * theme.headingSize) y = high.y + width;
     if (y + plate > bottom) y = low.y + width;
     const float x = std::clamp(low.x, left, std::max(left, right - size.x - 2 * pad));
     list.AddRectFilled({x, y}, {x + size.x + 2 * pad, y + plate}, kPlateColor);
-    list.AddText(font, font->FontSize, {x + pad, y + pad}, kPlateText, box.label.c_str());
+    list.AddText(theme.text, theme.em, {x + pad, y + pad}, kPlateText, box.label.c_str());
 }
 
 /// Cells of one kind, run by run along the rows.

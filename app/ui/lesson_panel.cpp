@@ -112,11 +112,12 @@ float lessonPanelHeight(const Desk& desk, const Theme& theme, float width) {
     for (const LessonStep step : stepsOf(*desk.lesson.now)) {
         float height = 0;
         for (const std::string& line : lessonLines(desk.lesson, step))
-            height += wrappedHeight(step == LessonStep::reveal ? theme.heading : theme.text, line, room) +
+            height += (step == LessonStep::reveal ? wrappedHeight(theme.heading, theme.headingSize, line, room)
+                                                  : wrappedHeight(theme.text, theme.em, line, room)) +
                       style.ItemSpacing.y;
         highest = std::max(highest, height);
     }
-    const float title = std::max(ImGui::GetFrameHeight(), theme.heading->FontSize);
+    const float title = std::max(ImGui::GetFrameHeight(), theme.headingSize);
     return std::ceil(title + highest + 2 * style.WindowPadding.y + 2 * style.ItemSpacing.y);
 }
 

@@ -328,17 +328,16 @@ float stepPanelHeight(const Desk& desk, const Theme& theme, float width) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float room = std::max(theme.em, width - 2 * style.WindowPadding.x);
     const float titleRoom = std::max(theme.em, room - kStepNumberEm * theme.em);
-    const auto lines = [](ImFont* font, float wrap, std::string_view text) {
-        return text.empty()
-                   ? 0.0f
-                   : font->CalcTextSizeA(font->FontSize, FLT_MAX, wrap, text.data(), text.data() + text.size()).y;
+    const auto lines = [](ImFont* font, float size, float wrap, std::string_view text) {
+        return text.empty() ? 0.0f : font->CalcTextSizeA(size, FLT_MAX, wrap, text.data(), text.data() + text.size()).y;
     };
+    const auto plain = [&](std::string_view text) { return lines(theme.text, theme.em, room, text); };
     float highest = 0;
     for (const PassInfo& pass : info.passes)
-        highest = std::max(highest, std::max(ImGui::GetFrameHeight(), lines(theme.heading, titleRoom, pass.title)) +
-                                        lines(theme.text, room, pass.why) +
-                                        (desk.shown.source ? 0 : lines(theme.text, room, pseudocodeOf(info, pass))) +
-                                        lines(theme.text, room, "GL state: " + std::string(pass.glState)));
+        highest = std::max(
+            highest, std::max(ImGui::GetFrameHeight(), lines(theme.heading, theme.headingSize, titleRoom, pass.title)) +
+                         plain(pass.why) + (desk.shown.source ? 0 : plain(pseudocodeOf(info, pass))) +
+                         plain("GL state: " + std::string(pass.glState)));
     return std::ceil(highest + 2 * style.WindowPadding.y + 4 * style.ItemSpacing.y);
 }
 

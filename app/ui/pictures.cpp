@@ -55,13 +55,12 @@ std::string titleOf(const Desk& desk, int pane) {
 void drawPlate(ImDrawList& list, ImVec2 corner, float widest, const std::string& text, const Theme& theme,
                bool active) {
     const float mark = theme.em * 0.2f, pad = theme.em * 0.4f, room = std::max(theme.em, widest - 2 * pad - mark);
-    ImFont* const font = theme.heading;
-    const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, room, text.c_str());
+    const ImVec2 size = theme.heading->CalcTextSizeA(theme.headingSize, FLT_MAX, room, text.c_str());
     const ImVec2 end(corner.x + size.x + 2 * pad + mark, corner.y + size.y + 2 * pad);
     list.AddRectFilled(corner, end, kPlateColor);
     if (active) list.AddRectFilled(corner, {corner.x + std::max(3.0f, mark), end.y}, kAccent);
-    list.AddText(font, font->FontSize, {corner.x + pad + mark, corner.y + pad}, kPlateText, text.c_str(), nullptr,
-                 room);
+    list.AddText(theme.heading, theme.headingSize, {corner.x + pad + mark, corner.y + pad}, kPlateText, text.c_str(),
+                 nullptr, room);
 }
 
 /// The picture of a size of its own, a light's view of the scene, as large as fits, in the middle.
@@ -296,7 +295,7 @@ bool handleMouse(Desk& desk, const std::vector<ShownPane>& panes, const Area& ar
         });
     }
     if (desk.drag == Drag::camera && ImGui::IsMouseDown(1)) { // fly, as long as the right button is down
-        const auto pressed = [](int key) { return ImGui::IsKeyDown(key) ? 1.0 : 0.0; };
+        const auto pressed = [&](int key) { return desk.held.contains(key) ? 1.0 : 0.0; };
         const double step = io.DeltaTime * (io.KeyShift ? 2.0 : 0.5);
         const double x = pressed(GLFW_KEY_D) - pressed(GLFW_KEY_A), y = pressed(GLFW_KEY_E) - pressed(GLFW_KEY_Q),
                      z = pressed(GLFW_KEY_W) - pressed(GLFW_KEY_S);

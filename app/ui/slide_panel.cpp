@@ -43,9 +43,9 @@ float slidePanelHeight(const Desk& desk, const Theme& theme, float width) {
     if (!desk.slides.isOn()) return 0;
     const ImGuiStyle& style = ImGui::GetStyle();
     const float room = std::max(theme.em, width - 2 * style.WindowPadding.x);
-    float height = std::max(ImGui::GetFrameHeight(), theme.heading->FontSize);
+    float height = std::max(ImGui::GetFrameHeight(), theme.headingSize);
     for (const std::string& line : slideLines(desk.slides))
-        height += wrappedHeight(theme.text, line, room) + style.ItemSpacing.y;
+        height += wrappedHeight(theme.text, theme.em, line, room) + style.ItemSpacing.y;
     return std::ceil(height + 2 * style.WindowPadding.y + 2 * style.ItemSpacing.y);
 }
 

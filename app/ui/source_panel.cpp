@@ -133,7 +133,7 @@ void part(const Theme& theme, const std::string& title, const std::vector<sessio
 
 float SourcePanel::width(const Desk& desk, const Theme& theme, float windowWidth) {
     if (!desk.shown.source || !theme.code) return 0;
-    const float column = theme.code->CalcTextSizeA(theme.code->FontSize, FLT_MAX, 0, "M").x;
+    const float column = theme.code->CalcTextSizeA(theme.codeSize, FLT_MAX, 0, "M").x;
     const float wanted = (kColumns + kNumberColumns + 1) * column + 2 * ImGui::GetStyle().WindowPadding.x +
                          ImGui::GetStyle().ScrollbarSize;
     return std::round(std::min(wanted, windowWidth * kLargestListing));

@@ -62,16 +62,21 @@ Theme applyTheme(float em, bool presenter, const std::filesystem::path& fontFile
     const auto load = [&](const std::filesystem::path& file, float size) {
         if (!std::filesystem::exists(file))
             throw Error(ExitStatus::badInput, file.string() + ": the font is missing; restore the assets folder");
-        ImFont* const font = io.Fonts->AddFontFromFileTTF(file.string().c_str(), size, nullptr, kLetters);
+        ImFontConfig config;
+        config.OversampleH = 3; // said, because each version of ImGui thinks otherwise: letters look the same with all
+        config.OversampleV = 1;
+        ImFont* const font = io.Fonts->AddFontFromFileTTF(file.string().c_str(), size, &config, kLetters);
         if (!font)
             throw Error(ExitStatus::badInput,
                         file.string() + ": is no font that can be read; restore the assets folder");
         return font;
     };
-    theme.text = load(fontFile, em);
-    theme.heading = load(fontFile, std::round(em * 1.25f));
+    theme.headingSize = std::round(em * 1.25f);
     // Its letters look larger than those of the text, and lines of source are long.
-    theme.code = load(fontFile.parent_path() / "DejaVuSansMono.ttf", std::round(em * 0.88f));
+    theme.codeSize = std::round(em * 0.88f);
+    theme.text = load(fontFile, em);
+    theme.heading = load(fontFile, theme.headingSize);
+    theme.code = load(fontFile.parent_path() / "DejaVuSansMono.ttf", theme.codeSize);
     io.FontDefault = theme.text;
 
     ImGuiStyle& style = ImGui::GetStyle();

@@ -15,6 +15,8 @@ struct Theme {
     ImFont* text = nullptr;
     ImFont* heading = nullptr;
     ImFont* code = nullptr; ///< every letter as wide as every other
+    // Pixels, as for `text` it is em: ImGui keeps them under another name in each version.
+    float headingSize = 20, codeSize = 14;
 };
 
 /// The type size for a window of that height on a screen of that scale (1: 96 dots an inch). Presenter mode: at least 1/32

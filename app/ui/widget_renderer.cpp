@@ -43,7 +43,7 @@ void WidgetRenderer::uploadFonts() {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.x, size.y, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
     gl::label(GL_TEXTURE, letters_.id(), "letters");
-    fonts.SetTexID(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(letters_.id())));
+    fonts.SetTexID(imguiTexture(letters_.id()));
     gl::check("fonts");
 }
 
@@ -85,7 +85,7 @@ void WidgetRenderer::draw(const ImDrawData& data, const gl::Framebuffer& target)
                        right = static_cast<GLint>(clip.z), bottom = static_cast<GLint>(clip.w);
             if (right <= left || bottom <= top) continue;
             glScissor(left, height - bottom, right - left, bottom - top);
-            glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+            glBindTexture(GL_TEXTURE_2D, nameOf(command.GetTexID()));
             const std::uintptr_t first = command.IdxOffset * sizeof(ImDrawIdx);
             glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
                                      sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,

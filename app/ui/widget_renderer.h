@@ -2,17 +2,14 @@
 // them, whose functions the packaged GL backend cannot find.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <imgui.h>
-
+#include "app/ui/imgui_bridge.h"
 #include "techniques/foundation/gl/framebuffer.h"
 #include "techniques/foundation/gl/program.h"
 
 namespace shadowlab::ui {
 
-/// The number under which ImGui knows a texture of ours, and back.
-inline ImTextureID imguiTexture(const gl::Texture2D& texture) {
-    return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture.id()));
-}
+/// The number under which ImGui knows a texture of ours.
+inline ImTextureID imguiTexture(const gl::Texture2D& texture) { return imguiTexture(texture.id()); }
 
 /// A place in pixels, as ImGui takes it.
 inline ImVec2 imVec(ivec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }

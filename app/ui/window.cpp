@@ -7,11 +7,8 @@
 #include <cstdio>
 #include <optional>
 
-#include <imgui.h>
-
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <backends/imgui_impl_glfw.h>
 
 #include "app/context/signals.h"
 #include "app/context/window_context.h"
@@ -22,6 +19,7 @@
 #include "app/session/shader_watch.h"
 #include "app/session/slide_file.h"
 #include "app/session/window_settings.h"
+#include "app/ui/imgui_bridge.h"
 #include "app/ui/screen.h"
 #include "app/ui/state_report.h"
 #include "techniques/foundation/error.h"
@@ -80,9 +78,6 @@ public:
         glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
             static_cast<Window*>(glfwGetWindowUserPointer(window))->press(key, scancode, action, modifiers);
         });
-        glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) {
-            static_cast<Window*>(glfwGetWindowUserPointer(window))->cursor_ = {x, y};
-        });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int action, int) {
             auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
             if (action == GLFW_PRESS) self.desk_->pressedAt = self.cursor_ * self.pixelsPerPoint_;
@@ -90,6 +85,11 @@ public:
         if (!settings.lesson.empty()) openLesson(*desk_, settings.lesson);
         if (!settings.deck.empty()) openDeck(*desk_, settings.deck, settings.slide);
         ImGui_ImplGlfw_InitForOpenGL(window_, true); // it calls what was set before it
+        glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) { // in its place: it takes pixels
+            auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
+            self.cursor_ = {x, y};
+            tellMouse(window, x * self.pixelsPerPoint_, y * self.pixelsPerPoint_);
+        });
     }
     ~Window() { ImGui_ImplGlfw_Shutdown(); }
     Window(const Window&) = delete;
@@ -128,12 +128,8 @@ private:
         float scale = 1, scaleY = 1;
         glfwGetWindowContentScale(window_, &scale, &scaleY);
         if (points.x > 0) pixelsPerPoint_ = static_cast<double>(pixels.x) / points.x;
-        ImGuiIO& io = ImGui::GetIO();
-        if (points.x > 0 && points.x != pixels.x && io.MousePos.x > -1e30f) { // window coordinates are not pixels
-            io.MousePos.x *= static_cast<float>(pixels.x) / static_cast<float>(points.x);
-            io.MousePos.y *= static_cast<float>(pixels.y) / static_cast<float>(points.y);
-        }
-        io.DisplayFramebufferScale = {1, 1};
+        scaleMouse(static_cast<float>(pixelsPerPoint_));
+        ImGui::GetIO().DisplayFramebufferScale = {1, 1};
         screen_->fit(pixels, scale);
         if (!screen_->frame(seconds)) return false;
         glBindFramebuffer(GL_READ_FRAMEBUFFER, screen_->framebuffer().id());
@@ -303,13 +299,17 @@ private:
     }
 
     void press(int key, int scancode, int action, int modifiers) {
-        if (action == GLFW_RELEASE) return;
         // GLFW numbers keys by their place on an American keyboard; what is printed on them is meant.
         const char* const printed = glfwGetKeyName(key, scancode);
         if (printed && printed[0] != 0 && printed[1] == 0) {
             const char c = printed[0];
             key = c >= 'a' && c <= 'z' ? GLFW_KEY_A + (c - 'a') : c == '+' ? GLFW_KEY_EQUAL : c;
         }
+        if (action == GLFW_RELEASE) {
+            desk_->held.erase(key);
+            return;
+        }
+        desk_->held.insert(key);
         KeyPress press{key, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0,
                        (modifiers & GLFW_MOD_ALT) != 0, action == GLFW_REPEAT};
         if (key == GLFW_KEY_EQUAL) press.shift = false; // where it takes Shift to write a plus
