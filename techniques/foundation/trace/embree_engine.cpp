@@ -3,17 +3,18 @@
 
 #if defined(SHADOWLAB_EMBREE)
 
-#include <embree3/rtcore.h>
-
 #include <atomic>
 #include <stdexcept>
+
+#include "techniques/foundation/trace/embree.h"
 
 namespace shadowlab::trace {
 
 namespace {
 
 /// What a ray may hit, handed through Embree to the filter below.
-struct FilteredQuery : RTCIntersectContext {
+struct FilteredQuery : embree::Query {
+    explicit FilteredQuery(const MayHit& which);
     const MayHit* mayHit;
 };
 
@@ -25,13 +26,9 @@ void forgive(const RTCFilterFunctionNArguments* arguments) {
     if (!mayHit(primitive) || mayHit.inHole(primitive, {1 - u - v, u, v})) arguments->valid[0] = 0;
 }
 
-FilteredQuery queryOf(const MayHit& mayHit) {
-    FilteredQuery query{};
-    rtcInitIntersectContext(&query);
-    query.mayHit = &mayHit;
-    const bool any = mayHit.except == kNoPrimitive && mayHit.flags == nullptr && mayHit.holes == nullptr;
-    if (!any) query.filter = forgive;
-    return query;
+FilteredQuery::FilteredQuery(const MayHit& which) : mayHit(&which) {
+    const bool any = which.except == kNoPrimitive && which.flags == nullptr && which.holes == nullptr;
+    if (!any) askFilter(forgive);
 }
 
 template <typename EmbreeRay>
@@ -59,9 +56,8 @@ public:
     bool advance(Deadline) override {
         if (scene_) return true;
         scene_.reset(rtcNewScene(device_.get()));
-        // Its watertight mode; and filters that come with a ray, and cost nothing where there are none.
-        rtcSetSceneFlags(scene_.get(),
-                         static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+        // Its watertight mode, and filters.
+        rtcSetSceneFlags(scene_.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | embree::kFiltersOfRays));
         if (!triangles_.empty()) attach(triangles_);
         rtcCommitScene(scene_.get());
         return true;
@@ -69,11 +65,11 @@ public:
 
     [[nodiscard]] RayHit closest(const Ray& ray, const MayHit& mayHit) const override {
         if (!isUsable(ray)) return {};
-        FilteredQuery context = queryOf(mayHit);
+        FilteredQuery how(mayHit);
         RTCRayHit query{};
         fill(query.ray, ray);
         query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene_.get(), &context, &query);
+        embree::closest(scene_.get(), how, query);
         if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
         const double u = query.hit.u, v = query.hit.v;
         const RayHit hit{query.ray.tfar, query.hit.primID, {1 - u - v, u, v}};
@@ -82,10 +78,10 @@ public:
 
     [[nodiscard]] std::uint32_t any(const Ray& ray, const MayHit& mayHit) const override {
         if (!isUsable(ray)) return kNoPrimitive;
-        FilteredQuery context = queryOf(mayHit);
+        FilteredQuery how(mayHit);
         RTCRay query{};
         fill(query, ray);
-        rtcOccluded1(scene_.get(), &context, &query);
+        embree::any(scene_.get(), how, query);
         return query.tfar < 0 ? 0 : kNoPrimitive; // how Embree says that there is one; not which
     }
 

@@ -3,9 +3,10 @@
 
 #if defined(SHADOWLAB_EMBREE)
 
-#include <embree3/rtcore.h>
-
+#include <limits>
 #include <stdexcept>
+
+#include "techniques/foundation/trace/embree.h"
 
 namespace shadowlab::trace {
 
@@ -39,9 +40,8 @@ public:
     }
 
     void row(const PacketView& view, int y, std::uint8_t* mask) const override {
-        RTCIntersectContext context;
-        rtcInitIntersectContext(&context);
-        context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+        embree::Query how;
+        how.beCoherent();
         for (int x = 0; x < view.width; x += 8) {
             alignas(32) RTCRayHit8 eye;
             alignas(32) RTCRay8 shadow;
@@ -53,7 +53,7 @@ public:
                 set(eye.ray, i, view.eye, d, 0, std::numeric_limits<float>::infinity());
                 eye.hit.geomID[i] = eye.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
             }
-            rtcIntersect8(all, scene_.get(), &context, &eye);
+            embree::closest(all, scene_.get(), how, eye);
             bool any = false;
             for (int i = 0; i < 8; ++i) {
                 some[i] = eye.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? 0 : -1;
@@ -62,7 +62,7 @@ public:
                 const vec3 d(eye.ray.dir_x[i], eye.ray.dir_y[i], eye.ray.dir_z[i]);
                 set(shadow, i, view.eye + t * d, view.light - (view.eye + t * d), kOffset, 1);
             }
-            if (any) rtcOccluded8(some, scene_.get(), &context, &shadow);
+            if (any) embree::any(some, scene_.get(), how, shadow);
             for (int i = 0; i < 8; ++i)
                 mask[x + i] = static_cast<std::uint8_t>(!some[i] ? 0 : shadow.tfar[i] < 0 ? 1 : 2);
         }

@@ -1,0 +1,91 @@
+// Embree 3 (Debian 12) and Embree 4 (Debian 13 and later) by the same calls. Included where SHADOWLAB_EMBREE is defined: the
+// number of the one that is installed.
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#if SHADOWLAB_EMBREE == 3
+#include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
+
+namespace shadowlab::trace::embree {
+
+#if SHADOWLAB_EMBREE == 3
+
+/// How rays are asked about. Embree hands it to the filter as `context`: derive from it what the filter has to know.
+struct Query : RTCIntersectContext {
+    Query() { rtcInitIntersectContext(this); }
+    void askFilter(RTCFilterFunctionN function) { filter = function; }
+    void beCoherent() { flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT; }
+};
+
+/// Filters come with a ray, and cost nothing where there are none.
+inline constexpr RTCSceneFlags kFiltersOfRays = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+
+inline void closest(RTCScene scene, Query& query, RTCRayHit& ray) { rtcIntersect1(scene, &query, &ray); }
+inline void any(RTCScene scene, Query& query, RTCRay& ray) { rtcOccluded1(scene, &query, &ray); }
+inline void closest(const int* valid, RTCScene scene, Query& query, RTCRayHit8& rays) {
+    rtcIntersect8(valid, scene, &query, &rays);
+}
+inline void any(const int* valid, RTCScene scene, Query& query, RTCRay8& rays) {
+    rtcOccluded8(valid, scene, &query, &rays);
+}
+
+#else
+
+struct Query : RTCRayQueryContext {
+    Query() { rtcInitRayQueryContext(this); }
+    void askFilter(RTCFilterFunctionN function) {
+        filter_ = function;
+        flags_ |= RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+    }
+    void beCoherent() { flags_ |= RTC_RAY_QUERY_FLAG_COHERENT; }
+
+    [[nodiscard]] RTCIntersectArguments forClosest() {
+        RTCIntersectArguments arguments;
+        rtcInitIntersectArguments(&arguments);
+        fill(arguments);
+        return arguments;
+    }
+    [[nodiscard]] RTCOccludedArguments forAny() {
+        RTCOccludedArguments arguments;
+        rtcInitOccludedArguments(&arguments);
+        fill(arguments);
+        return arguments;
+    }
+
+private:
+    template <typename Arguments>
+    void fill(Arguments& arguments) {
+        arguments.flags = static_cast<RTCRayQueryFlags>(flags_);
+        arguments.context = this;
+        arguments.filter = filter_;
+    }
+
+    RTCFilterFunctionN filter_ = nullptr;
+    int flags_ = RTC_RAY_QUERY_FLAG_INCOHERENT;
+};
+
+inline constexpr RTCSceneFlags kFiltersOfRays = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
+
+inline void closest(RTCScene scene, Query& query, RTCRayHit& ray) {
+    RTCIntersectArguments arguments = query.forClosest();
+    rtcIntersect1(scene, &ray, &arguments);
+}
+inline void any(RTCScene scene, Query& query, RTCRay& ray) {
+    RTCOccludedArguments arguments = query.forAny();
+    rtcOccluded1(scene, &ray, &arguments);
+}
+inline void closest(const int* valid, RTCScene scene, Query& query, RTCRayHit8& rays) {
+    RTCIntersectArguments arguments = query.forClosest();
+    rtcIntersect8(valid, scene, &rays, &arguments);
+}
+inline void any(const int* valid, RTCScene scene, Query& query, RTCRay8& rays) {
+    RTCOccludedArguments arguments = query.forAny();
+    rtcOccluded8(valid, scene, &rays, &arguments);
+}
+
+#endif
+
+} // namespace shadowlab::trace::embree
