@@ -3,20 +3,22 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash disable=SC2034,SC2154
 
+# `ONE|OTHER` is the first of them that apt has, with nothing behind the last bar: where it has none, none is needed. Releases differ.
 # To build and run the program. libgtest-dev and librapidcheck-dev: configuring looks for them, though nothing links them yet.
-# libegl1, libgl1-mesa-dri and libosmesa6 are loaded at run time, and no other package pulls all three in.
+# libegl1, libgl1-mesa-dri and libosmesa6 are loaded at run time, and no other package pulls all three in; Debian 13 is the last
+# with OSMesa, which Mesa ended in 25.1.
 build_packages=(
     g++ cmake ninja-build python3-glad
     libcairo2-dev libcli11-dev libegl-dev libeigen3-dev libfreetype-dev libglfw3-dev libglm-dev libgtest-dev libimgui-dev
     libpng-dev librapidcheck-dev libtinyobjloader-dev nlohmann-json3-dev pkgconf
-    libegl1 libgl1-mesa-dri libosmesa6
+    libegl1 libgl1-mesa-dri 'libosmesa6|'
 )
 # To run the tests as well: xvfb and xauth are the display of those that need one, xdotool the hands at its keys and mouse,
 # python3-xlib those that drop files on it. locales: one with a decimal comma is made of it.
 test_packages=(locales python3 python3-xlib xauth xdotool xvfb)
-# For the long form: fuzz targets are built with clang (14, which `clang` stands for, does not know all of C++20 that is used here),
-# and setarch runs tests under the thread sanitizer.
-long_packages=(clang-16 libclang-rt-16-dev util-linux)
+# For the long form: fuzz targets are built with clang (14, which `clang` stands for on Debian 12, does not know all of C++20 that is
+# used here), and setarch runs tests under the thread sanitizer.
+long_packages=('clang-16|clang' 'libclang-rt-16-dev|libclang-rt-dev' util-linux)
 
 # Debian's own tools and libraries, whatever else (conda, pyenv, a home-made cmake) is installed and first in the PATH.
 use_debian_tools() {
@@ -43,16 +45,38 @@ fail() {
     refuse "$*"
 }
 
+# What clang's programs end in, those of `long_packages`.
+clang_ending() { if [[ -x /usr/bin/clang-16 ]]; then printf -- -16; fi; }
+
+is_installed() { dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed; }
+is_offered() { LC_ALL=C apt-cache policy "$1" 2>/dev/null | grep -q '^  Candidate: [^(]'; }
+
+# missing_of PACKAGE...: the names of those that are not there yet, as far as apt knows of any.
+missing_of() {
+    local package names name
+    for package in "$@"; do
+        IFS='|' read -ra names <<<"$package"
+        for name in "${names[@]}"; do
+            if is_installed "$name"; then continue 2; fi
+        done
+        for name in "${names[@]}"; do
+            if is_offered "$name"; then
+                printf '%s\n' "$name"
+                continue 2
+            fi
+        done
+        if [[ $package != *'|' ]]; then printf '%s\n' "${names[0]}"; fi
+    done
+}
+
 # install_missing PACKAGE...: installs with apt what is not there yet, and says so before.
 install_missing() {
     if [[ ! -x /usr/bin/dpkg-query || ! -x /usr/bin/apt-get ]]; then
-        say "$(basename "$0"): this is no Debian system, so nothing is installed; needed are what Debian 12 calls: $*"
+        say "$(basename "$0"): this is no Debian system, so nothing is installed; needed is what Debian calls: $*"
         return
     fi
-    local package missing=()
-    for package in "$@"; do
-        dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
-    done
+    local missing=()
+    mapfile -t missing < <(missing_of "$@")
     if ((${#missing[@]} == 0)); then return; fi
 
     local as_root=(env DEBIAN_FRONTEND=noninteractive)
@@ -65,20 +89,22 @@ install_missing() {
     fi
     local apt=("${as_root[@]}" apt-get -y -o DPkg::Lock::Timeout=120)
     "${apt[@]}" update </dev/null >"$log" 2>&1 || say "apt-get update had errors; trying with the package lists there are"
+    mapfile -t missing < <(missing_of "$@") # which names there are, apt may only know now
     "${apt[@]}" install --no-install-recommends "${missing[@]}" </dev/null >"$log" 2>&1 ||
         fail "apt could not install the packages; mend that and try again, or run as root: $manually"
 }
 
-# configure PRESET: makes build/PRESET when it is not there, was made by other presets, or belongs to another place
+# configure PRESET [OPTION...]: makes build/PRESET when it is not there, was made by other presets, or belongs to another place
 # (a build folder cannot be moved). Everything else that changes, ninja sees by itself.
 configure() {
-    local folder=$root/build/$1 fresh=()
+    local folder=$root/build/$1 preset=$1 fresh=()
+    shift
     if [[ -f $folder/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
         fresh=(--fresh)
     elif [[ -f $folder/build.ninja && ! $root/CMakePresets.json -nt $folder/build.ninja ]]; then
         return
     fi
-    (cd "$root" && cmake --preset "$1" "${fresh[@]}") >"$log" 2>&1 || fail "cmake could not configure build/$1"
+    (cd "$root" && cmake --preset "$preset" "${fresh[@]}" "$@") >"$log" 2>&1 || fail "cmake could not configure build/$preset"
     touch "$folder/build.ninja"
 }
 

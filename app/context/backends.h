@@ -19,23 +19,25 @@ public:
     std::string reason, mend;
 };
 
-/// Packages as Debian and Ubuntu name them. libegl1 does not pull in the drivers (libgl1-mesa-dri) by itself.
-inline constexpr const char* kInstallEgl = "apt install libegl1 libgl1-mesa-dri";
-inline constexpr const char* kInstallOsmesa =
-    "apt install libosmesa6, or take --backend egl (Mesa 25.1 dropped OSMesa)";
-inline constexpr const char* kInstallDrivers = "apt install libgl1-mesa-dri, or take --backend osmesa";
-inline constexpr const char* kInstallEglDrivers = "apt install libegl-mesa0 libgl1-mesa-dri, or take --backend osmesa";
-inline constexpr const char* kInstallWindowDrivers =
-    "apt install libgl1 libgl1-mesa-dri, or take --backend egl or osmesa";
+/// What mends each, by what this system has: packages as Debian names them (packages.h), and other backends that are here.
+/// libegl1 does not pull in the drivers (libgl1-mesa-dri) by itself.
+std::string mendEgl();
+std::string mendOsmesa();
+std::string mendDrivers();
+std::string mendEglDrivers();
+std::string mendWindowDrivers();
+std::string mendDisplay();
+std::string mendAll(); ///< where no backend serves
 inline constexpr const char* kMoreMemory =
     "allow the program more memory (ulimit -v), or install the library's package again";
 inline constexpr const char* kNewerDriver = "take a newer driver, and unset MESA_GL_VERSION_OVERRIDE if it is set";
+inline constexpr const char* kNoSoftware = "leave --software out, and unset GALLIUM_DRIVER if it is set";
 
 /// Keeps track of which context is current. EGL, GLX and OSMesa each have their own idea of it and do not know of each
 /// other, so the old context is let go through its own interface before the next is bound.
 class TrackedContext : public Context {
 public:
-    /// Binds, loads glad and throws Unavailable unless the context is at least 3.3.
+    /// Binds, loads glad and throws Unavailable unless the context is at least 3.3, and drawn as was asked for (software.h).
     void makeCurrent() final;
 
     /// Leaves no context current. Every factory below starts with this.
@@ -61,6 +63,9 @@ private:
 std::unique_ptr<Context> createEglContext(bool debug);
 std::unique_ptr<Context> createOsmesaContext();
 std::unique_ptr<Context> createHiddenWindowContext(bool debug);
+
+/// Whether this system has the library of OSMesa.
+bool isOsmesaHere();
 
 /// What is found where nothing is.
 inline constexpr const char* kNoOpenGl = "no OpenGL";

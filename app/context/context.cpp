@@ -9,6 +9,7 @@
 
 #include "app/context/backends.h"
 #include "app/context/driver_settings.h"
+#include "app/context/software.h"
 #include "techniques/foundation/error.h"
 
 namespace shadowlab::context {
@@ -40,12 +41,14 @@ thread_local TrackedContext* TrackedContext::current_ = nullptr;
 
 void TrackedContext::makeCurrent() {
     if (current_ != this) releaseCurrent();
-    if (!bind()) throw Unavailable("the context cannot be made current", kInstallDrivers);
+    if (!bind()) throw Unavailable("the context cannot be made current", mendDrivers());
     current_ = this;
     const int version = gladLoadGL(loader());
-    if (version >= kNeededVersion) return;
+    const bool isNewEnough = version >= kNeededVersion;
+    if (isNewEnough && (!isSoftwareDemanded() || isSoftware(glRenderer()))) return;
     const std::string found = describeGl(loader());
     releaseCurrent();
+    if (isNewEnough) throw Unavailable("found " + found + " where --software asks for the processor", kNoSoftware);
     throw Unavailable("found " + found + " where OpenGL 3.3 core is needed", kNewerDriver);
 }
 
@@ -71,7 +74,7 @@ std::string describeGl(void (*(*load)(const char*))()) {
 std::unique_ptr<Context> createContext(Backend backend, bool debug) {
     requireUsableSettings(); // of all backends, and said once
     std::string reasons;
-    std::string mend = std::string(kInstallEgl) + " libosmesa6";
+    std::string mend;
     for (const BackendEntry& entry : kBackends) {
         if (backend != Backend::automatic && backend != entry.backend) continue;
         try {
@@ -81,10 +84,10 @@ std::unique_ptr<Context> createContext(Backend backend, bool debug) {
                 throw Error(ExitStatus::noContext, std::string("no graphics context from ") + entry.name + ": " +
                                                        why.reason + "; " + why.mend);
             reasons.append(reasons.empty() ? "" : ", ").append(entry.name).append(": ").append(why.reason);
-            if (why.mend == kNewerDriver || why.mend == kMoreMemory) mend = why.mend;
+            if (why.mend == kNewerDriver || why.mend == kMoreMemory || why.mend == kNoSoftware) mend = why.mend;
         }
     }
-    throw Error(ExitStatus::noContext, "no graphics context (" + reasons + "); " + mend);
+    throw Error(ExitStatus::noContext, "no graphics context (" + reasons + "); " + (mend.empty() ? mendAll() : mend));
 }
 
 Backend backendFromName(std::string_view name) {

@@ -17,6 +17,7 @@
 #include "app/context/driver_settings.h"
 #include "app/context/driver_threads.h"
 #include "app/context/library.h"
+#include "app/context/software.h"
 
 namespace shadowlab::context {
 namespace {
@@ -77,6 +78,11 @@ struct Candidate {
     std::function<EGLDisplay()> open; ///< called in turn, so that nothing is started that is not needed
 };
 
+bool isSoftwareDevice(EGLDeviceEXT device) {
+    const auto text = egl().extension<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+    return text && lists(text(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
+}
+
 std::vector<Candidate> candidates() {
     const char* const extensions = egl().queryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     const auto platformDisplay = egl().extension<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
@@ -91,10 +97,13 @@ std::vector<Candidate> candidates() {
         std::array<EGLDeviceEXT, 16> found{}; // more devices than any one machine has
         EGLint count = 0;
         if (!queryDevices(static_cast<EGLint>(found.size()), found.data(), &count)) count = 0;
-        for (EGLint i = 0; i < count; ++i)
-            list.push_back({"device", [platformDisplay, device = found[static_cast<std::size_t>(i)]] {
+        for (EGLint i = 0; i < count; ++i) {
+            const EGLDeviceEXT device = found[static_cast<std::size_t>(i)];
+            if (isSoftwareDemanded() && !isSoftwareDevice(device)) continue;
+            list.push_back({"device", [platformDisplay, device] {
                                 return platformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
                             }});
+        }
     }
     list.push_back({"default display", [] { return egl().getDisplay(EGL_DEFAULT_DISPLAY); }});
     return list;
@@ -105,9 +114,9 @@ public:
     EglContext(EGLDisplay display, bool debug) : display_(display) {
         // Displays are never terminated: EGL hands out the same one again, and another context may still use it.
         EGLint major = 0, minor = 0;
-        if (display_ == EGL_NO_DISPLAY) throw Unavailable("no display", kInstallEglDrivers);
-        if (!egl().initialize(display_, &major, &minor)) throw Unavailable(errorText(), kInstallDrivers);
-        if (!egl().bindApi(EGL_OPENGL_API)) throw Unavailable("only OpenGL ES", kInstallDrivers);
+        if (display_ == EGL_NO_DISPLAY) throw Unavailable("no display", mendEglDrivers());
+        if (!egl().initialize(display_, &major, &minor)) throw Unavailable(errorText(), mendDrivers());
+        if (!egl().bindApi(EGL_OPENGL_API)) throw Unavailable("only OpenGL ES", mendDrivers());
         const char* const extensions = egl().queryString(display_, EGL_EXTENSIONS);
         chooseConfig();
         std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION_KHR,       3,
@@ -150,7 +159,7 @@ private:
             EGLint count = 0;
             if (egl().chooseConfig(display_, wanted.data(), &config_, 1, &count) && count > 0) return;
         }
-        throw Unavailable("no configuration for OpenGL", kInstallDrivers);
+        throw Unavailable("no configuration for OpenGL", mendDrivers());
     }
     /// What there is instead of 3.3, by asking for a context of any version.
     std::string describeLegacy() const {
@@ -176,12 +185,12 @@ std::unique_ptr<Context> createEglContext(bool debug) {
     // Mesa prints its own remarks about every attempt that fails; ours stay one line. The user's own setting wins.
     ::setenv("EGL_LOG_LEVEL", "fatal", 0);
     if (const std::string& fault = egl().library.fault(); !fault.empty()) throw Unavailable(fault, kMoreMemory);
-    if (!egl().library.loaded()) throw Unavailable("libEGL.so.1 is missing", kInstallEgl);
-    if (!egl().complete) throw Unavailable("libEGL lacks functions of EGL 1.4", kInstallEgl);
+    if (!egl().library.loaded()) throw Unavailable("libEGL.so.1 is missing", mendEgl());
+    if (!egl().complete) throw Unavailable("libEGL lacks functions of EGL 1.4", mendEgl());
     requireUsableSettings();
     doWithoutRefusedThreads();
     TrackedContext::releaseCurrent();
-    std::string reasons, lastReason, mend = kInstallDrivers;
+    std::string reasons, lastReason, mend;
     for (const Candidate& candidate : candidates()) {
         try {
             auto context = std::make_unique<EglContext>(candidate.open(), debug);

@@ -1,6 +1,7 @@
 // OSMesa: Mesa's software rasteriser drawing into memory that we own. It needs no display, no GPU and no driver files.
-// Mesa 25.1 removed it, so it is loaded at run time; the few declarations needed are repeated here from GL/osmesa.h,
-// which cannot be included beside glad.
+// Mesa ended it in 25.1: Debian 13 is the last one that has it, and EGL's surfaceless platform does the same work there and later.
+// So it is loaded at run time; the few declarations needed are repeated here from GL/osmesa.h, which cannot be included beside
+// glad.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -100,11 +101,13 @@ void requireSurvivableSettings() {
 
 } // namespace
 
+bool isOsmesaHere() { return osmesa().library.loaded(); }
+
 std::unique_ptr<Context> createOsmesaContext() {
     if (const std::string& fault = osmesa().library.fault(); !fault.empty()) throw Unavailable(fault, kMoreMemory);
-    if (!osmesa().library.loaded()) throw Unavailable("libOSMesa.so.8 is missing", kInstallOsmesa);
+    if (!osmesa().library.loaded()) throw Unavailable("libOSMesa.so.8 is missing", mendOsmesa());
     if (!osmesa().complete)
-        throw Unavailable("libOSMesa is older than Mesa 11.2 and cannot do core profiles", kInstallOsmesa);
+        throw Unavailable("libOSMesa is older than Mesa 11.2 and cannot do core profiles", mendOsmesa());
     requireSurvivableSettings();
     requireUsableSettings();
     doWithoutRefusedThreads();

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <optional>
 
 #include "app/context/backends.h"
 #include "app/context/display_loss.h"
@@ -24,9 +25,6 @@ std::string& lastError() {
     return text;
 }
 void onGlfwError(int, const char* description) { lastError() = description; }
-
-constexpr const char* kNeedsDisplay =
-    "start it in a desktop session (or under xvfb-run), or take --backend egl or osmesa, which need no display";
 
 /// Keeps drivers and Xlib from printing while it lives: libGL remarks on every driver that it cannot load, the last of them
 /// whatever it is told. Ours stay one line. Who has set LIBGL_DEBUG wants to read them.
@@ -68,7 +66,7 @@ public:
         const SilentDrivers silent;
         if (glfwInit()) return;
         --users();
-        throw Unavailable("GLFW: " + lastError(), kNeedsDisplay);
+        throw Unavailable("GLFW: " + lastError(), mendDisplay());
     }
     ~GlfwLibrary() {
         if (--users() == 0) glfwTerminate();
@@ -85,7 +83,8 @@ private:
 
 class GlfwContext final : public TrackedContext {
 public:
-    explicit GlfwContext(const WindowOptions& options) {
+    /// `api`: through what the window asks for OpenGL, by GLFW's numbers.
+    GlfwContext(const WindowOptions& options, int api) {
         lastError().clear();
         glfwDefaultWindowHints();
         glfwWindowHint(GLFW_VISIBLE, options.visible ? GLFW_TRUE : GLFW_FALSE);
@@ -95,11 +94,12 @@ public:
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
         glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE); // macOS gives a core profile no other way
         glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, options.debug ? GLFW_TRUE : GLFW_FALSE);
+        glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);
         window_ = createWindow(options.width, options.height, options.title.c_str());
         if (window_) return;
-        const std::string refusal = lastError(), found = describeLegacy();
+        const std::string refusal = lastError(), found = describeLegacy(api);
         throw Unavailable("found " + found + " where OpenGL 3.3 core is needed: GLFW: " + refusal,
-                          found == kNoOpenGl ? kInstallWindowDrivers : kNewerDriver);
+                          found == kNoOpenGl ? mendWindowDrivers() : kNewerDriver);
     }
     ~GlfwContext() override {
         letGo();
@@ -118,8 +118,9 @@ protected:
 
 private:
     /// What there is instead of 3.3, by asking for a window with a context of any version.
-    static std::string describeLegacy() {
+    static std::string describeLegacy(int api) {
         glfwDefaultWindowHints();
+        glfwWindowHint(GLFW_CONTEXT_CREATION_API, api);
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
         GLFWwindow* const window = createWindow(1, 1, "");
         if (!window) return kNoOpenGl;
@@ -134,20 +135,39 @@ private:
     GLFWwindow* window_ = nullptr;
 };
 
-} // namespace
-
-std::unique_ptr<Context> createWindowContext(const WindowOptions& options) {
+/// By GLX, and where that does not serve by EGL: X servers of remote desktops (VNC, NX) often lack GLX, and Mesa's EGL needs nothing
+/// of theirs. Throws Unavailable with what was wrong with the first.
+std::unique_ptr<Context> makeWindow(const WindowOptions& options) {
     requireUsableSettings();
     doWithoutRefusedThreads();
     TrackedContext::releaseCurrent();
-    auto context = std::make_unique<GlfwContext>(options);
-    context->makeCurrent();
-    return context;
+    const GlfwLibrary keepsRunning; // from one try to the next
+    std::optional<Unavailable> first;
+    for (const int api : {GLFW_NATIVE_CONTEXT_API, GLFW_EGL_CONTEXT_API}) {
+        try {
+            auto context = std::make_unique<GlfwContext>(options, api);
+            context->makeCurrent();
+            return context;
+        } catch (const Unavailable& why) {
+            if (!first) first = why;
+        }
+    }
+    throw *first;
+}
+
+} // namespace
+
+std::unique_ptr<Context> createWindowContext(const WindowOptions& options) {
+    try {
+        return makeWindow(options);
+    } catch (const Unavailable& why) {
+        throw NoWindow(why.what(), why.reason);
+    }
 }
 
 std::unique_ptr<Context> createHiddenWindowContext(bool debug) {
     // 16 x 16: nothing is drawn into it, but some window systems refuse a window of one pixel.
-    return createWindowContext({.width = 16, .height = 16, .title = "Shadowlab", .visible = false, .debug = debug});
+    return makeWindow({.width = 16, .height = 16, .title = "Shadowlab", .visible = false, .debug = debug});
 }
 
 bool hasDisplay() {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/context/context.h"
+#include "techniques/foundation/error.h"
 
 struct GLFWwindow;
 
@@ -17,8 +18,15 @@ struct WindowOptions {
     bool debug = false;
 };
 
-/// The context is current and glad is loaded. The last window to go shuts GLFW down.
-/// Throws Error (noContext), for example where there is no display.
+/// There is no window to be had: `reason` alone, and what() with what mends it.
+class NoWindow : public Error {
+public:
+    NoWindow(const std::string& what, const std::string& reasonIn)
+        : Error(ExitStatus::noContext, what), reason(reasonIn) {}
+    std::string reason;
+};
+
+/// The context is current and glad is loaded. The last window to go shuts GLFW down. Throws NoWindow.
 std::unique_ptr<Context> createWindowContext(const WindowOptions& options);
 
 /// Can a window be opened here at all? Asks the window system itself: a variable that is set proves nothing.

@@ -23,6 +23,9 @@ from references import REFERENCES
 from row import TIME_LIMIT
 from scenes import SCENES
 
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
+from osmesa import WITHOUT, may_lack_osmesa  # noqa: E402
+
 LEAST_ROWS = 220  # fewer, and rows have been lost
 ERRORS_PAGE = Path(__file__).resolve().parents[2] / "docs" / "errors.md"
 
@@ -107,6 +110,9 @@ def main():
     if not wanted and len(rows) < LEAST_ROWS:
         sys.exit(f"only {len(rows)} rows")
     rows = [row for row in rows if not wanted or any(word in row.title for word in wanted)]
+    if may_lack_osmesa(build / "shadowlab"):
+        print(WITHOUT)
+        rows = [row for row in rows if "osmesa" not in row.words]
     with tempfile.TemporaryDirectory() as prefix:
         subprocess.run(["cmake", "--install", build, "--prefix", prefix], check=True, stdout=subprocess.DEVNULL)
         failures = [failure for failure in (tried(row, Path(prefix) / "bin" / "shadowlab") for row in rows) if failure]

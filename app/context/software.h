@@ -1,0 +1,16 @@
+// OpenGL by Mesa on the processor, also on a machine with a graphics card: the same bytes on every machine with the same Mesa.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string_view>
+
+namespace shadowlab::context {
+
+/// From now on no context is made that the processor does not draw. Programs that this one starts draw so, too. Called before the
+/// first context: Mesa looks at its environment when it is loaded.
+void demandSoftware();
+[[nodiscard]] bool isSoftwareDemanded();
+
+/// By what GL_RENDERER says.
+[[nodiscard]] bool isSoftware(std::string_view renderer);
+
+} // namespace shadowlab::context
