@@ -277,8 +277,8 @@ def draw_picture(program, name, page, arguments):
     with tempfile.TemporaryDirectory() as folder:
         folder = Path(folder)
         extract(page, folder)
-        # OSMesa: the same bytes on every machine with the same Mesa, whatever graphics card it has. A figure needs none.
-        words = ["--diagram", "drawn.svg"] if figure else ["--backend", "osmesa", "-o", "drawn" if slides else "drawn.png"]
+        # The same bytes on every machine with the same Mesa, whatever graphics card it has. A figure needs none.
+        words = ["--diagram", "drawn.svg"] if figure else ["--software", "-o", "drawn" if slides else "drawn.png"]
         command = [os.path.abspath(program.path), *shlex.split(arguments), *words]
         if subprocess.run(command, cwd=folder, check=False, stdout=subprocess.DEVNULL).returncode != 0:
             sys.exit(f"generate.py: picture {name} could not be drawn: {shlex.join(command)}")

@@ -10,6 +10,7 @@
 #include "app/commands/messages.h"
 #include "app/commands/option_values.h"
 #include "app/commands/words_anywhere.h"
+#include "app/context/software.h"
 #include "app/session/assets.h"
 #include "app/session/limits.h"
 #include "app/session/plugins.h"
@@ -85,6 +86,7 @@ CLI::App* addCommand(CLI::App& app, const char* name, const char* what) {
     // Taken out of the words before (words_anywhere.h); here for the help alone.
     addOption(*command, "--plugin", "FILE", "a plug-in with further techniques; may be repeated");
     addOption(*command, "--limit", "NAME=VALUE", "another value for a limit of `list limits`; may be repeated");
+    command->add_flag("--software")->description("draws on the processor, also beside a graphics card");
     return command;
 }
 
@@ -113,13 +115,24 @@ InspectOptions inspectOptions(const CLI::App& command) {
     return options;
 }
 
+/// The words without --software, which is heard here: it is about every context, and comes before the first.
+std::vector<std::string> takeSoftware(const std::vector<std::string>& argv) {
+    const auto end = std::ranges::find(argv, "--");
+    if (std::find(argv.begin(), end, "--software") == end) return argv;
+    context::demandSoftware();
+    std::vector<std::string> others;
+    std::remove_copy(argv.begin(), end, std::back_inserter(others), "--software");
+    others.insert(others.end(), end, argv.end());
+    return others;
+}
+
 } // namespace
 
 int run(int argc, char** argv) {
     const TakenWords limits = takeWordsOf("--limit", "triangles=50000000", {argv, argv + argc});
     for (const std::string& limit : limits.values)
         session::setLimit(limit);
-    const TakenWords plugins = takeWordsOf("--plugin", "FILE.so", limits.words);
+    const TakenWords plugins = takeWordsOf("--plugin", "FILE.so", takeSoftware(limits.words));
     // Nothing of a plug-in that is graded runs in this process.
     if (plugins.words.size() < 2 || plugins.words[1] != "grade")
         for (const std::string& file : plugins.values)
@@ -201,7 +214,8 @@ Work workFor(const std::vector<std::string>& given, const std::vector<std::strin
     app.footer(
         "shadowlab COMMAND --help tells more about each. `shadowlab SCENE` is short for `shadowlab demo SCENE`.\n"
         "--plugin FILE, anywhere, adds the techniques of a plug-in to those of all commands; --limit NAME=VALUE\n"
-        "sets a limit of `list limits`.\n"
+        "sets a limit of `list limits`; --software draws on the processor, also beside a graphics card: the same\n"
+        "bytes on every machine with the same Mesa.\n"
         "Exit status: 0 done, 1 judged and found wanting (grade, report --hard), 2 command line, 3 input, 4 output,\n"
         "5 no OpenGL 3.3, 6 over a limit, 70 a fault of the program; docs/errors.md tells more.");
 

@@ -7,6 +7,7 @@
 #include "app/commands/messages.h"
 #include "app/commands/progress.h"
 #include "app/context/signals.h"
+#include "app/context/software.h"
 #include "app/report/assemble.h"
 #include "app/report/machine.h"
 #include "app/session/assets.h"
@@ -129,6 +130,7 @@ private:
             words.insert(words.end(), {"--allow", folder.string()});
         for (const session::LoadedPlugin& plugin : session::loadedPlugins())
             words.insert(words.end(), {"--plugin", plugin.file});
+        if (context::isSoftwareDemanded()) words.emplace_back("--software");
         const std::vector<std::string> limits = session::limitWords();
         words.insert(words.end(), limits.begin(), limits.end());
         return words;

@@ -102,7 +102,7 @@ std::string difference(const Plan& a, const Plan& b) {
                std::to_string(b.size.x) + "x" + std::to_string(b.size.y);
     if (a.isQuick != b.isQuick) return a.isQuick ? "a quick one" : "not a quick one";
     if (a.renderer != b.renderer) return "drawn by '" + a.renderer + "', not '" + b.renderer + "'";
-    if (a.furtherWords != b.furtherWords) return "made with other --backend, --allow, --plugin or --limit";
+    if (a.furtherWords != b.furtherWords) return "made with other --backend, --software, --allow, --plugin or --limit";
     return "of other scenes, techniques or lights";
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 
+#include "app/context/software.h"
 #include "app/session/derived_stages.h"
 #include "app/session/limits.h"
 #include "app/session/plugins.h"
@@ -91,6 +92,7 @@ std::vector<std::string> captureWords(const Document& document, const std::files
     words.insert(words.end(), more.begin(), more.end());
     for (const LoadedPlugin& plugin : loadedPlugins())
         words.insert(words.end(), {"--plugin", plugin.file});
+    if (context::isSoftwareDemanded()) words.emplace_back("--software");
     const std::vector<std::string> limits = limitWords();
     words.insert(words.end(), limits.begin(), limits.end());
     return words;

@@ -20,6 +20,8 @@ from pathlib import Path
 import outputs
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "ui"))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
+from osmesa import WITHOUT, may_lack_osmesa  # noqa: E402
 from window_driver import Display  # noqa: E402
 
 LONG = bool(os.environ.get("SHADOWLAB_LONG"))
@@ -45,13 +47,13 @@ class Runner:
         outputs.write_inputs(self.place)
         self.numbers = iter(range(10 ** 9))
 
-    def digest(self, words, changes=None, folder=None, umask=0o022, backend=None):
+    def digest(self, words, changes=None, folder=None, umask=0o022, more=()):
         """Of all that a command writes and says. OUT in its words stands for a folder of its own."""
         changes = dict(changes or {})
         out = self.place / f"out{next(self.numbers)}"
         out.mkdir(mode=0o755)
         words = [word.replace("OUT", str(out)).replace("IN", str(self.place)) for word in words]
-        words += ["--backend", backend] if backend else []
+        words += more
         environment = {**os.environ}
         for name, value in changes.items():
             environment[name] = value
@@ -102,9 +104,13 @@ def variations(runner, display):
         yield "that locale taken over", {"changes": {**comma, "LD_PRELOAD": str(runner.comma)}}
     else:
         print("no locale with a decimal comma: install the package locales")
-    for backend in ("egl", "osmesa"):
-        yield f"context {backend}", {"backend": backend}
-    yield "context window", {"backend": "window", "changes": {"DISPLAY": display.name}}
+    if may_lack_osmesa(runner.program):
+        print(WITHOUT)
+    else:
+        yield "context osmesa", {"more": ["--backend", "osmesa"]}
+    yield "context egl", {"more": ["--backend", "egl"]}
+    yield "context window", {"more": ["--backend", "window"], "changes": {"DISPLAY": display.name}}
+    yield "context by --software", {"more": ["--software"]}
 
 
 def commands(program):
