@@ -63,8 +63,8 @@ struct DemoOptions {
     bool presenter = false, keepSettings = true, report = false;
     std::vector<std::filesystem::path> allowed;
 };
-/// Opens the window. Without a display it writes NAME-comparison.png into the current folder and its path to standard
-/// output.
+/// Opens the window. Where there can be none it writes NAME-comparison.png into the current folder and its path to standard
+/// output, and says why.
 int demo(const DemoOptions& options);
 
 /// What the words of a command line ask for: a subcommand with its options, or help. The result is the exit status.

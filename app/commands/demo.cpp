@@ -41,54 +41,58 @@ void requireSlide(const DemoOptions& options, const scene::LoadOptions& loading)
                                            suggestion(options.slide, known));
 }
 
+/// Lesson, deck or comparison in place of a window, and `why`. Into the current folder, and its place to standard output.
+int writeInstead(const DemoOptions& options, const std::string& why) {
+    const std::filesystem::path folder = std::filesystem::current_path();
+    const auto stem = [](const std::string& name) { return std::filesystem::path(name).stem().string(); };
+    int status = 0;
+    if (!options.lesson.empty()) {
+        LessonOptions picture;
+        picture.lesson = options.lesson;
+        picture.allowed = options.allowed;
+        picture.output = folder / (stem(options.lesson) + "-lesson.png");
+        status = lesson(picture);
+        if (status == 0) print(picture.output.string() + "\n");
+    } else if (!options.deck.empty()) {
+        SlidesOptions pictures;
+        pictures.decks = {options.deck};
+        if (!options.slide.empty()) pictures.only = {options.slide};
+        pictures.allowed = options.allowed;
+        pictures.output = folder / (stem(options.deck) + "-slides");
+        status = slides(pictures);
+        if (status == 0) print(pictures.output.string() + "\n");
+    } else {
+        status = writeComparison(options);
+    }
+    if (status == 0)
+        note(why + (options.lesson.empty() && !options.deck.empty() ? "; these pictures were written instead"
+                                                                    : "; this picture was written instead"));
+    return status;
+}
+
 } // namespace
 
 int demo(const DemoOptions& options) {
     const scene::LoadOptions loading{
         .assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = session::limits()};
     requireSlide(options, loading);
-    const bool hasDisplay = context::hasDisplay(); // asked once: it is a connection each time
-    if (!hasDisplay)
+    if (!context::hasDisplay()) {
         (void)scene::loadScene(options.scene, loading); // also where a lesson or a deck is shown in its place
-    if (!hasDisplay && !options.lesson.empty()) {
-        LessonOptions picture;
-        picture.lesson = options.lesson;
-        picture.allowed = options.allowed;
-        picture.output =
-            std::filesystem::current_path() / (std::filesystem::path(options.lesson).stem().string() + "-lesson.png");
-        const int status = lesson(picture);
-        if (status != 0) return status;
-        print(picture.output.string() + "\n");
-        note("there is no display for a window; this picture was written instead");
-        return status;
+        return writeInstead(options, "there is no display for a window");
     }
-    if (!hasDisplay && !options.deck.empty()) {
-        SlidesOptions pictures;
-        pictures.decks = {options.deck};
-        if (!options.slide.empty()) pictures.only = {options.slide};
-        pictures.allowed = options.allowed;
-        pictures.output =
-            std::filesystem::current_path() / (std::filesystem::path(options.deck).stem().string() + "-slides");
-        const int status = slides(pictures);
-        if (status != 0) return status;
-        print(pictures.output.string() + "\n");
-        note("there is no display for a window; these pictures were written instead");
-        return status;
+    try {
+        return ui::runWindow({.scene = options.scene,
+                              .lesson = options.lesson,
+                              .deck = options.deck,
+                              .slide = options.slide,
+                              .size = options.size,
+                              .presenter = options.presenter,
+                              .keepSettings = options.keepSettings,
+                              .report = options.report},
+                             loading);
+    } catch (const context::NoWindow& none) { // before anything was shown
+        return writeInstead(options, "no window can be opened (" + none.reason + ")");
     }
-    if (!hasDisplay) {
-        const int status = writeComparison(options);
-        if (status == 0) note("there is no display for a window; this picture was written instead");
-        return status;
-    }
-    return ui::runWindow({.scene = options.scene,
-                          .lesson = options.lesson,
-                          .deck = options.deck,
-                          .slide = options.slide,
-                          .size = options.size,
-                          .presenter = options.presenter,
-                          .keepSettings = options.keepSettings,
-                          .report = options.report},
-                         loading);
 }
 
 } // namespace shadowlab::commands

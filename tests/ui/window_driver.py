@@ -13,13 +13,13 @@ TIMEOUT = 90  # seconds without the expected report: far beyond any frame, also 
 class Display:
     """An X server nobody else uses: keys go where the test means them to go."""
 
-    def __init__(self, size="1920x1200"):
-        self.size = size
+    def __init__(self, size="1920x1200", *further):
+        self.size, self.further = size, further
 
     def __enter__(self):
         read, write = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", self.size + "x24", "-noreset", "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", self.size + "x24", "-noreset", "-nolisten", "tcp", *self.further],
             pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as numbers:
