@@ -232,7 +232,7 @@ def every_step(window):
 
 
 def mouse(window):
-    """Orbit, pan, wheel, split line, a handle: each by dragging."""
+    """Orbit, pan, flight, wheel, split line, a handle: each by dragging."""
     w = window
 
     def drag(button, start, end, what, *modifiers):
@@ -255,6 +255,12 @@ def mouse(window):
         w.hand("key", "0")
         w.wait("the scene's own camera", lambda s: s["settled"] and "reset-camera" not in s["ran"])
     before = w.state
+    w.hand("mousemove", x, y, "mousedown", 3, "keydown", "w")
+    after = w.wait("flying forward", lambda s: s["camera"] != before["camera"])
+    w.hand("keyup", "w", "mouseup", 3)
+    ahead = sum((b - a) * (t - a) for a, b, t in zip(before["camera"]["position"], after["camera"]["position"], before["camera"]["target"]))
+    check(ahead > 0, "W does not fly forward", before, after)
+    before = w.wait("rest after flying", lambda s: s["settled"])
     w.hand("mousemove", x, y, "click", 4)
     w.wait("nearer by the wheel", lambda s: s["camera"] != before["camera"])
     width = w.state["size"][0]
