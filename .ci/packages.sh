@@ -15,10 +15,11 @@ build_packages=(
 )
 # To run the tests as well: xvfb and xauth are the display of those that need one, xdotool the hands at its keys and mouse,
 # python3-xlib those that drop files on it. locales: one with a decimal comma is made of it.
-test_packages=(locales python3 python3-xlib xauth xdotool xvfb)
+test_packages=(glslang-tools locales python3 python3-xlib xauth xdotool xvfb)
 # For the long form: fuzz targets are built with clang (14, which `clang` stands for on Debian 12, does not know all of C++20 that is
-# used here), and setarch runs tests under the thread sanitizer.
-long_packages=('clang-16|clang' 'libclang-rt-16-dev|libclang-rt-dev' util-linux)
+# used here), setarch runs tests under the thread sanitizer, and zink draws by Mesa's Vulkan driver for
+# processors (tests/systems/drivers.py).
+long_packages=('clang-16|clang' 'libclang-rt-16-dev|libclang-rt-dev' mesa-vulkan-drivers util-linux)
 
 # Debian's own tools and libraries, whatever else (conda, pyenv, a home-made cmake) is installed and first in the PATH.
 use_debian_tools() {

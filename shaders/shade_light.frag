@@ -22,6 +22,7 @@ void main() {
     vec3 shadingNormalView = normalize(normalView);
     if (dot(shadingNormalView, toEyeView) < 0.0) shadingNormalView = -shadingNormalView;
     vec3 lightView = visibility * irradiance(shadingNormalView, toLightView, distanceSquared);
-    result = vec4(lightView * reflectance(shadingNormalView, toLightView, toEyeView), 0.0);
+    // Exactly before the light, or at it, there is no direction to reflect in, and nought times no number is none.
+    result = visibility > 0.0 ? vec4(lightView * reflectance(shadingNormalView, toLightView, toEyeView), 0.0) : vec4(0.0);
 #endif
 }

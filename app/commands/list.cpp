@@ -171,6 +171,7 @@ void addDriverLimits(Table& table) {
         limit("driver-texture-side", GL_MAX_TEXTURE_SIZE, "texels");
         limit("driver-texture-layers", GL_MAX_ARRAY_TEXTURE_LAYERS, "layers");
         limit("driver-buffer-texture", GL_MAX_TEXTURE_BUFFER_SIZE, "texels");
+        limit("driver-sub-pixel", GL_SUBPIXEL_BITS, "bits");
     } catch (const Error& why) {
         note(std::string("the limits of the graphics driver are not known: ") + why.what());
     }

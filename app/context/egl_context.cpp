@@ -119,11 +119,17 @@ public:
         if (!egl().bindApi(EGL_OPENGL_API)) throw Unavailable("only OpenGL ES", mendDrivers());
         const char* const extensions = egl().queryString(display_, EGL_EXTENSIONS);
         chooseConfig();
-        std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION_KHR,       3,
-                                       EGL_CONTEXT_MINOR_VERSION_KHR,       3,
-                                       EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR};
-        if (debug) attributes.insert(attributes.end(), {EGL_CONTEXT_FLAGS_KHR, EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR});
-        attributes.push_back(EGL_NONE);
+        // Forward-compatible: what is deprecated is refused here as it is by drivers that have no other core profile.
+        constexpr EGLint forward = EGL_CONTEXT_OPENGL_FORWARD_COMPATIBLE_BIT_KHR;
+        const std::array<EGLint, 9> attributes{EGL_CONTEXT_MAJOR_VERSION_KHR,
+                                               3,
+                                               EGL_CONTEXT_MINOR_VERSION_KHR,
+                                               3,
+                                               EGL_CONTEXT_OPENGL_PROFILE_MASK_KHR,
+                                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT_KHR,
+                                               EGL_CONTEXT_FLAGS_KHR,
+                                               debug ? forward | EGL_CONTEXT_OPENGL_DEBUG_BIT_KHR : forward,
+                                               EGL_NONE};
         context_ = egl().createContext(display_, config_, EGL_NO_CONTEXT, attributes.data());
         if (context_ == EGL_NO_CONTEXT) {
             const std::string refusal = errorText();

@@ -9,10 +9,10 @@ uniform float lineWidthPx;
 out vec4 result;
 
 void main() {
-    cutHoles();
     vec2 place = placeOnFace(positionOnMesh);
-    // Before any branch: derivatives need neighbours that do the same.
+    // Before any branch or hole: derivatives need neighbours that do the same.
     float metresPerPixel = max(max(length(dFdx(place)), length(dFdy(place))), 1e-30);
+    cutHoles();
     uint number = cellAt(place);
     if (number == kNoCell) discard;
     uvec4 cell = texelFetch(cellTable, int(number));

@@ -12,7 +12,7 @@ uniform float normalOffset; // 1: just that
 uniform float kernelTexels; // r + 1/2
 
 vec4 biasedClip(vec4 lightClip, int layer) {
-    vec3 normal = normalize(cross(dFdx(positionLightRelative), dFdy(positionLightRelative)));
+    vec3 normal = normalize(cross(rightLightRelative, upLightRelative));
     vec3 towardLight = towardLightFrom(positionLightRelative);
     float cosine = dot(normal, towardLight);
     if (cosine < 0.0) {

@@ -16,13 +16,11 @@ uniform sampler2DArray shadowMap, edgeDepths;
 #include "shadow_map/walk.glsl"
 uniform int receivesShadow, castsShadow;
 uniform int isDrawn;                // is the object in the map?
+uniform float certainTexels;        // a centre nearer than this to an edge may be either triangle's, as the rasteriser rounds
 uniform float apart;                // depths that differ by less may be of surfaces that touch
 out vec4 result;
 
 const uint kNothing = 0xffffffffu;
-// Of a texel. The rasteriser moves corners to the next 256th; a centre nearer than this to an edge may be either
-// triangle's.
-const float kCertain = 0.02;
 // Of the texels from one pixel to the next: what the point's place may be wrong by. The rasteriser interpolates in float
 // from the corner of the picture, so the error grows with the slope.
 const float kPerPixel = 0.0005;
@@ -68,7 +66,7 @@ float decide(int layer) {
     vec2 texel = place.uv * resolution;
     bool outside = any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, vec2(resolution)));
     if (place.behind || outside) return kLit; // no caster there
-    float certain = kCertain + kPerPixel * (length(dFdx(texel)) + length(dFdy(texel)));
+    float certain = certainTexels + kPerPixel * resolution * (length(place.pixelRight) + length(place.pixelUp));
     if (!(certain < kMostUncertain)) return kAskRay;
     ivec3 address = ivec3(floor(texel), layer);
     uint first = texelFetch(firstTriangles, address, 0).r, own = uint(triangleOfScene);

@@ -10,6 +10,6 @@ float fadeToNext() { return 0.0; }
 
 vec4 lightClipIn(int layer) { return lightClipFromLightRelative[layer] * vec4(positionLightRelative, 1.0); }
 LightSteps lightStepsIn(int layer) {
-    return LightSteps(lightClipFromLightRelative[layer] * vec4(dFdx(positionLightRelative), 0.0),
-                      lightClipFromLightRelative[layer] * vec4(dFdy(positionLightRelative), 0.0));
+    return LightSteps(lightClipFromLightRelative[layer] * vec4(rightLightRelative, 0.0),
+                      lightClipFromLightRelative[layer] * vec4(upLightRelative, 0.0));
 }

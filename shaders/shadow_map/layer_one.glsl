@@ -5,4 +5,6 @@ int mapLayer(vec3 pointLightRelative) { return 0; }
 float fadeToNext() { return 0.0; }
 
 vec4 lightClipIn(int layer) { return positionLightClip; }
-LightSteps lightStepsIn(int layer) { return LightSteps(dFdx(positionLightClip), dFdy(positionLightClip)); }
+// Before main(), as those of the point itself (lookup.glsl).
+LightSteps stepsOfPixel = LightSteps(dFdx(positionLightClip), dFdy(positionLightClip));
+LightSteps lightStepsIn(int layer) { return stepsOfPixel; }

@@ -9,7 +9,11 @@ uniform float pullScale;          // Against rounding points are moved toward th
 uniform vec4 pullClip[6];         // space that is a point times pullScale plus pullClip, of each map.
 uniform float resolution;         // texels along a side of the map
 
-// From this pixel to the next, to the right and upward: in clip space, along the surface.
+// From this pixel to the next, to the right and upward, along the surface. Taken before main(): a difference between neighbours is
+// defined only where all of them come by, and not in a branch that some take (beside the border of a spot's cone).
+vec3 rightLightRelative = dFdx(positionLightRelative), upLightRelative = dFdy(positionLightRelative);
+
+// The same in clip space.
 struct LightSteps {
     vec4 alongX, alongY;
 };

@@ -21,8 +21,8 @@ vec2 texelsAlong(vec3 stepLightRelative, vec4 lightClip, int layer) {
 void main() {
     int layer = mapLayer(positionLightRelative);
     vec4 lightClip = lightClipFromLightRelative[layer] * vec4(positionLightRelative, 1.0);
-    vec2 alongX = texelsAlong(dFdx(positionLightRelative), lightClip, layer);
-    vec2 alongY = texelsAlong(dFdy(positionLightRelative), lightClip, layer);
+    vec2 alongX = texelsAlong(rightLightRelative, lightClip, layer);
+    vec2 alongY = texelsAlong(upLightRelative, lightClip, layer);
     // Singular values of a matrix are half the sum, and half the difference, of these two.
     float sum = length(vec2(alongX.x + alongY.y, alongX.y - alongY.x));
     float difference = length(vec2(alongX.x - alongY.y, alongX.y + alongY.x));

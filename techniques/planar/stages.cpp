@@ -98,7 +98,7 @@ void Planar::publishVisibility(Frame& frame, int light) const {
         glDepthFunc(GL_EQUAL);
         glDepthMask(GL_FALSE);
         glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_FALSE);
-        visibility_.use();
+        gl::useForLight(visibility_, frame.scene(), frame.buffers(), frame.eye(), light);
         gl::drawSurfaces(visibility_, frame.scene(), frame.buffers(), frame.eye());
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
         gl::setVisibilityState();

@@ -1,6 +1,7 @@
 // The part of the technique that is exact: one light's pixels decided by the map where it is certain, and by rays elsewhere.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/scene/casters.h"
@@ -72,6 +73,11 @@ void ShadowMap::setExactUniforms(const gl::Program& program, int light, const Dr
     program.set("edgeDepths", kEdgeUnit);
     exact_.bindWalk(program, light, kPositionUnit, kTriangleUnit);
     const bool fixed16 = params_.depthFormat == ShadowMapParams::DepthFormat::fixed16;
+    // The rasteriser moves corners to its grid, of 256 steps a texel with 8 bits (GL promises 4): an edge by up to 0.71 of a step.
+    // Where the grid is coarser, more texels are left to rays, and with fewer than 6 bits all of them.
+    GLint subPixelBits = 0;
+    glGetIntegerv(GL_SUBPIXEL_BITS, &subPixelBits);
+    program.set("certainTexels", 0.02f * std::ldexp(1.0f, std::max(8 - subPixelBits, 0)));
     program.set("apart", std::max(kRounding, 4.0f / static_cast<float>(1 << (fixed16 ? 16 : 24))));
 }
 

@@ -73,6 +73,7 @@ TEST_F(ListTest, LimitsKnowSizesAndTheDriver) {
               static_cast<unsigned long long>(sysconf(_SC_PHYS_PAGES)) * sysconf(_SC_PAGESIZE) / 4 * 3 + 3);
     EXPECT_EQ(values["lights"], "64");
     EXPECT_GE(std::stoi(values["driver-texture-side"]), 1024);
+    EXPECT_GE(std::stoi(values["driver-sub-pixel"]), 4); // what OpenGL promises
 }
 
 TEST_F(ListTest, LimitsWithoutGraphicsAreThoseOfTheProgram) {

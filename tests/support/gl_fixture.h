@@ -9,6 +9,7 @@
 #include "app/context/context.h"
 #include "techniques/foundation/gl/debug.h"
 #include "techniques/foundation/gl/handle.h"
+#include "tests/support/strict_draws.h"
 
 namespace shadowlab::testing {
 
@@ -19,10 +20,12 @@ protected:
     void SetUp() override {
         context_->makeCurrent();
         gl::collectDebugMessages();
+        watchDraws();
         objectsBefore_ = gl::liveObjects;
     }
-    /// Every test leaves as many GL objects as it found, and no complaint of the driver unheard.
+    /// Every test leaves as many GL objects as it found, and no complaint of the driver unheard, nor that of a stricter one.
     void TearDown() override {
+        EXPECT_EQ(takeDrawFaults(), "");
         EXPECT_EQ(gl::takeDebugMessages(), "");
         EXPECT_NO_THROW(gl::check("end of test"));
         EXPECT_EQ(gl::liveObjects, objectsBefore_) << "GL objects leaked or freed twice";

@@ -24,7 +24,7 @@ public:
     DebugGroup& operator=(const DebugGroup&) = delete;
 };
 
-/// Routes driver messages of type ERROR and UNDEFINED_BEHAVIOR, or severity HIGH, into debugMessages().
+/// Keeps driver messages of type ERROR, UNDEFINED_BEHAVIOR and DEPRECATED_BEHAVIOR, or of severity HIGH, for takeDebugMessages().
 void collectDebugMessages();
 
 /// What the driver complained about since the last call; empties the record.

@@ -55,6 +55,36 @@ void compile(const Shader& shader, const ShaderSource& source) {
     throw Error(ExitStatus::badInput, firstError(log) + "; mend the shader");
 }
 
+bool isSampler(GLenum type) {
+    switch (type) { // of those in shaders/
+    case GL_SAMPLER_2D:
+    case GL_SAMPLER_2D_ARRAY:
+    case GL_SAMPLER_2D_ARRAY_SHADOW:
+    case GL_UNSIGNED_INT_SAMPLER_2D_ARRAY:
+    case GL_SAMPLER_BUFFER:
+    case GL_INT_SAMPLER_BUFFER:
+    case GL_UNSIGNED_INT_SAMPLER_BUFFER: return true;
+    default: return false;
+    }
+}
+
+/// All samplers begin at unit 0, and where two of different types share a unit nothing may be drawn, even if neither is asked for
+/// anything. Which uniforms a linker leaves out is its own affair: those that no pass sets, because Mesa's does, get units of their
+/// own here, from the last one downward.
+void spreadSamplers(GLuint program) {
+    GLint count = 0, unit = 0;
+    glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+    glGetIntegerv(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS, &unit);
+    glUseProgram(program);
+    for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
+        char name[64] = {}; // samplers have short names, and stand in no array
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(program, i, sizeof name, nullptr, &size, &type, name);
+        if (isSampler(type)) glUniform1i(glGetUniformLocation(program, name), --unit);
+    }
+}
+
 } // namespace
 
 Program::Program(std::string vertexFile, std::string fragmentFile, std::vector<std::string> defines,
@@ -120,6 +150,7 @@ void Program::link(Linked& linked, const std::vector<std::string>& moreDefines) 
                                               firstError(infoLog(handle.id(), glGetProgramiv, glGetProgramInfoLog)) +
                                               "; mend the shaders");
     label(GL_PROGRAM, handle.id(), name);
+    spreadSamplers(handle.id());
     linked.handle = std::move(handle);
 }
 
