@@ -1,12 +1,13 @@
 // Which patch does the fragment show, and what is its value there? The tables are made in techniques/radiosity/surface_cells.h.
-uniform samplerBuffer cellPlaces;
-uniform usamplerBuffer cellRoots;
-uniform samplerBuffer cellLines;
-uniform usamplerBuffer cellBranches;
-uniform usamplerBuffer cellTable;
-uniform samplerBuffer cellBorders;
-uniform samplerBuffer patchValues;
-uniform samplerBuffer borderValues;
+#include "table.glsl"
+uniform sampler2D cellPlaces;
+uniform usampler2D cellRoots;
+uniform sampler2D cellLines;
+uniform usampler2D cellBranches;
+uniform usampler2D cellTable;
+uniform sampler2D cellBorders;
+uniform sampler2D patchValues;
+uniform sampler2D borderValues;
 flat in int triangleOfScene;
 
 const uint kLeaf = 0x80000000u;
@@ -16,16 +17,16 @@ const uint kNoCell = 0xffffffffu;
 vec2 placeOnFace(vec3 positionOnMesh) {
     int first = 2 * triangleOfScene;
     vec4 position = vec4(positionOnMesh, 1.0);
-    return vec2(dot(texelFetch(cellPlaces, first), position), dot(texelFetch(cellPlaces, first + 1), position));
+    return vec2(dot(entry(cellPlaces, first), position), dot(entry(cellPlaces, first + 1), position));
 }
 
 // The cell of a place, or kNoCell.
 uint cellAt(vec2 place) {
-    uvec4 roots = texelFetch(cellRoots, triangleOfScene);
+    uvec4 roots = entry(cellRoots, triangleOfScene);
     uint next = gl_FrontFacing ? roots.x : roots.y;
     while ((next & kLeaf) == 0u) {
-        vec4 line = texelFetch(cellLines, int(next));
-        uvec4 branches = texelFetch(cellBranches, int(next));
+        vec4 line = entry(cellLines, int(next));
+        uvec4 branches = entry(cellBranches, int(next));
         next = dot(line.xy, place) + line.z > 0.0 ? branches.x : branches.y;
     }
     return next == kNoCell ? kNoCell : next & ~kLeaf;
@@ -34,17 +35,17 @@ uint cellAt(vec2 place) {
 float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
 // One value for all of the patch.
-vec4 flatValue(uvec4 cell) { return texelFetch(patchValues, int(cell.x)); }
+vec4 flatValue(uvec4 cell) { return entry(patchValues, int(cell.x)); }
 
 // Linear over each triangle of the fan from the cell's centre to its border; all along a border it is the same from both sides.
 vec4 interpolatedValue(uvec4 cell, vec2 place) {
     int first = int(cell.y), corners = int(cell.z);
-    vec4 centre = texelFetch(cellBorders, first);
-    vec4 a = texelFetch(cellBorders, first + corners);
+    vec4 centre = entry(cellBorders, first);
+    vec4 a = entry(cellBorders, first + corners);
     float bestInside = -1e30;
-    vec4 best = texelFetch(borderValues, int(centre.z));
+    vec4 best = entry(borderValues, int(centre.z));
     for (int i = 1; i <= corners; ++i) {
-        vec4 b = texelFetch(cellBorders, first + i);
+        vec4 b = entry(cellBorders, first + i);
         vec2 toA = a.xy - centre.xy, toB = b.xy - centre.xy, toHere = place - centre.xy;
         float area = cross2(toA, toB);
         vec2 weights = area == 0.0 ? vec2(-1e30) : vec2(cross2(toHere, toB), cross2(toA, toHere)) / area;
@@ -52,8 +53,8 @@ vec4 interpolatedValue(uvec4 cell, vec2 place) {
         if (inside > bestInside) { // of rounding, a place may lie in none
             bestInside = inside;
             weights = max(weights, 0.0) / max(1.0, weights.x + weights.y);
-            best = (1.0 - weights.x - weights.y) * texelFetch(borderValues, int(centre.z)) +
-                   weights.x * texelFetch(borderValues, int(a.z)) + weights.y * texelFetch(borderValues, int(b.z));
+            best = (1.0 - weights.x - weights.y) * entry(borderValues, int(centre.z)) +
+                   weights.x * entry(borderValues, int(a.z)) + weights.y * entry(borderValues, int(b.z));
         }
         a = b;
     }
@@ -63,10 +64,10 @@ vec4 interpolatedValue(uvec4 cell, vec2 place) {
 // How far the place lies from the border of its cell, in metres.
 float distanceToBorder(uvec4 cell, vec2 place) {
     int first = int(cell.y), corners = int(cell.z);
-    vec2 a = texelFetch(cellBorders, first + corners).xy;
+    vec2 a = entry(cellBorders, first + corners).xy;
     float nearest = 1e30;
     for (int i = 1; i <= corners; ++i) {
-        vec2 b = texelFetch(cellBorders, first + i).xy;
+        vec2 b = entry(cellBorders, first + i).xy;
         nearest = min(nearest, abs(cross2(b - a, place - a)) / max(length(b - a), 1e-30));
         a = b;
     }

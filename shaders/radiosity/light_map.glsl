@@ -1,16 +1,17 @@
 // The light that comes straight from lights, known at the points of a lattice over each patch: sharper than the patch.
-uniform samplerBuffer lattices; // two of each patch: lowest place and size; first point, and how many along each side
-uniform samplerBuffer latticeValues;
+#include "table.glsl"
+uniform sampler2D lattices; // two of each patch: lowest place and size; first point, and how many along each side
+uniform sampler2D latticeValues;
 
 // Between the lattice's points, bilinear. What is no patch of its own has no lattice, and its light is in its borders' values.
 vec4 lightMapValue(uvec4 cell, vec2 place) {
     if (cell.w == 0u) return vec4(0.0);
-    vec4 box = texelFetch(lattices, 2 * int(cell.w) - 2), table = texelFetch(lattices, 2 * int(cell.w) - 1);
+    vec4 box = entry(lattices, 2 * int(cell.w) - 2), table = entry(lattices, 2 * int(cell.w) - 1);
     ivec2 count = ivec2(table.yz);
     vec2 at = clamp((place - box.xy) / box.zw, 0.0, 1.0) * vec2(count - 1);
     ivec2 corner = min(ivec2(at), count - 2);
     vec2 within = at - vec2(corner);
     int lower = int(table.x) + corner.y * count.x + corner.x, upper = lower + count.x;
-    return mix(mix(texelFetch(latticeValues, lower), texelFetch(latticeValues, lower + 1), within.x),
-               mix(texelFetch(latticeValues, upper), texelFetch(latticeValues, upper + 1), within.x), within.y);
+    return mix(mix(entry(latticeValues, lower), entry(latticeValues, lower + 1), within.x),
+               mix(entry(latticeValues, upper), entry(latticeValues, upper + 1), within.x), within.y);
 }

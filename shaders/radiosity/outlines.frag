@@ -15,7 +15,7 @@ void main() {
     cutHoles();
     uint number = cellAt(place);
     if (number == kNoCell) discard;
-    uvec4 cell = texelFetch(cellTable, int(number));
+    uvec4 cell = entry(cellTable, int(number));
     float offPx = distanceToBorder(cell, place) / metresPerPixel;
     float line = 1.0 - smoothstep(0.5 * lineWidthPx - 0.5, 0.5 * lineWidthPx + 0.5, offPx);
     result = vec4(mix(flatValue(cell).rgb, lineColor, line), 1.0);

@@ -21,7 +21,7 @@ void main() {
     cutHoles();
     vec2 place = placeOnFace(positionOnMesh);
     uint number = cellAt(place);
-    uvec4 cell = number == kNoCell ? uvec4(0u) : texelFetch(cellTable, int(number));
+    uvec4 cell = number == kNoCell ? uvec4(0u) : entry(cellTable, int(number));
     vec4 value = vec4(0.0);
     if (number != kNoCell) value = interpolates != 0 ? interpolatedValue(cell, place) : flatValue(cell);
 #ifdef LIGHT_MAP

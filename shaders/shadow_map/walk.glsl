@@ -1,7 +1,8 @@
 // From one triangle of a surface to the next, along a line in the map. The surface is the light's picture of one mesh, in
 // texels; where no loose edge is near, its triangles lie side by side there, and each point belongs to one of them.
-uniform samplerBuffer positionsLightRelative;
-uniform usamplerBuffer triangles; // two texels each: numbers of corners and 1 where there may be
+#include "table.glsl"
+uniform sampler2D positionsLightRelative;
+uniform usampler2D triangles; // two texels each: numbers of corners and 1 where there may be
                                  // holes; numbers of the triangles beyond the edges after the corners
 
 const uint kNoTriangle = 0xffffffffu;
@@ -18,12 +19,12 @@ struct MapTriangle {
 };
 
 MapTriangle mapTriangle(uint triangle, int layer, vec2 startTexel) {
-    uvec4 vertices = texelFetch(triangles, 2 * int(triangle));
+    uvec4 vertices = entry(triangles, 2 * int(triangle));
     MapTriangle result;
     result.beforeLight = true;
     result.mayHaveHoles = vertices.w == 1u;
     for (int i = 0; i < 3; ++i) {
-        vec4 lightClip = lightClipFromLightRelative[layer] * texelFetch(positionsLightRelative, int(vertices[i]));
+        vec4 lightClip = lightClipFromLightRelative[layer] * entry(positionsLightRelative, int(vertices[i]));
         vec3 place = lightClip.xyz / lightClip.w * 0.5 + 0.5;
         result.corners[i] = vec3(place.xy * resolution - startTexel, place.z);
         bool known = lightClip.w > 0.0 && all(lessThan(abs(result.corners[i].xy), vec2(kFarthestCorner))) &&
@@ -76,7 +77,7 @@ WalkEnd walk(uint triangle, int layer, vec2 startTexel, vec2 toTexel) {
             vec2 depth = depthAndSlopeAt(t, toTexel);
             return WalkEnd(true, triangle, least, depth, max(farthest, depth.x));
         }
-        uvec3 neighbours = texelFetch(triangles, 2 * int(triangle) + 1).xyz;
+        uvec3 neighbours = entry(triangles, 2 * int(triangle) + 1).xyz;
         uint next = kNoTriangle;
         for (int i = 0; i < 3; ++i) {
             // Out through the edge that the end is beyond, and that the line crosses.

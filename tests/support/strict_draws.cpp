@@ -28,9 +28,8 @@ constexpr SamplerType kSamplerTypes[] = {
     {GL_SAMPLER_2D_ARRAY, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY, Texels::numbers},
     {GL_SAMPLER_2D_ARRAY_SHADOW, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY, Texels::compared},
     {GL_UNSIGNED_INT_SAMPLER_2D_ARRAY, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY, Texels::unsignedWhole},
-    {GL_SAMPLER_BUFFER, GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER, Texels::numbers},
+    {GL_UNSIGNED_INT_SAMPLER_2D, GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D, Texels::unsignedWhole},
     {GL_INT_SAMPLER_BUFFER, GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER, Texels::signedWhole},
-    {GL_UNSIGNED_INT_SAMPLER_BUFFER, GL_TEXTURE_BUFFER, GL_TEXTURE_BINDING_BUFFER, Texels::unsignedWhole},
 };
 
 struct Variable {
@@ -175,7 +174,7 @@ void lookAtAttributes(const std::vector<Variable>& attributes, const std::string
         glGetVertexAttribiv(index, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
         glGetVertexAttribiv(index, GL_VERTEX_ATTRIB_ARRAY_INTEGER, &fromWhole);
         const bool wantsWhole = attribute.type == GL_INT || attribute.type == GL_UNSIGNED_INT;
-        if (!enabled) faults.insert(where + ": attribute " + attribute.name + " has no array");
+        // Without an array it is one value for all vertices. Mesa 26 counts attributes that nothing in the program depends on.
         if (enabled && wantsWhole != (fromWhole != 0))
             faults.insert(where + ": attribute " + attribute.name + " and its array differ in being whole numbers");
     }
@@ -238,7 +237,8 @@ void GLAD_API_PTR linkProgram(GLuint program) {
     for (const GLuint shader : attached[program])
         texts[shaderTexts[shader].first] = shaderTexts[shader].second;
     attached.erase(program); // a program of the same number may follow
-    programs[program] = {.vertexText = texts[GL_VERTEX_SHADER]};
+    programs[program] = {};
+    programs[program].vertexText = texts[GL_VERTEX_SHADER];
     GLint linked = 0;
     glGetProgramiv(program, GL_LINK_STATUS, &linked);
     if (linked) keepProgram(texts[GL_VERTEX_SHADER], texts[GL_FRAGMENT_SHADER]);

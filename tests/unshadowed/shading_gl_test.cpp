@@ -1,5 +1,7 @@
 // The shading in GLSL equals its C++ twin, for every light type, on diffuse and glossy surfaces.
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "app/session/session.h"
 #include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/scene/shading.h"
@@ -73,6 +75,30 @@ TEST_P(ShadingTest, EqualsItsTwin) {
         }
     EXPECT_GT(compared, 3000);
     EXPECT_GT(lit, 500);
+}
+
+// Halfway between a ray to the eye and one to the light straight behind the surface there is no direction: nought divided by nought.
+// What is turned away from the light gets nothing of it all the same.
+TEST_P(ShadingTest, ALightStraightBehindTheSurfaceMakesNoPixelNoNumber) {
+    scene::Scene scene;
+    scene.materials.emplace_back().specular = vec3(0.5f);
+    testing::addObject(scene, scene::makeBox({1, 1, 1}), dmat4(1));
+    scene.camera.positionWorld = {0, 0, 4};
+    scene.camera.targetWorld = {0, 0, 0};
+    scene::Light light = testing::pointLight({0, 0, -4});
+    light.type = GetParam();
+    light.directionWorld = {0, 0, 1};
+    light.edgeUWorld = {1, 0, 0};
+    light.edgeVWorld = {0, 1, 0};
+    scene.lights = {light};
+    View view;
+    view.camera = scene.camera;
+    view.size = {33, 33}; // an odd number: the middle of a pixel is on the axis
+    session::Session session(testing::snapshot(scene));
+    session::Slot slot = session::Session::makeSlot("unshadowed");
+    session.render(slot, view);
+    for (const vec4& texel : gl::readTexels(slot.target.color))
+        ASSERT_TRUE(std::isfinite(texel.r));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShadingTest,

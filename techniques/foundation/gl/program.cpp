@@ -61,9 +61,8 @@ bool isSampler(GLenum type) {
     case GL_SAMPLER_2D_ARRAY:
     case GL_SAMPLER_2D_ARRAY_SHADOW:
     case GL_UNSIGNED_INT_SAMPLER_2D_ARRAY:
-    case GL_SAMPLER_BUFFER:
-    case GL_INT_SAMPLER_BUFFER:
-    case GL_UNSIGNED_INT_SAMPLER_BUFFER: return true;
+    case GL_UNSIGNED_INT_SAMPLER_2D:
+    case GL_INT_SAMPLER_BUFFER: return true;
     default: return false;
     }
 }

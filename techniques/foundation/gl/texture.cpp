@@ -37,6 +37,9 @@ std::int64_t texelBytes(GLenum internalFormat) {
     }
 }
 
+/// Of the rows that tables lie in, shaders/table.glsl: a power of two that every driver of OpenGL 3.3 has in a texture.
+constexpr GLint kTableWidth = 4096;
+
 void requireSize(GLint limit, int wanted, std::string_view what) {
     if (wanted > limit)
         throw Error(ExitStatus::overLimit, std::string(what) + " needs " + std::to_string(wanted) +
@@ -174,26 +177,31 @@ BufferTexture::BufferTexture(const std::vector<uvec4>& texels, std::string_view 
     : BufferTexture(GL_RGBA32UI, texels.data(), texels.size(), name) {}
 
 BufferTexture::BufferTexture(GLenum format, const void* texels, std::size_t count, std::string_view name)
-    : buffer_(BufferHandle::create()), handle_(TextureHandle::create()) {
-    const auto limit = static_cast<std::size_t>(limitOf(GL_MAX_TEXTURE_BUFFER_SIZE));
-    if (count > limit)
-        throw Error(ExitStatus::overLimit, std::string(name) + ": the scene needs " + std::to_string(count) +
-                                               " texels, this OpenGL driver indexes " + std::to_string(limit) +
-                                               "; use a simpler mesh");
-    constexpr std::size_t kTexelBytes = 16;
-    const vec4 none(0); // a buffer of no texels is not a complete texture
-    glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
-    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(std::max<std::size_t>(1, count) * kTexelBytes),
-                 count == 0 ? &none : texels, GL_STATIC_DRAW);
-    buffer_.holds(static_cast<std::int64_t>(std::max<std::size_t>(1, count) * kTexelBytes));
-    glBindTexture(GL_TEXTURE_BUFFER, handle_.id());
-    glTexBuffer(GL_TEXTURE_BUFFER, format, buffer_.id());
+    : handle_(TextureHandle::create()) {
+    const auto rows = static_cast<int>(std::max<std::size_t>(1, (count + kTableWidth - 1) / kTableWidth));
+    requireSize(limitOf(GL_MAX_TEXTURE_SIZE), std::max(kTableWidth, rows), name);
+    glBindTexture(GL_TEXTURE_2D, handle_.id());
+    const GLenum transfer = format == GL_RGBA32UI ? GL_RGBA_INTEGER : GL_RGBA;
+    const GLenum type = format == GL_RGBA32UI ? GL_UNSIGNED_INT : GL_FLOAT;
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), kTableWidth, rows, 0, transfer, type, nullptr);
+    handle_.holds(texelBytes(format) * kTableWidth * rows);
+    sampleNearestClamped(GL_TEXTURE_2D);
+    const auto whole = static_cast<GLsizei>(count / kTableWidth), rest = static_cast<GLsizei>(count % kTableWidth);
+    const auto* const bytes = static_cast<const char*>(texels);
+    if (whole > 0) glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kTableWidth, whole, transfer, type, bytes);
+    if (rest > 0)
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, whole, rest, 1, transfer, type,
+                        bytes +
+                            static_cast<std::size_t>(texelBytes(format)) * (count - static_cast<std::size_t>(rest)));
     label(GL_TEXTURE, handle_.id(), name);
+    if (glGetError() == GL_OUT_OF_MEMORY)
+        throw Error(ExitStatus::overLimit,
+                    std::string(name) + ": no memory for " + std::to_string(count) + " texels; use a simpler mesh");
 }
 
 void BufferTexture::bind(int unit) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_BUFFER, handle_.id());
+    glBindTexture(GL_TEXTURE_2D, handle_.id());
 }
 
 ByteBufferTexture::ByteBufferTexture(const std::vector<std::int8_t>& bytes, std::string_view name)

@@ -86,7 +86,7 @@ private:
     bool mipmaps_ = false;
 };
 
-/// Numbers that a shader reads by index: four to a texel, floats (samplerBuffer) or whole (usamplerBuffer).
+/// Numbers that a shader reads by index (shaders/table.glsl): four to a texel, floats (sampler2D) or whole (usampler2D).
 class BufferTexture {
 public:
     BufferTexture() = default;
