@@ -1,4 +1,4 @@
-// Numbers that are read by index (gl::BufferTexture) lie in the rows of a texture. A buffer texture would need none of this, but
+// Numbers that are read by index (gl::TableTexture) lie in the rows of a texture. A buffer texture would need none of this, but
 // OpenGL 3.3 promises only 65,536 texels of one, and the tables of a room are larger.
 const int kTableWidth = 4096; // gl::kTableWidth
 

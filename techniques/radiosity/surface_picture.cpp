@@ -18,22 +18,22 @@ std::vector<Texel> atLeastOne(std::vector<Texel> texels) {
 } // namespace
 
 void SurfacePicture::setCells(const SurfaceCells& cells) {
-    places_ = gl::BufferTexture(atLeastOne(cells.places), "radiosity: places of triangles");
-    roots_ = gl::BufferTexture(atLeastOne(cells.roots), "radiosity: roots of triangles");
-    lines_ = gl::BufferTexture(atLeastOne(cells.lines), "radiosity: lines between patches");
-    branches_ = gl::BufferTexture(atLeastOne(cells.branches), "radiosity: branches of trees");
-    table_ = gl::BufferTexture(atLeastOne(cells.cells), "radiosity: cells");
-    borders_ = gl::BufferTexture(atLeastOne(cells.borders), "radiosity: borders of cells");
+    places_ = gl::TableTexture(atLeastOne(cells.places), "radiosity: places of triangles");
+    roots_ = gl::TableTexture(atLeastOne(cells.roots), "radiosity: roots of triangles");
+    lines_ = gl::TableTexture(atLeastOne(cells.lines), "radiosity: lines between patches");
+    branches_ = gl::TableTexture(atLeastOne(cells.branches), "radiosity: branches of trees");
+    table_ = gl::TableTexture(atLeastOne(cells.cells), "radiosity: cells");
+    borders_ = gl::TableTexture(atLeastOne(cells.borders), "radiosity: borders of cells");
 }
 
 SurfacePicture::Values SurfacePicture::upload(const CellValues& values) {
-    return {gl::BufferTexture(atLeastOne(values.ofPatches), "radiosity: values of patches"),
-            gl::BufferTexture(atLeastOne(values.ofBorders), "radiosity: values of borders")};
+    return {gl::TableTexture(atLeastOne(values.ofPatches), "radiosity: values of patches"),
+            gl::TableTexture(atLeastOne(values.ofBorders), "radiosity: values of borders")};
 }
 
 SurfacePicture::Lattices SurfacePicture::upload(const std::vector<vec4>& lattices, const std::vector<vec4>& atPoints) {
-    return {gl::BufferTexture(atLeastOne(lattices), "radiosity: lattices"),
-            gl::BufferTexture(atLeastOne(atPoints), "radiosity: light map")};
+    return {gl::TableTexture(atLeastOne(lattices), "radiosity: lattices"),
+            gl::TableTexture(atLeastOne(atPoints), "radiosity: light map")};
 }
 
 void SurfacePicture::draw(const Frame& frame, const gl::Program& program, const Values& values, bool interpolates,
@@ -41,7 +41,7 @@ void SurfacePicture::draw(const Frame& frame, const gl::Program& program, const 
     program.use();
     if (setUniforms) setUniforms(); // first: what it may upload would take the place of what is bound
     int unit = gl::kFirstFreeUnit;
-    const auto bind = [&](const gl::BufferTexture& texture, std::string_view name) {
+    const auto bind = [&](const gl::TableTexture& texture, std::string_view name) {
         texture.bind(unit);
         program.set(name, unit++);
     };

@@ -15,12 +15,12 @@ public:
 
     /// Values on the graphics card.
     struct Values {
-        gl::BufferTexture ofPatches, ofBorders;
+        gl::TableTexture ofPatches, ofBorders;
     };
     static Values upload(const CellValues& values);
     /// A light map there (light_map.h).
     struct Lattices {
-        gl::BufferTexture table, values;
+        gl::TableTexture table, values;
     };
     static Lattices upload(const std::vector<vec4>& lattices, const std::vector<vec4>& atPoints);
 
@@ -43,7 +43,7 @@ private:
     void draw(const Frame& frame, const gl::Program& program, const Values& values, bool interpolates,
               const std::function<void()>& setUniforms = {}) const;
 
-    gl::BufferTexture places_, roots_, lines_, branches_, table_, borders_;
+    gl::TableTexture places_, roots_, lines_, branches_, table_, borders_;
     gl::Program radiosity_{"radiosity/surface.vert", "radiosity/values.frag", {"RADIOSITY"}};
     gl::Program reflected_{"radiosity/surface.vert", "radiosity/values.frag", {"IRRADIANCE"}};
     gl::Program reflectedWithMap_{"radiosity/surface.vert", "radiosity/values.frag", {"IRRADIANCE", "LIGHT_MAP"}};

@@ -67,13 +67,13 @@ private:
     struct KeptEdges {
         std::optional<EdgesOrigin> foundFrom;
         LooseEdges edges;
-        gl::BufferTexture positions;
+        gl::TableTexture positions;
     };
 
     trace::SceneTracer tracer_;
     Topologies topologies_;
     std::pair<std::uint64_t, std::uint64_t> walkedRevisions_{0, 0};
-    gl::BufferTexture triangles_;
+    gl::TableTexture triangles_;
     std::pair<std::uint64_t, std::uint64_t> crossedRevisions_{0, 0};
     std::vector<Crossing> crossings_;
     std::map<int, KeptEdges> edges_; ///< per light

@@ -18,7 +18,7 @@ int cornerBefore(const uvec3& corners, const scene::Edge& edge, const std::vecto
 
 } // namespace
 
-gl::BufferTexture walkTriangles(const scene::Scene& scene, Topologies& topologies) {
+gl::TableTexture walkTriangles(const scene::Scene& scene, Topologies& topologies) {
     std::vector<uvec4> numbers;
     std::uint32_t firstVertex = 0;
     for (const scene::Object& object : scene.objects) {
@@ -46,7 +46,7 @@ gl::BufferTexture walkTriangles(const scene::Scene& scene, Topologies& topologie
     return {numbers, "triangles to walk over"};
 }
 
-gl::BufferTexture walkPositions(const scene::Scene& scene, const LightMaps& maps) {
+gl::TableTexture walkPositions(const scene::Scene& scene, const LightMaps& maps) {
     std::vector<vec4> positions;
     for (const scene::Object& object : scene.objects) {
         const dmat4 lightRelative = lightRelativeFromMesh(maps, object);

@@ -12,9 +12,9 @@ constexpr std::uint32_t kNoNeighbour = ~std::uint32_t{0};
 
 /// Two texels for each triangle of all objects, counted through: the numbers of its corners and 1 if it may have a hole, and
 /// the numbers of the triangles beyond the edges that follow the corners.
-gl::BufferTexture walkTriangles(const scene::Scene& scene, Topologies& topologies);
+gl::TableTexture walkTriangles(const scene::Scene& scene, Topologies& topologies);
 
 /// Where the corners of all objects are, relative to a light, in the same order.
-gl::BufferTexture walkPositions(const scene::Scene& scene, const LightMaps& maps);
+gl::TableTexture walkPositions(const scene::Scene& scene, const LightMaps& maps);
 
 } // namespace shadowlab::shadow_map

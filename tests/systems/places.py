@@ -35,13 +35,13 @@ class Here:
     def start(self, *words, **settings):
         return subprocess.Popen(self.words(words, settings), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace")
 
-    def run(self, *words, status=0, **settings):
+    def run(self, *words, status=0, limit=LIMIT, **settings):
         process = self.start(*words, **settings)
         try:
-            out, err = process.communicate(timeout=LIMIT)
+            out, err = process.communicate(timeout=limit)
         except subprocess.TimeoutExpired:
             process.kill()
-            raise Failed(f"{' '.join(map(str, words))}: not done after {LIMIT} s") from None
+            raise Failed(f"{' '.join(map(str, words))}: not done after {limit} s") from None
         expect(process.returncode == status,
                f"$ {' '.join(map(str, words))}\nstatus {process.returncode}, expected was {status}\n{out[-2000:]}{err[-2000:]}")
         return out
@@ -51,8 +51,12 @@ class CleanSystem(Here):
     """A copy of a system that debootstrap has made, gone afterwards. What is mounted is mounted for one command only."""
 
     # What is run in it: its own processes and none of ours, and the X server of this machine, if it has one.
-    ENTER = ('mount -t proc proc "$1/proc" && mkdir -p "$1/tmp/.X11-unix" && { [ ! -d /tmp/.X11-unix ] || mount --bind /tmp/.X11-unix '
-             '"$1/tmp/.X11-unix"; } && system=$1 user=$2 && shift 2 && exec chroot --userspec="$user" "$system" "$@"')
+    ENTER = ('mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && mkdir -p "$1/tmp/.X11-unix" && { [ ! -d /tmp/.X11-unix ] || '
+             'mount --bind /tmp/.X11-unix "$1/tmp/.X11-unix"; } && system=$1 user=$2 && shift 2 && exec chroot --userspec="$user" '
+             '"$system" "$@"')
+    # The same without a network and without the X server of this machine: X servers inside have all their numbers to themselves.
+    ENTER_ALONE = ('mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && ip link set lo up && system=$1 user=$2 && shift 2 && '
+                   'exec chroot --userspec="$user" "$system" "$@"')
 
     def __init__(self, pristine):
         self.pristine = Path(pristine).resolve()
@@ -60,6 +64,7 @@ class CleanSystem(Here):
         self.inside = Path("/", "home", "student")
         self.home = self.root / "home" / "student"
         self.user = f"{USER}:{USER}"
+        self.alone = False
 
     def __enter__(self):
         expect(os.geteuid() == 0, "a clean system can be entered by root alone; run this as root, or without --system")
@@ -80,17 +85,18 @@ class CleanSystem(Here):
 
     def words(self, words, settings):
         work = "/" if self.user == "0:0" else str(self.inside)
-        return ["unshare", "--mount", "--pid", "--fork", "--kill-child", "sh", "-c", self.ENTER, "sh", str(self.root), self.user, "env", "-i",
+        apart = ["unshare", "--mount", "--pid", "--fork", "--kill-child", *(["--net"] if self.alone else [])]
+        return [*apart, "sh", "-c", self.ENTER_ALONE if self.alone else self.ENTER, "sh", str(self.root), self.user, "env", "-i",
                 "-C", work, *self.environment(settings), *map(str, words)]
 
     def environment(self, settings):
         # sbin: what dpkg runs.
         return [*super().environment(settings), "PATH=/usr/sbin:/usr/bin:/sbin:/bin", "DEBIAN_FRONTEND=noninteractive"]
 
-    def as_root(self, *words):
+    def as_root(self, *words, **settings):
         self.user = "0:0"
         try:
-            return self.run(*words)
+            return self.run(*words, **settings)
         finally:
             self.user = f"{USER}:{USER}"
 

@@ -170,13 +170,13 @@ void ColorTextureArray::makeMipmaps() const {
     glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
 }
 
-BufferTexture::BufferTexture(const std::vector<vec4>& texels, std::string_view name)
-    : BufferTexture(GL_RGBA32F, texels.data(), texels.size(), name) {}
+TableTexture::TableTexture(const std::vector<vec4>& texels, std::string_view name)
+    : TableTexture(GL_RGBA32F, texels.data(), texels.size(), name) {}
 
-BufferTexture::BufferTexture(const std::vector<uvec4>& texels, std::string_view name)
-    : BufferTexture(GL_RGBA32UI, texels.data(), texels.size(), name) {}
+TableTexture::TableTexture(const std::vector<uvec4>& texels, std::string_view name)
+    : TableTexture(GL_RGBA32UI, texels.data(), texels.size(), name) {}
 
-BufferTexture::BufferTexture(GLenum format, const void* texels, std::size_t count, std::string_view name)
+TableTexture::TableTexture(GLenum format, const void* texels, std::size_t count, std::string_view name)
     : handle_(TextureHandle::create()) {
     const auto rows = static_cast<int>(std::max<std::size_t>(1, (count + kTableWidth - 1) / kTableWidth));
     requireSize(limitOf(GL_MAX_TEXTURE_SIZE), std::max(kTableWidth, rows), name);
@@ -199,7 +199,7 @@ BufferTexture::BufferTexture(GLenum format, const void* texels, std::size_t coun
                     std::string(name) + ": no memory for " + std::to_string(count) + " texels; use a simpler mesh");
 }
 
-void BufferTexture::bind(int unit) const {
+void TableTexture::bind(int unit) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, handle_.id());
 }

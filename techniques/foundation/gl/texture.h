@@ -87,17 +87,16 @@ private:
 };
 
 /// Numbers that a shader reads by index (shaders/table.glsl): four to a texel, floats (sampler2D) or whole (usampler2D).
-class BufferTexture {
+class TableTexture {
 public:
-    BufferTexture() = default;
-    /// Throws Error (overLimit) when there are more than GL_MAX_TEXTURE_BUFFER_SIZE.
-    BufferTexture(const std::vector<vec4>& texels, std::string_view name);
-    BufferTexture(const std::vector<uvec4>& texels, std::string_view name);
+    TableTexture() = default;
+    /// Throws Error (overLimit) when there are more rows of them than GL_MAX_TEXTURE_SIZE.
+    TableTexture(const std::vector<vec4>& texels, std::string_view name);
+    TableTexture(const std::vector<uvec4>& texels, std::string_view name);
     void bind(int unit) const;
 
 private:
-    BufferTexture(GLenum format, const void* texels, std::size_t count, std::string_view name);
-    BufferHandle buffer_;
+    TableTexture(GLenum format, const void* texels, std::size_t count, std::string_view name);
     TextureHandle handle_;
 };
 
