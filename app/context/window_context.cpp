@@ -55,6 +55,14 @@ GLFWwindow* createWindow(int width, int height, const char* title) {
     return glfwCreateWindow(width, height, title, nullptr, nullptr);
 }
 
+/// Which display it was, where GLFW does not say so (since 3.4).
+std::string placeOfDisplay() {
+    const char* const given = std::getenv("DISPLAY");
+    const std::string name = given ? given : "";
+    if (lastError().find(name.empty() ? "DISPLAY" : name) != std::string::npos) return "";
+    return name.empty() ? " (DISPLAY is not set)" : " (display " + name + ")";
+}
+
 /// Keeps GLFW running while there is a window.
 class GlfwLibrary {
 public:
@@ -66,7 +74,7 @@ public:
         const SilentDrivers silent;
         if (glfwInit()) return;
         --users();
-        throw Unavailable("GLFW: " + lastError(), mendDisplay());
+        throw Unavailable("GLFW: " + lastError() + placeOfDisplay(), mendDisplay());
     }
     ~GlfwLibrary() {
         if (--users() == 0) glfwTerminate();

@@ -221,11 +221,6 @@ bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& 
         }
     }
     if (desk.drag != Drag::handle) return false;
-    if (!ImGui::IsMouseDown(0)) {
-        desk.drag = Drag::none;
-        desk.bench.endGesture();
-        return false;
-    }
     for (const ShownPane& pane : panes) {
         if (pane.pane != desk.dragPane) continue;
         const Seen seen = seenIn(pane, document.camera);
@@ -235,6 +230,10 @@ bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& 
         desk.heldAt = {io.MousePos.x, io.MousePos.y};
         if (const auto byWorld = pulled(seen, *held, desk.dragPart, before, io.MousePos))
             moveSelected(desk, *byWorld, "drag a handle");
+    }
+    if (!ImGui::IsMouseDown(0)) {
+        desk.drag = Drag::none;
+        desk.bench.endGesture();
     }
     return true;
 }

@@ -13,6 +13,10 @@ namespace shadowlab::ui {
 inline ImTextureID imguiTexture(unsigned int name) { return (ImTextureID)(std::uintptr_t)name; }
 inline unsigned int nameOf(ImTextureID texture) { return static_cast<unsigned int>((std::uintptr_t)texture); }
 
+/// Down, or let go in this frame: where the mouse went until then was still a part of it. Since 1.87 the way of a quick hand and its
+/// end come in one frame.
+inline bool wasDown(ImGuiMouseButton button) { return ImGui::IsMouseDown(button) || ImGui::IsMouseReleased(button); }
+
 /// Where window coordinates are not pixels. Up to 1.86 ImGui is told in every frame where the mouse is, and that is put right
 /// after its NewFrame of GLFW; since then it is told when the mouse moves, and keeps it.
 #if IMGUI_VERSION_NUM < 18700

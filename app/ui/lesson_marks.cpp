@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "app/ui/imgui_bridge.h"
+
 namespace shadowlab::ui {
 
 namespace {
@@ -86,7 +88,7 @@ void drawLessonMarks(ImDrawList& list, const Desk& desk, const ShownPane& shown,
 bool handlePainting(Desk& desk, const std::vector<ShownPane>& panes) {
     if (!desk.lesson.paints() || panes.empty()) return false;
     const ImGuiIO& io = ImGui::GetIO();
-    const bool paints = ImGui::IsMouseDown(0), wipes = ImGui::IsMouseDown(1);
+    const bool paints = wasDown(0), wipes = wasDown(1);
     if (io.WantCaptureMouse || (!paints && !wipes)) return false;
     const ShownPane& shown = panes.front();
     if (!shown.area.contains(io.MousePos)) return false;

@@ -10,6 +10,7 @@
 
 #include "app/session/camera_control.h"
 #include "app/ui/gizmo.h"
+#include "app/ui/imgui_bridge.h"
 #include "app/ui/legend.h"
 #include "app/ui/lesson_marks.h"
 #include "app/ui/widget_renderer.h"
@@ -270,12 +271,6 @@ bool handleMouse(Desk& desk, const std::vector<ShownPane>& panes, const Area& ar
                 if (pane.area.contains(place)) desk.bench.activate(pane.pane);
         desk.heldAt = {place.x, place.y};
     }
-    if (!ImGui::IsMouseDown(0) && !ImGui::IsMouseDown(1) && !ImGui::IsMouseDown(2) &&
-        (desk.drag == Drag::camera || desk.drag == Drag::splitLine)) {
-        desk.drag = Drag::none;
-        desk.bench.endGesture();
-    }
-
     const dvec2 byPixels = dvec2(io.MousePos.x, io.MousePos.y) - desk.heldAt;
     const double height = std::max(1, area.size.y), right = byPixels.x / height, down = byPixels.y / height;
     if (desk.drag == Drag::splitLine || desk.drag == Drag::camera) desk.heldAt = {io.MousePos.x, io.MousePos.y};
@@ -286,10 +281,9 @@ bool handleMouse(Desk& desk, const std::vector<ShownPane>& panes, const Area& ar
         moved = byPixels.x != 0;
     } else if (desk.drag == Drag::camera && (right != 0 || down != 0)) {
         moved = true;
-        const bool pan = ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(0) && io.KeyShift);
+        const bool pan = wasDown(2) || (wasDown(0) && io.KeyShift);
         moveCamera(desk, [&](const scene::Camera& camera) {
-            if (ImGui::IsMouseDown(1))
-                return session::turnedHead(camera, right * kTurnHeadDegrees, -down * kTurnHeadDegrees);
+            if (wasDown(1)) return session::turnedHead(camera, right * kTurnHeadDegrees, -down * kTurnHeadDegrees);
             if (pan) return session::panned(camera, right, -down);
             return session::orbited(camera, -right * kOrbitDegrees, down * kOrbitDegrees);
         });
@@ -312,6 +306,11 @@ bool handleMouse(Desk& desk, const std::vector<ShownPane>& panes, const Area& ar
         moveCamera(desk, [&](const scene::Camera& camera) {
             return session::zoomed(camera, std::pow(kWheelFactor, io.MouseWheel));
         });
+    }
+    if (!ImGui::IsMouseDown(0) && !ImGui::IsMouseDown(1) && !ImGui::IsMouseDown(2) &&
+        (desk.drag == Drag::camera || desk.drag == Drag::splitLine)) {
+        desk.drag = Drag::none;
+        desk.bench.endGesture();
     }
     return moved || desk.drag != Drag::none;
 }

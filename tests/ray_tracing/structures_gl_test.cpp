@@ -146,9 +146,10 @@ TEST(KeptStructuresTest, AreBuiltOnceAndInSlices) {
 std::vector<vec4> stageOf(session::Session& session, session::Slot& slot, const char* id, ivec2 size,
                           Display* display = nullptr) {
     FrameRequest request;
-    request.stages = {{id, kNoLight}};
+    const StageKey key{id, kNoLight};
+    request.stages = {key};
     const auto frame = session.render(slot, viewOf(*session.snapshot(), size), request);
-    const Stage& stage = session::findStage(frame, {id, kNoLight});
+    const Stage& stage = session::findStage(frame, key);
     if (display) *display = stage.display;
     return gl::readRows<vec4>(stage.texture, GL_FLOAT, {0, 0}, size);
 }

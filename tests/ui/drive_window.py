@@ -255,6 +255,8 @@ def mouse(window):
         w.hand("key", "0")
         w.wait("the scene's own camera", lambda s: s["settled"] and "reset-camera" not in s["ran"])
     before = w.state
+    w.hand("mousemove", x, y, "mousedown", 1, "mousemove", x + 40, y, "mouseup", 1)  # all of it between two frames
+    before = w.wait("an orbit by a quick hand", lambda s: s["camera"] != before["camera"] and s["settled"])
     w.hand("mousemove", x, y, "mousedown", 3, "keydown", "w")
     after = w.wait("flying forward", lambda s: s["camera"] != before["camera"])
     w.hand("keyup", "w", "mouseup", 3)
