@@ -147,7 +147,12 @@ void ShadowMap::publishLightDepth(Frame& frame, int light, const DrawnMap& map, 
 
 void ShadowMap::drawProjected(const Frame& frame, int light, const DrawnMap& map, int mode) {
     glDepthFunc(GL_EQUAL);
-    if (map.depth) map.depth->sample(gl::DepthSampling::depths);
+    // Positions can be asked for before there is a map; the sampler wants a texture all the same.
+    const gl::DepthTextureArray none =
+        map.depth ? gl::DepthTextureArray() : gl::DepthTextureArray(GL_DEPTH_COMPONENT24, 1, 1, "no shadow map");
+    const gl::DepthTextureArray& depth = map.depth ? *map.depth : none;
+    depth.sample(gl::DepthSampling::depths);
+    depth.bind(kMapUnit);
     const gl::Program& project = programsFor(map).project;
     drawReceivers(frame, project, light, map, [&] {
         project.set("mode", mode);

@@ -49,7 +49,7 @@ class Trial:
 
     def __init__(self, system, release):
         self.system, self.release = system, release
-        self.checkout = "/home/student/shadowlab"
+        self.checkout = system.inside / "shadowlab"
         self.row = {}
 
     def shell(self, line, **settings):
@@ -67,7 +67,7 @@ class Trial:
         # A bundle: the checkout itself cannot be seen from inside.
         bundle = self.system.home / "checkout.bundle"
         subprocess.run(["git", "-c", "safe.directory=*", "-C", ROOT, "bundle", "create", "-q", bundle, "HEAD"], check=True)
-        self.system.as_root("git", "clone", "-q", "/home/student/checkout.bundle", self.checkout)
+        self.system.as_root("git", "clone", "-q", self.system.inside / "checkout.bundle", self.checkout)
         packages = "root=$PWD log=/tmp/log && . .ci/packages.sh && install_missing"
         self.shell(f'{packages} "${{build_packages[@]}}"')
         return f'{packages} "${{test_packages[@]}}"'
