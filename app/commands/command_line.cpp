@@ -74,6 +74,9 @@ Work workWithoutCommand(const CLI::App& app) {
         return with(options, demo);
     }
     if (words.front().starts_with('-')) refuseLeftOver(app);
+    if (isScene(words.front()))
+        refuseUsage("'" + words[1] + "' wants a command before the scene, as in shadowlab demo " + words.front() +
+                    "; shadowlab --help lists them");
     std::vector<std::string> known = scene::builtInScenes(session::assetsRoot());
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         known.push_back(command->get_name());
@@ -118,6 +121,8 @@ InspectOptions inspectOptions(const CLI::App& command) {
 /// The words without --software, which is heard here: it is about every context, and comes before the first.
 std::vector<std::string> takeSoftware(const std::vector<std::string>& argv) {
     const auto end = std::ranges::find(argv, "--");
+    for (auto word = argv.begin(); word != end; ++word)
+        if (word->starts_with("--software=")) refuseUsage("--software takes no value; leave out what is behind it");
     if (std::find(argv.begin(), end, "--software") == end) return argv;
     context::demandSoftware();
     std::vector<std::string> others;

@@ -76,9 +76,10 @@ int demo(const DemoOptions& options) {
     const scene::LoadOptions loading{
         .assetsRoot = session::assetsRoot(), .allowed = options.allowed, .limits = session::limits()};
     requireSlide(options, loading);
-    if (!context::hasDisplay()) {
+    if (const std::optional<std::string> missing = context::missingDisplay()) {
         (void)scene::loadScene(options.scene, loading); // also where a lesson or a deck is shown in its place
-        return writeInstead(options, "there is no display for a window");
+        return writeInstead(options,
+                            "there is no display for a window" + (missing->empty() ? "" : " (" + *missing + ")"));
     }
     try {
         return ui::runWindow({.scene = options.scene,

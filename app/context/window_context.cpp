@@ -107,7 +107,9 @@ public:
         if (window_) return;
         const std::string refusal = lastError(), found = describeLegacy(api);
         throw Unavailable("found " + found + " where OpenGL 3.3 core is needed: GLFW: " + refusal,
-                          found == kNoOpenGl ? mendWindowDrivers() : kNewerDriver);
+                          found != kNoOpenGl                                   ? kNewerDriver
+                          : refusal.find("GLX extension") != std::string::npos ? kNoGlx
+                                                                               : mendWindowDrivers());
     }
     ~GlfwContext() override {
         letGo();
@@ -178,12 +180,16 @@ std::unique_ptr<Context> createHiddenWindowContext(bool debug) {
     return makeWindow({.width = 16, .height = 16, .title = "Shadowlab", .visible = false, .debug = debug});
 }
 
-bool hasDisplay() {
+std::optional<std::string> missingDisplay() {
     try {
         const GlfwLibrary library;
-        return true;
-    } catch (const Unavailable&) {
-        return false;
+        return std::nullopt;
+    } catch (const Unavailable& why) {
+        const auto isNamed = [](const char* variable) {
+            const char* const value = std::getenv(variable);
+            return value && *value;
+        };
+        return isNamed("DISPLAY") || isNamed("WAYLAND_DISPLAY") ? why.reason : "";
     }
 }
 

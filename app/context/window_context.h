@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/context/context.h"
@@ -29,8 +30,9 @@ public:
 /// The context is current and glad is loaded. The last window to go shuts GLFW down. Throws NoWindow.
 std::unique_ptr<Context> createWindowContext(const WindowOptions& options);
 
-/// Can a window be opened here at all? Asks the window system itself: a variable that is set proves nothing.
-bool hasDisplay();
+/// Why no window can be opened here at all; empty where no display is named, none where one can. Asks the window system itself: a
+/// variable that is set proves nothing.
+std::optional<std::string> missingDisplay();
 
 /// The window of such a context, owned by it; null for the other backends.
 GLFWwindow* glfwWindow(const Context& context);

@@ -66,6 +66,8 @@ def together(words):
 
 
 def main():
+    if {"-h", "--help"} & set(sys.argv):
+        sys.exit(__doc__)
     asked = sys.argv[1:] or ["alone", "together"]
     if not set(asked) <= {"alone", "together"}:
         sys.exit(f"sources_check: '{' '.join(asked)}' is not understood; use alone, together, or nothing for both")

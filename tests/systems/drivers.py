@@ -190,8 +190,15 @@ def main():
         print("\n".join(driver.name for driver in DRIVERS))
         return 0
     short = "--short" in arguments and not os.environ.get("SHADOWLAB_LONG")
-    build, *names = [argument for argument in arguments if argument != "--short"]
-    build = Path(build).resolve()
+    words = [argument for argument in arguments if argument != "--short"]
+    if not words or words[0].startswith("-"):
+        sys.exit(__doc__)
+    build, names = Path(words[0]).resolve(), words[1:]
+    if not (build / "shadowlab").is_file():
+        sys.exit(f"drivers: {build} holds no program; name a build folder, as build/release, after ./check has made it")
+    unknown = [name for name in names if name not in [driver.name for driver in DRIVERS]]
+    if unknown:
+        sys.exit(f"drivers: '{unknown[0]}' is no driver that is known; --list prints their names")
     size = "160x90" if short else "320x180"
     chosen = [driver for driver in DRIVERS if (driver.name in names if names else driver.quick or not short)]
     trials, wrong, techniques = [], 0, []
