@@ -83,6 +83,17 @@ Work workWithoutCommand(const CLI::App& app) {
     refuseUsage("'" + words.front() + "' is neither a command nor a scene; " + mendFor(words.front(), known, app));
 }
 
+/// CLI11 2.6 leaves out the word before the usage.
+class HelpFormatter : public CLI::Formatter {
+public:
+    std::string make_usage(const CLI::App* app, std::string name) const override {
+        std::string usage = CLI::Formatter::make_usage(app, std::move(name));
+        if (usage.find("Usage:") == std::string::npos)
+            usage.insert(std::min(usage.find_first_not_of('\n'), usage.size()), "Usage: ");
+        return usage;
+    }
+};
+
 CLI::App* addCommand(CLI::App& app, const char* name, const char* what) {
     CLI::App* command = app.add_subcommand(name, what);
     command->allow_extras(); // refused by refuseLeftOver, after which nothing else can hide them
@@ -149,6 +160,7 @@ Work workFor(const std::vector<std::string>& given, const std::vector<std::strin
     CLI::App app("One scene, many ways to draw its shadows, each measured against the exact answer.", "shadowlab");
     app.set_help_flag("-h,--help", "what there is to write, and ends");
     app.set_version_flag("--version", "shadowlab " SHADOWLAB_VERSION, "the program's version, and ends");
+    app.formatter(std::make_shared<HelpFormatter>()); // commands inherit it
     app.get_formatter()->column_width(36);
     app.require_subcommand(0, 1);
     app.allow_extras();

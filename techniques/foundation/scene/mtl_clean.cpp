@@ -94,8 +94,8 @@ private:
         inMaterial_ = true;
         material_ = name;
         // Defaults first: a later statement of the file replaces them. 0.8 is the scene's default grey.
-        ++result_.materials;
-        result_.text += "newmtl " + name + "\nKd 0.8 0.8 0.8\nNs 32\nNi 1.5\n";
+        result_.text += "newmtl " + std::to_string(result_.names.size()) + "\nKd 0.8 0.8 0.8\nNs 32\nNi 1.5\n";
+        result_.names.push_back(name);
     }
 
     void alphaMap() {

@@ -2,7 +2,6 @@
 // tinyobjloader then reads. Everything else (other maps, PBR extensions, illum ...) is left out.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -15,7 +14,9 @@ namespace shadowlab::scene {
 
 struct CleanMtl {
     std::string text;
-    std::uint64_t materials = 0; ///< newmtl statements, also those that repeat a name: tinyobjloader keeps them all
+    /// Of the newmtl statements, also those that repeat a name: tinyobjloader keeps them all. The text has their numbers in place of
+    /// the names, which tinyobjloader takes to the end of the line (2.0.0rc10) or up to the first blank (rc13).
+    std::vector<std::string> names;
     std::map<std::string, std::string> alphaMapPlaces; ///< of a material that names one: "FILE:LINE" of its map_d
 };
 

@@ -55,9 +55,13 @@ public:
             const std::string text = readFile(path, options_.limits.materialFileBytes, "material-file");
             image::keepInput(path);
             CleanMtl clean = cleanMtl(text, path, options_.limits, notes_);
-            requireMemoryFor(materials_ += clean.materials, path);
+            requireMemoryFor(materials_ += clean.names.size(), path);
             std::istringstream statements(std::move(clean.text));
+            const std::size_t before = materials->size();
             tinyobj::LoadMtl(materialIndex, materials, &statements, warning, error);
+            for (std::size_t i = before; i < materials->size(); ++i)
+                if (std::string& numbered = (*materials)[i].name; !numbered.empty())
+                    numbered = clean.names.at(std::stoul(numbered));
             alphaMapPlaces_.merge(clean.alphaMapPlaces); // as for the materials, the first library to define one counts
             found = true;
         }

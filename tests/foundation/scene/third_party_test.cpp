@@ -44,10 +44,12 @@ std::string ours(const std::string& text) {
 TEST(ThirdParty, TinyobjTakesIndicesBeforeTheFirstVertex) {
     const std::string text = kThree + "f -1 -2 -9\n";
     const Loaded loaded = byLibrary(text);
-    EXPECT_TRUE(loaded.ok && loaded.error.empty()) << "mended: " << loaded.error;
-    ASSERT_EQ(loaded.shapes.size(), 1u);
-    ASSERT_EQ(loaded.shapes[0].mesh.indices.size(), 3u);
-    EXPECT_LT(loaded.shapes[0].mesh.indices[2].vertex_index, 0) << "whoever follows it reads before the array";
+    if (loaded.ok) { // 2.0.0rc10, which Debian 12 has; rc13 refuses the file
+        EXPECT_EQ(loaded.error, "");
+        ASSERT_EQ(loaded.shapes.size(), 1u);
+        ASSERT_EQ(loaded.shapes[0].mesh.indices.size(), 3u);
+        EXPECT_LT(loaded.shapes[0].mesh.indices[2].vertex_index, 0) << "whoever follows it reads before the array";
+    }
     EXPECT_TRUE(contains(ours(text), ":4: ")) << ours(text);
 }
 
