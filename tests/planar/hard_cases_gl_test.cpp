@@ -283,8 +283,7 @@ TEST_F(PlanarHardTest, AShadowBeginsWhereTheCasterStands) {
     scene.camera.positionWorld = {-3, 1.5, -3};
     scene.camera.fovYDegrees = 35;
     expectExactOnPlanes(scene);
-    // Along one edge of the foot; how many of its pixels, the driver's depth decides: 4 with Mesa 26, more before.
-    EXPECT_GT(onPlanes(scene, {"stencil=false", "offset=100000"}).wrong(), 2) << "drawn over the caster's foot";
+    EXPECT_GT(onPlanes(scene, {"stencil=false", "offset=100000"}).wrong(), 5) << "drawn over the caster's foot";
 }
 
 TEST_F(PlanarHardTest, TheSunIsInfinitelyFarAway) {
