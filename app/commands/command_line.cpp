@@ -129,26 +129,15 @@ InspectOptions inspectOptions(const CLI::App& command) {
     return options;
 }
 
-/// The words without --software, which is heard here: it is about every context, and comes before the first.
-std::vector<std::string> takeSoftware(const std::vector<std::string>& argv) {
-    const auto end = std::ranges::find(argv, "--");
-    for (auto word = argv.begin(); word != end; ++word)
-        if (word->starts_with("--software=")) refuseUsage("--software takes no value; leave out what is behind it");
-    if (std::find(argv.begin(), end, "--software") == end) return argv;
-    context::demandSoftware();
-    std::vector<std::string> others;
-    std::remove_copy(argv.begin(), end, std::back_inserter(others), "--software");
-    others.insert(others.end(), end, argv.end());
-    return others;
-}
-
 } // namespace
 
 int run(int argc, char** argv) {
-    const TakenWords limits = takeWordsOf("--limit", "triangles=50000000", {argv, argv + argc});
+    std::vector<std::string> given(argv, argv + argc);
+    if (takeFlag("--software", given)) context::demandSoftware(); // before the first context
+    const TakenWords limits = takeWordsOf("--limit", "triangles=50000000", given);
     for (const std::string& limit : limits.values)
         session::setLimit(limit);
-    const TakenWords plugins = takeWordsOf("--plugin", "FILE.so", takeSoftware(limits.words));
+    const TakenWords plugins = takeWordsOf("--plugin", "FILE.so", limits.words);
     // Nothing of a plug-in that is graded runs in this process.
     if (plugins.words.size() < 2 || plugins.words[1] != "grade")
         for (const std::string& file : plugins.values)

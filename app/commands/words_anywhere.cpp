@@ -30,4 +30,14 @@ TakenWords takeWordsOf(const std::string& option, const std::string& example, co
     return taken;
 }
 
+bool takeFlag(const std::string& option, std::vector<std::string>& argv) {
+    const auto end = std::ranges::find(argv, "--"); // what is behind it is left as it is
+    for (auto word = argv.begin(); word != end; ++word)
+        if (word->starts_with(option + "=")) refuseUsage(option + " takes no value; leave out what is behind it");
+    const auto kept = std::remove(argv.begin(), end, option);
+    const bool isThere = kept != end;
+    argv.erase(kept, end);
+    return isThere;
+}
+
 } // namespace shadowlab::commands

@@ -47,8 +47,8 @@ def pristine(folder, release):
 class Trial:
     """What a new user does, in one system."""
 
-    def __init__(self, system, release):
-        self.system, self.release = system, release
+    def __init__(self, system):
+        self.system = system
         self.checkout = system.inside / "shadowlab"
         self.row = {}
 
@@ -141,7 +141,7 @@ def main():
         trial = None
         try:
             with CleanSystem(pristine(chosen.systems, release)) as system:
-                trial = Trial(system, release)
+                trial = Trial(system)
                 install_tests = trial.clone()
                 trial.demo()
                 errors[release] = trial.errors()

@@ -37,7 +37,8 @@ std::int64_t texelBytes(GLenum internalFormat) {
     }
 }
 
-/// Of the rows that tables lie in, shaders/table.glsl: a power of two that every driver of OpenGL 3.3 has in a texture.
+/// Of the rows that tables lie in, shaders/table.glsl: a power of two. OpenGL 3.3 promises 1024, its drivers have 8192 and more; a
+/// wide row leaves as many rows as there are for large tables, and costs a small one 64 kB.
 constexpr GLint kTableWidth = 4096;
 
 void requireSize(GLint limit, int wanted, std::string_view what) {
