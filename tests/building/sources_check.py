@@ -60,9 +60,9 @@ def together(words):
         # Kernels are compiled for one processor each, and so not with others.
         joined = [file for file in sorted(files) if not any(word.startswith("-mavx") for word in words[file])]
         text = "".join(f'#include "{file}"\n' for file in joined)
-        # The words of all: a definition that one file has serves the others.
-        command = list(dict.fromkeys(word for file in joined for word in words[file]))
-        yield folder.relative_to(ROOT), [*command, "-x", "c++", "-"], text
+        # A definition that one file alone has serves the others.
+        definitions = {word for file in joined for word in words[file] if word.startswith("-D")}
+        yield folder.relative_to(ROOT), [*words[joined[0]], *sorted(definitions), "-x", "c++", "-"], text
 
 
 def main():
