@@ -48,7 +48,7 @@ class Here:
 
 
 class CleanSystem(Here):
-    """A copy of a system that debootstrap has made, gone afterwards. What is mounted is mounted for one command only."""
+    """A copy of a system that debootstrap has made, gone afterwards unless it is to be kept. What is mounted is mounted for one command only."""
 
     # What is run in it: its own processes and none of ours, and the X server of this machine, if it has one.
     ENTER = ('mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && mkdir -p "$1/tmp/.X11-unix" && { [ ! -d /tmp/.X11-unix ] || '
@@ -58,13 +58,14 @@ class CleanSystem(Here):
     ENTER_ALONE = ('mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && ip link set lo up && system=$1 user=$2 && shift 2 && '
                    'exec chroot --userspec="$user" "$system" "$@"')
 
-    def __init__(self, pristine):
+    def __init__(self, pristine, keep=False):
         self.pristine = Path(pristine).resolve()
         self.root = self.pristine.with_name(f"{self.pristine.name}-packages-{os.getpid()}")
         self.inside = Path("/", "home", "student")
         self.home = self.root / "home" / "student"
         self.user = f"{USER}:{USER}"
         self.alone = False
+        self.keep = keep
 
     def __enter__(self):
         expect(os.geteuid() == 0, "a clean system can be entered by root alone; run this as root, or without --system")
@@ -76,12 +77,14 @@ class CleanSystem(Here):
             # Lists of packages may be old where the clock is not theirs.
             self.as_root("apt-get", "update", "-qq", "-o", "Acquire::Check-Valid-Until=false")
         except BaseException:
+            self.keep = False
             self.__exit__()
             raise
         return self
 
     def __exit__(self, *_):
-        shutil.rmtree(self.root, ignore_errors=True)
+        if not self.keep:
+            shutil.rmtree(self.root, ignore_errors=True)
 
     def words(self, words, settings):
         work = "/" if self.user == "0:0" else str(self.inside)

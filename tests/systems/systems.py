@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Every Debian of today, tried from nothing: a system that debootstrap makes, with nothing but git, and in it a clone of this checkout.
 
-    systems.py [--systems FOLDER] [--tests all|none] [RELEASE...]      RELEASE: bookworm, trixie, sid; without one, all three
+    systems.py [--systems FOLDER] [--tests all|none] [--keep] [RELEASE...]   RELEASE: bookworm, trixie, sid; without one, all three
 
-Root makes the systems, once, in FOLDER (build/systems); a copy of each is used and thrown away. In it runs what README tells a new user,
-`./demo`; then `list backends`, `measure -t all` of three scenes, and all tests: first without a display, those that need a window with
+Root makes the systems, once, in FOLDER (build/systems); a copy of each is used and, without --keep, thrown away. What the tests say is
+kept as FOLDER/RELEASE-tests.log. In the copy runs what README tells a new user, `./demo`; then `list backends`, `measure -t all` of three scenes, and all tests: first without a display, those that need a window with
 an X server of their own (Xvfb), then the ones of the window's context under Xvfb. Printed are the two tables of docs/systems.md. Ends
 with 1 where something did not work. Some 25 minutes for a release on two cores, most of it for the tests."""
 # SPDX-License-Identifier: MIT
@@ -95,17 +95,20 @@ class Trial:
         expect(len(counts) >= 8 * len(SCENES), f"only {len(counts)} techniques were measured")
         return counts
 
-    def tests(self, install):
+    def tests(self, install, log):
         self.shell(install)
         self.shell(f"cmake --preset {BUILT_IN} >/tmp/log && ninja -C build/{BUILT_IN} >/tmp/log")
         self.system.alone = True
-        out = self.shell(f"ctest --test-dir build/{BUILT_IN} -j 2 --no-tests=error || true")
+        out = self.shell(f"ctest --test-dir build/{BUILT_IN} -j 2 --no-tests=error --output-on-failure || true")
+        log.write_text(out)
         told = re.search(r"tests passed, (\d+) tests failed out of (\d+)", out)
         expect(told, "ctest did not come to its end:\n" + out[-2000:])
         failed = re.findall(r"^\s*\d+ - (\S+) \((?!Skipped)", out, re.M)
         window = self.shell(f"xvfb-run -a -s '-screen 0 1280x1024x24 -noreset' build/{BUILT_IN}/tests/gl_tests --gtest_brief=1 "
                             f"--gtest_filter='{NEEDS_DISPLAY}' 2>&1 || true")
         passed = re.search(r"\[  PASSED  \] (\d+) tests", window)
+        with log.open("a") as end:
+            end.write(window)
         self.row["tests"] = f"{int(told[2]) - int(told[1])} of {told[2]}" + (f" (not {', '.join(failed)})" if failed else "")
         self.row["under Xvfb"] = f"{passed[1] if passed else 0} passed" + (", some failed" if "FAILED" in window else "")
         return not failed and bool(passed) and "FAILED" not in window
@@ -129,6 +132,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--systems", type=Path, default=ROOT / "build" / "systems", metavar="FOLDER", help="where the systems are kept")
     parser.add_argument("--tests", choices=("all", "none"), default="all")
+    parser.add_argument("--keep", action="store_true", help="leave the copies, to look into what failed")
     parser.add_argument("releases", nargs="*", metavar="RELEASE")
     chosen = parser.parse_args()
     if os.geteuid() != 0:
@@ -140,13 +144,13 @@ def main():
     for release in chosen.releases or RELEASES:
         trial = None
         try:
-            with CleanSystem(pristine(chosen.systems, release)) as system:
+            with CleanSystem(pristine(chosen.systems, release), keep=chosen.keep) as system:
                 trial = Trial(system)
                 install_tests = trial.clone()
                 trial.demo()
                 errors[release] = trial.errors()
                 if chosen.tests == "all":
-                    worked &= trial.tests(install_tests)
+                    worked &= trial.tests(install_tests, chosen.systems / f"{release}-tests.log")
         except Failed as what:
             print(f"systems.py: {release}: {what}", file=sys.stderr)
             worked = False
