@@ -48,7 +48,8 @@ class Here:
 
 
 class CleanSystem(Here):
-    """A copy of a system that debootstrap has made, gone afterwards unless it is to be kept. What is mounted is mounted for one command only."""
+    """A copy of a system that debootstrap has made, gone afterwards unless it is to be kept. What is mounted is mounted for one
+    command only."""
 
     # What is run in it: its own processes and none of ours, and the X server of this machine, if it has one.
     ENTER = ('mount -t proc proc "$1/proc" && mount --rbind /dev "$1/dev" && mkdir -p "$1/tmp/.X11-unix" && { [ ! -d /tmp/.X11-unix ] || '
