@@ -14,8 +14,9 @@ build_packages=(
     libegl1 libgl1-mesa-dri 'libosmesa6|'
 )
 # To run the tests as well: xvfb and xauth are the display of those that need one, xdotool the hands at its keys and mouse,
-# python3-xlib those that drop files on it. dpkg-dev makes packages, and brings make, with which plug-ins are built. locales: one with a decimal comma is made of it.
-test_packages=(dpkg-dev glslang-tools locales python3 python3-xlib xauth xdotool xvfb)
+# python3-xlib those that drop files on it. dpkg-dev and file make packages; dpkg-dev brings make, with which plug-ins are built.
+# locales: one with a decimal comma is made of it.
+test_packages=(dpkg-dev file glslang-tools locales python3 python3-xlib xauth xdotool xvfb)
 # For the long form: fuzz targets are built with clang (14, which `clang` stands for on Debian 12, does not know all of C++20 that is
 # used here), setarch runs tests under the thread sanitizer, and zink draws by Mesa's Vulkan driver for
 # processors (tests/systems/drivers.py).
