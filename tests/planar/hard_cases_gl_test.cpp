@@ -10,7 +10,7 @@
 //   coinciding depths       FarAwayAndAtAGrazingAngle...             naive: stencil=false, offset 0 and 1000
 //   a plane that ends       AShadowEndsWhereItsPlaneEnds             naive: stencil=false
 //   several planes          ACornerOfARoomWithEachLightType          naive: receivers=1
-//   contact                 AShadowBeginsWhereTheCasterStands        naive: stencil=false, offset=100000
+//   contact                 AShadowBeginsWhereTheCasterStands        naive: stencil=false, offset=1000000
 //   the sun                 TheSunIsInfinitelyFarAway                naive: its direction taken for a place
 // Soft shadows are in soft_shadows_gl_test.cpp.
 // SPDX-License-Identifier: MIT
@@ -283,7 +283,8 @@ TEST_F(PlanarHardTest, AShadowBeginsWhereTheCasterStands) {
     scene.camera.positionWorld = {-3, 1.5, -3};
     scene.camera.fovYDegrees = 35;
     expectExactOnPlanes(scene);
-    EXPECT_GT(onPlanes(scene, {"stencil=false", "offset=100000"}).wrong(), 5) << "drawn over the caster's foot";
+    // The unit of glPolygonOffset is the driver's own: Mesa 26 takes half of what Mesa 22 takes. A million of either show.
+    EXPECT_GT(onPlanes(scene, {"stencil=false", "offset=1000000"}).wrong(), 50) << "drawn over the caster's foot";
 }
 
 TEST_F(PlanarHardTest, TheSunIsInfinitelyFarAway) {
