@@ -11,6 +11,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 
 from window_driver import Display, Window, check
 
@@ -226,16 +227,20 @@ def shaders(day, folder):
     return len(breaks) + 1 + rounds
 
 
+def live(program, name):
+    with Display("4096x2304") as display, tempfile.TemporaryDirectory() as folder:
+        copy = shutil.copytree(SHADERS, os.path.join(folder, "shaders"))
+        day = BadDay(program, display, folder, SHADOWLAB_SHADERS=copy)
+        tried = {"sizes": sizes, "drops": drops, "shaders": lambda day: shaders(day, copy)}[name](day)
+        day.end()
+        print(f"{name}: {tried} tried, the window is as it was")
+
+
 def main():
     program, wanted = os.path.abspath(sys.argv[1]), sys.argv[2:] or ["sizes", "drops", "shaders"]
-    with Display("4096x2304") as display:
-        for name in wanted:
-            with tempfile.TemporaryDirectory() as folder:
-                copy = shutil.copytree(SHADERS, os.path.join(folder, "shaders"))
-                day = BadDay(program, display, folder, SHADOWLAB_SHADERS=copy)
-                tried = {"sizes": sizes, "drops": drops, "shaders": lambda day: shaders(day, copy)}[name](day)
-                day.end()
-                print(f"{name}: {tried} tried, the window is as it was")
+    with ThreadPoolExecutor(2) as pool:
+        for day in [pool.submit(live, program, name) for name in wanted]:
+            day.result()
 
 
 if __name__ == "__main__":
