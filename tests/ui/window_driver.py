@@ -7,6 +7,8 @@ import subprocess
 import threading
 import time
 
+# Function keys by their codes: of their names xdotool makes keys that are held with Alt, where X has tables of keys of 2025 (xkb-data 2.48).
+KEY_CODES = {**{f"F{n}": 66 + n for n in range(1, 11)}, "F11": 95, "F12": 96}
 TIMEOUT = 90  # seconds without the expected report: far beyond any frame, also on a busy machine
 
 
@@ -81,7 +83,7 @@ class Window:
     def key(self, keys, action):
         """Presses keys, and waits until that action has run and its picture is on the screen."""
         before = self.state
-        self.hand("key", keys)
+        self.hand("key", "+".join(str(KEY_CODES.get(key, key)) for key in keys.split("+")))
         self.wait(f"{keys} ({action})", lambda s: action in s["ran"], fresh=True)
         return before, self.wait(f"the picture after {keys} ({action})", lambda s: s["settled"] or s["playing"]
                                  or s["shown"]["blink"])
