@@ -221,7 +221,7 @@ Work workFor(const std::vector<std::string>& given, const std::vector<std::strin
         "shadowlab COMMAND --help tells more about each. `shadowlab SCENE` is short for `shadowlab demo SCENE`.\n"
         "--plugin FILE, anywhere, adds the techniques of a plug-in to those of all commands; --limit NAME=VALUE\n"
         "sets a limit of `list limits`; --software draws on the processor, also beside a graphics card: the same\n"
-        "bytes on every machine with the same Mesa.\n"
+        "bytes on every machine with the same Mesa and a processor with AVX.\n"
         "Exit status: 0 done, 1 judged and found wanting (grade, report --hard), 2 command line, 3 input, 4 output,\n"
         "5 no OpenGL 3.3, 6 over a limit, 70 a fault of the program; docs/errors.md tells more.");
 

@@ -1,4 +1,5 @@
-// OpenGL by Mesa on the processor, also on a machine with a graphics card: the same bytes on every machine with the same Mesa.
+// OpenGL by Mesa on the processor, also on a machine with a graphics card: the same bytes on every machine
+// with the same Mesa whose processor has AVX.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string_view>
