@@ -1,8 +1,5 @@
 // `capture` as a user runs it: what is promised exists, in the promised form, and twice the same.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <map>
-
 #include <nlohmann/json.hpp>
 
 #include "tests/commands/command_fixture.h"
