@@ -34,8 +34,8 @@ inline constexpr const char* kNewerDriver = "take a newer driver, and unset MESA
                                             "MESA_GLSL_VERSION_OVERRIDE if they are set";
 /// A server for screens elsewhere may have neither GLX nor pictures of the depth that EGL wants: no package of this system mends it.
 inline constexpr const char* kNoGlx = "use another X server, or take --backend egl, which needs none";
-inline constexpr const char* kNoSoftware = "leave --software out, and unset GALLIUM_DRIVER and "
-                                           "MESA_LOADER_DRIVER_OVERRIDE if they are set";
+inline constexpr const char* kNoSoftware = "unset GALLIUM_DRIVER and MESA_LOADER_DRIVER_OVERRIDE if they are set, or "
+                                           "leave --software out";
 
 /// Keeps track of which context is current. EGL, GLX and OSMesa each have their own idea of it and do not know of each
 /// other, so the old context is let go through its own interface before the next is bound.

@@ -26,6 +26,8 @@ std::string mendWindowDrivers() { return mendPackages({"libgl1", "libgl1-mesa-dr
 std::string mendDisplay() { return "start it in a desktop session, or take --backend egl, which needs no display"; }
 
 std::string mendAll() {
+    // Where EGL has its packages and a variable leads it elsewhere, one more package mends nothing.
+    if (const std::string egl = mendEgl(); egl.starts_with("unset ")) return egl;
     std::vector<std::string> packages{"libegl1", "libgl1-mesa-dri"};
     if (hasOsmesaPackage()) packages.emplace_back("libosmesa6");
     return mendPackages(packages);

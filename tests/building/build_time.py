@@ -62,6 +62,7 @@ def main():
     parser.add_argument("--whole", action="store_true", help="the tests as well")
     parser.add_argument("build", nargs="?", type=Path, default=ROOT / "build" / "timed", metavar="BUILD")
     chosen = parser.parse_args()
+    chosen.build = chosen.build.resolve()
     cache = chosen.build / "CMakeCache.txt"
     if chosen.build.exists() and not (cache.is_file() and f"CMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n" in cache.read_text()):
         sys.exit(f"build_time: {chosen.build} is there, and is no build of this checkout; name a folder that is not there yet")

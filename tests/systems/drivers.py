@@ -191,11 +191,14 @@ def main():
         return 0
     short = "--short" in arguments and not os.environ.get("SHADOWLAB_LONG")
     words = [argument for argument in arguments if argument != "--short"]
+    if words and words[0] in ("-h", "--help"):
+        print(__doc__)
+        return 0
     if not words or words[0].startswith("-"):
         sys.exit(__doc__)
     build, names = Path(words[0]).resolve(), words[1:]
-    if not (build / "shadowlab").is_file():
-        sys.exit(f"drivers: {build} holds no program; name a build folder, as build/release, after ./check has made it")
+    if not ((build / "shadowlab").is_file() and (build / "tests" / "gl_tests").is_file()):
+        sys.exit(f"drivers: {build} holds no program with its tests; name a build folder, as build/release, after ./check has made it")
     unknown = [name for name in names if name not in [driver.name for driver in DRIVERS]]
     if unknown:
         sys.exit(f"drivers: '{unknown[0]}' is no driver that is known; --list prints their names")
@@ -222,7 +225,7 @@ def main():
                     trial.in_window(display)
     first = next((trial for trial in trials if not trial.reason), None)
     if first is None:
-        sys.exit("drivers: there is no driver; apt install libgl1-mesa-dri")
+        sys.exit("drivers: none of those that were asked for is here" if names else "drivers: there is no driver; apt install libgl1-mesa-dri")
     for table in tables(trials, techniques):
         print("\n" + table)
     print()

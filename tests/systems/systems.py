@@ -14,6 +14,7 @@ import json
 import os
 import re
 import resource
+import shutil
 import subprocess
 import sys
 import time
@@ -37,6 +38,7 @@ def pristine(folder, release):
     """The system as debootstrap leaves it. One that was interrupted is made again."""
     system = folder / release
     if not (system / "made").exists():
+        expect(shutil.which("debootstrap"), "debootstrap makes the systems, and is not here; apt install debootstrap")
         subprocess.run(["rm", "-rf", system], check=True)
         folder.mkdir(parents=True, exist_ok=True)
         log = folder / f"{release}.log"
