@@ -6,8 +6,8 @@
 Root makes the systems, once, in FOLDER (build/systems); a copy of each is used and, without --keep, thrown away. What its tests said is
 kept as FOLDER/RELEASE-tests.log. In the copy runs what README tells a new user, `./demo`; then `list backends`, `measure -t all` of three
 scenes, and all tests: first without a display, those that need a window with an X server of their own (Xvfb), then the ones of the
-window's context under Xvfb. Printed are the figures of the first two tables of docs/systems.md. Ends with 1 where something did not work. Some 25 minutes for
-a release on two cores, most of it for the tests."""
+window's context under Xvfb. Printed are the figures of the first two tables of docs/systems.md. Ends with 1 where something did not work.
+Some 25 minutes for a release on two cores, most of it for the tests."""
 # SPDX-License-Identifier: MIT
 import argparse
 import json
