@@ -50,8 +50,8 @@ fail() {
 # What clang's programs end in, those of `long_packages`.
 clang_ending() { if [[ -x /usr/bin/clang-16 ]]; then printf -- -16; fi; }
 
-is_installed() { dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed; }
-# The whole answer is read: a pipe that is closed at the first match would make apt-cache fail, and the package look as if there were none.
+# Whole answers are read: a pipe that is closed at the first match would make apt-cache fail, and the package look as if there were none.
+is_installed() { [[ " $(dpkg-query -W -f '${db:Status-Status} ' "$1" 2>/dev/null)" == *' installed '* ]]; }
 is_offered() { [[ $(LC_ALL=C apt-cache policy "$1" 2>/dev/null) == *$'\n  Candidate: '[^\(]* ]]; }
 
 # missing_of PACKAGE...: the names of those that are not there yet, as far as apt knows of any.

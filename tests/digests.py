@@ -36,15 +36,15 @@ class Program:
     def run(self, *words):
         return subprocess.run([self.path, *words], capture_output=True, text=True, check=False)
 
-    def listed(self, what, column=0):
+    def pairs(self, what):
+        """The first two columns of a list, as of a technique and what it has; none of them twice."""
         ran = self.run("list", what)
         if ran.returncode != 0:
             sys.exit(f"digests: list {what} failed: {ran.stderr}")
-        return list(dict.fromkeys(line.split("\t")[column] for line in ran.stdout.splitlines()))
+        return list(dict.fromkeys(tuple(line.split("\t")[:2]) for line in ran.stdout.splitlines()))
 
-    def pairs(self, what):
-        """The first two columns: a technique and what it has."""
-        return list(dict.fromkeys(tuple(line.split("\t")[:2]) for line in self.run("list", what).stdout.splitlines()))
+    def listed(self, what):
+        return list(dict.fromkeys(row[0] for row in self.pairs(what)))
 
 
 def pictures(program):

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "app/context/backends.h"
 #include "app/context/software.h"
 #include "tests/foundation/scene/scene_files.h"
 
@@ -60,6 +61,14 @@ TEST_F(PackagesTest, OnlyMissingOnesAreToBeInstalled) {
     EXPECT_EQ(mendPackages({"libegl1"}), "unset LIBGL_DRIVERS_PATH");
     ::unsetenv("LIBGL_DRIVERS_PATH");
     EXPECT_TRUE(mendPackages({"libegl1"}).starts_with("apt reinstall libegl1")) << mendPackages({"libegl1"});
+}
+
+// Also on systems with a package of OSMesa, which is missing here.
+TEST_F(PackagesTest, NoFurtherOneHelpsWhereAVariableLeadsEglAstray) {
+    folder.write("status", "Package: libegl1\nStatus: install ok installed\n\n"
+                           "Package: libgl1-mesa-dri\nStatus: install ok installed\n\n");
+    ::setenv("LIBGL_DRIVERS_PATH", "/none", 1);
+    EXPECT_EQ(mendAll(), "unset LIBGL_DRIVERS_PATH");
 }
 
 TEST_F(PackagesTest, AreNotInstalledByAptWhereThereIsNoDpkg) {

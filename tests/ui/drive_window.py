@@ -296,7 +296,7 @@ def mouse(window):
 
 def by_keys(program):
     with Display() as display, tempfile.TemporaryDirectory() as folder:
-        window = begun(program, display, folder, "three-lights")
+        window = opened(program, display, folder, "three-lights")
         print(f"start to first report: {window.first_frame:.2f} s")
         keys = every_key(window, program)
         written = sorted(os.listdir(folder))
@@ -306,16 +306,16 @@ def by_keys(program):
 
 def by_mouse_and_steps(program):
     with Display() as display, tempfile.TemporaryDirectory() as folder:
-        window = begun(program, display, folder, "three-lights")
+        window = opened(program, display, folder, "three-lights")
         window.key("i", "panel")
         mouse(window)
-        window = begun(program, display, folder, "mirror-and-glass")
+        window = opened(program, display, folder, "mirror-and-glass")
         window.key("i", "panel")
         picking(window, PLACE, SKY)
-        every_step(begun(program, display, folder, "three-lights"))
+        every_step(opened(program, display, folder, "three-lights"))
 
 
-def begun(program, display, folder, scene):
+def opened(program, display, folder, scene):
     window = Window(program, display, folder, scene, "--keep-settings", "false", "--size", "700x450")
     window.hand("mousemove", *PLACE)
     return window
