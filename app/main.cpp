@@ -7,18 +7,18 @@
 #include <new>
 #include <string>
 
-#include "app/commands/command_line.h"
-#include "app/commands/messages.h"
+#include "app/cli/command_line.h"
+#include "app/cli/messages.h"
 #include "app/context/address_space.h"
 #include "app/context/signals.h"
-#include "app/session/plugins.h"
-#include "techniques/foundation/error.h"
+#include "app/student/plugins.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/temporaries.h"
 
 namespace {
 
 int fail(shadowlab::ExitStatus status, const std::string& message) {
-    shadowlab::commands::complain(message);
+    shadowlab::cli::complain(message);
     return static_cast<int>(status);
 }
 
@@ -35,7 +35,7 @@ void onExit() {
 int run(int argc, char** argv) {
     using shadowlab::ExitStatus;
     try {
-        return shadowlab::commands::run(argc, argv);
+        return shadowlab::cli::run(argc, argv);
     } catch (const shadowlab::context::Interrupted& interrupted) {
         return interrupted.exitStatus;
     } catch (const shadowlab::Error& error) {
@@ -44,7 +44,7 @@ int run(int argc, char** argv) {
         return fail(ExitStatus::overLimit,
                     "out of memory; use a smaller scene or picture (every file is whole, or as it was)");
     } catch (const std::exception& error) {
-        const bool own = shadowlab::session::loadedPlugins().empty();
+        const bool own = shadowlab::student::loadedPlugins().empty();
         return fail(ExitStatus::bug,
                     std::string("internal error: ") + error.what() +
                         (own ? "; this is a fault of the program, please report it with the command line"
@@ -56,7 +56,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     shadowlab::context::spareAddresses();
-    shadowlab::commands::keepStandardDescriptors();
+    shadowlab::cli::keepStandardDescriptors();
     shadowlab::context::installSignalHandlers();
     std::atexit(onExit);
     const int status = run(argc, argv);

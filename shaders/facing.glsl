@@ -1,5 +1,5 @@
 // The facing gate: does the side of the triangle that the eye sees also face the light? The sign for the light was
-// decided once per triangle in double (techniques/foundation/scene/facing.h) and is only handed on here (triangle.glsl).
+// decided once per triangle in double (techniques/foundation/scene/query/facing.h) and is only handed on here (triangle.glsl).
 flat in int lightSide;
 uniform int mirrored; // 1: the object's matrix turns counter-clockwise into clockwise
 

@@ -1,5 +1,5 @@
 // One light: the irradiance it would give without shadows, and the gates that belong to visibility in every technique.
-// The C++ twin is techniques/foundation/scene/shading.h.
+// The C++ twin is techniques/foundation/scene/query/shading.h.
 #ifdef LIGHT_KIND // known when the program is made: gl::useForLight
 const int lightKind = LIGHT_KIND; // 0 point (and sphere), 1 directional, 2 spot, 3 rect
 #else

@@ -4,7 +4,7 @@
 // pictures of large meshes half as fast.
 layout(location = 4) in int triangleOfMesh; // gl::kTriangleOfMesh
 uniform int triangleBase;                   // scene-wide index of the object's first triangle
-uniform isamplerBuffer lightFacing;         // signs decided in double (techniques/foundation/scene/facing.h)
+uniform isamplerBuffer lightFacing;         // signs decided in double (techniques/foundation/scene/query/facing.h)
 flat out int triangleOfScene;
 flat out int lightSide;
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <memory>
 
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
 
 namespace shadowlab {
 

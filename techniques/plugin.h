@@ -22,7 +22,7 @@ struct Plugin {
     std::span<const gl::EmbeddedShader> shaders; ///< names begin with `folder` and a slash
     std::span<const EmbeddedSource> sources;     ///< those with an anchor
     std::string_view shaderFolder;               ///< where the shaders were when it was built
-    std::string_view family;                     ///< what `grade` asks of it (app/grading/families.h); empty: not said
+    std::string_view family;                     ///< what `grade` asks of it (app/student/grading/families.h); empty: not said
 };
 
 /// What the text in a plug-in begins with; 16 hexadecimal digits and a line feed follow.

@@ -1,7 +1,7 @@
 // What a technique decided about a pixel, held against the truth.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "techniques/probe.h"
 
 namespace shadowlab {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/added_techniques.h"
 
-#include "techniques/foundation/error.h"
-#include "techniques/foundation/nearest_names.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/base/nearest_names.h"
 
 namespace shadowlab {
 

@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-#include "app/session/assets.h"
-#include "app/session/session.h"
-#include "app/session/settings.h"
+#include "app/context/assets.h"
+#include "app/lab/settings.h"
+#include "app/picture/session.h"
 #include "techniques/foundation/gl/id_buffer.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/scene/casters.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/picture_part.h"
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/query/casters.h"
+#include "techniques/foundation/scene/query/picture_part.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/random_scenes.h"
 #include "tests/support/scenes.h"
@@ -41,17 +41,17 @@ struct Variant {
 /// they keep of one must not show in the next.
 struct Culled {
     std::string name;
-    std::vector<session::Slot> slots = {}; ///< cull = true, cull = false
+    std::vector<picture::Slot> slots = {}; ///< cull = true, cull = false
     int scenesWithLess = 0;                ///< in which something was left out
 
     explicit Culled(const Variant& variant) : name(variant.name) {
         for (const char* cull : {"cull=true", "cull=false"}) {
-            slots.push_back(session::Session::makeSlot(variant.technique));
+            slots.push_back(picture::Session::makeSlot(variant.technique));
             const std::string slot = std::to_string(slots.size()) + ":" + variant.technique + ".";
             std::vector<std::string> full = {slot + cull};
             for (const std::string& setting : variant.settings)
                 full.push_back(slot + setting);
-            session::applySettings(slots, full);
+            lab::applySettings(slots, full);
         }
     }
 };
@@ -69,17 +69,17 @@ struct Drawn {
     double built = 0;             ///< the technique's own count of what it drew for shadows
 };
 
-Drawn draw(session::Session& session, session::Slot& slot) {
+Drawn draw(picture::Session& session, picture::Slot& slot) {
     const scene::Scene& scene = *session.snapshot();
     View view;
     view.camera = scene.camera;
     view.size = kSize;
     FrameRequest request;
     if (!scene.lights.empty()) request.stages.push_back({"visibility", static_cast<int>(scene.lights.size()) - 1});
-    const session::RenderedFrame frame = session.render(slot, view, request);
+    const picture::RenderedFrame frame = session.render(slot, view, request);
     Drawn drawn{.picture = gl::readTexels(slot.target.color), .visibility = {}};
     for (const StageKey& stage : request.stages)
-        drawn.visibility = gl::readTexels(session::findStage(frame, stage).texture);
+        drawn.visibility = gl::readTexels(picture::findStage(frame, stage).texture);
     for (const Counter& counter : frame.result.counters)
         if (counter.id == "volumes" || counter.id == "caster-draws" || counter.id == "flattened")
             drawn.built += counter.built;
@@ -124,7 +124,7 @@ class CullingTest : public testing::GlTest {
 protected:
     /// The number of pixels compared.
     std::size_t compare(const scene::Snapshot& snapshot, Culled& culled, const std::string& what) {
-        session::Session session(snapshot);
+        picture::Session session(snapshot);
         const Drawn with = draw(session, culled.slots[0]), without = draw(session, culled.slots[1]);
         culled.scenesWithLess += with.built < without.built;
         EXPECT_LE(with.built, without.built) << what;
@@ -241,7 +241,7 @@ TEST_F(CullingTest, NothingThatIsLeftOutIsSeenInRandomScenes) {
 TEST_F(CullingTest, NothingThatIsLeftOutIsSeenInBuiltInScenes) {
     std::vector<Culled> all = culled(volumesAndPlanes());
     std::vector<Culled> ofMaps = culled({{"map", "shadow-map", {}}, {"map, hard", "shadow-map", {"filter=hard"}}});
-    const scene::LoadOptions options{.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}};
+    const scene::LoadOptions options{.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}};
     int compared = 0;
     for (const std::string& name : scene::builtInScenes(options.assetsRoot)) {
         const scene::Snapshot snapshot = scene::loadScene(name, options);
@@ -260,11 +260,11 @@ TEST_F(CullingTest, NothingThatIsLeftOutIsSeenInBuiltInScenes) {
 /// Would the comparison see a cull that leaves out too much?
 TEST_F(CullingTest, LeavingOutWhatIsNotInViewIsSeen) {
     constexpr unsigned kScenes = 60;
-    session::Slot slot = session::Session::makeSlot("shadow-volume-zfail");
+    picture::Slot slot = picture::Session::makeSlot("shadow-volume-zfail");
     int seen = 0;
     for (unsigned number = 0; number < kScenes; ++number) {
         const scene::Scene scene = testing::randomScene(number);
-        session::Session right(testing::snapshot(scene)), naive(withoutCastersOutOfView(scene));
+        picture::Session right(testing::snapshot(scene)), naive(withoutCastersOutOfView(scene));
         seen += !differing(draw(right, slot).picture, draw(naive, slot).picture).empty();
     }
     EXPECT_GE(seen, 3) << "of " << kScenes << " scenes";

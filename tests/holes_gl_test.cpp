@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "app/session/assets.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "app/context/assets.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/registry.h"
 #include "tests/shadow_map/edge_reach.h"
 #include "tests/support/gl_fixture.h"
@@ -21,7 +21,7 @@ using HolesTest = testing::GlTest;
 constexpr ivec2 kSize{320, 240};
 
 scene::Snapshot lattice() {
-    return scene::loadScene("lattice", {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+    return scene::loadScene("lattice", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
 }
 
 /// A box of lace with a light in it, over a floor and before a wall: six maps, each with a pattern of its own.

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """The arrows between the layers, checked: app -> the contract (techniques/*.h) <- techniques/<x>, and from all of them to
-techniques/foundation and the libraries; within app/: main -> commands -> ui, slides, hard, grading -> report -> session -> diagram,
-measure, context.
+techniques/foundation and the libraries; within app/ the order of its rooms, APP_ORDER.
 
 include_check.py [ROOT] reads every C++ file, shader and CMake file of a checkout, prints FILE:LINE: WHAT for each arrow that
 points the wrong way, and exits with 1 if there is one. The rules are the functions whose names begin with `rule_`.
@@ -14,20 +13,9 @@ from pathlib import Path, PurePosixPath
 
 CPP_ENDINGS = {".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".inl", ".in"}
 SHADER_ENDINGS = {".glsl", ".vert", ".frag", ".geom"}
-# Which folders of app/ a folder of app/ includes, itself aside. "main" is main.cpp, and includes any; nothing includes it.
-APP_INCLUDES = {
-    "main": {"commands", "grading", "hard", "ui", "slides", "report", "diagram", "measure", "session", "context"},
-    "commands": {"grading", "hard", "ui", "slides", "report", "diagram", "measure", "session", "context"},
-    "grading": {"session", "measure", "context"},
-    "slides": {"diagram", "session"},
-    "report": {"diagram", "measure", "session", "context"},
-    "hard": {"report", "diagram", "session", "measure"},
-    "ui": {"diagram", "measure", "session", "context"},
-    "session": {"diagram", "measure", "context"},
-    "diagram": set(),
-    "measure": set(),
-    "context": set(),
-}
+# The rooms of app/, the lowest first: a room includes only those before it. "main" is main.cpp; nothing includes it.
+APP_ORDER = ("context", "drawing", "figures", "judge", "picture", "film", "lab", "student", "course", "report", "hard", "window", "cli",
+             "main")
 # What the lower folders of the foundation leave alone, of its other folders.
 FOUNDATION_WITHOUT = {"math": {"scene", "image", "params", "trace", "gl"}, "image": {"scene"}, "params": {"scene"}}
 
@@ -118,7 +106,7 @@ def rule_app_knows_contracts_only(include):
 
 
 def app_folder(path):
-    """session for app/session/x.h, main for the files directly in app/."""
+    """picture for app/picture/x.h and app/picture/steps/y.h, main for the files directly in app/."""
     parts = PurePosixPath(path).parts
     return parts[1] if len(parts) > 2 else "main"
 
@@ -128,10 +116,12 @@ def rule_order_within_app(include):
         return None
     user, used = app_folder(include.file), app_folder(include.target)
     for folder in (user, used):
-        if folder not in APP_INCLUDES:
-            return f"app/{folder} has no place in the order within app/; give it one in APP_INCLUDES"
-    if user != used and used not in APP_INCLUDES[user]:
-        return f"within app/: main -> commands -> ui -> session -> measure, context, so {user} does not include {used}"
+        if folder not in APP_ORDER:
+            return f"app/{folder} has no place in the order within app/; give it one in APP_ORDER"
+    if user == used:
+        return None
+    if APP_ORDER.index(user) < APP_ORDER.index(used):
+        return f"within app/ the order is {' -> '.join(reversed(APP_ORDER))}, so {user} does not include {used}"
     return None
 
 
@@ -149,8 +139,8 @@ def rule_gl_through_glad(include):
 
 def rule_imgui(include):
     base = PurePosixPath(include.name or "").name
-    if base.startswith("imgui") and not include.file.startswith("app/ui/"):
-        return "imgui belongs into app/ui"
+    if base.startswith("imgui") and not include.file.startswith("app/window/"):
+        return "imgui belongs into app/window"
     return None
 
 

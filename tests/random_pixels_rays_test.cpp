@@ -131,10 +131,10 @@ dvec3 pointOf(const Probe::Patch& patch, std::mt19937& random) {
 // eight lines at least (kFewestLines of visible_exchange.cpp): they err by 0.5 / sqrt(8) = 0.18 of the whole at most, as a standard
 // deviation.
 TEST(RandomPixelsRaysTest, FormFactorsAreThoseOfPairsOfPoints) {
-    const auto root = session::assetsRoot();
+    const auto root = context::assetsRoot();
     const scene::Snapshot scene = scene::loadScene("cornell-room", {.assetsRoot = root, .allowed = {}, .limits = {}});
     const std::vector<WorldTriangle> triangles = testing::allTriangles(*scene);
-    session::Slot slot = session::Session::makeSlot("radiosity");
+    picture::Slot slot = picture::Session::makeSlot("radiosity");
     View view;
     view.camera = scene->camera;
     view.size = testing::kPictureSize;

@@ -11,7 +11,7 @@
 #include <functional>
 #include <set>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/registry.h"
 #include "tests/foundation/scene/scene_files.h"
 

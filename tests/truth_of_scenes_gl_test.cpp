@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: MIT
 #include <sstream>
 
-#include "app/session/assets.h"
-#include "app/session/orbit.h"
-#include "techniques/foundation/scene/load.h"
+#include "app/context/assets.h"
+#include "app/film/orbit.h"
+#include "techniques/foundation/scene/load/load.h"
 #include "tests/shadow_map/edge_reach.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/perforated.h"
@@ -25,7 +25,7 @@ TruthComparison zfailFromAround(const scene::Snapshot& base, ivec2 size, int vie
     TruthComparison sum;
     for (int v = 0; v < views; ++v) {
         auto scene = std::make_shared<scene::Scene>(*base);
-        scene->camera = session::turned(base->camera, 360.0 * v / views);
+        scene->camera = film::turned(base->camera, 360.0 * v / views);
         for (int light = 0; light < static_cast<int>(base->lights.size()); ++light)
             sum += compareWithTruth(scene, "shadow-volume-zfail", {}, size, light, testing::kTiePx);
     }
@@ -33,7 +33,7 @@ TruthComparison zfailFromAround(const scene::Snapshot& base, ivec2 size, int vie
 }
 
 TEST_F(TruthOfScenes, ZFailIsExactInEveryBuiltInScene) {
-    const auto root = session::assetsRoot();
+    const auto root = context::assetsRoot();
     int scenes = 0;
     TruthComparison all;
     for (const std::string& name : scene::builtInScenes(root)) {
@@ -52,7 +52,7 @@ TEST_F(TruthOfScenes, ZFailIsExactInEveryBuiltInScene) {
 
 // As it comes: the default filter and resolution. `core` errors would mean a wrong algorithm, not a coarse map.
 TEST_F(TruthOfScenes, TheShadowMapIsWrongOnlyNearEdgesInEveryBuiltInScene) {
-    const auto root = session::assetsRoot();
+    const auto root = context::assetsRoot();
     const ivec2 size{240, 135};
     for (const std::string& name : scene::builtInScenes(root)) {
         const scene::Snapshot snapshot = scene::loadScene(name, {.assetsRoot = root, .allowed = {}, .limits = {}});
@@ -75,7 +75,7 @@ TEST_F(TruthOfScenes, BothHoldInScenesGivenByTheUser) {
     TruthComparison all;
     while (std::getline(paths, path, ':')) {
         const scene::Snapshot staged =
-            scene::loadScene(path, {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+            scene::loadScene(path, {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
         auto scene = std::make_shared<scene::Scene>(*staged);
         scene::Light sun;
         sun.name = "sun";

@@ -10,7 +10,7 @@
 #include "app/context/backends.h"
 #include "app/context/driver_settings.h"
 #include "app/context/software.h"
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 
 namespace shadowlab::context {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "app/context/library.h"
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/temporaries.h"
 
 namespace shadowlab::context {

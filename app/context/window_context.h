@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/context/context.h"
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 
 struct GLFWwindow;
 

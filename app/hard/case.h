@@ -7,31 +7,31 @@
 #include <string>
 #include <vector>
 
-#include "app/session/lesson.h"
-#include "app/session/shown_state.h"
+#include "app/course/lessons/lesson.h"
+#include "app/course/shown_state.h"
 
 namespace shadowlab::hard {
 
 /// A number that is measured of a check, and what it has to be.
 struct Expectation {
     std::string quantity; ///< quantities.h
-    session::Bound bound;
-    std::optional<session::ShownState> from; ///< of a comparison: the other picture
+    course::Bound bound;
+    std::optional<course::ShownState> from; ///< of a comparison: the other picture
 };
 
 /// One technique with its settings before one scene; and a careless version of it, which must not pass.
 struct Check {
     std::string title;
-    session::ShownState right; ///< one slot
+    course::ShownState right; ///< one slot
     std::vector<std::string> settings;
-    std::optional<session::ShownState> naive;
+    std::optional<course::ShownState> naive;
     std::vector<std::string> naiveSettings;
     std::vector<Expectation> expectations;
 };
 
 /// Why a technique is wrong before the case's scene, where that is known and has its reason.
 struct Limit {
-    session::PaneState slot;
+    lab::PaneState slot;
     std::string why;
 };
 
@@ -46,7 +46,7 @@ struct Case {
     std::filesystem::path file; ///< for messages
     std::string title;
     std::string why;                            ///< what the careless version does, and why the right one holds
-    std::optional<session::ShownState> picture; ///< the case's own scene; none: it is about numbers alone
+    std::optional<course::ShownState> picture; ///< the case's own scene; none: it is about numbers alone
     ivec2 size{0}, smallSize{0};
     Least least;
     std::vector<Check> checks;

@@ -4,13 +4,13 @@
 #include <array>
 #include <tuple>
 
+#include "app/course/lessons/lesson_parts.h"
+#include "app/course/state_json.h"
 #include "app/hard/case.h"
 #include "app/hard/quantities.h"
-#include "app/session/lesson_parts.h"
-#include "app/session/limits.h"
-#include "app/session/state_json.h"
-#include "techniques/foundation/scene/file_access.h"
-#include "techniques/foundation/scene/message_text.h"
+#include "app/picture/limits.h"
+#include "techniques/foundation/scene/load/file_access.h"
+#include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::hard {
 
@@ -20,7 +20,7 @@ using scene::JsonDocument;
 using scene::JsonObject;
 using scene::JsonValue;
 using scene::Range;
-using session::ShownState;
+using course::ShownState;
 
 constexpr int kSmallestSide = 16, kLargestSide = 2048; ///< of pictures, pixels
 // Four to three, as most of the cases' numbers were found; the small ones take a sixteenth of the time.
@@ -45,7 +45,7 @@ std::tuple<std::size_t, int, std::string> partsOf(const std::string& id) {
 class CaseReader {
 public:
     CaseReader(const std::string& text, const std::filesystem::path& file, const scene::LoadOptions& options)
-        : file_(file), document_(text, file, session::limits().jsonDepth, "a hard case, starting with {"),
+        : file_(file), document_(text, file, picture::limits().jsonDepth, "a hard case, starting with {"),
           top_(document_, document_.root(), "the case",
                {"case", "title", "why", "scene", "camera", "lights", "light", "size", "smallSize", "least", "checks",
                 "tests", "naiveTests", "withoutNaive", "limits"}),
@@ -56,14 +56,14 @@ public:
         one.id = id();
         one.name = file_.stem().string();
         one.file = file_;
-        one.title = session::shortText(top_, "title", kLongestTitle);
-        one.why = session::shortText(top_, "why", kLongestWhy);
+        one.title = course::shortText(top_, "title", kLongestTitle);
+        one.why = course::shortText(top_, "why", kLongestWhy);
         one.size = size("size", kSize);
         one.smallSize = size("smallSize", kSmallSize);
         one.least = least();
         one.tests = names("tests");
         one.naiveTests = names("naiveTests");
-        if (top_.find("withoutNaive")) one.withoutNaive = session::shortText(top_, "withoutNaive", kLongestWhy);
+        if (top_.find("withoutNaive")) one.withoutNaive = course::shortText(top_, "withoutNaive", kLongestWhy);
         if (top_.find("scene")) {
             // The case's own scene needs some technique to be read; any will do.
             const std::array<const JsonObject*, 2> levels{&top_, &unshadowed_};
@@ -107,7 +107,7 @@ private:
     }
     [[nodiscard]] std::vector<std::string> names(const char* key) const {
         std::vector<std::string> names;
-        for (const auto& [name, offset] : session::texts(top_, key)) {
+        for (const auto& [name, offset] : course::texts(top_, key)) {
             if (name.find('.') == std::string::npos)
                 document_.fail(offset, "is " + scene::inQuotes(name) + "; write SUITE.NAME of a test");
             names.push_back(name);
@@ -118,7 +118,7 @@ private:
         std::vector<std::string> known;
         for (const Quantity& quantity : quantities())
             known.emplace_back(quantity.id);
-        return session::oneOf(keys, "quantity", keys.text("quantity"), known);
+        return course::oneOf(keys, "quantity", keys.text("quantity"), known);
     }
     Check check(const JsonValue& value, std::size_t number) {
         const JsonObject keys(document_, value, "check " + std::to_string(number),
@@ -146,7 +146,7 @@ private:
     Limit limit(const JsonValue& value, std::size_t number) {
         const JsonObject keys(document_, value, "limit " + std::to_string(number), {"technique", "set", "why"});
         const std::array<const JsonObject*, 2> levels{&top_, &keys};
-        return {states_.read(levels).slots.front(), session::shortText(keys, "why", kLongestWhy)};
+        return {states_.read(levels).slots.front(), course::shortText(keys, "why", kLongestWhy)};
     }
     /// A check that nothing careless has failed may be one that sees nothing.
     void requireNaive(const Case& one) const {
@@ -183,7 +183,7 @@ private:
     }
     [[nodiscard]] static std::vector<std::string> settings(const JsonObject& keys) {
         std::vector<std::string> settings;
-        for (const auto& [setting, offset] : session::texts(keys, "set"))
+        for (const auto& [setting, offset] : course::texts(keys, "set"))
             settings.push_back(setting);
         return settings;
     }
@@ -193,7 +193,7 @@ private:
     JsonObject top_;
     JsonDocument plain_{R"({"technique": "unshadowed"})", "", 2, ""};
     JsonObject unshadowed_{plain_, plain_.root(), "the case", {"technique"}};
-    session::StateReader states_;
+    course::StateReader states_;
 };
 
 } // namespace
@@ -205,7 +205,7 @@ Case parseCase(const std::string& text, const std::filesystem::path& file, const
 }
 
 Case loadCase(const std::filesystem::path& file, const scene::LoadOptions& options) {
-    return parseCase(scene::readFile(file, session::limits().sceneFileBytes, "scene-file"), file, options);
+    return parseCase(scene::readFile(file, picture::limits().sceneFileBytes, "scene-file"), file, options);
 }
 
 std::vector<std::filesystem::path> caseFiles(const std::filesystem::path& assetsRoot) {

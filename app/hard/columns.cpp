@@ -12,7 +12,7 @@ namespace {
 /// Settings that make a technique exact; none: it is by default.
 struct ExactWay {
     std::string_view technique;
-    session::Values values;
+    lab::Values values;
 };
 
 const std::vector<ExactWay>& exactWays() {

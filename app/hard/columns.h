@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "app/session/pane.h"
+#include "app/lab/pane.h"
 
 namespace shadowlab::hard {
 
 struct Column {
     std::string technique;  ///< id
-    session::Values values; ///< what differs from its defaults
+    lab::Values values; ///< what differs from its defaults
     bool isExact = false;   ///< it asks rays wherever the rasteriser may err: no pixel may be wrong but ties
 
     /// "shadow-map exact=true"
     [[nodiscard]] std::string title() const;
     /// As the reader of cases makes it: what has only defaults has no settings at all.
-    [[nodiscard]] session::PaneState state() const {
-        session::PaneState state{technique, "", {}};
+    [[nodiscard]] lab::PaneState state() const {
+        lab::PaneState state{technique, "", {}};
         if (!values.empty()) state.settings[technique] = values;
         return state;
     }

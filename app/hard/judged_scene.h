@@ -4,10 +4,10 @@
 #include <memory>
 #include <optional>
 
-#include "app/measure/slot_errors.h"
-#include "app/session/picture.h"
-#include "app/session/session.h"
-#include "app/session/shown_state.h"
+#include "app/course/shown_state.h"
+#include "app/judge/slot_errors.h"
+#include "app/picture/picture.h"
+#include "app/picture/session.h"
 
 namespace shadowlab::hard {
 
@@ -15,8 +15,8 @@ namespace shadowlab::hard {
 struct JudgedFrame {
     image::Image picture;
     image::Image errorMap; ///< report::errorMap()
-    session::VisibilityImage visibility;
-    measure::SlotErrors errors;
+    picture::VisibilityImage visibility;
+    judge::SlotErrors errors;
     int coreErrors = 0;
     double served = 1; ///< share of the pixels with a surface that the technique serves at all
     double ms = 0;     ///< prepare and render, to the end of the GL work
@@ -25,9 +25,9 @@ struct JudgedFrame {
 class JudgedScene {
 public:
     /// Of the state, the scene, the camera and the light. Needs a current GL context for its whole life.
-    JudgedScene(const session::ShownState& state, ivec2 size);
+    JudgedScene(const course::ShownState& state, ivec2 size);
 
-    [[nodiscard]] bool shows(const session::ShownState& state) const {
+    [[nodiscard]] bool shows(const course::ShownState& state) const {
         return state.scene == session_.snapshot() && state.camera == view_.camera && state.light == light_;
     }
     enum class Timing {
@@ -35,13 +35,13 @@ public:
         again, ///< one more frame, in which the light has gone on by one degree and nothing that follows from it can be kept
     };
     /// Throws Error (badInput) for a technique that does not say what it makes of one light.
-    JudgedFrame draw(const session::PaneState& technique, Timing timing = Timing::first);
+    JudgedFrame draw(const lab::PaneState& technique, Timing timing = Timing::first);
 
 private:
-    double msWithLightMoved(session::Slot& slot);
+    double msWithLightMoved(picture::Slot& slot);
 
-    session::Session session_;
-    session::PictureEncoder encoder_;
+    picture::Session session_;
+    picture::PictureEncoder encoder_;
     View view_;
     int light_;
 };

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "app/hard/page.h"
 
-#include "app/diagram/markup.h"
+#include "app/drawing/markup.h"
 #include "app/hard/words.h"
-#include "app/report/page_style.h"
+#include "app/report/page/page_style.h"
 
 namespace shadowlab::hard {
 
 namespace {
 
-using diagram::escapedMarkup;
+using drawing::escapedMarkup;
 
 std::string linkedNumber(double value, const Pictures& pictures, const std::string& about, const std::string& facts) {
     return "<td>" + pictureLink(pictures, numberText(value), about, facts) + "</td>";

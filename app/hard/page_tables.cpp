@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <map>
 
-#include "app/diagram/markup.h"
+#include "app/drawing/markup.h"
 #include "app/hard/page.h"
 #include "app/hard/words.h"
-#include "app/report/log_axis.h"
+#include "app/report/page/log_axis.h"
 
 namespace shadowlab::hard {
 
 namespace {
 
-using diagram::escapedMarkup;
+using drawing::escapedMarkup;
 
 /// The sign that stands beside the colour, and the class that has it.
 struct Look {
@@ -30,7 +30,7 @@ Look lookOf(Standing standing) {
 }
 
 std::string factsOf(const Cell& cell) {
-    const measure::Counts& c = cell.counts;
+    const judge::Counts& c = cell.counts;
     std::string facts = std::string(toText(cell.standing)) + ". ";
     if (cell.standing != Standing::refused)
         facts += std::to_string(c.falseLit) + " false lit, " + std::to_string(c.falseShadow) + " false shadow" +

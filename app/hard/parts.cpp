@@ -5,14 +5,14 @@
 #include <initializer_list>
 
 #include "app/hard/results_json.h"
+#include "app/picture/digest.h"
 #include "app/report/part_file.h"
 #include "app/report/store.h"
-#include "app/session/digest.h"
-#include "app/session/program_digest.h"
-#include "techniques/foundation/error.h"
+#include "app/student/program_digest.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
-#include "techniques/foundation/scene/file_access.h"
+#include "techniques/foundation/scene/load/file_access.h"
 
 namespace shadowlab::hard {
 
@@ -64,11 +64,11 @@ fs::path Parts::fileOf(const Case& one) const { return folder_ / "parts" / (repo
 
 std::string Parts::madeFrom(const Case& one) const {
     std::string text = madeBy_ + "\n" + textOf(one.file);
-    if (one.picture) text += session::digestOf(*one.picture->scene);
+    if (one.picture) text += picture::digestOf(*one.picture->scene);
     for (const Check& check : one.checks) {
-        text += " " + session::digestOf(*check.right.scene);
+        text += " " + picture::digestOf(*check.right.scene);
         for (const Expectation& expected : check.expectations)
-            if (expected.from) text += " " + session::digestOf(*expected.from->scene);
+            if (expected.from) text += " " + picture::digestOf(*expected.from->scene);
     }
     return text;
 }
@@ -79,7 +79,7 @@ std::optional<CaseResult> Parts::find(const Case& one) const {
         const Json part = jsonOf(fileOf(one));
         if (part.at("madeFrom") != madeFrom(one)) return std::nullopt;
         for (const auto& [picture, digest] : part.at("pictures").items())
-            if (session::digestOf(textOf(folder_ / "pictures" / picture)) != digest.get<std::string>())
+            if (picture::digestOf(textOf(folder_ / "pictures" / picture)) != digest.get<std::string>())
                 return std::nullopt;
         return caseResultFromJson(part.at("result"));
     } catch (const Json::exception&) {
@@ -94,7 +94,7 @@ void Parts::keep(const Case& one, const CaseResult& result) const {
         for (const auto& [ending, png] :
              {std::pair(".png", &pictures.picturePng), {"-errors.png", &pictures.errorPng}}) {
             image::writeWhole(folder_ / "pictures" / (pictures.name + ending), *png);
-            digests[pictures.name + ending] = session::digestOf(*png);
+            digests[pictures.name + ending] = picture::digestOf(*png);
         }
     };
     for (const Row& row : result.rows) {
@@ -116,7 +116,7 @@ void Parts::discard(std::span<const Case> cases) const {
 }
 
 std::string madeBy(const std::string& renderer, bool small, std::span<const Column> columns) {
-    std::string text = session::programDigest() + ", " + renderer + (small ? ", small" : ", full size");
+    std::string text = student::programDigest() + ", " + renderer + (small ? ", small" : ", full size");
     for (const Column& column : columns)
         text += ", " + column.title();
     return text;

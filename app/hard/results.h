@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/measure/verdict.h"
+#include "app/judge/verdict.h"
 
 namespace shadowlab::hard {
 
@@ -38,7 +38,7 @@ struct Row {
     std::string caseId, title, technique;
     std::vector<std::string> settings, naiveSettings;
     std::vector<Measured> measured;
-    measure::Counts counts; ///< of the right version
+    judge::Counts counts; ///< of the right version
     Outcome outcome = Outcome::right;
     std::optional<bool> caught; ///< is the careless version red? None: the check has none
     double ms = 0;              ///< of the right version's frame
@@ -62,7 +62,7 @@ struct Cell {
     std::string column;   ///< Column::title()
     bool isExact = false; ///< Column::isExact
     Standing standing = Standing::exact;
-    measure::Counts counts;
+    judge::Counts counts;
     int coreErrors = 0;
     double served = 1;  ///< share of the pixels with a surface that the technique serves at all
     double ms = 0;      ///< of a frame in which the light has moved

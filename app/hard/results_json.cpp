@@ -20,14 +20,14 @@ Value fromText(const std::string& text, const std::array<Value, N>& values) {
     return values.back();
 }
 
-Json countsJson(const measure::Counts& counts) {
+Json countsJson(const judge::Counts& counts) {
     return {{"pixels", counts.pixels},           {"lit", counts.lit},     {"shadowed", counts.shadowed},
             {"turnedAway", counts.turnedAway},   {"ties", counts.ties},   {"falseLit", counts.falseLit},
             {"falseShadow", counts.falseShadow}, {"stray", counts.stray}, {"rmse", counts.rmse}};
 }
 
-measure::Counts countsFromJson(const Json& json) {
-    measure::Counts counts;
+judge::Counts countsFromJson(const Json& json) {
+    judge::Counts counts;
     counts.pixels = json.at("pixels"), counts.lit = json.at("lit"), counts.shadowed = json.at("shadowed");
     counts.turnedAway = json.at("turnedAway"), counts.ties = json.at("ties"), counts.falseLit = json.at("falseLit");
     counts.falseShadow = json.at("falseShadow"), counts.stray = json.at("stray"), counts.rmse = json.at("rmse");

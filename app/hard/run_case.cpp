@@ -10,17 +10,17 @@
 #include "app/hard/quantities.h"
 #include "app/report/judge.h"
 #include "app/report/store.h"
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/png.h"
 
 namespace shadowlab::hard {
 
 namespace {
 
-using session::ShownState;
+using course::ShownState;
 
 /// The pixels of which the visibility, grey and alpha, is not the same.
-int differingPixels(const session::VisibilityImage& a, const session::VisibilityImage& b) {
+int differingPixels(const picture::VisibilityImage& a, const picture::VisibilityImage& b) {
     int differing = 0;
     for (std::size_t i = 0; i < a.greyAlpha.size(); i += 2)
         differing += a.greyAlpha[i] != b.greyAlpha[i] || a.greyAlpha[i + 1] != b.greyAlpha[i + 1] ? 1 : 0;
@@ -108,7 +108,7 @@ public:
     }
 
 private:
-    [[nodiscard]] bool isEnough(const measure::Counts& counts) const {
+    [[nodiscard]] bool isEnough(const judge::Counts& counts) const {
         const Least least = leastHere();
         return counts.lit >= least.lit && counts.shadowed >= least.shadowed;
     }
@@ -128,7 +128,7 @@ private:
     }
     JudgedFrame draw(const ShownState& state) { return sceneOf(state).draw(state.slots.front()); }
     double value(const Expectation& expected, const JudgedFrame& frame) {
-        const measure::Counts& counts = frame.errors.judgement.counts;
+        const judge::Counts& counts = frame.errors.judgement.counts;
         const std::string& id = expected.quantity;
         if (id == "wrong") return counts.wrong() + counts.stray;
         if (id == "falseLit") return counts.falseLit;

@@ -40,7 +40,7 @@ std::string matrixCsv(const std::vector<CaseResult>& results) {
         "lit,shadowed,turnedAway,ties,reason\r\n";
     for (const CaseResult& result : results)
         for (const Cell& cell : result.cells) {
-            const measure::Counts& c = cell.counts;
+            const judge::Counts& c = cell.counts;
             csv += report::csvLine({result.id, result.title, cell.column, cell.isExact ? "yes" : "no",
                                     std::string(toText(cell.standing)), std::to_string(cell.wrong()),
                                     std::to_string(c.falseLit), std::to_string(c.falseShadow), std::to_string(c.stray),

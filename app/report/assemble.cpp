@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "app/report/analysis.h"
-#include "app/report/chart.h"
-#include "app/report/page.h"
+#include "app/report/page/chart.h"
+#include "app/report/page/page.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
 
@@ -69,7 +69,7 @@ Report assemble(const Store& store) {
             report.rounds = std::max(report.rounds, static_cast<int>(times.back().rounds.size()));
         }
         const std::string yardstick = planned.points.front().name();
-        for (const measure::TruthOf truth : {measure::TruthOf::centre, measure::TruthOf::area}) {
+        for (const judge::TruthOf truth : {judge::TruthOf::centre, judge::TruthOf::area}) {
             Group group{planned.title, planned.light, truth, {}, {}, {}};
             for (const PointKey& key : planned.points) {
                 const std::optional<Judge::Judged> judged = store.judged(planned, key);

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <fstream>
 
-#include "app/measure/frame_times.h"
+#include "app/judge/metrics/frame_times.h"
 #include "app/report/spread.h"
 
 namespace shadowlab::report {
@@ -15,7 +15,7 @@ namespace shadowlab::report {
 namespace {
 
 using SteadyClock = std::chrono::steady_clock;
-using measure::elapsedMs;
+using judge::elapsedMs;
 
 /// Of this process in memory. 0 where the system does not say.
 double residentMegabytes() {
@@ -30,14 +30,14 @@ constexpr double kTurnMs = 400;
 
 } // namespace
 
-session::Moment Clock::momentOf(int frame) {
-    const session::Motion motion{.frames = 360, .orbitLightDegrees = 360.0, .orbitCameraDegrees = {}, .path = {}};
-    session::Moment moment = session::momentAt(motion, base_, frame % motion.frames, previous_);
+film::Moment Clock::momentOf(int frame) {
+    const film::Motion motion{.frames = 360, .orbitLightDegrees = 360.0, .orbitCameraDegrees = {}, .path = {}};
+    film::Moment moment = film::momentAt(motion, base_, frame % motion.frames, previous_);
     previous_ = moment.snapshot;
     return moment;
 }
 
-session::RenderedFrame Clock::draw(session::Slot& slot, const session::Moment& moment, bool timesPasses) {
+picture::RenderedFrame Clock::draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses) {
     session_.setScene(moment.snapshot);
     View view;
     view.camera = moment.camera;
@@ -47,16 +47,16 @@ session::RenderedFrame Clock::draw(session::Slot& slot, const session::Moment& m
     return session_.render(slot, view, request);
 }
 
-double Clock::encode(session::Slot& slot, const session::Moment& moment) {
+double Clock::encode(picture::Slot& slot, const film::Moment& moment) {
     const SteadyClock::time_point start = SteadyClock::now();
     picture_ = encoder_.encodeInPlace(slot.target.color, moment.snapshot->exposure, 1, {}, std::move(picture_));
     glFinish();
     return elapsedMs(start);
 }
 
-void Clock::first(const std::string& name, session::Slot& slot, Times& times) {
+void Clock::first(const std::string& name, picture::Slot& slot, Times& times) {
     const double before = residentMegabytes();
-    const session::Moment moment = momentOf(0);
+    const film::Moment moment = momentOf(0);
     times.firstMs[name] = draw(slot, moment).frameMs;
     times.residentMegabytes[name] = std::max(0.0, residentMegabytes() - before);
     const SteadyClock::time_point start = SteadyClock::now();
@@ -64,7 +64,7 @@ void Clock::first(const std::string& name, session::Slot& slot, Times& times) {
     usualMs_[name] = elapsedMs(start);
 }
 
-Turn Clock::turn(const std::string& name, session::Slot& slot, int round) {
+Turn Clock::turn(const std::string& name, picture::Slot& slot, int round) {
     const double usualMs = std::max(usualMs_[name], 0.1);
     const int most = static_cast<int>(kTurnMs / usualMs);
     const int counted = std::clamp(most, 1, length_.counted);
@@ -72,10 +72,10 @@ Turn Clock::turn(const std::string& name, session::Slot& slot, int round) {
     const int resting = std::clamp(most, 1, length_.resting);
     Turn turn;
     int frame = round * (length_.warming + length_.counted);
-    session::Moment moment;
+    film::Moment moment;
     for (int i = 0; i < warming + counted; ++i) {
         moment = momentOf(frame++);
-        const session::RenderedFrame drawn = draw(slot, moment);
+        const picture::RenderedFrame drawn = draw(slot, moment);
         const double encodeMs = encode(slot, moment);
         if (i < warming) continue;
         turn.frame.push_back(drawn.frameMs + encodeMs);
@@ -110,14 +110,14 @@ std::optional<Costs> costsOf(const Times& times, const std::string& point, const
             passes[pass.id].push_back(pass.ms);
         }
         if (const auto base = round.find(yardstick); base != round.end())
-            shadow.push_back(measure::median(turn->second.frame) - measure::median(base->second.frame));
+            shadow.push_back(judge::median(turn->second.frame) - judge::median(base->second.frame));
     }
     if (frame.empty()) return std::nullopt;
     costs.frames = static_cast<int>(frame.size());
     costs.frame = spreadOf(frame), costs.prepare = spreadOf(prepare), costs.draw = spreadOf(draw);
     costs.encode = spreadOf(encode), costs.atRest = spreadOf(atRest), costs.shadow = spreadOf(shadow);
     for (const std::string& id : order)
-        costs.passes.push_back({id, measure::median(passes[id])});
+        costs.passes.push_back({id, judge::median(passes[id])});
     if (const auto first = times.firstMs.find(point); first != times.firstMs.end()) costs.firstMs = first->second;
     if (const auto grown = times.residentMegabytes.find(point); grown != times.residentMegabytes.end())
         costs.residentMegabytes = grown->second;

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "app/film/motion.h"
+#include "app/picture/picture.h"
+#include "app/picture/session.h"
 #include "app/report/results.h"
-#include "app/session/motion.h"
-#include "app/session/picture.h"
-#include "app/session/session.h"
 
 namespace shadowlab::report {
 
@@ -35,24 +35,24 @@ struct Times {
 
 class Clock {
 public:
-    Clock(session::Session& session, scene::Snapshot base, ivec2 size, TurnLength length)
+    Clock(picture::Session& session, scene::Snapshot base, ivec2 size, TurnLength length)
         : session_(session), base_(std::move(base)), size_(size), length_(length) {}
 
     /// The first frame of a new slot. Remembers how long frames of it are.
-    void first(const std::string& name, session::Slot& slot, Times& times);
+    void first(const std::string& name, picture::Slot& slot, Times& times);
     /// One turn in the given round, which says where the light is.
-    Turn turn(const std::string& name, session::Slot& slot, int round);
+    Turn turn(const std::string& name, picture::Slot& slot, int round);
 
 private:
-    session::RenderedFrame draw(session::Slot& slot, const session::Moment& moment, bool timesPasses = false);
-    double encode(session::Slot& slot, const session::Moment& moment);
-    session::Moment momentOf(int frame);
+    picture::RenderedFrame draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses = false);
+    double encode(picture::Slot& slot, const film::Moment& moment);
+    film::Moment momentOf(int frame);
 
-    session::Session& session_;
+    picture::Session& session_;
     scene::Snapshot base_, previous_;
     ivec2 size_;
     TurnLength length_;
-    session::PictureEncoder encoder_;
+    picture::PictureEncoder encoder_;
     gl::Texture2D picture_;
     std::map<std::string, double> usualMs_;
 };

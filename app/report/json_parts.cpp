@@ -74,7 +74,7 @@ Json toJson(const Errors& errors) {
     Json counters = Json::array();
     for (const Errors::Counter& counter : errors.counters)
         counters.push_back({{"id", counter.id}, {"unit", counter.unit}, {"built", counter.built}, {"of", counter.of}});
-    return {{"truth", errors.truth == measure::TruthOf::area ? "area" : "centre"},
+    return {{"truth", errors.truth == judge::TruthOf::area ? "area" : "centre"},
             {"pixels", errors.pixels},
             {"lit", errors.lit},
             {"shadowed", errors.shadowed},
@@ -93,7 +93,7 @@ Json toJson(const Errors& errors) {
 
 Errors errorsFromJson(const Json& json) {
     Errors errors;
-    errors.truth = json.at("truth") == "area" ? measure::TruthOf::area : measure::TruthOf::centre;
+    errors.truth = json.at("truth") == "area" ? judge::TruthOf::area : judge::TruthOf::centre;
     errors.pixels = countOf(json.at("pixels")), errors.lit = countOf(json.at("lit"));
     errors.shadowed = countOf(json.at("shadowed")), errors.turnedAway = countOf(json.at("turnedAway"));
     errors.ties = countOf(json.at("ties")), errors.falseLit = countOf(json.at("falseLit"));

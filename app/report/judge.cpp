@@ -13,7 +13,7 @@ namespace {
 
 using image::Color8;
 using image::Image;
-using measure::Verdict;
+using judge::Verdict;
 
 // Light greys: the two colours of errors stand out, also in print (docs/conventions.md has what they mean).
 constexpr Color8 kBackground{255, 255, 255}, kLit{222, 222, 222}, kShadowed{150, 150, 150}, kTurnedAway{120, 120, 120},
@@ -66,7 +66,7 @@ Image reduced(const Image& picture, int width) {
     return small;
 }
 
-Image errorMap(const measure::Truth& truth, const measure::Judgement& judgement, int width) {
+Image errorMap(const judge::Truth& truth, const judge::Judgement& judgement, int width) {
     const int factor = factorFor(truth.size.x, width);
     Image map(truth.size.x / factor, truth.size.y / factor);
     for (int y = 0; y < map.height; ++y)
@@ -81,17 +81,17 @@ Image errorMap(const measure::Truth& truth, const measure::Judgement& judgement,
     return map;
 }
 
-Judge::Judge(session::Session& session, const View& view, int light) : session_(session), view_(view), light_(light) {
+Judge::Judge(picture::Session& session, const View& view, int light) : session_(session), view_(view), light_(light) {
     // What belongs to the scene is made now, and is no technique's own: buffers, and the facing signs of every light.
-    session::Slot first = session::Session::makeSlot("unshadowed");
+    picture::Slot first = picture::Session::makeSlot("unshadowed");
     session_.render(first, view_);
 }
 
-Judge::Judged Judge::judge(session::Slot& slot) {
-    const session::LightTruth asked = session_.truthFor(slot, light_);
-    const measure::Truth& truth = session_.truth(view_, asked);
-    if (!boundaries_.contains(asked.of)) boundaries_.emplace(asked.of, measure::trueBoundary(truth));
-    const std::vector<measure::BoundaryEdge>& boundary = boundaries_.at(asked.of);
+Judge::Judged Judge::judge(picture::Slot& slot) {
+    const picture::LightTruth asked = session_.truthFor(slot, light_);
+    const judge::Truth& truth = session_.truth(view_, asked);
+    if (!boundaries_.contains(asked.of)) boundaries_.emplace(asked.of, judge::trueBoundary(truth));
+    const std::vector<judge::BoundaryEdge>& boundary = boundaries_.at(asked.of);
 
     Judged judged;
     Errors& errors = judged.errors;
@@ -103,15 +103,15 @@ Judge::Judged Judge::judge(session::Slot& slot) {
     FrameRequest request;
     request.stages = {{"visibility", light_}};
     if (publishes(*slot.info, "texel-size")) request.stages.push_back({"texel-size", light_});
-    const session::RenderedFrame rendered = session_.render(slot, view_, request);
-    const session::VisibilityImage visibility =
-        session::readVisibility(session::findStage(rendered, {"visibility", light_}));
-    const measure::SlotErrors found = measure::judgeSlot(truth, boundary, visibility.greyAlpha);
-    std::optional<measure::Grid<float>> texelPx;
+    const picture::RenderedFrame rendered = session_.render(slot, view_, request);
+    const picture::VisibilityImage visibility =
+        picture::readVisibility(picture::findStage(rendered, {"visibility", light_}));
+    const judge::SlotErrors found = judge::judgeSlot(truth, boundary, visibility.greyAlpha);
+    std::optional<judge::Grid<float>> texelPx;
     if (request.stages.size() > 1)
-        texelPx = session::readTexelSizes(session::findStage(rendered, {"texel-size", light_}));
+        texelPx = picture::readTexelSizes(picture::findStage(rendered, {"texel-size", light_}));
 
-    const measure::Counts& counts = found.judgement.counts;
+    const judge::Counts& counts = found.judgement.counts;
     errors.truth = asked.of;
     errors.pixels = counts.pixels, errors.lit = counts.lit, errors.shadowed = counts.shadowed;
     errors.turnedAway = counts.turnedAway, errors.ties = counts.ties;
@@ -119,7 +119,7 @@ Judge::Judged Judge::judge(session::Slot& slot) {
     errors.rmse = counts.rmse;
     errors.edgeErrorPx = found.edgeErrorPx;
     errors.core =
-        measure::coreErrors(truth, found.judgement, measure::distanceToBoundary(boundary, view_.size), texelPx);
+        judge::coreErrors(truth, found.judgement, judge::distanceToBoundary(boundary, view_.size), texelPx);
     errors.converged = rendered.converged;
     for (const Counter& counter : rendered.result.counters) {
         errors.counters.push_back({counter.id, counter.unit, counter.built, counter.of});

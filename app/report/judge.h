@@ -3,10 +3,10 @@
 #pragma once
 #include <map>
 
-#include "app/measure/slot_errors.h"
+#include "app/judge/slot_errors.h"
+#include "app/picture/picture.h"
+#include "app/picture/session.h"
 #include "app/report/results.h"
-#include "app/session/picture.h"
-#include "app/session/session.h"
 #include "techniques/foundation/image/image.h"
 
 namespace shadowlab::report {
@@ -19,27 +19,27 @@ image::Image reduced(const image::Image& picture, int width = kPictureWidth);
 
 /// Where a technique is right and wrong, a colour for each pixel; reduced like the picture, but a wrong pixel keeps its colour
 /// however many right ones it shares its place with.
-image::Image errorMap(const measure::Truth& truth, const measure::Judgement& judgement, int width = kPictureWidth);
+image::Image errorMap(const judge::Truth& truth, const judge::Judgement& judgement, int width = kPictureWidth);
 
 /// Judges the points of one view of one light. Needs a current GL context.
 class Judge {
 public:
     /// The session shows the scene, and lives as long as the judge.
-    Judge(session::Session& session, const View& view, int light);
+    Judge(picture::Session& session, const View& view, int light);
 
     struct Judged {
         Errors errors;
         std::vector<std::uint8_t> picturePng, errorPng;
     };
     /// Draws the slot, which is new: what it holds afterwards is counted as its own.
-    Judged judge(session::Slot& slot);
+    Judged judge(picture::Slot& slot);
 
 private:
-    session::Session& session_;
+    picture::Session& session_;
     const View& view_;
     int light_;
-    session::PictureEncoder encoder_;
-    std::map<measure::TruthOf, std::vector<measure::BoundaryEdge>> boundaries_;
+    picture::PictureEncoder encoder_;
+    std::map<judge::TruthOf, std::vector<judge::BoundaryEdge>> boundaries_;
 };
 
 } // namespace shadowlab::report

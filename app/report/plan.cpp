@@ -5,7 +5,7 @@
 #include <charconv>
 #include <sstream>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 
 namespace shadowlab::report {
 

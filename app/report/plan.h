@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/report/results.h"
-#include "techniques/foundation/scene/scene.h"
+#include "techniques/foundation/scene/model/scene.h"
 #include "techniques/technique.h"
 
 namespace shadowlab::report {
@@ -37,7 +37,7 @@ Shard shardFrom(const std::string& text);
 /// All of it; what the shards of one report have in common.
 struct Plan {
     std::string program; ///< version
-    std::string build;   ///< digest of the program with its shaders, plug-ins and fonts (session/program_digest.h)
+    std::string build;   ///< digest of the program with its shaders, plug-ins and fonts (student/program_digest.h)
     ivec2 size{0};
     bool isQuick = false;
     std::string renderer; ///< another one draws other pixels

@@ -10,8 +10,8 @@ std::string PointKey::name() const {
     return name;
 }
 
-double Errors::shown() const { return truth == measure::TruthOf::area ? rmse : edgeErrorPx.value_or(0); }
+double Errors::shown() const { return truth == judge::TruthOf::area ? rmse : edgeErrorPx.value_or(0); }
 
-std::string Group::name() const { return scene + "@" + light + (truth == measure::TruthOf::area ? "-area" : ""); }
+std::string Group::name() const { return scene + "@" + light + (truth == judge::TruthOf::area ? "-area" : ""); }
 
 } // namespace shadowlab::report

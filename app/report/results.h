@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/measure/truth.h"
+#include "app/judge/truth.h"
 
 namespace shadowlab::report {
 
@@ -27,7 +27,7 @@ struct PointKey {
 
 /// How wrong it is. The same on every machine with the same driver.
 struct Errors {
-    measure::TruthOf truth = measure::TruthOf::centre; ///< what it was judged by
+    judge::TruthOf truth = judge::TruthOf::centre; ///< what it was judged by
     int pixels = 0, lit = 0, shadowed = 0, turnedAway = 0, ties = 0;
     int falseLit = 0, falseShadow = 0, core = 0;
     double served = 1; ///< share of the pixels with a surface that the technique serves at all
@@ -100,7 +100,7 @@ struct ExactAgainstInexact {
 /// All points of one scene under one light that are held against the same truth.
 struct Group {
     std::string scene, light;
-    measure::TruthOf truth = measure::TruthOf::centre;
+    judge::TruthOf truth = judge::TruthOf::centre;
     std::vector<Point> points;
     std::vector<Growth> growth;
     ExactAgainstInexact exactness;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/measure/frame_times.h"
+#include "app/judge/metrics/frame_times.h"
 
 namespace shadowlab::report {
 
@@ -32,7 +32,7 @@ Spread spreadOf(std::vector<double> values) {
     std::ranges::sort(values);
     const std::size_t n = values.size(), rank = std::max<std::size_t>(intervalRank(n), 1);
     const auto last = static_cast<std::size_t>(std::ceil(0.95 * static_cast<double>(n))) - 1;
-    return {measure::median(values), values[rank - 1], values[n - rank], values[last]};
+    return {judge::median(values), values[rank - 1], values[n - rank], values[last]};
 }
 
 std::optional<double> powerOf(std::span<const double> x, std::span<const double> y) {

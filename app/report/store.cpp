@@ -9,10 +9,10 @@
 #include <set>
 #include <stdexcept>
 
+#include "app/picture/digest.h"
 #include "app/report/json_parts.h"
 #include "app/report/part_file.h"
-#include "app/session/digest.h"
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
 
@@ -73,7 +73,7 @@ std::string endingOf(const Shard& shard) {
 }
 
 std::array<std::string, 2> digestsOf(const Judge::Judged& judged) {
-    return {session::digestOf(judged.picturePng), session::digestOf(judged.errorPng)};
+    return {picture::digestOf(judged.picturePng), picture::digestOf(judged.errorPng)};
 }
 
 } // namespace
@@ -91,7 +91,7 @@ std::string fileName(const std::string& name) {
     std::ranges::replace(blanksOnly, ' ', '_');
     const bool isClear = !name.empty() && name.find('_') == std::string::npos; // "a b" and "a_b" are two names
     if (isClear && safe == blanksOnly && safe.size() <= kLongest) return safe;
-    return safe.substr(0, kLongest) + "-" + session::digestOf(name);
+    return safe.substr(0, kLongest) + "-" + picture::digestOf(name);
 }
 
 fs::path Store::groupFolder(const PlannedGroup& group) const {

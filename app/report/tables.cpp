@@ -81,7 +81,7 @@ std::string reportJson(const Report& report) {
                               {"errorPower", g.errorPower ? Json(*g.errorPower) : Json(nullptr)}});
         groups.push_back({{"scene", group.scene},
                           {"light", group.light},
-                          {"truth", group.truth == measure::TruthOf::area ? "area" : "centre"},
+                          {"truth", group.truth == judge::TruthOf::area ? "area" : "centre"},
                           {"points", points},
                           {"growth", growth},
                           {"exactness", exactnessJson(group)}});
@@ -108,7 +108,7 @@ std::string reportCsv(const Report& report) {
             const Errors& e = point.errors;
             std::vector<std::string> fields = {group.scene,
                                                group.light,
-                                               group.truth == measure::TruthOf::area ? "area" : "centre",
+                                               group.truth == judge::TruthOf::area ? "area" : "centre",
                                                point.key.technique,
                                                joined(point.key.settings),
                                                point.key.sweep};

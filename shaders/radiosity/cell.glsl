@@ -1,4 +1,4 @@
-// Which patch does the fragment show, and what is its value there? The tables are made in techniques/radiosity/surface_cells.h.
+// Which patch does the fragment show, and what is its value there? The tables are made in techniques/radiosity/display/surface_cells.h.
 #include "table.glsl"
 uniform sampler2D cellPlaces;
 uniform usampler2D cellRoots;

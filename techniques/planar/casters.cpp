@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "techniques/foundation/scene/casters.h"
-#include "techniques/foundation/scene/facing.h"
-#include "techniques/foundation/scene/holes.h"
+#include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/query/casters.h"
+#include "techniques/foundation/scene/query/facing.h"
 
 namespace shadowlab::planar {
 

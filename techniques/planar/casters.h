@@ -7,8 +7,8 @@
 #pragma once
 #include <vector>
 
-#include "techniques/foundation/scene/scene.h"
-#include "techniques/planar/flat_faces.h"
+#include "techniques/foundation/scene/model/scene.h"
+#include "techniques/planar/receivers/flat_faces.h"
 
 namespace shadowlab::planar {
 
@@ -22,7 +22,7 @@ struct Caster {
     std::uint32_t firstTriangle = 0, triangleCount = 0; ///< in the list
     dmat4 worldFromMesh{1.0};
     dvec3 farthestCaster{0.0}, farthestMesh{0.0}; ///< largest absolute coordinates in either space, per axis
-    /// Behind each of its back faces there is a front face (scene/outward_parts.h), as seen from any point out of its box.
+    /// Behind each of its back faces there is a front face (scene/query/outward_parts.h), as seen from any point out of its box.
     bool outward = false;
     scene::Bounds boundsWorld;
 };

@@ -3,7 +3,7 @@
 #pragma once
 #include "techniques/planar/caster_buffers.h"
 #include "techniques/planar/params.h"
-#include "techniques/planar/receivers.h"
+#include "techniques/planar/receivers/receivers.h"
 
 namespace shadowlab::planar {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/params/param.h"
-#include "techniques/foundation/scene/light_points.h"
+#include "techniques/foundation/scene/query/light_points.h"
 
 namespace shadowlab::planar {
 

@@ -16,7 +16,7 @@
 #include <optional>
 
 #include "techniques/foundation/gl/surfaces.h"
-#include "techniques/planar/flat_faces.h"
+#include "techniques/planar/receivers/flat_faces.h"
 
 namespace shadowlab::planar {
 

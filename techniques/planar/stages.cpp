@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "techniques/foundation/base/look.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/look.h"
 #include "techniques/planar/technique.h"
 
 namespace shadowlab::planar {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/planar/technique.h"
 #include "techniques/lights_in_view.h"
+#include "techniques/planar/technique.h"
 
 #include <algorithm>
 #include <chrono>

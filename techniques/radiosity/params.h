@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "techniques/foundation/params/param.h"
-#include "techniques/radiosity/room.h"
-#include "techniques/radiosity/solvers.h"
+#include "techniques/radiosity/equations/solvers.h"
+#include "techniques/radiosity/room/room.h"
 
 namespace shadowlab::radiosity {
 

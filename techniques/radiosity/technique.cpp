@@ -13,15 +13,15 @@
 #include "techniques/foundation/gl/surfaces.h"
 #include "techniques/frame.h"
 #include "techniques/radiosity/described.h"
-#include "techniques/radiosity/hemicube_exchange.h"
-#include "techniques/radiosity/kept_room.h"
-#include "techniques/radiosity/light_balance.h"
-#include "techniques/radiosity/light_map.h"
+#include "techniques/radiosity/display/stages.h"
+#include "techniques/radiosity/display/surface_picture.h"
+#include "techniques/radiosity/equations/light_balance.h"
+#include "techniques/radiosity/form_factors/hemicube_exchange.h"
+#include "techniques/radiosity/lights/light_map.h"
 #include "techniques/radiosity/params.h"
-#include "techniques/radiosity/probe.h"
-#include "techniques/radiosity/stages.h"
-#include "techniques/radiosity/surface_picture.h"
-#include "techniques/radiosity/tell.h"
+#include "techniques/radiosity/probe/probe.h"
+#include "techniques/radiosity/probe/tell.h"
+#include "techniques/radiosity/room/kept_room.h"
 
 namespace shadowlab::radiosity {
 

@@ -1,7 +1,7 @@
 // Ray tracing in words: its passes, in the order they are drawn, and its stages.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/ray_tracing/structure_stages.h"
+#include "techniques/ray_tracing/structures/structure_stages.h"
 
 namespace shadowlab::ray_tracing {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/params/param.h"
-#include "techniques/ray_tracing/ray_tree.h"
+#include "techniques/ray_tracing/tree/ray_tree.h"
 
 namespace shadowlab::ray_tracing {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "techniques/foundation/trace/scene_tracer.h"
-#include "techniques/ray_tracing/ray_tree.h"
+#include "techniques/ray_tracing/tree/ray_tree.h"
 #include "techniques/technique.h"
 
 namespace shadowlab::ray_tracing {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "techniques/foundation/look.h"
+#include "techniques/foundation/base/look.h"
 #include "techniques/ray_tracing/upload.h"
 
 namespace shadowlab::ray_tracing {

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/frame.h"
-#include "techniques/ray_tracing/light_shares.h"
 #include "techniques/ray_tracing/picture.h"
-#include "techniques/ray_tracing/sampled_picture.h"
+#include "techniques/ray_tracing/sampling/light_shares.h"
+#include "techniques/ray_tracing/sampling/sampled_picture.h"
 
 namespace shadowlab::ray_tracing {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/gl/handle.h"
-#include "techniques/foundation/scene/light_points.h"
-#include "techniques/shadow_map/filter_params.h"
+#include "techniques/foundation/scene/query/light_points.h"
+#include "techniques/shadow_map/filters/filter_params.h"
 
 namespace shadowlab::shadow_map {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/receiver_uniforms.h"
 
-#include "techniques/shadow_map/compared_depth.h"
-#include "techniques/shadow_map/moment_maps.h"
+#include "techniques/shadow_map/filters/moment_maps.h"
+#include "techniques/shadow_map/probe/compared_depth.h"
 
 namespace shadowlab::shadow_map {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include "techniques/foundation/gl/program.h"
 #include "techniques/foundation/gl/surfaces.h"
-#include "techniques/shadow_map/light_maps.h"
+#include "techniques/shadow_map/fit/light_maps.h"
 #include "techniques/shadow_map/params.h"
 
 namespace shadowlab::shadow_map {

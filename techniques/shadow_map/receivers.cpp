@@ -1,7 +1,7 @@
 // Drawing the receivers with a light's map: asked only where the shadow of a caster can fall.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_map/filter_uniforms.h"
-#include "techniques/shadow_map/near_plane.h"
+#include "techniques/shadow_map/filters/filter_uniforms.h"
+#include "techniques/shadow_map/fit/near_plane.h"
 #include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {

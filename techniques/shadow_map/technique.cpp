@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/technique.h"
 
-#include "techniques/foundation/scene/casters.h"
+#include "techniques/foundation/scene/query/casters.h"
 #include "techniques/lights_in_view.h"
 #include "techniques/shadow_map/described.h"
-#include "techniques/shadow_map/filter_uniforms.h"
-#include "techniques/shadow_map/frusta.h"
+#include "techniques/shadow_map/filters/filter_uniforms.h"
+#include "techniques/shadow_map/fit/frusta.h"
 
 namespace shadowlab::shadow_map {
 

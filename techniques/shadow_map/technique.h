@@ -5,13 +5,13 @@
 #include <map>
 
 #include "techniques/frame.h"
-#include "techniques/shadow_map/alias_free_pass.h"
-#include "techniques/shadow_map/exact_pass.h"
-#include "techniques/shadow_map/fit.h"
-#include "techniques/shadow_map/kept_maps.h"
-#include "techniques/shadow_map/moment_maps.h"
+#include "techniques/shadow_map/exact/exact_pass.h"
+#include "techniques/shadow_map/filters/moment_maps.h"
+#include "techniques/shadow_map/fit/fit.h"
+#include "techniques/shadow_map/fit/shadowed_part.h"
+#include "techniques/shadow_map/irregular/alias_free_pass.h"
+#include "techniques/shadow_map/maps/kept_maps.h"
 #include "techniques/shadow_map/receiver_uniforms.h"
-#include "techniques/shadow_map/shadowed_part.h"
 
 namespace shadowlab::shadow_map {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/params/param.h"
-#include "techniques/shadow_volume/casters.h"
-#include "techniques/shadow_volume/face_counter.h"
+#include "techniques/shadow_volume/count/face_counter.h"
+#include "techniques/shadow_volume/cull/casters.h"
 
 namespace shadowlab::shadow_volume {
 

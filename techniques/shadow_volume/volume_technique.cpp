@@ -5,10 +5,10 @@
 #include <chrono>
 
 #include "techniques/foundation/gl/baseline.h"
-#include "techniques/foundation/scene/visible_receivers.h"
+#include "techniques/foundation/scene/query/visible_receivers.h"
 #include "techniques/lights_in_view.h"
-#include "techniques/shadow_volume/eye_line.h"
-#include "techniques/shadow_volume/shapes.h"
+#include "techniques/shadow_volume/cull/eye_line.h"
+#include "techniques/shadow_volume/probe/shapes.h"
 
 namespace shadowlab::shadow_volume {
 

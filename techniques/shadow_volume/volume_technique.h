@@ -4,12 +4,12 @@
 // count the faces of the same volumes into the stencil and light what counts zero.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "techniques/frame.h"
-#include "techniques/shadow_volume/casters.h"
-#include "techniques/shadow_volume/float_count.h"
-#include "techniques/shadow_volume/repair_pass.h"
-#include "techniques/shadow_volume/stage_pictures.h"
+#include "techniques/shadow_volume/count/float_count.h"
+#include "techniques/shadow_volume/cull/casters.h"
+#include "techniques/shadow_volume/probe/stage_pictures.h"
+#include "techniques/shadow_volume/repair/repair_pass.h"
 #include "techniques/shadow_volume/volume_params.h"
 
 namespace shadowlab::shadow_volume {

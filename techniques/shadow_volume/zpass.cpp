@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_volume/zpass.h"
 
-#include "techniques/shadow_volume/eye_line.h"
+#include "techniques/shadow_volume/cull/eye_line.h"
 #include "techniques/shadow_volume/shared_info.h"
 
 namespace shadowlab::shadow_volume {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "app/context/window_context.h"
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "tests/support/osmesa.h"
 
 namespace shadowlab::context {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session/picture.h"
-#include "app/session/settings.h"
+#include "app/lab/settings.h"
+#include "app/picture/picture.h"
 #include "techniques/foundation/gl/read_back.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
@@ -31,21 +31,21 @@ protected:
         view.size = size;
         return view;
     }
-    image::Image picture(session::Session& session, session::Slot& slot, ivec2 size = kSize) {
+    image::Image picture(picture::Session& session, picture::Slot& slot, ivec2 size = kSize) {
         session.render(slot, viewOf(session.snapshot(), size));
-        return session::PictureEncoder().encode(slot.target.color, session.snapshot()->exposure);
+        return picture::PictureEncoder().encode(slot.target.color, session.snapshot()->exposure);
     }
     image::Image picture(const scene::Scene& scene, const std::vector<std::string>& settings = {}, ivec2 size = kSize) {
-        session::Session session(snapshot(scene));
-        std::vector<session::Slot> slots;
-        slots.push_back(session::Session::makeSlot(GetParam()));
+        picture::Session session(snapshot(scene));
+        std::vector<picture::Slot> slots;
+        slots.push_back(picture::Session::makeSlot(GetParam()));
         std::vector<std::string> full;
         for (const std::string& setting : settings)
             full.push_back(GetParam() + "." + setting);
-        session::applySettings(slots, full);
+        lab::applySettings(slots, full);
         return picture(session, slots[0], size);
     }
-    void expectNoNaN(const session::Slot& slot) {
+    void expectNoNaN(const picture::Slot& slot) {
         for (const vec4& texel : gl::readTexels(slot.target.color))
             ASSERT_TRUE(std::isfinite(texel.r) && std::isfinite(texel.g) && std::isfinite(texel.b));
     }

@@ -3,7 +3,7 @@
 #include <functional>
 #include <set>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/contract/contract_fixture.h"
 
 namespace shadowlab {
@@ -22,19 +22,19 @@ TEST_P(Contract, SameInputSameBytes) {
 }
 
 TEST_P(Contract, AnotherTechniqueInBetweenChangesNothing) {
-    session::Session session(testing::snapshot(twoLights()));
-    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture::Session session(testing::snapshot(twoLights()));
+    picture::Slot slot = picture::Session::makeSlot(GetParam());
     const image::Image before = picture(session, slot);
     for (const std::string& id : testing::ids()) {
-        session::Slot other = session::Session::makeSlot(id);
+        picture::Slot other = picture::Session::makeSlot(id);
         picture(session, other);
     }
     EXPECT_EQ(picture(session, slot), before);
 }
 
 TEST_P(Contract, ResizingThereAndBackGivesTheFirstPicture) {
-    session::Session session(testing::snapshot(twoLights()));
-    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture::Session session(testing::snapshot(twoLights()));
+    picture::Slot slot = picture::Session::makeSlot(GetParam());
     const image::Image before = picture(session, slot);
     for (const ivec2 size : {ivec2(1, 1), ivec2(17, 200), ivec2(301, 3)})
         EXPECT_EQ(picture(session, slot, size).width, size.x);
@@ -52,8 +52,8 @@ TEST_P(Contract, UnusualScenesAreDrawnWithoutFaults) {
     scenes[5].objects[1].castsShadow = false;
     scenes[5].objects[0].receivesShadow = false;
     for (const scene::Scene& scene : scenes) {
-        session::Session session(testing::snapshot(scene));
-        session::Slot slot = session::Session::makeSlot(GetParam());
+        picture::Session session(testing::snapshot(scene));
+        picture::Slot slot = picture::Session::makeSlot(GetParam());
         picture(session, slot);
         expectNoNaN(slot);
     }
@@ -65,8 +65,8 @@ TEST_P(Contract, EveryLightTypeIsDrawnWithoutFaults) {
         scene.lights[0].type = type;
         scene.lights[0].directionWorld = glm::normalize(dvec3(-0.4, -1, -0.6));
         scene.lights[0].edgeDegrees = 5;
-        session::Session session(testing::snapshot(scene));
-        session::Slot slot = session::Session::makeSlot(GetParam());
+        picture::Session session(testing::snapshot(scene));
+        picture::Slot slot = picture::Session::makeSlot(GetParam());
         picture(session, slot);
         expectNoNaN(slot);
     }
@@ -74,8 +74,8 @@ TEST_P(Contract, EveryLightTypeIsDrawnWithoutFaults) {
 
 TEST_P(Contract, EveryChangeOfTheSceneIsSeen) {
     const scene::Scene first = twoLights();
-    session::Session session(testing::snapshot(first));
-    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture::Session session(testing::snapshot(first));
+    picture::Slot slot = picture::Session::makeSlot(GetParam());
     picture(session, slot);
     // Each step changes one thing of the scene before it and says so; what is cached must not outlive it.
     scene::Scene scene = first;
@@ -117,10 +117,10 @@ TEST_P(Contract, EveryTechniqueCoversTheSamePixels) {
     FrameRequest request;
     request.stages = {{"visibility", 1}};
     const auto coverage = [&](const std::string& id) {
-        session::Session session(snapshot);
-        session::Slot slot = session::Session::makeSlot(id);
+        picture::Session session(snapshot);
+        picture::Slot slot = picture::Session::makeSlot(id);
         const auto frame = session.render(slot, viewOf(snapshot), request);
-        const auto image = session::readVisibility(session::findStage(frame, request.stages[0]));
+        const auto image = picture::readVisibility(picture::findStage(frame, request.stages[0]));
         std::vector<std::uint8_t> alpha;
         for (std::size_t i = 1; i < image.greyAlpha.size(); i += 2)
             alpha.push_back(image.greyAlpha[i]);
@@ -138,8 +138,8 @@ TEST_P(Contract, LightsAddUpAndAmbientIsCountedOnce) {
     second.lights.erase(second.lights.begin());
     none.lights.clear();
     const auto radiance = [&](const scene::Scene& scene) {
-        session::Session session(testing::snapshot(scene));
-        session::Slot slot = session::Session::makeSlot(GetParam());
+        picture::Session session(testing::snapshot(scene));
+        picture::Slot slot = picture::Session::makeSlot(GetParam());
         session.render(slot, viewOf(session.snapshot()));
         return gl::readTexels(slot.target.color);
     };
@@ -150,7 +150,7 @@ TEST_P(Contract, LightsAddUpAndAmbientIsCountedOnce) {
 }
 
 TEST_P(Contract, CullingChangesNoByte) {
-    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture::Slot slot = picture::Session::makeSlot(GetParam());
     if (std::ranges::none_of(slot.params, [](const params::Param& p) { return p.id == "cull"; }))
         GTEST_SKIP() << GetParam() << " leaves nothing out";
     scene::Scene scene = twoLights();
@@ -175,10 +175,10 @@ TEST_P(Contract, ARegionIsTheSamePictureThere) {
     const image::Image whole = picture(twoLights());
     View view = viewOf(snapshot);
     view.region = {{17, 9}, {40, 31}};
-    session::Session session(snapshot);
-    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture::Session session(snapshot);
+    picture::Slot slot = picture::Session::makeSlot(GetParam());
     session.render(slot, view);
-    const image::Image part = session::PictureEncoder().encode(slot.target.color, 1);
+    const image::Image part = picture::PictureEncoder().encode(slot.target.color, 1);
     const auto differing = [&](int levels) {
         int count = 0;
         for (int y = 9; y < 9 + 31; ++y)

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <set>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/params/param_json.h"
 #include "tests/contract/contract_fixture.h"
 
@@ -19,8 +19,8 @@ TEST_P(Contract, EveryParameterWorksAtBothEndsOfItsRange) {
     const ivec2 size = kSize / 4;                  // some of the upper ends are thousands of rays for each pixel
     constexpr std::chrono::seconds kLongEnough{2}; // and some hours of work: faults show before
     const auto snapshot = testing::snapshot(twoLights());
-    session::Session session(snapshot);
-    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture::Session session(snapshot);
+    picture::Slot slot = picture::Session::makeSlot(GetParam());
     for (params::Param& param : slot.params)
         for (const bool maximum : {false, true}) {
             param.set(maximum ? param.maximum : param.minimum);
@@ -39,7 +39,7 @@ TEST_P(Contract, EveryParameterWorksAtBothEndsOfItsRange) {
 }
 
 TEST_P(Contract, ParametersSurviveTheWayThroughText) {
-    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture::Slot slot = picture::Session::makeSlot(GetParam());
     std::set<std::string> seen;
     for (params::Param& param : slot.params) {
         EXPECT_TRUE(seen.insert(param.id).second) << param.id << " twice";
@@ -56,7 +56,7 @@ TEST_P(Contract, ParametersSurviveTheWayThroughText) {
 }
 
 TEST_P(Contract, ParametersSurviveTheWayThroughJson) {
-    session::Slot slot = session::Session::makeSlot(GetParam()), copy = session::Session::makeSlot(GetParam());
+    picture::Slot slot = picture::Session::makeSlot(GetParam()), copy = picture::Session::makeSlot(GetParam());
     for (params::Param& param : slot.params)
         param.set(param.maximum);
     params::setFromJson(copy.params, params::toJson(slot.params), GetParam());
@@ -96,17 +96,17 @@ TEST_P(Contract, DescriptionsAreCompleteAndUnique) {
 TEST_P(Contract, EveryStageIsPublishedWhenWantedAndOnlyThen) {
     const auto snapshot = testing::snapshot(twoLights());
     const TechniqueInfo& info = findTechnique(GetParam());
-    session::Session session(snapshot);
-    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture::Session session(snapshot);
+    picture::Slot slot = picture::Session::makeSlot(GetParam());
     const image::Image plain = picture(session, slot);
     for (const StageInfo& stage : info.stages)
         for (int light = 0; light < (stage.perLight ? 2 : 1); ++light) {
             const StageKey key{std::string(stage.id), stage.perLight ? light : kNoLight};
             FrameRequest request;
             request.stages = {key};
-            const session::RenderedFrame frame = session.render(slot, viewOf(snapshot), request);
+            const picture::RenderedFrame frame = session.render(slot, viewOf(snapshot), request);
             ASSERT_EQ(frame.result.stages.size(), 1u) << stage.id;
-            const Stage& published = session::findStage(frame, key);
+            const Stage& published = picture::findStage(frame, key);
             EXPECT_GT(published.texture.size().x, 0);
             if (stage.kind == StageKind::scalar || stage.kind == StageKind::count) {
                 EXPECT_LT(published.display.minimum, published.display.maximum) << stage.id;
@@ -115,7 +115,7 @@ TEST_P(Contract, EveryStageIsPublishedWhenWantedAndOnlyThen) {
             for (const vec4& texel : gl::readTexels(published.texture))
                 ASSERT_TRUE(std::isfinite(texel.r)) << stage.id;
             // Looking on does not change the picture.
-            const image::Image again = session::PictureEncoder().encode(slot.target.color, snapshot->exposure);
+            const image::Image again = picture::PictureEncoder().encode(slot.target.color, snapshot->exposure);
             EXPECT_EQ(testing::differingPixels(again, plain, 0), 0)
                 << stage.id << "; by more than a level " << testing::differingPixels(again, plain, 1);
         }
@@ -125,8 +125,8 @@ TEST_P(Contract, EveryStageIsPublishedWhenWantedAndOnlyThen) {
 TEST_P(Contract, StepModeStopsAfterEachPassThatRuns) {
     const auto snapshot = testing::snapshot(twoLights());
     const TechniqueInfo& info = findTechnique(GetParam());
-    session::Session session(snapshot);
-    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture::Session session(snapshot);
+    picture::Slot slot = picture::Session::makeSlot(GetParam());
     const std::vector<StageKey> passes = session.render(slot, viewOf(snapshot)).result.passes;
     ASSERT_FALSE(passes.empty());
     for (std::size_t i = 0; i < passes.size(); ++i) {
@@ -141,7 +141,7 @@ TEST_P(Contract, StepModeStopsAfterEachPassThatRuns) {
 
 TEST_P(Contract, PrepareIsResumable) {
     const auto snapshot = testing::snapshot(twoLights());
-    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture::Slot slot = picture::Session::makeSlot(GetParam());
     int calls = 1;
     while (!slot.technique->prepare(snapshot, Deadline::min()).converged && calls < 1000)
         ++calls;
@@ -149,19 +149,19 @@ TEST_P(Contract, PrepareIsResumable) {
 }
 
 TEST_P(Contract, AnInterruptedFrameIsTakenUpAgain) {
-    session::Session session(testing::snapshot(twoLights()));
-    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture::Session session(testing::snapshot(twoLights()));
+    picture::Slot slot = picture::Session::makeSlot(GetParam());
     FrameRequest request;
     request.deadline = std::chrono::steady_clock::now();
     for (int i = 0; i < 1000 && !session.render(slot, viewOf(session.snapshot()), request).converged; ++i) {
     }
-    const image::Image interrupted = session::PictureEncoder().encode(slot.target.color, 1);
+    const image::Image interrupted = picture::PictureEncoder().encode(slot.target.color, 1);
     EXPECT_EQ(interrupted, picture(twoLights()));
 }
 
 TEST_P(Contract, TheProbesShadowRayPointsToTheLight) {
     const auto snapshot = testing::snapshot(twoLights());
-    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture::Slot slot = picture::Session::makeSlot(GetParam());
     for (const int light : {0, 1}) {
         const Probe probe = slot.technique->probe(snapshot, viewOf(snapshot), {kSize.x / 2, kSize.y * 3 / 4}, light);
         const auto ray = std::ranges::find(probe.geometry, "shadow ray", &Probe::Segment::label);
@@ -174,7 +174,7 @@ TEST_P(Contract, TheProbesShadowRayPointsToTheLight) {
 
 TEST_P(Contract, ProbeTellsSomethingOnEveryKindOfPixel) {
     const auto snapshot = testing::snapshot(twoLights());
-    session::Slot slot = session::Session::makeSlot(GetParam());
+    picture::Slot slot = picture::Session::makeSlot(GetParam());
     for (const ivec2 pixel : {ivec2(0, 0), ivec2(kSize.x / 2, kSize.y / 2), ivec2(kSize.x - 1, kSize.y - 1)})
         EXPECT_FALSE(slot.technique->probe(snapshot, viewOf(snapshot), pixel, 1).facts.empty());
 }

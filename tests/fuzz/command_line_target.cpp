@@ -1,9 +1,9 @@
 // Command lines: words with a NUL byte after each. They are understood, or refused, up to the point where work would begin.
 // Words with an equals sign are also tried as settings of every technique's parameters.
 // SPDX-License-Identifier: MIT
-#include "app/commands/command_line.h"
-#include "app/commands/words_anywhere.h"
-#include "app/session/settings.h"
+#include "app/cli/command_line.h"
+#include "app/cli/words_anywhere.h"
+#include "app/lab/settings.h"
 #include "tests/fuzz/target.h"
 
 namespace shadowlab::fuzz {
@@ -22,15 +22,15 @@ std::vector<std::string> wordsOf(std::string_view bytes) {
 
 /// A parameter that was set is in its range, and what is written of it sets it to the same again.
 void trySetting(const std::string& word) {
-    static std::vector<session::Slot> slots = [] {
-        std::vector<session::Slot> all;
+    static std::vector<picture::Slot> slots = [] {
+        std::vector<picture::Slot> all;
         for (const RegisteredTechnique& registered : registeredTechniques())
-            all.push_back(session::Session::makeSlot(registered.info->id));
+            all.push_back(picture::Session::makeSlot(registered.info->id));
         return all;
     }();
     static_cast<void>(outcomeOf([&] {
-        session::applySettings(slots, {word});
-        for (session::Slot& slot : slots)
+        lab::applySettings(slots, {word});
+        for (picture::Slot& slot : slots)
             for (params::Param& param : slot.params) {
                 const double value = param.get();
                 require(param.kind == params::Kind::boolean || (value >= param.minimum && value <= param.maximum),
@@ -48,8 +48,8 @@ Outcome feed(std::string_view bytes) {
     for (const std::string& word : words)
         if (word.find('=') != std::string::npos) trySetting(word);
     return outcomeOf([&] {
-        const commands::TakenWords given = commands::takeWordsOf("--plugin", "FILE.so", words);
-        require(static_cast<bool>(commands::workFor(given.words, given.values)), "there is something to do");
+        const cli::TakenWords given = cli::takeWordsOf("--plugin", "FILE.so", words);
+        require(static_cast<bool>(cli::workFor(given.words, given.values)), "there is something to do");
     });
 }
 

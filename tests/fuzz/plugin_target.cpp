@@ -5,8 +5,8 @@
 #include <sstream>
 #include <vector>
 
-#include "app/session/plugin_file.h"
-#include "app/session/plugins.h"
+#include "app/student/plugin_file.h"
+#include "app/student/plugins.h"
 #include "tests/fuzz/target.h"
 
 namespace shadowlab::fuzz {
@@ -51,16 +51,16 @@ Outcome feed(std::string_view bytes) {
         words.push_back(line);
     try {
         const Plugin plugin = pluginOf(words);
-        for (const TechniqueInfo& info : session::checkedTechniques(plugin)) {
-            require(session::isKebabCase(info.id), "an id that was taken is one");
+        for (const TechniqueInfo& info : student::checkedTechniques(plugin)) {
+            require(student::isKebabCase(info.id), "an id that was taken is one");
             for (const StageInfo& stage : info.stages)
-                require(session::isKebabCase(stage.id), "a stage's id that was taken is one");
+                require(student::isKebabCase(stage.id), "a stage's id that was taken is one");
         }
-    } catch (const session::PluginFault& fault) {
+    } catch (const student::PluginFault& fault) {
         require(std::string_view(fault.what()).find("; ") != std::string_view::npos, "a message without a mend");
     }
     const std::filesystem::path file = written("made-up.so", text);
-    return outcomeOf([&] { session::requirePluginFile(file); });
+    return outcomeOf([&] { student::requirePluginFile(file); });
 }
 
 } // namespace shadowlab::fuzz

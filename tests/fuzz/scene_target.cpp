@@ -1,6 +1,6 @@
 // Scene files: read, used, written down and read again.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/write_scene.h"
+#include "techniques/foundation/scene/json/write_scene.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/use_scene.h"
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 
 namespace shadowlab::fuzz {
 

@@ -3,11 +3,11 @@
 #include <array>
 #include <map>
 
-#include "techniques/foundation/scene/facing.h"
-#include "techniques/foundation/scene/facing_planes.h"
-#include "techniques/foundation/scene/outward_parts.h"
-#include "techniques/shadow_volume/lecture_volume.h"
-#include "techniques/shadow_volume/volume.h"
+#include "techniques/foundation/scene/query/facing.h"
+#include "techniques/foundation/scene/query/facing_planes.h"
+#include "techniques/foundation/scene/query/outward_parts.h"
+#include "techniques/shadow_volume/count/lecture_volume.h"
+#include "techniques/shadow_volume/count/volume.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/use_scene.h"
 

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <set>
 
-#include "techniques/foundation/scene/casters.h"
-#include "techniques/foundation/scene/clip_polygon.h"
-#include "techniques/foundation/scene/depth_fit.h"
-#include "techniques/foundation/scene/facing.h"
-#include "techniques/foundation/scene/light_reach.h"
-#include "techniques/foundation/scene/view_planes.h"
-#include "techniques/foundation/scene/visible_receivers.h"
+#include "techniques/foundation/scene/query/casters.h"
+#include "techniques/foundation/scene/query/clip_polygon.h"
+#include "techniques/foundation/scene/query/depth_fit.h"
+#include "techniques/foundation/scene/query/facing.h"
+#include "techniques/foundation/scene/query/light_reach.h"
+#include "techniques/foundation/scene/query/view_planes.h"
+#include "techniques/foundation/scene/query/visible_receivers.h"
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "tests/fuzz/target.h"
 
@@ -48,7 +48,7 @@ void useView(const scene::Scene& scene, const std::vector<scene::Bounds>& bounds
     }
 }
 
-/// Every structure finds the same hits, to the last bit (trace/engine.h). One for each scene, or little else would be done.
+/// Every structure finds the same hits, to the last bit (trace/structures/engine.h). One for each scene, or little else would be done.
 void compareStructures(const trace::SceneTracer& tracer, const trace::EyeRays& rays) {
     using enum trace::Structure;
     constexpr std::array kOthers{objectSpheres, objectBoxes, groups, sphereTree, bvh, grid};

@@ -2,7 +2,7 @@
 // must stand it. Beyond not crashing it is held to what the parts promise of any scene.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/load/load.h"
 
 namespace shadowlab::fuzz {
 

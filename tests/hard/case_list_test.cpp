@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "app/context/assets.h"
 #include "app/hard/case.h"
-#include "app/session/assets.h"
 
 namespace shadowlab::hard {
 namespace {
@@ -34,7 +34,7 @@ std::vector<std::string> listed() {
     return ids;
 }
 
-std::vector<Case> cases() { return allCases({.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}}); }
+std::vector<Case> cases() { return allCases({.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}}); }
 
 TEST(HardCaseListTest, EveryCaseIsThereOnce) {
     std::vector<std::string> found;

@@ -7,9 +7,9 @@
 #include <regex>
 #include <set>
 
+#include "app/context/assets.h"
 #include "app/hard/run_case.h"
-#include "app/session/assets.h"
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/registry.h"
 #include "tests/support/gl_fixture.h"
 
@@ -19,7 +19,7 @@ namespace {
 // Fewer, and files have been lost.
 constexpr std::size_t kLeastCases = 80, kLeastChecks = 57, kLeastCareless = 40;
 
-scene::LoadOptions loading() { return {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}}; }
+scene::LoadOptions loading() { return {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}}; }
 
 class HardCasesTest : public testing::GlTest {};
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "app/context/assets.h"
 #include "app/hard/page.h"
 #include "app/hard/parts.h"
 #include "app/hard/results_json.h"
 #include "app/hard/tables.h"
-#include "app/session/assets.h"
 #include "tests/foundation/scene/scene_files.h"
 
 namespace shadowlab::hard {
@@ -56,8 +56,8 @@ TEST(HardResultsTest, WhatIsExactByNatureIsRedWhereItIsWrongWithoutAReason) {
 
 TEST(HardResultsTest, ARunGoesOnWithWhatWasMadeOfTheSame) {
     const scene::TempFolder folder;
-    const std::filesystem::path file = caseFiles(session::assetsRoot()).front();
-    const Case one = loadCase(file, {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+    const std::filesystem::path file = caseFiles(context::assetsRoot()).front();
+    const Case one = loadCase(file, {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
     const Parts parts(folder.path(), "version 1", std::span(&one, 1));
     EXPECT_FALSE(parts.find(one));
     parts.keep(one, made());
@@ -70,7 +70,7 @@ TEST(HardResultsTest, ARunGoesOnWithWhatWasMadeOfTheSame) {
     EXPECT_FALSE(parts.find(one)) << "its pictures are not as they were";
     parts.keep(one, made());
     Case other = one;
-    other.file = caseFiles(session::assetsRoot()).back();
+    other.file = caseFiles(context::assetsRoot()).back();
     EXPECT_FALSE(parts.find(other)) << "its file has changed";
     folder.write("parts/a scene@key/planar.json", "{}"); // of a report in the same folder
     parts.discard(std::span(&one, 1));

@@ -4,7 +4,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/plane_view.h"
 #include "tests/support/scenes.h"

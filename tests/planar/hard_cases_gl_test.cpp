@@ -16,7 +16,7 @@
 // SPDX-License-Identifier: MIT
 #include <set>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/planar/on_planes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/light_shares.h"

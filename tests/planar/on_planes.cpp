@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/measure/truth.h"
+#include "app/judge/truth.h"
 #include "techniques/foundation/gl/id_buffer.h"
-#include "techniques/foundation/scene/depth_fit.h"
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/planar/receivers.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/scene/query/depth_fit.h"
+#include "techniques/planar/receivers/receivers.h"
 #include "tests/support/scenes.h"
 #include "tests/support/truth_comparison.h"
 
@@ -24,7 +24,7 @@ constexpr ivec2 kSize = kPlanarSize;
 double tieRadiusPx() {
     GLint bits = 0;
     glGetIntegerv(GL_SUBPIXEL_BITS, &bits);
-    return measure::tieRadius(bits);
+    return judge::tieRadius(bits);
 }
 
 /// Is there such a point in sixteen directions on four circles within the tie radius?
@@ -67,7 +67,7 @@ public:
             View view;
             view.camera = snapshot_->camera;
             view.size = kSize;
-            ids_ = session::Session(snapshot_).rasterise(view).primitives;
+            ids_ = picture::Session(snapshot_).rasterise(view).primitives;
         }
         std::uint32_t index = hit.triangle;
         for (std::uint32_t object = 0; object < hit.object; ++object)
@@ -109,7 +109,7 @@ std::ostream& operator<<(std::ostream& stream, const OnPlanes& c) {
 OnPlanes onPlanes(const scene::Scene& scene, const std::vector<std::string>& settings, int light,
                   const scene::Scene* judged) {
     const scene::Snapshot snapshot = testing::snapshot(scene);
-    const session::VisibilityImage image = testing::renderVisibility(snapshot, "planar", settings, kSize, light);
+    const picture::VisibilityImage image = testing::renderVisibility(snapshot, "planar", settings, kSize, light);
     planar::Receivers receivers;
     while (!receivers.findNext(snapshot)) {
     }

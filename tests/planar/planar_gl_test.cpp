@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "app/session/assets.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "app/context/assets.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/planar/on_planes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/hard_scenes.h"
@@ -84,9 +84,9 @@ TEST_F(PlanarTest, BuiltInScenesAreExactOnTheirPlanes) {
     if (driver && std::string_view(driver) == "softpipe" && !std::getenv("SHADOWLAB_LONG"))
         GTEST_SKIP() << "takes a minute on softpipe; runs with SHADOWLAB_LONG set, and here on llvmpipe";
     OnPlanes all;
-    for (const std::string& name : scene::builtInScenes(session::assetsRoot())) {
+    for (const std::string& name : scene::builtInScenes(context::assetsRoot())) {
         const scene::Snapshot snapshot =
-            scene::loadScene(name, {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+            scene::loadScene(name, {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
         for (int light = 0; light < static_cast<int>(snapshot->lights.size()); ++light) {
             const OnPlanes sum = onPlanes(*snapshot, {}, light);
             EXPECT_EQ(sum.wrong() + sum.elsewhereShadowed, 0) << name << ", light " << light << ": " << sum;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <iostream>
 
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/probed_picture.h"
 #include "tests/support/scenes.h"

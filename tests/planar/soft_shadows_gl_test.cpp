@@ -8,8 +8,8 @@
 #include <cmath>
 #include <set>
 
-#include "app/session/picture.h"
-#include "app/session/settings.h"
+#include "app/lab/settings.h"
+#include "app/picture/picture.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/half_plane.h"
 #include "tests/support/light_shares.h"
@@ -146,8 +146,8 @@ TEST_F(SoftPlanarTest, AWallDoesNotBlockTheLightInIt) {
 class Progressive {
 public:
     explicit Progressive(const scene::Scene& scene) : session_(testing::snapshot(scene)) {
-        slots_.push_back(session::Session::makeSlot("planar"));
-        session::applySettings(slots_, {"planar.light-samples=256"});
+        slots_.push_back(picture::Session::makeSlot("planar"));
+        lab::applySettings(slots_, {"planar.light-samples=256"});
         view_.camera = scene.camera;
         view_.size = {640, 480};
     }
@@ -156,7 +156,7 @@ public:
         FrameRequest request;
         request.deadline = std::chrono::steady_clock::now();
         // What needs no GL is ready after some calls; then comes the first picture.
-        session::RenderedFrame frame;
+        picture::RenderedFrame frame;
         do
             frame = session_.render(slots_[0], view_, request);
         while (frame.prepared < 1);
@@ -173,8 +173,8 @@ public:
     }
 
 private:
-    session::Session session_;
-    std::vector<session::Slot> slots_;
+    picture::Session session_;
+    std::vector<picture::Slot> slots_;
     View view_;
 };
 

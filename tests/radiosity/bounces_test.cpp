@@ -1,13 +1,13 @@
 // Light bounce by bounce, and where its power goes.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/bounces.h"
+#include "techniques/radiosity/equations/bounces.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "techniques/radiosity/solvers.h"
+#include "techniques/radiosity/equations/solvers.h"
 #include "tests/radiosity/rooms.h"
 
 namespace shadowlab::radiosity {

@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "techniques/radiosity/bounces.h"
-#include "techniques/radiosity/solvers.h"
+#include "techniques/radiosity/equations/bounces.h"
+#include "techniques/radiosity/equations/solvers.h"
 #include "tests/radiosity/rooms.h"
 
 namespace shadowlab::radiosity {

@@ -1,12 +1,12 @@
 // Rooms in an open scene: they lose no light, whatever lies outside.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/closed_parts.h"
+#include "techniques/radiosity/room/closed_parts.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "techniques/radiosity/prepared_exchange.h"
+#include "techniques/radiosity/form_factors/prepared_exchange.h"
 
 namespace shadowlab::radiosity {
 namespace {

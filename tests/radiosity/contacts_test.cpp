@@ -1,6 +1,6 @@
 // Patches end where things touch.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/contacts.h"
+#include "techniques/radiosity/patches/contacts.h"
 
 #include <gtest/gtest.h>
 

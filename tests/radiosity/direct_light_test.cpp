@@ -1,6 +1,6 @@
 // What lights bring to patches: closed forms, all the power there is, shadows, and the same numbers however the work is cut.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/direct_light.h"
+#include "techniques/radiosity/lights/direct_light.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "techniques/radiosity/contacts.h"
-#include "techniques/radiosity/even_places.h"
+#include "techniques/radiosity/form_factors/even_places.h"
+#include "techniques/radiosity/patches/contacts.h"
 #include "tests/radiosity/lights.h"
 
 namespace shadowlab::radiosity {

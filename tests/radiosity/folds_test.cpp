@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string>
 
-#include "techniques/foundation/scene/load.h"
-#include "techniques/radiosity/exchange_builder.h"
-#include "techniques/radiosity/room.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/radiosity/form_factors/exchange_builder.h"
+#include "techniques/radiosity/room/room.h"
 
 namespace shadowlab::radiosity {
 namespace {

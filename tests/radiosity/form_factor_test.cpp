@@ -7,9 +7,9 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/radiosity/point_form_factor.h"
-#include "techniques/radiosity/polygon_exchange.h"
-#include "techniques/radiosity/rectangle_exchange.h"
+#include "techniques/radiosity/form_factors/point_form_factor.h"
+#include "techniques/radiosity/form_factors/polygon_exchange.h"
+#include "techniques/radiosity/form_factors/rectangle_exchange.h"
 
 namespace shadowlab::radiosity {
 namespace {

@@ -1,6 +1,6 @@
 // Form factors by drawing, against closed forms and against exact exchange areas.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/hemicube_exchange.h"
+#include "techniques/radiosity/form_factors/hemicube_exchange.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "techniques/radiosity/contacts.h"
-#include "techniques/radiosity/point_form_factor.h"
+#include "techniques/radiosity/form_factors/point_form_factor.h"
+#include "techniques/radiosity/patches/contacts.h"
 #include "tests/radiosity/scene_room.h"
 #include "tests/support/gl_fixture.h"
 

@@ -1,6 +1,6 @@
 // The delta form factors of a hemicube's pixels: exact ones sum to 1, those of midpoints do not.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/hemicube_pixels.h"
+#include "techniques/radiosity/form_factors/hemicube_pixels.h"
 
 #include <gtest/gtest.h>
 

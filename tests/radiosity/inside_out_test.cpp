@@ -1,12 +1,12 @@
 // Walls that have changed places are walls again, and what is right stays as it is.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/inside_out.h"
+#include "techniques/radiosity/room/inside_out.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 
 namespace shadowlab::radiosity {
 namespace {

@@ -1,13 +1,13 @@
 // What lights send to points and patches with nothing in between, against closed forms and against sums.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/light_source.h"
+#include "techniques/radiosity/lights/light_source.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "techniques/radiosity/even_places.h"
-#include "techniques/radiosity/solid_angle.h"
+#include "techniques/radiosity/form_factors/even_places.h"
+#include "techniques/radiosity/form_factors/solid_angle.h"
 #include "tests/radiosity/lights.h"
 
 namespace shadowlab::radiosity {

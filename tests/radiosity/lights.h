@@ -1,7 +1,7 @@
 // Lights in rooms, for tests.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/radiosity/light_source.h"
+#include "techniques/radiosity/lights/light_source.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::testing {

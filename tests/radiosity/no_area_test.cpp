@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "techniques/radiosity/contacts.h"
-#include "techniques/radiosity/kept_room.h"
-#include "techniques/radiosity/refinement.h"
+#include "techniques/radiosity/patches/contacts.h"
+#include "techniques/radiosity/patches/refinement.h"
+#include "techniques/radiosity/room/kept_room.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {

@@ -1,12 +1,12 @@
 // Values at the corners of patches: smooth where light is, and nowhere else.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/patch_corners.h"
+#include "techniques/radiosity/patches/patch_corners.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 
-#include "techniques/radiosity/contacts.h"
+#include "techniques/radiosity/patches/contacts.h"
 #include "tests/radiosity/interpolated.h"
 #include "tests/radiosity/scene_room.h"
 

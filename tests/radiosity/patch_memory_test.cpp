@@ -1,11 +1,11 @@
 // Patches beyond what the limit of memory leaves are refused before their matrix is made, and no fewer than those.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/patch_memory.h"
+#include "techniques/radiosity/patches/patch_memory.h"
 
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/error.h"
-#include "techniques/radiosity/kept_room.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/radiosity/room/kept_room.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {

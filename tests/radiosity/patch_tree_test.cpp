@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/patch_tree.h"
+#include "techniques/radiosity/patches/patch_tree.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Faces and patches: rectangles are found in triangles, nothing is lost or counted twice, and no patch is too large.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/patches.h"
+#include "techniques/radiosity/patches/patches.h"
 
 #include <gtest/gtest.h>
 

@@ -5,12 +5,12 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "app/session/assets.h"
-#include "app/session/session.h"
-#include "app/session/settings.h"
-#include "techniques/foundation/error.h"
+#include "app/context/assets.h"
+#include "app/lab/settings.h"
+#include "app/picture/session.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/load/load.h"
 #include "tests/radiosity/scene_room.h"
 #include "tests/support/gl_fixture.h"
 
@@ -20,32 +20,32 @@ namespace {
 using RadiosityPictureTest = testing::GlTest;
 
 scene::Snapshot builtIn(const char* name) {
-    return scene::loadScene(name, {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+    return scene::loadScene(name, {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
 }
 
 struct Drawing {
     explicit Drawing(const scene::Snapshot& snapshot, const std::vector<std::string>& settings = {},
                      const std::string& technique = "radiosity", ivec2 size = {64, 48})
         : session(snapshot) {
-        slots.push_back(session::Session::makeSlot(technique));
+        slots.push_back(picture::Session::makeSlot(technique));
         std::vector<std::string> full;
         for (const std::string& setting : settings)
             full.push_back(technique + "." + setting);
-        session::applySettings(slots, full);
+        lab::applySettings(slots, full);
         view.camera = snapshot->camera;
         view.size = size;
     }
-    session::RenderedFrame render(const FrameRequest& request = {}) { return session.render(slots[0], view, request); }
+    picture::RenderedFrame render(const FrameRequest& request = {}) { return session.render(slots[0], view, request); }
     std::vector<vec4> texels() {
         EXPECT_TRUE(render().converged);
         return gl::readTexels(slots[0].target.color);
     }
-    session::Session session;
-    std::vector<session::Slot> slots;
+    picture::Session session;
+    std::vector<picture::Slot> slots;
     View view;
 };
 
-double counted(const session::RenderedFrame& frame, std::string_view id) {
+double counted(const picture::RenderedFrame& frame, std::string_view id) {
     const auto found = std::ranges::find(frame.result.counters, id, &Counter::id);
     return found == frame.result.counters.end() ? -1 : found->built;
 }

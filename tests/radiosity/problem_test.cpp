@@ -1,6 +1,6 @@
 // Problems that have no solution, or none with a bound of its error, are refused; those that only look so are not.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/problem.h"
+#include "techniques/radiosity/equations/problem.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <functional>
 #include <limits>
 
-#include "techniques/foundation/error.h"
-#include "techniques/radiosity/solvers.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/radiosity/equations/solvers.h"
 #include "tests/radiosity/rooms.h"
 
 namespace shadowlab::radiosity {

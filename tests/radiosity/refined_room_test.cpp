@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "techniques/radiosity/contacts.h"
-#include "techniques/radiosity/exchange_builder.h"
-#include "techniques/radiosity/refinement.h"
-#include "techniques/radiosity/solvers.h"
+#include "techniques/radiosity/equations/solvers.h"
+#include "techniques/radiosity/form_factors/exchange_builder.h"
+#include "techniques/radiosity/patches/contacts.h"
+#include "techniques/radiosity/patches/refinement.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {

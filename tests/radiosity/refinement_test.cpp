@@ -1,10 +1,10 @@
 // Where patches are cut finer, and what is known of those that are not.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/refinement.h"
+#include "techniques/radiosity/patches/refinement.h"
 
 #include <gtest/gtest.h>
 
-#include "techniques/radiosity/contacts.h"
+#include "techniques/radiosity/patches/contacts.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {

@@ -11,7 +11,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/radiosity/problem.h"
+#include "techniques/radiosity/equations/problem.h"
 
 namespace shadowlab::radiosity::testing {
 

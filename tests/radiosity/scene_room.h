@@ -6,9 +6,9 @@
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/foundation/trace/bvh_build.h"
-#include "techniques/radiosity/visible_exchange.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/trace/bvh/bvh_build.h"
+#include "techniques/radiosity/form_factors/visible_exchange.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::testing {

@@ -1,6 +1,6 @@
 // Which sides of faces exchange light, and what else patches see.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/sides.h"
+#include "techniques/radiosity/room/sides.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "techniques/radiosity/room.h"
+#include "techniques/radiosity/room/room.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {

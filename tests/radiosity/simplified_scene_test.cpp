@@ -1,6 +1,6 @@
 // Coarser meshes: few enough, still closed, of nearly the same size, and every corner of the original has its place on them.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/simplified_scene.h"
+#include "techniques/radiosity/room/simplified_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -11,11 +11,11 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/mesh_topology.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/scene/query/mesh_topology.h"
 #include "techniques/foundation/trace/world_triangles.h"
-#include "techniques/radiosity/faces.h"
+#include "techniques/radiosity/patches/faces.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::radiosity {

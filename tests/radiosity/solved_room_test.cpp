@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "techniques/radiosity/bounces.h"
-#include "techniques/radiosity/contacts.h"
-#include "techniques/radiosity/exchange_builder.h"
-#include "techniques/radiosity/solvers.h"
+#include "techniques/radiosity/equations/bounces.h"
+#include "techniques/radiosity/equations/solvers.h"
+#include "techniques/radiosity/form_factors/exchange_builder.h"
+#include "techniques/radiosity/patches/contacts.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {

@@ -1,6 +1,6 @@
 // What all solvers have in common, and what is special about each.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/solvers.h"
+#include "techniques/radiosity/equations/solvers.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "techniques/foundation/error.h"
-#include "techniques/radiosity/bounces.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/radiosity/equations/bounces.h"
 #include "tests/radiosity/rooms.h"
 
 namespace shadowlab::radiosity {

@@ -1,12 +1,12 @@
 // Which patch does a place on a surface belong to?
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/surface_cells.h"
+#include "techniques/radiosity/display/surface_cells.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::radiosity {

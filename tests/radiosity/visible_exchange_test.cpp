@@ -1,14 +1,14 @@
 // What patches exchange with other things in the way.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/visible_exchange.h"
+#include "techniques/radiosity/form_factors/visible_exchange.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "techniques/foundation/trace/bvh_traverse.h"
-#include "techniques/radiosity/point_form_factor.h"
+#include "techniques/foundation/trace/bvh/bvh_traverse.h"
+#include "techniques/radiosity/form_factors/point_form_factor.h"
 #include "tests/foundation/trace/ray_meshes.h"
 #include "tests/radiosity/scene_room.h"
 

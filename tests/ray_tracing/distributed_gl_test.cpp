@@ -1,11 +1,11 @@
 // Distributed ray tracing as the session drives it: slices, stages, and what stays the same.
 // SPDX-License-Identifier: MIT
-#include "app/session/assets.h"
-#include "app/session/picture.h"
-#include "app/session/session.h"
-#include "app/session/settings.h"
+#include "app/context/assets.h"
+#include "app/lab/settings.h"
+#include "app/picture/picture.h"
+#include "app/picture/session.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/load/load.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/half_plane.h"
 
@@ -17,22 +17,22 @@ using DistributedTest = testing::GlTest;
 constexpr ivec2 kSize{96, 54};
 
 scene::Snapshot builtIn(const char* name) {
-    return scene::loadScene(name, {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+    return scene::loadScene(name, {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
 }
 
 struct Drawing {
     explicit Drawing(scene::Snapshot snapshot, const std::vector<std::string>& settings) : session(snapshot) {
-        slots.push_back(session::Session::makeSlot("ray-traced"));
+        slots.push_back(picture::Session::makeSlot("ray-traced"));
         std::vector<std::string> full;
         for (const std::string& setting : settings)
             full.push_back("ray-traced." + setting);
-        session::applySettings(slots, full);
+        lab::applySettings(slots, full);
         view.camera = snapshot->camera;
         view.size = kSize;
     }
     std::vector<vec4> texels() { return gl::readTexels(slots[0].target.color); }
-    session::Session session;
-    std::vector<session::Slot> slots;
+    picture::Session session;
+    std::vector<picture::Slot> slots;
     View view;
 };
 
@@ -102,7 +102,7 @@ TEST_F(DistributedTest, SharesOfTheLightAreThoseOfAreaSampledAndExact) {
         FrameRequest request;
         request.stages = {{"visibility", 0}, {"penumbra", 0}};
         const auto frame = drawing.session.render(drawing.slots[0], drawing.view, request);
-        const std::vector<vec4> texels = gl::readTexels(session::findStage(frame, {"visibility", 0}).texture);
+        const std::vector<vec4> texels = gl::readTexels(picture::findStage(frame, {"visibility", 0}).texture);
         const ivec2 size = drawing.view.size;
         int partly = 0;
         double squares = 0;
@@ -126,7 +126,7 @@ TEST_F(DistributedTest, StagesAreThereForEveryLight) {
     request.stages = {{"penumbra", 0}, {"penumbra", 1}, {"visibility", 1}, {"samples-per-pixel", kNoLight}};
     const auto frame = drawing.session.render(drawing.slots[0], drawing.view, request);
     EXPECT_TRUE(frame.converged);
-    const auto counts = gl::readTexels(session::findStage(frame, {"samples-per-pixel", kNoLight}).texture);
+    const auto counts = gl::readTexels(picture::findStage(frame, {"samples-per-pixel", kNoLight}).texture);
     EXPECT_EQ(std::ranges::count_if(counts, [](const vec4& v) { return v.r == 2.0f; }), kSize.x * kSize.y);
 }
 

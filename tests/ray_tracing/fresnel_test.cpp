@@ -1,6 +1,6 @@
 // Reflection and refraction at one smooth surface, against values worked out with more digits.
 // SPDX-License-Identifier: MIT
-#include "techniques/ray_tracing/fresnel.h"
+#include "techniques/ray_tracing/tree/fresnel.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "techniques/ray_tracing/lobe.h"
+#include "techniques/ray_tracing/sampling/lobe.h"
 #include "tests/ray_tracing/tree_of.h"
 
 namespace shadowlab::ray_tracing {

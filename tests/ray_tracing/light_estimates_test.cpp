@@ -7,9 +7,9 @@
 #include <iostream>
 #include <random>
 
-#include "techniques/foundation/trace/area_visibility.h"
-#include "techniques/foundation/trace/bvh_traverse.h"
-#include "techniques/ray_tracing/light_sampling.h"
+#include "techniques/foundation/trace/area/area_visibility.h"
+#include "techniques/foundation/trace/bvh/bvh_traverse.h"
+#include "techniques/ray_tracing/sampling/light_sampling.h"
 #include "tests/support/area_lights.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/perforated.h"

@@ -1,6 +1,6 @@
 // Directions toward lights by solid angle: that they are evenly spread, and that what is estimated with them is right.
 // SPDX-License-Identifier: MIT
-#include "techniques/ray_tracing/light_sampling.h"
+#include "techniques/ray_tracing/sampling/light_sampling.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Lobes: how directions are spread, held against what is known in closed form.
 // SPDX-License-Identifier: MIT
-#include "techniques/ray_tracing/lobe.h"
+#include "techniques/ray_tracing/sampling/lobe.h"
 
 #include <cmath>
 #include <vector>
@@ -8,7 +8,7 @@
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 
-#include "techniques/ray_tracing/sample_numbers.h"
+#include "techniques/ray_tracing/sampling/sample_numbers.h"
 
 namespace shadowlab::ray_tracing {
 namespace {

@@ -1,14 +1,14 @@
 // The naive ray-triangle test loses rays at edges that two triangles share; the watertight one loses none of the same rays.
 // SPDX-License-Identifier: MIT
-#include "techniques/ray_tracing/naive_intersection.h"
+#include "techniques/ray_tracing/structures/naive_intersection.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <iostream>
 
-#include "techniques/foundation/trace/bvh_build.h"
-#include "techniques/foundation/trace/bvh_traverse.h"
+#include "techniques/foundation/trace/bvh/bvh_build.h"
+#include "techniques/foundation/trace/bvh/bvh_traverse.h"
 #include "tests/foundation/trace/ray_meshes.h"
 
 namespace shadowlab::ray_tracing {

@@ -1,12 +1,12 @@
 // The rays that are shown begin and end where those of the picture do.
 // SPDX-License-Identifier: MIT
-#include "techniques/ray_tracing/ray_shapes.h"
+#include "techniques/ray_tracing/probe/ray_shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::ray_tracing {

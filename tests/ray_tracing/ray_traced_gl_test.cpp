@@ -3,9 +3,9 @@
 // SPDX-License-Identifier: MIT
 #include <cstdlib>
 
-#include "app/session/picture.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "app/picture/picture.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/hard_scenes.h"
@@ -93,7 +93,7 @@ TEST_F(RayTracedTest, NoLightLeaksThroughContactsAndThinWalls) {
     }
 }
 
-session::RenderedFrame render(session::Session& session, session::Slot& slot, ivec2 size,
+picture::RenderedFrame render(picture::Session& session, picture::Slot& slot, ivec2 size,
                               const std::vector<StageKey>& stages = {}) {
     View view;
     view.camera = session.snapshot()->camera;
@@ -128,13 +128,13 @@ TEST_F(RayTracedTest, PictureEqualsThatOfShadowVolumes) {
     const ivec2 size{320, 240};
     for (const double offset : {0.0, 1e5}) {
         const auto snapshot = testing::snapshot(testing::moved(scene, dvec3(offset, 0, -offset)));
-        session::Session session(snapshot);
-        session::Slot traced = session::Session::makeSlot("ray-traced");
-        session::Slot volumes = session::Session::makeSlot("shadow-volume-zfail");
+        picture::Session session(snapshot);
+        picture::Slot traced = picture::Session::makeSlot("ray-traced");
+        picture::Slot volumes = picture::Session::makeSlot("shadow-volume-zfail");
         render(session, traced, size);
         render(session, volumes, size);
-        const image::Image a = session::PictureEncoder().encode(traced.target.color, 1.0f);
-        const image::Image b = session::PictureEncoder().encode(volumes.target.color, 1.0f);
+        const image::Image a = picture::PictureEncoder().encode(traced.target.color, 1.0f);
+        const image::Image b = picture::PictureEncoder().encode(volumes.target.color, 1.0f);
         const trace::ExactVisibility judge(snapshot);
         const auto edgeNear = [&](int x, int y) { // does anything change within a 64th of a pixel?
             const auto at = [&](dvec2 p) {
@@ -182,11 +182,11 @@ TEST_F(RayTracedTest, SameBytesForAnyNumberOfThreads) {
     std::vector<std::vector<std::uint8_t>> visibility;
     for (const char* threads : {"1", "2", "7"}) {
         ::setenv("SHADOWLAB_THREADS", threads, 1);
-        session::Session session(testing::snapshot(shinyScene()));
-        session::Slot slot = session::Session::makeSlot("ray-traced");
+        picture::Session session(testing::snapshot(shinyScene()));
+        picture::Slot slot = picture::Session::makeSlot("ray-traced");
         const auto frame = render(session, slot, {201, 99}, {{"visibility", 0}});
-        pictures.push_back(session::PictureEncoder().encode(slot.target.color, 1.0f));
-        visibility.push_back(session::readVisibility(session::findStage(frame, {"visibility", 0})).greyAlpha);
+        pictures.push_back(picture::PictureEncoder().encode(slot.target.color, 1.0f));
+        visibility.push_back(picture::readVisibility(picture::findStage(frame, {"visibility", 0})).greyAlpha);
     }
     before ? ::setenv("SHADOWLAB_THREADS", kept.c_str(), 1) : ::unsetenv("SHADOWLAB_THREADS");
     EXPECT_EQ(pictures[0], pictures[1]);
@@ -204,13 +204,13 @@ TEST_F(RayTracedTest, ReceiversFromAnIdBufferAreThoseOfRays) {
     EXPECT_GT(sum.shadowed, 1000);
     EXPECT_EQ(sum.wrong(), 0) << sum;
 
-    session::Session session(snapshot);
+    picture::Session session(snapshot);
     std::vector<std::vector<std::uint8_t>> visibility;
     for (const char* receivers : {"traced", "id-buffer"}) {
-        session::Slot slot = session::Session::makeSlot("ray-traced");
+        picture::Slot slot = picture::Session::makeSlot("ray-traced");
         params::setFromText(params::find(slot.params, "receivers", "ray-traced"), receivers, "ray-traced");
         const auto frame = render(session, slot, {320, 240}, {{"visibility", 0}});
-        visibility.push_back(session::readVisibility(session::findStage(frame, {"visibility", 0})).greyAlpha);
+        visibility.push_back(picture::readVisibility(picture::findStage(frame, {"visibility", 0})).greyAlpha);
     }
     long different = 0;
     for (std::size_t i = 0; i < visibility[0].size(); ++i)
@@ -230,7 +230,7 @@ TEST_F(RayTracedTest, ProbeNamesWhatIsInTheWay) {
     testing::addObject(scene, scene::makeBox({1, 1, 1}), testing::translation({0, 1.5, 0})).name = "crate";
     scene.camera.positionWorld = {0, 0.5, 3};
     scene.lights.push_back(testing::pointLight({0, 5, 0}));
-    session::Slot slot = session::Session::makeSlot("ray-traced");
+    picture::Slot slot = picture::Session::makeSlot("ray-traced");
     View view;
     view.camera = scene.camera;
     view.size = {11, 11};

@@ -1,6 +1,6 @@
 // The numbers that chance gives: every cell once, no dimension knows of another, and errors fall as they must.
 // SPDX-License-Identifier: MIT
-#include "techniques/ray_tracing/sample_numbers.h"
+#include "techniques/ray_tracing/sampling/sample_numbers.h"
 
 #include <algorithm>
 #include <set>

@@ -1,7 +1,7 @@
 // Distributed ray tracing against closed forms: smooth edges, the lens, the shutter, penumbrae; and that the bytes depend neither
 // on threads nor on where the work was interrupted.
 // SPDX-License-Identifier: MIT
-#include "techniques/ray_tracing/sampled_picture.h"
+#include "techniques/ray_tracing/sampling/sampled_picture.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "techniques/ray_tracing/light_shares.h"
+#include "techniques/ray_tracing/sampling/light_shares.h"
 #include "tests/ray_tracing/tree_of.h"
 #include "tests/support/area_lights.h"
 #include "tests/support/half_plane.h"

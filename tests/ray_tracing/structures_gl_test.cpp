@@ -3,11 +3,11 @@
 #include <cmath>
 #include <map>
 
-#include "app/session/picture.h"
+#include "app/picture/picture.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/trace/scene_tracer.h"
-#include "techniques/ray_tracing/kept_structures.h"
+#include "techniques/ray_tracing/structures/kept_structures.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 #include "tests/support/truth_comparison.h"
@@ -20,7 +20,7 @@ using RayStructuresTest = testing::GlTest;
 constexpr const char* kExact[] = {"none", "object-spheres", "object-boxes", "groups", "sphere-tree", "bvh", "grid"};
 constexpr std::size_t kTrees = 4; ///< from here on not every triangle of an object is tried
 
-void choose(session::Slot& slot, const char* structure) {
+void choose(picture::Slot& slot, const char* structure) {
     params::setFromText(params::find(slot.params, "structure", "ray-traced"), structure, "ray-traced");
 }
 
@@ -37,15 +37,15 @@ View viewOf(const scene::Scene& scene, ivec2 size) {
     return view;
 }
 
-Shown show(session::Session& session, session::Slot& slot, ivec2 size) {
+Shown show(picture::Session& session, picture::Slot& slot, ivec2 size) {
     FrameRequest request;
     const int lights = static_cast<int>(session.snapshot()->lights.size());
     for (int light = 0; light < lights; ++light)
         request.stages.push_back({"visibility", light});
     const auto frame = session.render(slot, viewOf(*session.snapshot(), size), request);
-    Shown shown{session::PictureEncoder().encode(slot.target.color, session.snapshot()->exposure), {}};
+    Shown shown{picture::PictureEncoder().encode(slot.target.color, session.snapshot()->exposure), {}};
     for (int light = 0; light < lights; ++light)
-        shown.visibility.push_back(session::readVisibility(session::findStage(frame, {"visibility", light})).greyAlpha);
+        shown.visibility.push_back(picture::readVisibility(picture::findStage(frame, {"visibility", light})).greyAlpha);
     return shown;
 }
 
@@ -57,8 +57,8 @@ TEST_F(RayStructuresTest, SameBytesOfEveryBuiltInScene) {
         const double triangles = static_cast<double>(trace::worldTriangles(*snapshot).triangles.size());
         // Where every ray tries every triangle a small picture must do.
         const ivec2 size(96, 72), small(24, 18);
-        session::Session session(snapshot);
-        session::Slot slot = session::Session::makeSlot("ray-traced");
+        picture::Session session(snapshot);
+        picture::Slot slot = picture::Session::makeSlot("ray-traced");
         const Shown expected = show(session, slot, size), expectedSmall = show(session, slot, small);
         for (std::size_t i = 0; i < std::size(kExact); ++i) {
             const bool isSlow = triangles > 5000 && i < kTrees;
@@ -74,8 +74,8 @@ TEST_F(RayStructuresTest, SameBytesOfEveryBuiltInScene) {
 // In float: where it matters, at edges, a pixel may differ.
 TEST_F(RayStructuresTest, EmbreeDiffersAtEdgesOnly) {
     const auto snapshot = testing::snapshot(testing::simpleScene());
-    session::Session session(snapshot);
-    session::Slot slot = session::Session::makeSlot("ray-traced");
+    picture::Session session(snapshot);
+    picture::Slot slot = picture::Session::makeSlot("ray-traced");
     const Shown expected = show(session, slot, {320, 240});
     choose(slot, "embree");
     const Shown found = show(session, slot, {320, 240});
@@ -87,8 +87,8 @@ TEST_F(RayStructuresTest, EmbreeDiffersAtEdgesOnly) {
 }
 
 TEST_F(RayStructuresTest, SwitchedLiveAndMovedTheyAreRight) {
-    session::Session session(testing::snapshot(testing::simpleScene()));
-    session::Slot slot = session::Session::makeSlot("ray-traced");
+    picture::Session session(testing::snapshot(testing::simpleScene()));
+    picture::Slot slot = picture::Session::makeSlot("ray-traced");
     const Shown before = show(session, slot, {96, 72});
     choose(slot, "grid");
     EXPECT_TRUE(show(session, slot, {96, 72}) == before);
@@ -106,8 +106,8 @@ TEST_F(RayStructuresTest, SwitchedLiveAndMovedTheyAreRight) {
 
 TEST_F(RayStructuresTest, WithHolesAndReceiversFromAnIdBuffer) {
     const std::filesystem::path root = std::filesystem::path(SHADOWLAB_SOURCE_DIR) / "assets";
-    session::Session session(scene::loadScene("lattice", {.assetsRoot = root, .allowed = {}, .limits = {}}));
-    session::Slot slot = session::Session::makeSlot("ray-traced");
+    picture::Session session(scene::loadScene("lattice", {.assetsRoot = root, .allowed = {}, .limits = {}}));
+    picture::Slot slot = picture::Session::makeSlot("ray-traced");
     params::setFromText(params::find(slot.params, "receivers", "ray-traced"), "id-buffer", "ray-traced");
     const Shown expected = show(session, slot, {160, 120});
     for (const char* structure : {"groups", "sphere-tree", "grid"}) {
@@ -143,21 +143,21 @@ TEST(KeptStructuresTest, AreBuiltOnceAndInSlices) {
     EXPECT_FALSE(structures.prepare(geometryOf(other), sphereTree, Deadline::min()).converged);
 }
 
-std::vector<vec4> stageOf(session::Session& session, session::Slot& slot, const char* id, ivec2 size,
+std::vector<vec4> stageOf(picture::Session& session, picture::Slot& slot, const char* id, ivec2 size,
                           Display* display = nullptr) {
     FrameRequest request;
     const StageKey key{id, kNoLight};
     request.stages = {key};
     const auto frame = session.render(slot, viewOf(*session.snapshot(), size), request);
-    const Stage& stage = session::findStage(frame, key);
+    const Stage& stage = picture::findStage(frame, key);
     if (display) *display = stage.display;
     return gl::readRows<vec4>(stage.texture, GL_FLOAT, {0, 0}, size);
 }
 
 TEST_F(RayStructuresTest, StageCountsWhatRaysTry) {
     const ivec2 size(64, 48);
-    session::Session session(testing::snapshot(testing::simpleScene()));
-    session::Slot slot = session::Session::makeSlot("ray-traced");
+    picture::Session session(testing::snapshot(testing::simpleScene()));
+    picture::Slot slot = picture::Session::makeSlot("ray-traced");
     const auto triangles = static_cast<float>(trace::worldTriangles(*session.snapshot()).triangles.size());
     std::map<std::string, double> sums;
     for (const char* structure : kExact) {
@@ -183,7 +183,7 @@ TEST_F(RayStructuresTest, StageCountsWhatRaysTry) {
 
 TEST(ProbeOfStructuresTest, SaysWhatRaysTry) {
     const auto snapshot = testing::snapshot(testing::simpleScene());
-    session::Slot slot = session::Session::makeSlot("ray-traced");
+    picture::Slot slot = picture::Session::makeSlot("ray-traced");
     std::map<std::string, long> tried;
     for (const char* structure : {"none", "object-boxes", "bvh", "grid"}) {
         choose(slot, structure);
@@ -201,8 +201,8 @@ TEST(ProbeOfStructuresTest, SaysWhatRaysTry) {
 
 TEST_F(RayStructuresTest, StageShowsTheStructure) {
     const ivec2 size(320, 240);
-    session::Session session(testing::snapshot(testing::simpleScene()));
-    session::Slot slot = session::Session::makeSlot("ray-traced");
+    picture::Session session(testing::snapshot(testing::simpleScene()));
+    picture::Slot slot = picture::Session::makeSlot("ray-traced");
     for (const char* structure : kExact) {
         choose(slot, structure);
         Display display;

@@ -3,8 +3,8 @@
 #pragma once
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/ray_tracing/ray_tree.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/ray_tracing/tree/ray_tree.h"
 #include "techniques/technique.h"
 #include "tests/support/scenes.h"
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <cstdlib>
 
-#include "app/session/assets.h"
-#include "app/session/picture.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "app/context/assets.h"
+#include "app/picture/picture.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 #include "tests/support/truth_comparison.h"
@@ -24,8 +24,8 @@ struct Drawn {
 };
 
 Drawn draw(const scene::Snapshot& snapshot, const char* technique, const Settings& settings) {
-    session::Session session(snapshot);
-    session::Slot slot = session::Session::makeSlot(technique);
+    picture::Session session(snapshot);
+    picture::Slot slot = picture::Session::makeSlot(technique);
     for (const auto& [id, value] : settings)
         params::setFromText(params::find(slot.params, id, technique), value, technique);
     View view;
@@ -34,12 +34,12 @@ Drawn draw(const scene::Snapshot& snapshot, const char* technique, const Setting
     FrameRequest request;
     request.stages = {{"visibility", 0}};
     const auto frame = session.render(slot, view, request);
-    return {session::PictureEncoder().encode(slot.target.color, 1.0f),
-            session::readVisibility(session::findStage(frame, {"visibility", 0})).greyAlpha};
+    return {picture::PictureEncoder().encode(slot.target.color, 1.0f),
+            picture::readVisibility(picture::findStage(frame, {"visibility", 0})).greyAlpha};
 }
 
 scene::Snapshot builtIn() {
-    return scene::loadScene("mirror-and-glass", {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+    return scene::loadScene("mirror-and-glass", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
 }
 
 /// The same scene, nothing mirrored and nothing transparent.
@@ -149,21 +149,21 @@ TEST_F(TreesTest, AttenuationDarkensWhatIsFar) {
     scene.camera.targetWorld = {0, 0, 0};
     scene.camera.upWorld = {0, 0, 1};
     const auto snapshot = testing::snapshot(scene);
-    session::Session session(snapshot);
-    session::Slot slot = session::Session::makeSlot("ray-traced");
+    picture::Session session(snapshot);
+    picture::Slot slot = picture::Session::makeSlot("ray-traced");
     params::setFromText(params::find(slot.params, "c1", "ray-traced"), "0.5", "ray-traced");
     View view;
     view.camera = scene.camera;
     view.size = {3, 3}; // the middle one looks straight down
     session.render(slot, view, {});
-    const image::Image picture = session::PictureEncoder().encode(slot.target.color, 1.0f);
+    const image::Image picture = picture::PictureEncoder().encode(slot.target.color, 1.0f);
     const double linear = 0.5 / (1 + 0.5 * 2); // 0.25, which sRGB encodes as 137
     EXPECT_NEAR(picture.rgba[4 * 4], 255 * (1.055 * std::pow(linear, 1 / 2.4) - 0.055), 1);
 }
 
 TEST_F(TreesTest, ProbeTellsTheWholeTree) {
     const scene::Snapshot shiny = builtIn();
-    session::Slot slot = session::Session::makeSlot("ray-traced");
+    picture::Slot slot = picture::Session::makeSlot("ray-traced");
     View view;
     view.camera = shiny->camera;
     view.size = kSize;

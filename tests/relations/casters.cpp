@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "app/measure/slot_errors.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "app/judge/slot_errors.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/relations/relation.h"
 #include "tests/support/scenes.h"
 
@@ -67,31 +67,31 @@ Comparison asRaysSay(const Recipe& recipe, Painter& painter) {
             solid.kind = SolidKind::box;
     const scene::Scene scene = sceneOf(served);
     const Picture picture = painter.paint(scene);
-    session::Session session(testing::snapshot(scene));
+    picture::Session session(testing::snapshot(scene));
     View view;
     view.camera = scene.camera;
     view.size = picture.size;
     Comparison result;
     result.gate = Gate::edgesAndTexels;
     countLight(picture, result);
-    std::optional<measure::Grid<float>> texelPx;
+    std::optional<judge::Grid<float>> texelPx;
     if (!picture.texelPx.empty()) {
         texelPx.emplace(picture.size.x, picture.size.y);
         texelPx->values = picture.texelPx;
     }
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
-        const measure::Truth& truth = session.truth(view, light);
-        const auto boundary = measure::trueBoundary(truth);
-        const measure::Judgement judged =
-            measure::judge(truth, picture.visibility[static_cast<std::size_t>(light)].greyAlpha);
+        const judge::Truth& truth = session.truth(view, light);
+        const auto boundary = judge::trueBoundary(truth);
+        const judge::Judgement judged =
+            judge::judge(truth, picture.visibility[static_cast<std::size_t>(light)].greyAlpha);
         result.compared += judged.counts.pixels;
         result.different += judged.counts.wrong();
         // A pixel on the line where two surfaces meet may be at fault for every light: one crack.
         const long core =
-            measure::coreErrors(truth, judged, measure::distanceToBoundary(boundary, picture.size), texelPx);
+            judge::coreErrors(truth, judged, judge::distanceToBoundary(boundary, picture.size), texelPx);
         result.stray = std::max(result.stray, core);
         for (std::size_t i = 0; i < judged.verdicts.size(); ++i)
-            if (judged.verdicts[i] == measure::Verdict::falseLit || judged.verdicts[i] == measure::Verdict::falseShadow)
+            if (judged.verdicts[i] == judge::Verdict::falseLit || judged.verdicts[i] == judge::Verdict::falseShadow)
                 result.where = {static_cast<int>(i) % picture.size.x, static_cast<int>(i) / picture.size.x};
     }
     return result;

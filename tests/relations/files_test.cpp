@@ -6,9 +6,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/session/assets.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/write_scene.h"
+#include "app/context/assets.h"
+#include "techniques/foundation/scene/json/write_scene.h"
+#include "techniques/foundation/scene/load/load.h"
 #include "tests/relations/random_recipes.h"
 
 namespace shadowlab::relations {
@@ -31,7 +31,7 @@ protected:
     }
     static void write(const fs::path& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
     scene::LoadOptions options() const {
-        return {.assetsRoot = session::assetsRoot(), .allowed = {folder_}, .limits = {}};
+        return {.assetsRoot = context::assetsRoot(), .allowed = {folder_}, .limits = {}};
     }
     const fs::path folder_ = fs::path(::testing::TempDir()) / ("shadowlab-files-" + std::to_string(::getpid()));
 };

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "techniques/foundation/scene/outward_parts.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/scene/query/outward_parts.h"
 #include "tests/relations/relation.h"
 #include "tests/support/scenes.h"
 

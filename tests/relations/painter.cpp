@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "app/measure/slot_errors.h"
-#include "app/session/settings.h"
+#include "app/judge/slot_errors.h"
+#include "app/lab/settings.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/scene/outward_parts.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/scene/query/outward_parts.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::relations {
@@ -17,12 +17,12 @@ namespace {
 bool publishes(const TechniqueInfo& info, std::string_view stage) {
     return std::ranges::find(info.stages, stage, &StageInfo::id) != info.stages.end();
 }
-bool hasParam(const session::Slot& slot, std::string_view id) {
+bool hasParam(const picture::Slot& slot, std::string_view id) {
     return std::ranges::any_of(slot.params, [&](const params::Param& param) { return param.id == id; });
 }
 
 /// A room of hundreds of patches is solved in seconds; relations hold for a coarse one just as well.
-std::vector<std::string> thrifty(const session::Slot& slot) {
+std::vector<std::string> thrifty(const picture::Slot& slot) {
     std::vector<std::string> settings;
     for (const auto& [param, value] : {std::pair("patches", "60"), std::pair("light-map-points", "2000")})
         if (hasParam(slot, param)) settings.push_back(std::string(param) + "=" + value);
@@ -80,14 +80,14 @@ Picture rearranged(const Picture& picture, ivec2 size, const std::function<ivec2
 }
 
 Painter::Painter(std::string technique, std::vector<std::string> settings, Fault fault)
-    : technique_(std::move(technique)), fault_(std::move(fault)), slot_(session::Session::makeSlot(technique_)) {
-    std::vector<session::Slot> slots;
+    : technique_(std::move(technique)), fault_(std::move(fault)), slot_(picture::Session::makeSlot(technique_)) {
+    std::vector<picture::Slot> slots;
     slots.push_back(std::move(slot_));
     std::vector<std::string> full;
     for (const auto& list : {thrifty(slots[0]), settings})
         for (const std::string& setting : list)
             full.push_back(technique_ + "." + setting);
-    session::applySettings(slots, full);
+    lab::applySettings(slots, full);
     slot_ = std::move(slots[0]);
 }
 
@@ -96,7 +96,7 @@ Picture Painter::paint(scene::Scene scene, ivec2 size, const Region& region) {
     painted_.push_back(scene);
     if (fault_) fault_(scene);
     const scene::Snapshot snapshot = testing::snapshot(std::move(scene));
-    session::Session session(snapshot);
+    picture::Session session(snapshot);
     View view;
     view.camera = snapshot->camera;
     view.size = size;
@@ -108,7 +108,7 @@ Picture Painter::paint(scene::Scene scene, ivec2 size, const Region& region) {
         request.stages.push_back({"visibility", light});
         if (hasTexels) request.stages.push_back({"texel-size", light});
     }
-    const session::RenderedFrame frame = session.render(slot_, view, request);
+    const picture::RenderedFrame frame = session.render(slot_, view, request);
     Picture picture;
     picture.size = size;
     picture.shown = encoder_.encode(slot_.target.color, snapshot->exposure);
@@ -117,9 +117,9 @@ Picture Painter::paint(scene::Scene scene, ivec2 size, const Region& region) {
     // Two thousand points on two hundred square metres, both sides of things, are a third of a metre apart: here up to twelve pixels.
     if (hasParam(slot_, "patches")) picture.smoothPx = 12;
     for (int light = 0; light < lights; ++light) {
-        picture.visibility.push_back(session::readVisibility(session::findStage(frame, {"visibility", light})));
+        picture.visibility.push_back(picture::readVisibility(picture::findStage(frame, {"visibility", light})));
         if (!hasTexels) continue;
-        const measure::Grid<float> sizes = session::readTexelSizes(session::findStage(frame, {"texel-size", light}));
+        const judge::Grid<float> sizes = picture::readTexelSizes(picture::findStage(frame, {"texel-size", light}));
         for (std::size_t i = 0; i < sizes.values.size(); ++i)
             picture.texelPx[i] = std::max(picture.texelPx[i], sizes.values[i]);
     }
@@ -134,14 +134,14 @@ const Traits& Painter::traits() {
 bool Painter::isRight(const scene::Scene& scene) {
     const Picture picture = paint(scene);
     painted_.pop_back();
-    session::Session session(testing::snapshot(scene));
+    picture::Session session(testing::snapshot(scene));
     View view;
     view.camera = scene.camera;
     view.size = picture.size;
     int wrong = 0, pixels = 0;
     for (int light = 0; light < static_cast<int>(picture.visibility.size()); ++light) {
-        const measure::Truth& truth = session.truth(view, light);
-        const auto judged = measure::judge(truth, picture.visibility[static_cast<std::size_t>(light)].greyAlpha);
+        const judge::Truth& truth = session.truth(view, light);
+        const auto judged = judge::judge(truth, picture.visibility[static_cast<std::size_t>(light)].greyAlpha);
         wrong += judged.counts.wrong();
         pixels += judged.counts.pixels;
     }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session/picture.h"
-#include "app/session/session.h"
+#include "app/picture/picture.h"
+#include "app/picture/session.h"
 #include "tests/relations/solids.h"
 
 namespace shadowlab::relations {
@@ -19,7 +19,7 @@ struct Picture {
     ivec2 size{0};
     image::Image shown;                               ///< as it would be saved
     std::vector<vec4> radiance;                       ///< before exposure and encoding
-    std::vector<session::VisibilityImage> visibility; ///< of each light
+    std::vector<picture::VisibilityImage> visibility; ///< of each light
     std::vector<float> texelPx; ///< of a shadow map, the largest of all lights at each pixel; empty: it has none
     int smoothPx = 0;           ///< how far apart the points are that visibility is interpolated between; 0: it is not
     [[nodiscard]] std::size_t index(int x, int y) const {
@@ -60,8 +60,8 @@ private:
     [[nodiscard]] bool isRight(const scene::Scene& scene);
     std::string technique_;
     Fault fault_;
-    session::Slot slot_; ///< one for all scenes: what it keeps of one must not show in the next
-    session::PictureEncoder encoder_;
+    picture::Slot slot_; ///< one for all scenes: what it keeps of one must not show in the next
+    picture::PictureEncoder encoder_;
     std::vector<scene::Scene> painted_;
     std::optional<Traits> traits_;
 };

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <iomanip>
 
-#include "techniques/foundation/scene/outward_parts.h"
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/foundation/scene/write_scene.h"
+#include "techniques/foundation/scene/json/write_scene.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/scene/query/outward_parts.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::relations {

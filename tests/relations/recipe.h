@@ -8,7 +8,7 @@
 #include <ostream>
 #include <vector>
 
-#include "techniques/foundation/scene/scene.h"
+#include "techniques/foundation/scene/model/scene.h"
 #include "tests/relations/solids.h"
 
 namespace shadowlab::relations {

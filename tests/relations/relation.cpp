@@ -63,7 +63,7 @@ bool isNearEdge(const Picture& picture, ivec2 pixel, int reachPx) {
     for (int y = first.y; y <= last.y; ++y)
         for (int x = first.x; x <= last.x; ++x) {
             if (difference(picture.shown.at(x, y), picture.shown.at(pixel.x, pixel.y)) > kLevels) return true;
-            for (const session::VisibilityImage& visibility : picture.visibility)
+            for (const picture::VisibilityImage& visibility : picture.visibility)
                 if (std::abs(visibility.grey(x, y) - visibility.grey(pixel.x, pixel.y)) > kLevels ||
                     visibility.alpha(x, y) != visibility.alpha(pixel.x, pixel.y))
                     return true;
@@ -72,7 +72,7 @@ bool isNearEdge(const Picture& picture, ivec2 pixel, int reachPx) {
 }
 
 void countLight(const Picture& picture, Comparison& comparison) {
-    for (const session::VisibilityImage& visibility : picture.visibility)
+    for (const picture::VisibilityImage& visibility : picture.visibility)
         for (std::size_t i = 0; i < visibility.greyAlpha.size(); i += 2)
             if (visibility.greyAlpha[i + 1] == 255)
                 ++(visibility.greyAlpha[i] > 127 ? comparison.lit : comparison.shadowed);

@@ -6,7 +6,7 @@
 #include <map>
 #include <random>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 
 namespace shadowlab::relations {
 

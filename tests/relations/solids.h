@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "techniques/foundation/scene/mesh.h"
+#include "techniques/foundation/scene/model/mesh.h"
 
 namespace shadowlab::relations {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "app/measure/verdict.h"
+#include "app/judge/verdict.h"
 #include "tests/relations/painters_fixture.h"
 #include "tests/relations/random_recipes.h"
 #include "tests/support/scenes.h"
@@ -28,13 +28,13 @@ protected:
         for (const Recipe& recipe : recipes) {
             const scene::Scene scene = sceneOf(recipe);
             const Picture picture = painter.paint(scene);
-            session::Session session(testing::snapshot(scene));
+            picture::Session session(testing::snapshot(scene));
             View view;
             view.camera = scene.camera;
             view.size = picture.size;
             for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
                 const auto& seen = picture.visibility[static_cast<std::size_t>(light)];
-                const measure::Counts counts = measure::judge(session.truth(view, light), seen.greyAlpha).counts;
+                const judge::Counts counts = judge::judge(session.truth(view, light), seen.greyAlpha).counts;
                 sum.falseLit += counts.falseLit;
                 sum.falseShadow += counts.falseShadow;
             }
@@ -45,7 +45,7 @@ protected:
     static std::vector<std::string> techniquesWith(const std::vector<std::string>& params) {
         std::vector<std::string> ids;
         for (const std::string& id : registeredIds()) {
-            const session::Slot slot = session::Session::makeSlot(id);
+            const picture::Slot slot = picture::Session::makeSlot(id);
             const auto has = [&](const std::string& param) {
                 return std::ranges::any_of(slot.params, [&](const params::Param& p) { return p.id == param; });
             };

@@ -1,6 +1,6 @@
 // The chart of cost and error: where its markers stand, by arithmetic of the test's own, and whether it can be read.
 // SPDX-License-Identifier: MIT
-#include "app/report/chart.h"
+#include "app/report/page/chart.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 #include <map>
 #include <set>
 
-#include "app/report/log_axis.h"
-#include "app/report/technique_mark.h"
-#include "tests/diagram/written.h"
+#include "app/report/page/log_axis.h"
+#include "app/report/page/technique_mark.h"
+#include "tests/figures/written.h"
 #include "tests/report/made_up.h"
 
 namespace shadowlab::report {
@@ -26,19 +26,19 @@ bool isNumber(const std::string& text) { return text.find_first_not_of("01234567
 /// Ticks are told from the numbers of the front by their places: below and to the left of the frame.
 struct ReadAxes {
     Ticks costs, errors;
-    explicit ReadAxes(const diagram::Drawing& drawing) {
+    explicit ReadAxes(const drawing::Drawing& drawing) {
         double left = 0, bottom = 0;
-        for (const diagram::Mark& mark : drawing.marks())
-            if (const auto* frame = std::get_if<diagram::Rectangle>(&mark)) {
+        for (const drawing::Mark& mark : drawing.marks())
+            if (const auto* frame = std::get_if<drawing::Rectangle>(&mark)) {
                 left = frame->corner.x;
                 bottom = frame->corner.y + frame->size.y;
             }
-        for (const diagram::Mark& mark : drawing.marks())
-            if (const auto* text = std::get_if<diagram::TextLine>(&mark); text && isNumber(text->text)) {
+        for (const drawing::Mark& mark : drawing.marks())
+            if (const auto* text = std::get_if<drawing::TextLine>(&mark); text && isNumber(text->text)) {
                 if (text->place.x < left && text->place.y < bottom)
                     errors[std::stod(text->text)] =
                         text->place.y - 8; // the foot of digits is 8 pixels below their middle
-                if (text->style.anchor == diagram::Anchor::middle) costs[std::stod(text->text)] = text->place.x;
+                if (text->style.anchor == drawing::Anchor::middle) costs[std::stod(text->text)] = text->place.x;
             }
     }
 };
@@ -51,12 +51,12 @@ double placeBetween(const Ticks& ticks, double value) {
 }
 
 /// Is there a shape in that colour whose middle is there? A triangle's is that of its corners.
-bool hasMarker(const diagram::Drawing& drawing, dvec2 place, const std::string& color) {
-    for (const diagram::Mark& mark : drawing.marks()) {
+bool hasMarker(const drawing::Drawing& drawing, dvec2 place, const std::string& color) {
+    for (const drawing::Mark& mark : drawing.marks()) {
         dvec2 middle(0);
-        if (const auto* circle = std::get_if<diagram::Circle>(&mark); circle && circle->fill == color) {
+        if (const auto* circle = std::get_if<drawing::Circle>(&mark); circle && circle->fill == color) {
             middle = circle->centre;
-        } else if (const auto* shape = std::get_if<diagram::Line>(&mark); shape && shape->fill == color) {
+        } else if (const auto* shape = std::get_if<drawing::Line>(&mark); shape && shape->fill == color) {
             for (const dvec2 corner : shape->points)
                 middle += corner / static_cast<double>(shape->points.size());
         } else {
@@ -78,11 +78,11 @@ std::string unescaped(std::string text) {
 /// No two texts share a place, and none leaves the sheet. Returns how many there are.
 std::size_t expectReadable(const Group& group) {
     const Chart chart = chartOf(group, kSize);
-    std::vector<diagram::Written> all = diagram::written(chart.drawing.document("chart"));
+    std::vector<figures::Written> all = diagram::written(chart.drawing.document("chart"));
     for (std::size_t i = 0; i < all.size(); ++i) {
         // An entity is one sign: the box was that of the text as it is written in the file. Such texts begin at their place.
         if (const std::string read = unescaped(all[i].text); read != all[i].text)
-            all[i].box.size.x = diagram::textSize(diagram::testFont(), read, all[i].em).x;
+            all[i].box.size.x = drawing::textSize(figures::testFont(), read, all[i].em).x;
         all[i].box.corner.x += 1; // widths are measured in whole pixels
         all[i].box.size.x -= 2;
         EXPECT_GE(all[i].em, kChartType) << all[i].text;
@@ -134,7 +134,7 @@ TEST(ReportChartTest, MarkersStandWhereTheLogarithmsSay) {
 
 TEST(ReportChartTest, WhereTheAreaIsJudgedTheAxisIsThatOfRmse) {
     Group group = madeGroup("still-life");
-    group.truth = measure::TruthOf::area;
+    group.truth = judge::TruthOf::area;
     for (Point& point : group.points)
         point.errors.truth = group.truth;
     const double halfStep = 0.5 / 255; // of a picture with 255 steps: less is rounding
@@ -166,8 +166,8 @@ TEST(ReportChartTest, IntervalsReachFromTheirLowerToTheirUpperEnd) {
     const ReadAxes axes(chart.drawing);
     const double y = chart.spots[3].place.y;
     int found = 0;
-    for (const diagram::Mark& mark : chart.drawing.marks())
-        if (const auto* bar = std::get_if<diagram::Segments>(&mark))
+    for (const drawing::Mark& mark : chart.drawing.marks())
+        if (const auto* bar = std::get_if<drawing::Segments>(&mark))
             found += bar->points.size() == 6 && std::abs(bar->points[0].y - y) < 1e-9 &&
                      std::abs(bar->points[0].x - placeBetween(axes.costs, 2.1)) < 0.01 &&
                      std::abs(bar->points[1].x - placeBetween(axes.costs, 5.9)) < 0.01;
@@ -192,7 +192,7 @@ TEST(ReportChartTest, LongAndHostileNamesStayWithinTheSheet) {
 }
 
 TEST(ReportChartTest, GroupsWithLittleInThemAreDrawn) {
-    const Group empty{"still-life", "key", measure::TruthOf::centre, {}, {}, {}};
+    const Group empty{"still-life", "key", judge::TruthOf::centre, {}, {}, {}};
     EXPECT_NE(costErrorChart(empty, kSize).find("no point has been measured"), std::string::npos);
     EXPECT_GE(expectReadable(empty), 8u);
 
@@ -236,8 +236,8 @@ TEST(ReportChartTest, TheFrontIsAStairThroughItsPoints) {
         if (group.points[spot.point].onFront) corners.push_back(spot.place);
     ASSERT_GE(corners.size(), 4u);
     int stairs = 0;
-    for (const diagram::Mark& mark : chart.drawing.marks())
-        if (const auto* line = std::get_if<diagram::Line>(&mark);
+    for (const drawing::Mark& mark : chart.drawing.marks())
+        if (const auto* line = std::get_if<drawing::Line>(&mark);
             line && line->points.size() == 2 * corners.size() + 1) {
             ++stairs;
             for (std::size_t i = 1; i < line->points.size(); ++i) {

@@ -60,7 +60,7 @@ inline void addSweep(Group& group, const std::string& title, const std::string& 
 
 /// Thirty points: three sweeps of maps, exact techniques, and one that serves a part of the pixels only.
 inline Group madeGroup(const std::string& scene) {
-    Group group{scene, "key", measure::TruthOf::centre, {}, {}, {}};
+    Group group{scene, "key", judge::TruthOf::centre, {}, {}, {}};
     group.points.push_back(madePoint("unshadowed", {}, 0.9, 38));
     group.points.back().isYardstick = true;
     addSweep(group, "Hard map", "hard", 1.6, 3.1);

@@ -1,6 +1,6 @@
 // The page of a report: well formed, with all that it shows inside of it, whatever names it is given.
 // SPDX-License-Identifier: MIT
-#include "app/report/page.h"
+#include "app/report/page/page.h"
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 
 #include <set>
 
+#include "app/lab/settings.h"
+#include "app/picture/session.h"
 #include "app/report/store.h"
-#include "app/session/session.h"
-#include "app/session/settings.h"
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/registry.h"
 
 namespace shadowlab::report {
@@ -31,10 +31,10 @@ TEST(ReportPlan, EverySweepOfEveryTechniqueCanBeSet) {
                 std::set<std::string> names;
                 for (const PointKey& key : pointsOf(*registered.info, lightOf(type), quick)) {
                     EXPECT_TRUE(names.insert(key.name()).second) << "twice: " << key.name();
-                    std::vector<session::Slot> slots;
-                    slots.push_back(session::Session::makeSlot(key.technique));
+                    std::vector<picture::Slot> slots;
+                    slots.push_back(picture::Session::makeSlot(key.technique));
                     for (const std::string& setting : key.settings)
-                        EXPECT_NO_THROW(session::applySettings(slots, {key.technique + "." + setting})) << key.name();
+                        EXPECT_NO_THROW(lab::applySettings(slots, {key.technique + "." + setting})) << key.name();
                     ++tried;
                 }
                 EXPECT_FALSE(names.empty());

@@ -8,7 +8,7 @@
 
 #include "app/report/assemble.h"
 #include "app/report/json_parts.h"
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "tests/foundation/scene/scene_files.h"
 
 namespace shadowlab::report {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/foundation/trace/bvh_traverse.h"
-#include "techniques/shadow_map/alias_free.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/trace/bvh/bvh_traverse.h"
+#include "techniques/shadow_map/irregular/alias_free.h"
 #include "tests/foundation/trace/ray_meshes.h"
 #include "tests/support/scenes.h"
 

@@ -1,7 +1,7 @@
 // The alias-free shadow map against shadow rays: the same answer for every point, of every kind of light, with no point
 // excused.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_map/alias_free.h"
+#include "techniques/shadow_map/irregular/alias_free.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/foundation/trace/ray_meshes.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/scenes.h"

@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/shadow_map/alias_free.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/shadow_map/irregular/alias_free.h"
 #include "tests/foundation/trace/ray_meshes.h"
 #include "tests/support/scenes.h"
 

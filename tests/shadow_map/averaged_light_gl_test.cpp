@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "techniques/foundation/scene/light_points.h"
+#include "techniques/foundation/scene/query/light_points.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/half_plane.h"
 #include "tests/support/truth_comparison.h"

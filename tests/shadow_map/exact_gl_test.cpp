@@ -1,13 +1,13 @@
 // shadow-map.exact against the judge: no pixel is wrong outside ties, in scenes made to break shadow algorithms, with any
 // projection. The same map without it is wrong in thousands.
 // SPDX-License-Identifier: MIT
-#include "app/measure/verdict.h"
-#include "app/session/assets.h"
-#include "app/session/session.h"
-#include "app/session/settings.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/scene_json.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "app/context/assets.h"
+#include "app/judge/verdict.h"
+#include "app/lab/settings.h"
+#include "app/picture/session.h"
+#include "techniques/foundation/scene/json/scene_json.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/scenes.h"
@@ -158,30 +158,30 @@ TEST_F(ExactMapTest, FarFromTheOrigin) {
 
 /// Judged as `measure` judges, by what the rasteriser shows, too: where two leaves that share an edge lie behind one another, it
 /// may show the other one a thousandth of a pixel beyond that edge, and nothing on this side of it tells.
-measure::Counts measuredErrors(session::Session& session, const std::vector<std::string>& settings, ivec2 size,
+judge::Counts measuredErrors(picture::Session& session, const std::vector<std::string>& settings, ivec2 size,
                                int light) {
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot("shadow-map"));
-    session::applySettings(slots, settings);
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot("shadow-map"));
+    lab::applySettings(slots, settings);
     View view;
     view.camera = session.snapshot()->camera;
     view.size = size;
     FrameRequest request;
     request.stages = {{"visibility", light}};
-    const session::RenderedFrame frame = session.render(slots[0], view, request);
-    const session::VisibilityImage image = session::readVisibility(session::findStage(frame, {"visibility", light}));
-    return measure::judge(session.truth(view, session.truthFor(slots[0], light)), image.greyAlpha).counts;
+    const picture::RenderedFrame frame = session.render(slots[0], view, request);
+    const picture::VisibilityImage image = picture::readVisibility(picture::findStage(frame, {"visibility", light}));
+    return judge::judge(session.truth(view, session.truthFor(slots[0], light)), image.greyAlpha).counts;
 }
 
 TEST_F(ExactMapTest, EveryBuiltInScene) {
-    const auto root = session::assetsRoot();
+    const auto root = context::assetsRoot();
     const ivec2 size = std::getenv("SHADOWLAB_LONG") ? ivec2(1280, 720) : ivec2(320, 180);
     int scenes = 0, plainWrong = 0;
     for (const std::string& name : scene::builtInScenes(root)) {
-        session::Session session(scene::loadScene(name, {.assetsRoot = root, .allowed = {}, .limits = {}}));
+        picture::Session session(scene::loadScene(name, {.assetsRoot = root, .allowed = {}, .limits = {}}));
         int lit = 0, shadowed = 0, ties = 0;
         for (int light = 0; light < static_cast<int>(session.snapshot()->lights.size()); ++light) {
-            const measure::Counts exact = measuredErrors(session, {"shadow-map.exact=true"}, size, light);
+            const judge::Counts exact = measuredErrors(session, {"shadow-map.exact=true"}, size, light);
             EXPECT_EQ(exact.wrong() + exact.stray, 0) << name << ", light " << light;
             lit += exact.lit, shadowed += exact.shadowed, ties += exact.ties;
             plainWrong += measuredErrors(session, {}, size, light).wrong();

@@ -46,7 +46,7 @@ scene::Scene slivers(double beside) {
 class Averages {
 public:
     explicit Averages(double beside = 0) : slot_(testing::snapshot(slivers(beside))) {}
-    measure::Grid<float> image(std::vector<std::string> settings, int guardTexels) {
+    judge::Grid<float> image(std::vector<std::string> settings, int guardTexels) {
         settings.insert(settings.end(), {"fit=scene", resolutionFor(guardTexels)});
         return slot_.shares(settings, kSize, 0);
     }
@@ -55,7 +55,7 @@ private:
     testing::ShadowMapSlot slot_;
 };
 
-double meanOf(const measure::Grid<float>& image) {
+double meanOf(const judge::Grid<float>& image) {
     double sum = 0;
     for (const float v : image.values)
         sum += v;
@@ -63,8 +63,8 @@ double meanOf(const measure::Grid<float>& image) {
 }
 
 /// What is beyond the picture's edge is lit.
-measure::Grid<float> blurred(const measure::Grid<float>& hard, int radius) {
-    measure::Grid<float> result(hard.width, hard.height);
+judge::Grid<float> blurred(const judge::Grid<float>& hard, int radius) {
+    judge::Grid<float> result(hard.width, hard.height);
     const int width = 2 * radius + 1;
     for (int y = 0; y < hard.height; ++y)
         for (int x = 0; x < hard.width; ++x) {
@@ -80,12 +80,12 @@ measure::Grid<float> blurred(const measure::Grid<float>& hard, int radius) {
 // M26, pixel by pixel, and M24 for a radius of 0. The same whether each texel is looked up, or several at once.
 TEST_F(FilterAveragesTest, PcfIsTheBlurredHardMap) {
     Averages averages;
-    const measure::Grid<float> hard = averages.image({"filter=hard"}, 0);
+    const judge::Grid<float> hard = averages.image({"filter=hard"}, 0);
     for (const int radius : {0, 1, 2, 7})
         for (const char* mode : {"receiver-plane", "slope-scaled"}) {
             const auto pcf = averages.image(
                 {"filter=pcf", std::string("bias-mode=") + mode, "pcf-radius=" + std::to_string(radius)}, radius);
-            const measure::Grid<float> right = blurred(hard, radius);
+            const judge::Grid<float> right = blurred(hard, radius);
             float largest = 0;
             int between = 0;
             for (std::size_t i = 0; i < pcf.values.size(); ++i) {
@@ -133,9 +133,9 @@ std::ostream& operator<<(std::ostream& stream, const Constants& c) {
 TEST_F(FilterAveragesTest, WhereAllTexelsAgreeSoDoesTheFilter) {
     Averages averages;
     constexpr int kReach = 3; // texels: none of the kernels is wider
-    const measure::Grid<float> around = blurred(averages.image({"filter=hard"}, 0), kReach);
+    const judge::Grid<float> around = blurred(averages.image({"filter=hard"}, 0), kReach);
     const auto constants = [&](const std::vector<std::string>& settings) {
-        const measure::Grid<float> image = averages.image(settings, kReach);
+        const judge::Grid<float> image = averages.image(settings, kReach);
         Constants c;
         for (std::size_t i = 0; i < image.values.size(); ++i) {
             const float v = image.values[i];

@@ -8,8 +8,8 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/scene/casters.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/scene/query/casters.h"
 #include "tests/shadow_map/edge_reach.h"
 #include "tests/shadow_map/scene_maps.h"
 #include "tests/support/gl_fixture.h"
@@ -81,7 +81,7 @@ TEST_F(CombinationsTest, EveryCombinationGivesVisibilities) {
                 if (several && filter != "pcf" && mode != "receiver-plane") continue;
                 Settings settings = settingsFor(kind, filter, 128);
                 settings.insert(settings.end(), {"bias-mode=" + mode, "light-radius=0.05"});
-                const measure::Grid<float> image = slot.shares(settings, kSize, 0);
+                const judge::Grid<float> image = slot.shares(settings, kSize, 0);
                 int lit = 0, dark = 0, outside = 0;
                 for (const float v : image.values) {
                     if (v == -1) continue;                                             // no surface
@@ -107,7 +107,7 @@ std::ostream& operator<<(std::ostream& stream, const Beyond& b) {
                   << " wrong beyond the kernel's reach";
 }
 
-Beyond beyond(const JudgedPicture& judged, const measure::Grid<float>& image) {
+Beyond beyond(const JudgedPicture& judged, const judge::Grid<float>& image) {
     Beyond result;
     for (int y = 0; y < judged.size().y; ++y)
         for (int x = 0; x < judged.size().x; ++x) {

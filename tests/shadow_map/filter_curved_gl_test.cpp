@@ -8,7 +8,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/shadow_map/edge_reach.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/light_shares.h"
@@ -73,7 +73,7 @@ std::ostream& operator<<(std::ostream& stream, const Darkened& d) {
 
 Darkened darkened(const JudgedPicture& judged, testing::ShadowMapSlot& slot, std::vector<std::string> settings) {
     settings.push_back("resolution=" + std::to_string(kResolution));
-    const measure::Grid<float> image = slot.shares(settings, kSize, 0);
+    const judge::Grid<float> image = slot.shares(settings, kSize, 0);
     Darkened result;
     for (int y = 0; y < kSize.y; ++y)
         for (int x = 0; x < kSize.x; ++x) {

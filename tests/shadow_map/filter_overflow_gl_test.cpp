@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/session/assets.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "app/context/assets.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/shadow_map/moment_texels.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/light_shares.h"
@@ -191,7 +191,7 @@ TEST_F(OverflowTest, BehindOneDepthTheFilterIsTheExponential) {
 
 TEST_F(OverflowTest, EveryMomentOfEveryBuiltInSceneIsANumber) {
     MomentMaker maker;
-    const auto root = session::assetsRoot();
+    const auto root = context::assetsRoot();
     int scenes = 0, textures = 0;
     std::size_t texels = 0;
     for (const std::string& name : scene::builtInScenes(root)) {

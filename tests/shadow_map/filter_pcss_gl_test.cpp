@@ -124,7 +124,7 @@ std::ostream& operator<<(std::ostream& stream, const Penumbra& p) {
 }
 
 Penumbra measure(const scene::Scene& scene, const Visibility& truth, const std::vector<std::string>& settings) {
-    const measure::Grid<float> image = testing::ShadowMapSlot(testing::snapshot(scene)).shares(settings, kSize, 0);
+    const judge::Grid<float> image = testing::ShadowMapSlot(testing::snapshot(scene)).shares(settings, kSize, 0);
     std::vector<double> means, truths;
     Penumbra result;
     double squares = 0;

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <random>
 
-#include "app/session/assets.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "app/context/assets.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/shadow_map/moment_texels.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/light_shares.h"
@@ -68,7 +68,7 @@ Variances variancesOf(Format format) {
                                    [&](int x, int y) { return std::clamp(depth + slope * (x + 0.7 * y), 0.0, 1.0); }),
                 vsm(format)));
     }
-    const auto root = session::assetsRoot();
+    const auto root = context::assetsRoot();
     for (const std::string& name : scene::builtInScenes(root)) {
         const scene::Snapshot snapshot = scene::loadScene(name, {.assetsRoot = root, .allowed = {}, .limits = {}});
         const FilledMap drawn = testing::drawnMap(snapshot, 0, 128);

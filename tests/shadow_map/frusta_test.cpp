@@ -1,13 +1,13 @@
 // The frusta that are shown are those of the maps: closed forms, and every caster inside.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_map/frusta.h"
+#include "techniques/shadow_map/fit/frusta.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "techniques/foundation/look.h"
+#include "techniques/foundation/base/look.h"
 #include "tests/shadow_map/scene_maps.h"
 #include "tests/support/scenes.h"
 

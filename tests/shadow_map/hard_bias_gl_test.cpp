@@ -9,7 +9,7 @@
 #include <cmath>
 #include <iomanip>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/shadow_map/edge_reach.h"
 #include "tests/shadow_map/scene_maps.h"
 #include "tests/support/gl_fixture.h"

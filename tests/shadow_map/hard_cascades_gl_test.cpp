@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "app/session/settings.h"
+#include "app/lab/settings.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/scene/outward_parts.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/scene/query/outward_parts.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/plane_view.h"
 #include "tests/support/scenes.h"
@@ -26,13 +26,13 @@ constexpr double kTable = 12; // metres: side of what is looked at from above
 
 class HardCascadesTest : public testing::GlTest {
 protected:
-    static session::Slot slotWith(const std::vector<std::string>& settings) {
-        std::vector<session::Slot> slots;
-        slots.push_back(session::Session::makeSlot("shadow-map"));
+    static picture::Slot slotWith(const std::vector<std::string>& settings) {
+        std::vector<picture::Slot> slots;
+        slots.push_back(picture::Session::makeSlot("shadow-map"));
         std::vector<std::string> full;
         for (const std::string& setting : settings)
             full.push_back("shadow-map." + setting);
-        session::applySettings(slots, full);
+        lab::applySettings(slots, full);
         return std::move(slots[0]);
     }
     static View viewOf(const scene::Camera& camera, ivec2 size) {
@@ -41,10 +41,10 @@ protected:
         view.size = size;
         return view;
     }
-    static session::VisibilityImage visibility(session::Session& session, session::Slot& slot, const View& view) {
+    static picture::VisibilityImage visibility(picture::Session& session, picture::Slot& slot, const View& view) {
         FrameRequest request;
         request.stages = {{"visibility", 0}};
-        return session::readVisibility(session::findStage(session.render(slot, view, request), {"visibility", 0}));
+        return picture::readVisibility(picture::findStage(session.render(slot, view, request), {"visibility", 0}));
     }
 };
 
@@ -76,14 +76,14 @@ protected:
     /// rasteriser may take the surface beside it.
     static double largestTexelPx(const scene::Scene& scene, bool onBoards, ivec2 size,
                                  const std::vector<std::string>& settings) {
-        session::Session session(testing::snapshot(scene));
-        session::Slot slot = slotWith(settings);
+        picture::Session session(testing::snapshot(scene));
+        picture::Slot slot = slotWith(settings);
         const View view = viewOf(scene.camera, size);
         FrameRequest request;
         request.stages = {{"texel-size", 0}};
-        const session::RenderedFrame rendered = session.render(slot, view, request);
-        const std::vector<vec4> texels = gl::readTexels(session::findStage(rendered, {"texel-size", 0}).texture);
-        const measure::Truth truth = session.truthAtCentres(view, 0);
+        const picture::RenderedFrame rendered = session.render(slot, view, request);
+        const std::vector<vec4> texels = gl::readTexels(picture::findStage(rendered, {"texel-size", 0}).texture);
+        const judge::Truth truth = session.truthAtCentres(view, 0);
         const auto objectAt = [&](int x, int y) { return truth.objects[truth.index(x, y)]; };
         double largest = 0;
         int lit = 0;
@@ -175,7 +175,7 @@ public:
     int flips = 0, places = 0, shadowed = 0;
     [[nodiscard]] double share() const { return static_cast<double>(flips) / places; }
 
-    void add(const Eye& eye, session::VisibilityImage image) {
+    void add(const Eye& eye, picture::VisibilityImage image) {
         for (int y = 0; before_ && y < kSize.y; ++y)
             for (int x = 0; x < kSize.x; ++x) {
                 const dvec2 place = placeOf(eye, dvec2(x + 0.5, y + 0.5));
@@ -212,7 +212,7 @@ private:
         const double c = std::cos(glm::radians(degrees)), s = std::sin(glm::radians(degrees));
         return {c * v.x - s * v.y, s * v.x + c * v.y};
     }
-    std::optional<session::VisibilityImage> before_;
+    std::optional<picture::VisibilityImage> before_;
     Eye beforeEye_;
 };
 
@@ -220,8 +220,8 @@ class SwimmingTest : public HardCascadesTest {
 protected:
     template <typename EyeAt>
     static Swimming swimming(const std::string& stable, const EyeAt& eyeAt) {
-        session::Session session(testing::snapshot(grove()));
-        session::Slot slot = slotWith({stable, "cascades=4", "filter=hard", "resolution=128"});
+        picture::Session session(testing::snapshot(grove()));
+        picture::Slot slot = slotWith({stable, "cascades=4", "filter=hard", "resolution=128"});
         Swimming result;
         for (int step = 0; step < 24; ++step)
             result.add(eyeAt(step), visibility(session, slot, viewOf(Swimming::cameraOf(eyeAt(step)), kSize)));

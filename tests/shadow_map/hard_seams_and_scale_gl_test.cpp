@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/shadow_map/edge_reach.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
@@ -81,7 +81,7 @@ std::ostream& operator<<(std::ostream& stream, const Density& d) {
 
 /// `line`: one pixel in four of the seams is turned over first, to show that the test would notice.
 template <typename BandOf>
-void addDensity(const JudgedPicture& judged, const session::VisibilityImage& image, bool line, const BandOf& bandOf,
+void addDensity(const JudgedPicture& judged, const picture::VisibilityImage& image, bool line, const BandOf& bandOf,
                 Density& density) {
     for (int y = 0; y < judged.size().y; ++y)
         for (int x = 0; x < judged.size().x; ++x) {

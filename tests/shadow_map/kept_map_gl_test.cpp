@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "app/session/picture.h"
-#include "app/session/settings.h"
+#include "app/lab/settings.h"
+#include "app/picture/picture.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 
@@ -19,12 +19,12 @@ struct Drawn {
     double redrawn = -1, of = -1;
 };
 
-Drawn draw(session::Session& session, session::Slot& slot) {
+Drawn draw(picture::Session& session, picture::Slot& slot) {
     View view;
     view.camera = session.snapshot()->camera;
     view.size = kSize;
-    const session::RenderedFrame frame = session.render(slot, view);
-    Drawn drawn{session::PictureEncoder().encode(slot.target.color, 1)};
+    const picture::RenderedFrame frame = session.render(slot, view);
+    Drawn drawn{picture::PictureEncoder().encode(slot.target.color, 1)};
     const auto counter = std::ranges::find(frame.result.counters, "maps-redrawn", &Counter::id);
     if (counter != frame.result.counters.end()) drawn.redrawn = counter->built, drawn.of = counter->of;
     return drawn;
@@ -41,25 +41,25 @@ scene::Scene threeLights() {
 
 /// The same with a slot that has no map yet.
 image::Image fresh(const scene::Scene& scene, const std::vector<std::string>& settings) {
-    session::Session session(testing::snapshot(scene));
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot("shadow-map"));
-    session::applySettings(slots, settings);
+    picture::Session session(testing::snapshot(scene));
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot("shadow-map"));
+    lab::applySettings(slots, settings);
     return draw(session, slots[0]).picture;
 }
 
-session::Slot slotWith(const std::vector<std::string>& settings) {
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot("shadow-map"));
-    session::applySettings(slots, settings);
+picture::Slot slotWith(const std::vector<std::string>& settings) {
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot("shadow-map"));
+    lab::applySettings(slots, settings);
     return std::move(slots[0]);
 }
 
 /// Moves the eye by these steps and says how many maps were drawn anew. Every picture is as a fresh slot draws it.
 double redrawnOnTheWay(const std::vector<std::string>& settings, const std::vector<double>& steps) {
     scene::Scene scene = threeLights();
-    session::Session session(testing::snapshot(scene));
-    session::Slot slot = slotWith(settings);
+    picture::Session session(testing::snapshot(scene));
+    picture::Slot slot = slotWith(settings);
     Drawn last = draw(session, slot);
     EXPECT_EQ(last.redrawn, 3);
     double redrawn = 0;
@@ -85,15 +85,15 @@ TEST_F(KeptMapTest, FittedToTheViewItIsRedrawnSeldom) {
 
 TEST_F(KeptMapTest, EveryParameterThatMattersRedrawsIt) {
     const scene::Scene scene = threeLights();
-    session::Session session(testing::snapshot(scene));
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot("shadow-map"));
+    picture::Session session(testing::snapshot(scene));
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot("shadow-map"));
     draw(session, slots[0]);
     std::vector<std::string> settings;
     for (const std::string setting : {"resolution=256", "slope-bias=0", "rounding-bias=0", "pcf-radius=3",
                                       "filter=hard", "slope-bias=1", "depth-format=16", "resolution=512"}) {
         settings.push_back("shadow-map." + setting);
-        session::applySettings(slots, settings);
+        lab::applySettings(slots, settings);
         const Drawn changed = draw(session, slots[0]);
         EXPECT_EQ(changed.redrawn, 3) << setting;
         EXPECT_EQ(changed.picture, fresh(scene, settings)) << setting;
@@ -103,11 +103,11 @@ TEST_F(KeptMapTest, EveryParameterThatMattersRedrawsIt) {
 
 TEST_F(KeptMapTest, WhereMapsWouldTakeTooMuchMemoryTheyShareOneAndTheSamePictureComes) {
     const scene::Scene scene = threeLights();
-    session::Session session(testing::snapshot(scene));
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot("shadow-map"));
+    picture::Session session(testing::snapshot(scene));
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot("shadow-map"));
     const std::vector<std::string> large = {"shadow-map.resolution=5120"}; // three of them are 79 million texels
-    session::applySettings(slots, large);
+    lab::applySettings(slots, large);
     const Drawn first = draw(session, slots[0]), second = draw(session, slots[0]);
     EXPECT_EQ(second.redrawn, 3);
     EXPECT_EQ(second.picture, first.picture);
@@ -122,15 +122,15 @@ TEST_F(KeptMapTest, TheLecturesStagesNeedNoMapOfTheFramesOwn) {
                                              "traced",     "eye-samples", "visibility"};
     for (const scene::Scene& scene : {floor, testing::simpleScene()})
         for (const char* setting : {"alias-free=false", "alias-free=true", "exact=true"}) {
-            session::Session session(testing::snapshot(scene));
-            session::Slot slot = slotWith({std::string("shadow-map.") + setting});
+            picture::Session session(testing::snapshot(scene));
+            picture::Slot slot = slotWith({std::string("shadow-map.") + setting});
             View view;
             view.camera = scene.camera;
             view.size = kSize;
             FrameRequest request;
             for (const std::string& stage : stages)
                 request.stages.push_back({stage, 0});
-            const session::RenderedFrame frame = session.render(slot, view, request);
+            const picture::RenderedFrame frame = session.render(slot, view, request);
             EXPECT_EQ(frame.result.stages.size(), stages.size()) << setting;
             EXPECT_EQ(gl::takeDebugMessages(), "") << setting;
         }

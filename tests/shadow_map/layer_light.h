@@ -3,8 +3,8 @@
 #pragma once
 #include <functional>
 
-#include "tests/support/light_shares.h"
 #include "tests/shadow_map/stacked_layers.h"
+#include "tests/support/light_shares.h"
 
 namespace shadowlab::testing {
 

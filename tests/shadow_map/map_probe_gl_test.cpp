@@ -5,8 +5,8 @@
 #include <iostream>
 #include <map>
 
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/map_margin.h"
 #include "tests/support/probed_picture.h"

@@ -3,8 +3,8 @@
 #pragma once
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/debug.h"
-#include "techniques/shadow_map/depth_pass.h"
-#include "techniques/shadow_map/moment_maps.h"
+#include "techniques/shadow_map/filters/moment_maps.h"
+#include "techniques/shadow_map/maps/depth_pass.h"
 #include "tests/shadow_map/scene_maps.h"
 
 namespace shadowlab::testing {

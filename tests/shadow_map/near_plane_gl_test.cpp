@@ -9,7 +9,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/light_shares.h"
 #include "tests/support/other_shaders.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "app/session/session.h"
-#include "app/session/settings.h"
+#include "app/lab/settings.h"
+#include "app/picture/session.h"
 #include "tests/support/area_lights.h"
 #include "tests/support/scenes.h"
 
@@ -12,9 +12,9 @@ namespace {
 
 /// One digit for each light: a point, a sun, a spot, a panel and a ball.
 std::string answers(const std::vector<std::string>& settings) {
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot("shadow-map"));
-    session::applySettings(slots, settings);
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot("shadow-map"));
+    lab::applySettings(slots, settings);
     const scene::Scene scene = testing::everyKindOfLight();
     std::string text;
     for (int light = 0; light < 5; ++light)
@@ -38,7 +38,7 @@ TEST(SamplesArea, OtherTechniquesModelAPoint) {
     const scene::Scene scene = testing::everyKindOfLight();
     for (const char* technique : {"unshadowed", "shadow-volume", "shadow-volume-zfail", "shadow-volume-zpass"})
         for (int light = 0; light < 5; ++light)
-            EXPECT_FALSE(session::Session::makeSlot(technique).technique->samplesArea(scene, light)) << technique;
+            EXPECT_FALSE(picture::Session::makeSlot(technique).technique->samplesArea(scene, light)) << technique;
 }
 
 } // namespace

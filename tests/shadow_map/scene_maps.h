@@ -1,8 +1,8 @@
 // A light's maps as they are when the eye does not matter.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/foundation/scene/casters.h"
-#include "techniques/shadow_map/fit.h"
+#include "techniques/foundation/scene/query/casters.h"
+#include "techniques/shadow_map/fit/fit.h"
 
 namespace shadowlab::testing {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/shadow_map/scene_maps.h"
 #include "tests/support/plane_view.h"
 #include "tests/support/scenes.h"

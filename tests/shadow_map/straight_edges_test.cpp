@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "techniques/shadow_map/light_maps.h"
+#include "techniques/shadow_map/fit/light_maps.h"
 
 namespace shadowlab::shadow_map {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/session/measurement.h"
-#include "app/session/settings.h"
+#include "app/lab/settings.h"
+#include "app/report/measurement.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/shadow_map/scene_maps.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
@@ -31,24 +31,24 @@ protected:
         scene.lights.push_back(testing::directionalLight(-fromWorld));
         return scene;
     }
-    static std::vector<session::Slot> slotWith(const std::vector<std::string>& settings) {
-        std::vector<session::Slot> slots;
-        slots.push_back(session::Session::makeSlot("shadow-map"));
-        session::applySettings(slots, settings);
+    static std::vector<picture::Slot> slotWith(const std::vector<std::string>& settings) {
+        std::vector<picture::Slot> slots;
+        slots.push_back(picture::Session::makeSlot("shadow-map"));
+        lab::applySettings(slots, settings);
         return slots;
     }
     /// Sizes on the floor, where the eye sees no caster and looks into the map.
     static std::vector<float> sizesOnFloor(const scene::Scene& scene, int resolution) {
-        session::Session session(testing::snapshot(scene));
+        picture::Session session(testing::snapshot(scene));
         auto slots = slotWith({"shadow-map.resolution=" + std::to_string(resolution), "shadow-map.filter=hard"});
         View view;
         view.camera = scene.camera;
         view.size = kSize;
         FrameRequest request;
         request.stages = {{"texel-size", 0}};
-        const session::RenderedFrame rendered = session.render(slots[0], view, request);
-        const std::vector<vec4> texels = gl::readTexels(session::findStage(rendered, {"texel-size", 0}).texture);
-        const measure::Truth& truth = session.truth(view, 0);
+        const picture::RenderedFrame rendered = session.render(slots[0], view, request);
+        const std::vector<vec4> texels = gl::readTexels(picture::findStage(rendered, {"texel-size", 0}).texture);
+        const judge::Truth& truth = session.truth(view, 0);
         std::vector<float> sizes;
         for (std::size_t i = 0; i < texels.size(); ++i) {
             EXPECT_TRUE(std::isfinite(texels[i].r));
@@ -93,9 +93,9 @@ TEST_F(TexelSizeTest, HalfTheResolutionIsTwiceTheSizeAndGrazingLightMakesItLonge
 TEST_F(TexelSizeTest, TellsAliasingFromAcne) {
     const auto snapshot = testing::snapshot(testing::simpleScene());
     const auto measured = [&](const std::vector<std::string>& settings) {
-        session::Session session(snapshot);
+        picture::Session session(snapshot);
         auto slots = slotWith(settings);
-        session::Measurement measurement(session, slots, 0, {320, 240});
+        report::Measurement measurement(session, slots, 0, {320, 240});
         measurement.addFrame({snapshot, snapshot->camera});
         return measurement.results()[0];
     };

@@ -1,10 +1,10 @@
 // Volumes are kept while nothing moves that they depend on, and are never those of another place.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_volume/casters.h"
+#include "techniques/shadow_volume/cull/casters.h"
 
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/scene/scene_json.h"
+#include "techniques/foundation/scene/json/scene_json.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "techniques/foundation/scene/facing.h"
-#include "techniques/foundation/scene/mesh_topology.h"
+#include "techniques/foundation/scene/query/facing.h"
+#include "techniques/foundation/scene/query/mesh_topology.h"
 #include "techniques/foundation/trace/parallel.h"
 
 namespace shadowlab::testing {

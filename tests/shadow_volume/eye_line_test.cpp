@@ -1,12 +1,12 @@
 // How many volumes the eye is in: closed forms, and lines that go exactly through edges and corners.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_volume/eye_line.h"
+#include "techniques/shadow_volume/cull/eye_line.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab {

@@ -31,7 +31,7 @@
 #include "techniques/foundation/gl/program.h"
 #include "techniques/foundation/gl/scene_buffers.h"
 #include "techniques/foundation/gl/surfaces.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/shadow_volume/counted_by_rays.h"
 #include "tests/shadow_volume/volume_case.h"
 #include "tests/support/hard_scenes.h"

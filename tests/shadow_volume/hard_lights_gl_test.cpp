@@ -5,11 +5,11 @@
 #include <cmath>
 #include <map>
 
-#include "app/session/settings.h"
+#include "app/lab/settings.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/scene/facing.h"
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/shadow_volume/casters.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/scene/query/facing.h"
+#include "techniques/shadow_volume/cull/casters.h"
 #include "tests/shadow_volume/counted_by_rays.h"
 #include "tests/shadow_volume/volume_case.h"
 
@@ -99,9 +99,9 @@ TEST_F(HardLights, InAVertex) {
         const JudgedPicture picture = judged(scene);
         expectExact(picture);
         // What is pushed away from itself is (0, 0, 0, 0): a picture without a number in it would show that.
-        session::Session session(picture.snapshot());
+        picture::Session session(picture.snapshot());
         for (const testing::ExactWay& way : testing::kExactWays) {
-            session::Slot slot = session::Session::makeSlot(way.technique);
+            picture::Slot slot = picture::Session::makeSlot(way.technique);
             View view;
             view.camera = scene.camera;
             view.size = {80, 60};
@@ -201,7 +201,7 @@ TEST_F(HardLights, FacetsAreDarkWhereTheyTurnAway) {
     expectExact(picture);
     const auto signs = scene::facingSigns(scene.objects[1], scene.lights[0]);
     for (const testing::ExactWay& way : testing::kExactWays) {
-        const session::VisibilityImage image = draw(picture, way, true);
+        const picture::VisibilityImage image = draw(picture, way, true);
         int front = 0, back = 0;
         for (int y = 0; y < picture.size().y; ++y)
             for (int x = 0; x < picture.size().x; ++x) {
@@ -218,11 +218,11 @@ TEST_F(HardLights, FacetsAreDarkWhereTheyTurnAway) {
 
 /// Linear radiance of every pixel.
 std::vector<vec4> radiance(const scene::Scene& scene, const testing::ExactWay& way) {
-    session::Session session(testing::snapshot(scene));
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot(way.technique));
+    picture::Session session(testing::snapshot(scene));
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot(way.technique));
     for (const std::string& setting : way.settings)
-        session::applySettings(slots, {way.technique + "." + setting});
+        lab::applySettings(slots, {way.technique + "." + setting});
     View view;
     view.camera = scene.camera;
     view.size = {160, 120};

@@ -1,8 +1,8 @@
 // What is kept from frame to frame while nothing moves, the volumes that are drawn and what rays have mended: never those of another
 // frame.
 // SPDX-License-Identifier: MIT
-#include "app/session/picture.h"
-#include "app/session/settings.h"
+#include "app/lab/settings.h"
+#include "app/picture/picture.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 
@@ -18,9 +18,9 @@ struct Drawn {
     friend bool operator==(const Drawn&, const Drawn&) = default;
 };
 
-Drawn draw(session::Session& session, session::Slot& slot, const View& view) {
-    const session::RenderedFrame frame = session.render(slot, view);
-    Drawn drawn{session::PictureEncoder().encode(slot.target.color, 1), {}};
+Drawn draw(picture::Session& session, picture::Slot& slot, const View& view) {
+    const picture::RenderedFrame frame = session.render(slot, view);
+    Drawn drawn{picture::PictureEncoder().encode(slot.target.color, 1), {}};
     for (const Counter& counter : frame.result.counters)
         if (counter.id != "volumes-rebuilt") drawn.counted.emplace_back(counter.id, counter.built);
     return drawn;
@@ -33,18 +33,18 @@ View viewOf(const scene::Scene& scene) {
     return view;
 }
 
-std::vector<session::Slot> slotsOf(const std::string& technique, const std::vector<std::string>& settings) {
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot(technique));
-    session::applySettings(slots, settings);
+std::vector<picture::Slot> slotsOf(const std::string& technique, const std::vector<std::string>& settings) {
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot(technique));
+    lab::applySettings(slots, settings);
     return slots;
 }
 
 /// By a slot that has kept nothing.
 Drawn fresh(const scene::Snapshot& snapshot, const std::string& technique, const std::vector<std::string>& settings,
             const View& view) {
-    session::Session session(snapshot);
-    std::vector<session::Slot> slots = slotsOf(technique, settings);
+    picture::Session session(snapshot);
+    std::vector<picture::Slot> slots = slotsOf(technique, settings);
     return draw(session, slots[0], view);
 }
 
@@ -55,8 +55,8 @@ TEST_F(KeptCountTest, EveryParameterThatMattersCountsAnew) {
     const View view = viewOf(*snapshot);
     int compared = 0;
     for (const std::string technique : kTechniques) {
-        session::Session session(snapshot);
-        std::vector<session::Slot> slots = slotsOf(technique, {technique + ".repair=true"});
+        picture::Session session(snapshot);
+        std::vector<picture::Slot> slots = slotsOf(technique, {technique + ".repair=true"});
         std::vector<std::string> settings{technique + ".repair=true"};
         std::vector<std::string> changes{"extrude-on=cpu",       "volume-end=infinity",  "volume-end=distance",
                                          "extrusion=0.5",        "stencil-bits=1",       "wrap=false",
@@ -67,7 +67,7 @@ TEST_F(KeptCountTest, EveryParameterThatMattersCountsAnew) {
         if (technique == "shadow-volume-zfail") changes.insert(changes.end(), {"caps=false", "far-plane=clip"});
         for (const std::string& change : changes) {
             settings.push_back(technique + "." + change);
-            session::applySettings(slots, settings);
+            lab::applySettings(slots, settings);
             const Drawn changed = draw(session, slots[0], view), again = draw(session, slots[0], view);
             EXPECT_EQ(changed, fresh(snapshot, technique, settings, view)) << technique << " " << change;
             EXPECT_EQ(again, changed) << technique << " " << change;
@@ -81,8 +81,8 @@ TEST_F(KeptCountTest, EveryViewCountsAnew) {
     const scene::Snapshot snapshot = testing::snapshot(testing::simpleScene());
     for (const std::string technique : kTechniques) {
         const std::vector<std::string> settings{technique + ".repair=true"};
-        session::Session session(snapshot);
-        std::vector<session::Slot> slots = slotsOf(technique, settings);
+        picture::Session session(snapshot);
+        std::vector<picture::Slot> slots = slotsOf(technique, settings);
         View view = viewOf(*snapshot);
         const auto compare = [&](const char* what) {
             EXPECT_EQ(draw(session, slots[0], view), fresh(snapshot, technique, settings, view)) << technique << what;
@@ -103,8 +103,8 @@ TEST_F(KeptCountTest, ASceneThatWasPreparedAndNotDrawnLeavesNothingBehind) {
     scene::Scene other = testing::simpleScene();
     other.objects.erase(other.objects.begin() + 1);
     for (const std::string technique : kTechniques) {
-        session::Session session(first);
-        std::vector<session::Slot> slots = slotsOf(technique, {technique + ".repair=true"});
+        picture::Session session(first);
+        std::vector<picture::Slot> slots = slotsOf(technique, {technique + ".repair=true"});
         const View view = viewOf(*first);
         const Drawn before = draw(session, slots[0], view);
         slots[0].technique->prepare(testing::snapshot(other), Deadline::max());

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "app/session/orbit.h"
-#include "app/session/picture.h"
-#include "app/session/session.h"
+#include "app/film/orbit.h"
+#include "app/picture/picture.h"
+#include "app/picture/session.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 
@@ -18,20 +18,20 @@ struct Drawn {
     double rebuilt = -1, of = -1;
 };
 
-Drawn draw(session::Session& session, session::Slot& slot, const scene::Camera& camera) {
+Drawn draw(picture::Session& session, picture::Slot& slot, const scene::Camera& camera) {
     View view;
     view.camera = camera;
     view.size = {160, 120};
-    const session::RenderedFrame frame = session.render(slot, view);
-    Drawn drawn{session::PictureEncoder().encode(slot.target.color, 1)};
+    const picture::RenderedFrame frame = session.render(slot, view);
+    Drawn drawn{picture::PictureEncoder().encode(slot.target.color, 1)};
     const auto counter = std::ranges::find(frame.result.counters, "volumes-rebuilt", &Counter::id);
     if (counter != frame.result.counters.end()) drawn.rebuilt = counter->built, drawn.of = counter->of;
     return drawn;
 }
 
 image::Image fresh(const scene::Scene& scene, const std::string& technique, const scene::Camera& camera) {
-    session::Session session(testing::snapshot(scene));
-    session::Slot slot = session::Session::makeSlot(technique);
+    picture::Session session(testing::snapshot(scene));
+    picture::Slot slot = picture::Session::makeSlot(technique);
     return draw(session, slot, camera).picture;
 }
 
@@ -39,11 +39,11 @@ TEST_F(KeptVolumesTest, AnOrbitRebuildsNoneAndMovesRebuildWhatMoved) {
     for (const std::string technique : {"shadow-volume-zfail", "shadow-volume-zpass"}) {
         scene::Scene scene = testing::simpleScene();
         scene.lights.push_back(testing::directionalLight({-0.5, -1, 0.25}));
-        session::Session session(testing::snapshot(scene));
-        session::Slot slot = session::Session::makeSlot(technique);
+        picture::Session session(testing::snapshot(scene));
+        picture::Slot slot = picture::Session::makeSlot(technique);
         EXPECT_EQ(draw(session, slot, scene.camera).rebuilt, 8);
         for (const double degrees : {40.0, 80.0, 160.0}) {
-            const scene::Camera camera = session::turned(scene.camera, degrees);
+            const scene::Camera camera = film::turned(scene.camera, degrees);
             const Drawn orbited = draw(session, slot, camera);
             EXPECT_EQ(orbited.rebuilt, 0);
             EXPECT_EQ(orbited.of, 8);

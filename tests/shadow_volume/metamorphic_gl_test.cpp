@@ -6,9 +6,9 @@
 #include <functional>
 #include <iostream>
 
-#include "app/session/assets.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/outward_parts.h"
+#include "app/context/assets.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/query/outward_parts.h"
 #include "tests/shadow_volume/volume_case.h"
 #include "tests/support/hard_scenes.h"
 
@@ -89,7 +89,7 @@ protected:
     }
     static std::vector<scene::Scene> builtInScenes() {
         std::vector<scene::Scene> scenes;
-        const auto root = session::assetsRoot();
+        const auto root = context::assetsRoot();
         for (const std::string& name : scene::builtInScenes(root))
             scenes.push_back(onGrid(*scene::loadScene(name, {.assetsRoot = root, .allowed = {}, .limits = {}})));
         return scenes;
@@ -99,9 +99,9 @@ protected:
     static std::vector<Differing> compare(const std::vector<scene::Scene>& scenes, const std::vector<Change>& changes) {
         std::vector<Differing> sums(changes.size());
         for (const scene::Scene& scene : scenes) {
-            const std::vector<session::VisibilityImage> here = pictures(scene);
+            const std::vector<picture::VisibilityImage> here = pictures(scene);
             for (std::size_t c = 0; c < changes.size(); ++c) {
-                const std::vector<session::VisibilityImage> there = pictures(changes[c](scene));
+                const std::vector<picture::VisibilityImage> there = pictures(changes[c](scene));
                 for (std::size_t i = 0; i < here.size(); ++i)
                     add(sums[c], here[i], there[i]);
             }
@@ -115,9 +115,9 @@ protected:
 
 private:
     /// For all lights and ways; with SHADOWLAB_LONG=1 for each way before and after repair.
-    static std::vector<session::VisibilityImage> pictures(const scene::Scene& scene) {
+    static std::vector<picture::VisibilityImage> pictures(const scene::Scene& scene) {
         const scene::Snapshot snapshot = testing::snapshot(scene);
-        std::vector<session::VisibilityImage> pictures;
+        std::vector<picture::VisibilityImage> pictures;
         const auto add = [&](const testing::ExactWay& way, int light, const char* setting) {
             std::vector<std::string> settings = way.settings;
             if (setting) settings.emplace_back(setting);
@@ -134,7 +134,7 @@ private:
             }
         return pictures;
     }
-    static void add(Differing& sum, const session::VisibilityImage& a, const session::VisibilityImage& b) {
+    static void add(Differing& sum, const picture::VisibilityImage& a, const picture::VisibilityImage& b) {
         for (int y = 0; y < a.height; ++y)
             for (int x = 0; x < a.width; ++x) {
                 ++sum.pixels;

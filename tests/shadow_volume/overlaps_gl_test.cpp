@@ -1,6 +1,6 @@
 // More volumes around a point than a stencil of eight bits can count: sheets over a floor, all in each other's shadow.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 #include "tests/support/truth_comparison.h"

@@ -1,13 +1,13 @@
 // The bound on overlapping volumes is one, and a close one.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_volume/overlaps.h"
+#include "techniques/shadow_volume/count/overlaps.h"
 
 #include <gtest/gtest.h>
 
-#include "app/session/assets.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "app/context/assets.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/scenes.h"
 
@@ -69,7 +69,7 @@ TEST(OverlapBound, IsNoLessThanWhatHardScenesHave) {
 }
 
 TEST(OverlapBound, OfTheBuiltInScenesLetsTheStencilCount) {
-    const scene::LoadOptions options{.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}};
+    const scene::LoadOptions options{.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}};
     for (const std::string& name : scene::builtInScenes(options.assetsRoot)) {
         const scene::Scene scene = *scene::loadScene(name, options);
         for (std::size_t light = 0; light < scene.lights.size(); ++light) {

@@ -1,9 +1,9 @@
 // Mended counts against the exact judge: wrong pixels before, none after, on scenes made to break them and on all that
 // are built in.
 // SPDX-License-Identifier: MIT
-#include "app/session/assets.h"
-#include "app/session/settings.h"
-#include "techniques/foundation/scene/load.h"
+#include "app/context/assets.h"
+#include "app/lab/settings.h"
+#include "techniques/foundation/scene/load/load.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/perforated.h"
@@ -129,7 +129,7 @@ TEST_F(RepairTest, WhatTheNaiveVariantsBreakIsMended) {
 }
 
 TEST_F(RepairTest, NothingIsWrongInTheBuiltInScenes) {
-    const auto root = session::assetsRoot();
+    const auto root = context::assetsRoot();
     BeforeAndAfter both;
     for (const std::string& name : scene::builtInScenes(root)) {
         const scene::Snapshot snapshot = scene::loadScene(name, {.assetsRoot = root, .allowed = {}, .limits = {}});
@@ -145,17 +145,17 @@ TEST_F(RepairTest, NothingIsWrongInTheBuiltInScenes) {
 
 /// A slot with repair, and what was drawn in it.
 struct Drawn {
-    std::vector<session::Slot> slots;
-    session::RenderedFrame frame;
-    explicit Drawn(session::Session& session, const View& view, std::vector<StageKey> stages) {
-        slots.push_back(session::Session::makeSlot(kZPass));
-        session::applySettings(slots, {kZPass + ".repair=true"});
+    std::vector<picture::Slot> slots;
+    picture::RenderedFrame frame;
+    explicit Drawn(picture::Session& session, const View& view, std::vector<StageKey> stages) {
+        slots.push_back(picture::Session::makeSlot(kZPass));
+        lab::applySettings(slots, {kZPass + ".repair=true"});
         FrameRequest request;
         request.stages = std::move(stages);
         frame = session.render(slots[0], view, request);
     }
-    [[nodiscard]] session::VisibilityImage visibility(int light) const {
-        return session::readVisibility(session::findStage(frame, {"visibility", light}));
+    [[nodiscard]] picture::VisibilityImage visibility(int light) const {
+        return picture::readVisibility(picture::findStage(frame, {"visibility", light}));
     }
     [[nodiscard]] double counter(std::string_view id) const {
         const auto found = std::ranges::find(frame.result.counters, id, &Counter::id);
@@ -166,20 +166,20 @@ struct Drawn {
 // The eye is in a shadow: half of the picture is changed, so that a part put in the wrong place is seen.
 TEST_F(RepairTest, PartsOfAPictureAreMendedWhereTheyAre) {
     const scene::Snapshot snapshot =
-        scene::loadScene("eye-in-shadow", {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
-    session::Session session(snapshot);
+        scene::loadScene("eye-in-shadow", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
+    picture::Session session(snapshot);
     View view;
     view.camera = snapshot->camera;
     view.size = {161, 91};
     const Drawn whole(session, view, {{"visibility", 0}});
-    const session::VisibilityImage expected = whole.visibility(0);
+    const picture::VisibilityImage expected = whole.visibility(0);
     EXPECT_GT(whole.counter("pixels-changed"), 2000);
     for (const Region& region : {Region{{0, 0}, {70, 91}}, Region{{70, 0}, {91, 91}}, Region{{13, 9}, {80, 50}}}) {
         view.region = region;
         const Drawn part(session, view, {{"visibility", 0}});
         EXPECT_GT(part.counter("pixels-changed"), 500);
         EXPECT_LT(part.counter("pixels-changed"), whole.counter("pixels-changed"));
-        const session::VisibilityImage found = part.visibility(0);
+        const picture::VisibilityImage found = part.visibility(0);
         int lit = 0, shadowed = 0, other = 0;
         for (int y = region.corner.y; y < region.corner.y + region.size.y; ++y)
             for (int x = region.corner.x; x < region.corner.x + region.size.x; ++x) {
@@ -195,8 +195,8 @@ TEST_F(RepairTest, PartsOfAPictureAreMendedWhereTheyAre) {
 
 TEST_F(RepairTest, IsCountedOnceForEachLightWhateverIsLookedAt) {
     const scene::Snapshot snapshot =
-        scene::loadScene("three-lights", {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
-    session::Session session(snapshot);
+        scene::loadScene("three-lights", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
+    picture::Session session(snapshot);
     View view;
     view.camera = snapshot->camera;
     view.size = {160, 90};
@@ -207,11 +207,11 @@ TEST_F(RepairTest, IsCountedOnceForEachLightWhateverIsLookedAt) {
     EXPECT_EQ(lookedAt.counter("pixels-changed"), alone.counter("pixels-changed"));
     EXPECT_EQ(std::ranges::count(alone.frame.result.passes, std::string("repair"), &StageKey::id), 3);
     // Off, nobody asks; and then the stage shows what would come of it.
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot(kZPass));
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot(kZPass));
     FrameRequest request;
     request.stages = {{"repair", 0}};
-    const session::RenderedFrame off = session.render(slots[0], view, request);
+    const picture::RenderedFrame off = session.render(slots[0], view, request);
     EXPECT_EQ(off.result.stages.size(), 1u);
     EXPECT_EQ(std::ranges::count(off.result.passes, std::string("repair"), &StageKey::id), 0);
     EXPECT_EQ(std::ranges::count(off.result.counters, std::string("repaired-pixels"), &Counter::id), 0);

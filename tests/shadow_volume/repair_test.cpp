@@ -1,13 +1,13 @@
 // Which pixels repair looks at, held against the plain way to say it; and that it goes on where it finds a fault.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_volume/repair.h"
+#include "techniques/shadow_volume/repair/repair.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::shadow_volume {

@@ -31,12 +31,12 @@ void VolumeCase::expectExact(const scene::Scene& scene, const Least& least) cons
     }
 }
 
-session::VisibilityImage VolumeCase::draw(const JudgedPicture& picture, const std::string& technique,
+picture::VisibilityImage VolumeCase::draw(const JudgedPicture& picture, const std::string& technique,
                                           std::vector<std::string> settings) {
     return renderVisibility(picture.snapshot(), technique, settings, picture.size(), picture.light());
 }
 
-session::VisibilityImage VolumeCase::draw(const JudgedPicture& picture, const ExactWay& way, bool repair) {
+picture::VisibilityImage VolumeCase::draw(const JudgedPicture& picture, const ExactWay& way, bool repair) {
     std::vector<std::string> settings = way.settings;
     settings.emplace_back(repair ? "repair=true" : "repair=false");
     return draw(picture, way.technique, settings);

@@ -39,9 +39,9 @@ protected:
     /// For each light of the scene.
     void expectExact(const scene::Scene& scene, const Least& least = {}) const;
 
-    static session::VisibilityImage draw(const JudgedPicture& picture, const std::string& technique,
+    static picture::VisibilityImage draw(const JudgedPicture& picture, const std::string& technique,
                                          std::vector<std::string> settings = {});
-    static session::VisibilityImage draw(const JudgedPicture& picture, const ExactWay& way, bool repair);
+    static picture::VisibilityImage draw(const JudgedPicture& picture, const ExactWay& way, bool repair);
     /// How many pixels a naive variant gets wrong: that is what shows that the comparison sees the fault.
     static int wrongWith(const JudgedPicture& picture, const std::string& technique,
                          const std::vector<std::string>& settings) {

@@ -1,6 +1,6 @@
 // Where volumes end: beyond everything, reached from the whole caster, and as near as one side of the scene allows.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_volume/volume_end.h"
+#include "techniques/shadow_volume/count/volume_end.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/probed_picture.h"

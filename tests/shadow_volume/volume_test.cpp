@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <map>
 
-#include "techniques/foundation/scene/facing.h"
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/shadow_volume/volume.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/scene/query/facing.h"
+#include "techniques/shadow_volume/count/volume.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/scenes.h"
 

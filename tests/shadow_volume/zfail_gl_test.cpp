@@ -1,7 +1,7 @@
 // Depth-fail shadow volumes against the exact judge, on scenes made to break them, and the naive variants that must
 // fail.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/scenes.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/session/assets.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "app/context/assets.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/scenes.h"
@@ -28,7 +28,7 @@ const std::string kZPass = "shadow-volume-zpass", kZFail = "shadow-volume-zfail"
 constexpr double kCrackShare = 3e-5;
 
 scene::Snapshot builtIn(const std::string& name) {
-    return scene::loadScene(name, {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+    return scene::loadScene(name, {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
 }
 
 /// Does a triangle of a caster lie between the point and the light? Möller and Trumbore 1997, in double.
@@ -160,7 +160,7 @@ TEST_F(ZPassTest, FromOutsideOneSeesVolumesSilhouettesAndTheNearClipPyramid) {
             scene::Scene scene = testing::simpleScene();
             scene.lights = {light};
             const auto snapshot = testing::snapshot(scene);
-            session::Slot slot = session::Session::makeSlot(id);
+            picture::Slot slot = picture::Session::makeSlot(id);
             while (!slot.technique->prepare(snapshot, Deadline::max()).converged) {
             }
             const View view{.camera = scene.camera, .size = kSize, .region = {}};

@@ -17,9 +17,9 @@
 #include <random>
 #include <vector>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/foundation/trace/parallel.h"
-#include "techniques/shadow_map/alias_free.h"
+#include "techniques/shadow_map/irregular/alias_free.h"
 #include "tests/support/scenes.h"
 #include "tests/support/trefoil.h"
 

@@ -18,11 +18,11 @@
 #include <ctime>
 #include <vector>
 
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/trace/area_visibility.h"
-#include "techniques/foundation/trace/bvh_traverse.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/trace/area/area_visibility.h"
+#include "techniques/foundation/trace/bvh/bvh_traverse.h"
 #include "techniques/foundation/trace/parallel.h"
-#include "techniques/ray_tracing/light_sampling.h"
+#include "techniques/ray_tracing/sampling/light_sampling.h"
 
 namespace shadowlab {
 namespace {

@@ -3,11 +3,11 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/error.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/trace/bvh_build.h"
-#include "techniques/radiosity/contacts.h"
-#include "techniques/radiosity/solvers.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/trace/bvh/bvh_build.h"
+#include "techniques/radiosity/equations/solvers.h"
+#include "techniques/radiosity/patches/contacts.h"
 
 namespace shadowlab::radiosity {
 

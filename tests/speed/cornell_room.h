@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "techniques/radiosity/exchange_builder.h"
-#include "techniques/radiosity/problem.h"
+#include "techniques/radiosity/equations/problem.h"
+#include "techniques/radiosity/form_factors/exchange_builder.h"
 
 namespace shadowlab::radiosity {
 

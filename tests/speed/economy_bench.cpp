@@ -13,14 +13,14 @@
 #include <filesystem>
 #include <sstream>
 
+#include "app/context/assets.h"
 #include "app/context/context.h"
-#include "app/session/assets.h"
-#include "app/session/session.h"
-#include "app/session/settings.h"
-#include "techniques/foundation/error.h"
+#include "app/lab/settings.h"
+#include "app/picture/session.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/image/output_file.h"
-#include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/load/load.h"
 #include "tests/speed/crowded_scene.h"
 
 namespace shadowlab {
@@ -37,17 +37,17 @@ double median(std::vector<double> values) {
 
 /// One of the two scenes, drawn by one technique.
 struct Entry {
-    session::Session session;
-    std::vector<session::Slot> slots = {};
+    picture::Session session;
+    std::vector<picture::Slot> slots = {};
     std::vector<double> ms = {};
 
     Entry(const scene::Snapshot& snapshot, const std::string& text) : session(snapshot) {
         std::istringstream words(text);
         std::string technique, setting;
         std::getline(words, technique, ',');
-        slots.push_back(session::Session::makeSlot(technique));
+        slots.push_back(picture::Session::makeSlot(technique));
         while (std::getline(words, setting, ','))
-            session::applySettings(slots, {technique + "." + setting});
+            lab::applySettings(slots, {technique + "." + setting});
     }
     void draw(int frame) {
         View view;
@@ -87,7 +87,7 @@ int run(const std::filesystem::path& folder, const std::vector<std::string>& tec
         output.write(speed::crowdedScene(i == 0));
         output.commit();
         snapshots[i] =
-            scene::loadScene(file.string(), {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+            scene::loadScene(file.string(), {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
     }
     std::printf("%-36s %10s %10s %8s\n", "technique", "crowded ms", "needed ms", "ratio");
     bool all = true;

@@ -15,13 +15,13 @@
 #include <cstring>
 #include <sstream>
 
+#include "app/context/assets.h"
 #include "app/context/context.h"
-#include "app/session/assets.h"
-#include "app/session/motion.h"
-#include "app/session/session.h"
-#include "app/session/settings.h"
-#include "techniques/foundation/error.h"
-#include "techniques/foundation/scene/load.h"
+#include "app/film/motion.h"
+#include "app/lab/settings.h"
+#include "app/picture/session.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/load/load.h"
 
 namespace shadowlab {
 namespace {
@@ -36,7 +36,7 @@ double median(std::vector<double> values) {
 
 struct Entry {
     std::string name; ///< as it was given
-    std::vector<session::Slot> slots;
+    std::vector<picture::Slot> slots;
     std::vector<double> turns; ///< median of each, milliseconds
 };
 
@@ -46,13 +46,13 @@ Entry entryOf(const std::string& text) {
     std::string technique, setting;
     std::getline(words, technique, ',');
     Entry entry{text, {}, {}};
-    entry.slots.push_back(session::Session::makeSlot(technique));
+    entry.slots.push_back(picture::Session::makeSlot(technique));
     while (std::getline(words, setting, ','))
-        session::applySettings(entry.slots, {technique + "." + setting});
+        lab::applySettings(entry.slots, {technique + "." + setting});
     return entry;
 }
 
-double medianFrameMs(session::Session& session, session::Slot& slot, std::span<const session::Moment> moments) {
+double medianFrameMs(picture::Session& session, picture::Slot& slot, std::span<const film::Moment> moments) {
     std::vector<double> ms;
     for (std::size_t i = 0; i < moments.size(); ++i) {
         session.setScene(moments[i].snapshot);
@@ -84,15 +84,15 @@ int run(int argc, char** argv) {
             entries.push_back(entryOf(id));
 
     const scene::Snapshot base =
-        scene::loadScene(argv[1], {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
-    session::Motion motion{.frames = 360, .orbitLightDegrees = std::nullopt, .orbitCameraDegrees = {}, .path = {}};
+        scene::loadScene(argv[1], {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
+    film::Motion motion{.frames = 360, .orbitLightDegrees = std::nullopt, .orbitCameraDegrees = {}, .path = {}};
     if (!still) motion.orbitLightDegrees = 360.0;
-    session::Session session(base);
+    picture::Session session(base);
     scene::Snapshot previous;
     for (int round = 0; round < kRounds; ++round) {
-        std::vector<session::Moment> moments;
+        std::vector<film::Moment> moments;
         for (int i = 0; i < kFrames; ++i) {
-            moments.push_back(session::momentAt(motion, base, (kFrames * round + i) % motion.frames, previous));
+            moments.push_back(film::momentAt(motion, base, (kFrames * round + i) % motion.frames, previous));
             previous = moments.back().snapshot;
         }
         for (std::size_t e = 0; e < entries.size(); ++e) {

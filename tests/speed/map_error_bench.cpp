@@ -11,11 +11,11 @@
 #include <random>
 
 #include "app/context/context.h"
-#include "app/session/measurement.h"
-#include "app/session/settings.h"
-#include "techniques/foundation/error.h"
-#include "techniques/foundation/scene/scene_json.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "app/lab/settings.h"
+#include "app/report/measurement.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/json/scene_json.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/speed/line_plot.h"
 #include "tests/support/scenes.h"
 
@@ -31,12 +31,12 @@ struct Way {
 
 double edgeErrorPx(const scene::Scene& scene, const std::vector<std::string>& settings) {
     const auto snapshot = testing::snapshot(scene);
-    session::Session session(snapshot);
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot("shadow-map"));
+    picture::Session session(snapshot);
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot("shadow-map"));
     for (const std::string& setting : settings)
-        session::applySettings(slots, {"shadow-map." + setting});
-    session::Measurement measurement(session, slots, 0, kSize);
+        lab::applySettings(slots, {"shadow-map." + setting});
+    report::Measurement measurement(session, slots, 0, kSize);
     measurement.addFrame({snapshot, snapshot->camera});
     return measurement.results()[0].edgeErrorPx.value_or(0);
 }

@@ -17,7 +17,7 @@
 #include <cstdio>
 #include <string>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/trace/parallel.h"
 
 int main(int count, char** arguments) {

@@ -12,9 +12,9 @@
 #include <fstream>
 
 #include "app/context/context.h"
-#include "techniques/radiosity/hemicube_exchange.h"
-#include "techniques/radiosity/point_form_factor.h"
-#include "techniques/radiosity/polygon_exchange.h"
+#include "techniques/radiosity/form_factors/hemicube_exchange.h"
+#include "techniques/radiosity/form_factors/point_form_factor.h"
+#include "techniques/radiosity/form_factors/polygon_exchange.h"
 #include "tests/radiosity/scene_room.h"
 #include "tests/speed/log_log_plot.h"
 #include "tests/speed/radiosity_bench.h"

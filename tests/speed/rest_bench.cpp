@@ -14,11 +14,11 @@
 #include <sstream>
 
 #include "app/context/context.h"
-#include "app/session/session.h"
-#include "app/session/settings.h"
-#include "techniques/foundation/error.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "app/lab/settings.h"
+#include "app/picture/session.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/speed/silent_gl.h"
 #include "tests/support/scenes.h"
 #include "tests/support/trefoil.h"
@@ -61,14 +61,14 @@ scene::Scene manyTori() {
     return scene;
 }
 
-session::Slot slotOf(const std::string& text) {
+picture::Slot slotOf(const std::string& text) {
     std::istringstream words(text);
     std::string technique, setting;
     std::getline(words, technique, ',');
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot(technique));
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot(technique));
     while (std::getline(words, setting, ','))
-        session::applySettings(slots, {technique + "." + setting});
+        lab::applySettings(slots, {technique + "." + setting});
     return std::move(slots.front());
 }
 
@@ -76,8 +76,8 @@ enum class Light { rests, moves };
 
 /// Median processor time of one frame, milliseconds.
 double frameMs(const scene::Snapshot& snapshot, Light light, const std::string& entry, context::Context& context) {
-    session::Session session(snapshot);
-    session::Slot slot = slotOf(entry);
+    picture::Session session(snapshot);
+    picture::Slot slot = slotOf(entry);
     View view;
     view.camera = snapshot->camera;
     view.size = kSize;

@@ -21,10 +21,10 @@
 #include <numeric>
 #include <random>
 
-#include "techniques/foundation/scene/facing.h"
-#include "techniques/foundation/scene/facing_planes.h"
-#include "techniques/foundation/scene/scene.h"
-#include "techniques/shadow_volume/volume.h"
+#include "techniques/foundation/scene/model/scene.h"
+#include "techniques/foundation/scene/query/facing.h"
+#include "techniques/foundation/scene/query/facing_planes.h"
+#include "techniques/shadow_volume/count/volume.h"
 #include "tests/speed/growth_plot.h"
 #include "tests/support/trefoil.h"
 

@@ -29,8 +29,8 @@
 #include <string>
 #include <vector>
 
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/trace/embree_packets.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/trace/packets/embree_packets.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "tests/speed/line_plot.h"

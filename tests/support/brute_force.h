@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "techniques/foundation/scene/scene.h"
+#include "techniques/foundation/scene/model/scene.h"
 
 namespace shadowlab::testing {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/plane_view.h"
 #include "tests/support/scenes.h"
 

@@ -4,7 +4,7 @@
 #pragma once
 #include <string>
 
-#include "techniques/foundation/scene/scene.h"
+#include "techniques/foundation/scene/model/scene.h"
 
 namespace shadowlab::testing {
 

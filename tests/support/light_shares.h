@@ -3,13 +3,13 @@
 #pragma once
 #include <cmath>
 
-#include "app/session/picture.h"
-#include "app/session/settings.h"
+#include "app/lab/settings.h"
+#include "app/picture/picture.h"
 #include "techniques/foundation/gl/read_back.h"
 
 namespace shadowlab::testing {
 
-using LightShares = measure::Grid<float>;
+using LightShares = judge::Grid<float>;
 
 /// No surface there.
 inline constexpr float kNoShare = -1;
@@ -23,7 +23,7 @@ class TechniqueSlot {
 public:
     TechniqueSlot(std::string technique, scene::Snapshot snapshot)
         : technique_(std::move(technique)), session_(std::move(snapshot)) {
-        slots_.push_back(session::Session::makeSlot(technique_));
+        slots_.push_back(picture::Session::makeSlot(technique_));
     }
     void setScene(scene::Snapshot snapshot) { session_.setScene(std::move(snapshot)); }
 
@@ -31,8 +31,8 @@ public:
     LightShares shares(const std::vector<std::string>& settings, ivec2 size, int light = 0) {
         FrameRequest request;
         request.stages = {{"visibility", light}};
-        const session::RenderedFrame frame = render(settings, size, request);
-        const std::vector<vec4> texels = gl::readTexels(session::findStage(frame, {"visibility", light}).texture);
+        const picture::RenderedFrame frame = render(settings, size, request);
+        const std::vector<vec4> texels = gl::readTexels(picture::findStage(frame, {"visibility", light}).texture);
         LightShares shares(size.x, size.y);
         for (std::size_t i = 0; i < texels.size(); ++i) // green: whether there is a surface
             shares.values[i] = texels[i].g > 0.5f ? texels[i].r : kNoShare;
@@ -45,13 +45,13 @@ public:
     }
 
 private:
-    session::RenderedFrame render(const std::vector<std::string>& settings, ivec2 size, const FrameRequest& request) {
+    picture::RenderedFrame render(const std::vector<std::string>& settings, ivec2 size, const FrameRequest& request) {
         for (const params::Param& param : slots_[0].params)
             param.set(param.initial);
         std::vector<std::string> full;
         for (const std::string& setting : settings)
             full.push_back(technique_ + "." + setting);
-        session::applySettings(slots_, full);
+        lab::applySettings(slots_, full);
         View view;
         view.camera = session_.snapshot()->camera;
         view.size = size;
@@ -59,8 +59,8 @@ private:
     }
 
     std::string technique_;
-    session::Session session_;
-    std::vector<session::Slot> slots_;
+    picture::Session session_;
+    std::vector<picture::Slot> slots_;
 };
 
 /// The shadow map's.

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "techniques/foundation/image/png.h"
-#include "techniques/foundation/scene/holes.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::testing {

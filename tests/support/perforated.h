@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "techniques/foundation/scene/scene.h"
+#include "techniques/foundation/scene/model/scene.h"
 
 namespace shadowlab::testing {
 

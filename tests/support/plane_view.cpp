@@ -5,7 +5,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::testing {

@@ -1,7 +1,7 @@
 // A plane seen from straight above, on which shadows have outlines that are known in closed form.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/foundation/scene/scene.h"
+#include "techniques/foundation/scene/model/scene.h"
 
 namespace shadowlab::testing {
 

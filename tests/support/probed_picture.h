@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "app/session/picture.h"
-#include "app/session/session.h"
-#include "app/session/settings.h"
+#include "app/lab/settings.h"
+#include "app/picture/picture.h"
+#include "app/picture/session.h"
 #include "techniques/foundation/gl/read_back.h"
 
 namespace shadowlab::testing {
@@ -17,22 +17,22 @@ public:
     ProbedPicture(const scene::Snapshot& snapshot, const std::string& technique,
                   const std::vector<std::string>& settings, ivec2 size, std::string_view stage = {})
         : snapshot_(snapshot), session_(snapshot) {
-        slots_.push_back(session::Session::makeSlot(technique));
+        slots_.push_back(picture::Session::makeSlot(technique));
         std::vector<std::string> full;
         for (const std::string& setting : settings)
             full.push_back(technique + "." + setting);
-        session::applySettings(slots_, full);
+        lab::applySettings(slots_, full);
         view_.camera = snapshot->camera;
         view_.size = size;
         FrameRequest request;
         request.stages = {{"visibility", 0}};
         if (!stage.empty()) request.stages.push_back({std::string(stage), 0});
-        const session::RenderedFrame frame = session_.render(slots_[0], view_, request);
-        visibility_ = session::readVisibility(session::findStage(frame, {"visibility", 0}));
-        if (!stage.empty()) texels_ = gl::readTexels(session::findStage(frame, {std::string(stage), 0}).texture);
+        const picture::RenderedFrame frame = session_.render(slots_[0], view_, request);
+        visibility_ = picture::readVisibility(picture::findStage(frame, {"visibility", 0}));
+        if (!stage.empty()) texels_ = gl::readTexels(picture::findStage(frame, {std::string(stage), 0}).texture);
     }
 
-    [[nodiscard]] const session::VisibilityImage& visibility() const { return visibility_; }
+    [[nodiscard]] const picture::VisibilityImage& visibility() const { return visibility_; }
     /// Of the other stage, row 0 on top.
     [[nodiscard]] vec4 texel(int x, int y) const {
         return texels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(view_.size.x) +
@@ -43,10 +43,10 @@ public:
 
 private:
     scene::Snapshot snapshot_;
-    session::Session session_;
-    std::vector<session::Slot> slots_;
+    picture::Session session_;
+    std::vector<picture::Slot> slots_;
     View view_;
-    session::VisibilityImage visibility_;
+    picture::VisibilityImage visibility_;
     std::vector<vec4> texels_;
 };
 

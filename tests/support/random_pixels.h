@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/session/assets.h"
-#include "app/session/session.h"
-#include "techniques/foundation/scene/holes.h"
-#include "techniques/foundation/scene/load.h"
+#include "app/context/assets.h"
+#include "app/picture/session.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/holes.h"
 #include "tests/support/brute_force.h"
 
 namespace shadowlab::testing {
@@ -71,13 +71,13 @@ constexpr int kLitKept = 5; ///< of the pixels that nothing stands before, one i
 /// Calls onPixel(AskedPixel) for pixels by chance whose eye ray passes no edge. Returns how many were left out for that.
 template <typename OnPixel>
 int forRandomPixels(const AskedSettings& settings, const OnPixel& onPixel, bool withHoles = true) {
-    const auto root = session::assetsRoot();
+    const auto root = context::assetsRoot();
     int leftOut = 0;
     for (const std::string& name : scene::builtInScenes(root)) {
         const scene::Snapshot scene = scene::loadScene(name, {.assetsRoot = root, .allowed = {}, .limits = {}});
         if (!withHoles && hasHoles(*scene)) continue;
         const std::vector<WorldTriangle> triangles = allTriangles(*scene);
-        session::Slot slot = session::Session::makeSlot(settings.technique);
+        picture::Slot slot = picture::Session::makeSlot(settings.technique);
         for (const auto& [param, value] : settings.values)
             params::setFromText(params::find(slot.params, param, settings.technique), value, settings.technique);
         std::mt19937 random(settings.seed);

@@ -1,7 +1,7 @@
 // Random scenes of everything that a scene may hold, for what must be true of all of them.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/foundation/scene/scene.h"
+#include "techniques/foundation/scene/model/scene.h"
 
 namespace shadowlab::testing {
 

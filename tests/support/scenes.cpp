@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/scenes.h"
 
-#include "techniques/foundation/scene/outward_parts.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/scene/query/outward_parts.h"
 
 namespace shadowlab::testing {
 

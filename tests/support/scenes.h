@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "techniques/foundation/scene/scene.h"
+#include "techniques/foundation/scene/model/scene.h"
 
 namespace shadowlab::testing {
 

@@ -6,7 +6,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/scene/mesh.h"
+#include "techniques/foundation/scene/model/mesh.h"
 
 namespace shadowlab::testing {
 

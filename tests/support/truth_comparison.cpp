@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "app/measure/boundary.h"
-#include "app/session/settings.h"
+#include "app/judge/metrics/boundary.h"
+#include "app/lab/settings.h"
 #include "techniques/foundation/trace/parallel.h"
 
 namespace shadowlab::testing {
@@ -55,22 +55,22 @@ std::ostream& operator<<(std::ostream& stream, const TruthComparison& c) {
                   << " of the false ones core errors, " << c.together << " of those together, " << c.ties << " ties";
 }
 
-session::VisibilityImage renderVisibility(const scene::Snapshot& snapshot, const std::string& technique,
+picture::VisibilityImage renderVisibility(const scene::Snapshot& snapshot, const std::string& technique,
                                           const std::vector<std::string>& settings, ivec2 size, int light) {
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot(technique));
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot(technique));
     std::vector<std::string> full;
     for (const std::string& setting : settings)
         full.push_back(technique + "." + setting);
-    session::applySettings(slots, full);
-    session::Session session(snapshot);
+    lab::applySettings(slots, full);
+    picture::Session session(snapshot);
     View view;
     view.camera = snapshot->camera;
     view.size = size;
     FrameRequest request;
     request.stages = {{"visibility", light}};
-    const session::RenderedFrame frame = session.render(slots[0], view, request);
-    return session::readVisibility(session::findStage(frame, {"visibility", light}));
+    const picture::RenderedFrame frame = session.render(slots[0], view, request);
+    return picture::readVisibility(picture::findStage(frame, {"visibility", light}));
 }
 
 JudgedPicture::JudgedPicture(scene::Snapshot snapshot, ivec2 size, int light, TieRadius tieRadiusPx)
@@ -90,7 +90,7 @@ JudgedPicture::JudgedPicture(scene::Snapshot snapshot, ivec2 size, int light, do
     : JudgedPicture(std::move(snapshot), size, light,
                     [=](const std::optional<trace::EyeHit>&) { return tieRadiusPx; }) {}
 
-TruthComparison JudgedPicture::compare(const session::VisibilityImage& image) const {
+TruthComparison JudgedPicture::compare(const picture::VisibilityImage& image) const {
     TruthComparison result;
     std::vector<ivec2> core;
     for (int y = 0; y < size_.y; ++y)
@@ -119,7 +119,7 @@ TruthComparison JudgedPicture::compare(const session::VisibilityImage& image) co
     return result;
 }
 
-int JudgedPicture::differing(const session::VisibilityImage& image) const {
+int JudgedPicture::differing(const picture::VisibilityImage& image) const {
     int count = 0;
     for (int y = 0; y < size_.y; ++y)
         for (int x = 0; x < size_.x; ++x) {
@@ -140,18 +140,18 @@ bool JudgedPicture::isTie(int x, int y) const {
 
 float JudgedPicture::distanceToBoundary(int x, int y) const {
     if (!distancePx_) {
-        measure::Grid<measure::Shade> shades(size_.x, size_.y);
-        measure::Grid<std::uint32_t> receivers(size_.x, size_.y);
+        judge::Grid<judge::Shade> shades(size_.x, size_.y);
+        judge::Grid<std::uint32_t> receivers(size_.x, size_.y);
         for (std::size_t i = 0; i < hits_.values.size(); ++i) {
             using enum Visibility;
             const Visibility truth = truth_.values[i];
-            shades.values[i] = truth == lit          ? measure::Shade::lit
-                               : truth == shadowed   ? measure::Shade::shadowed
-                               : truth == turnedAway ? measure::Shade::turnedAway
-                                                     : measure::Shade::outside;
+            shades.values[i] = truth == lit          ? judge::Shade::lit
+                               : truth == shadowed   ? judge::Shade::shadowed
+                               : truth == turnedAway ? judge::Shade::turnedAway
+                                                     : judge::Shade::outside;
             receivers.values[i] = hits_.values[i] ? hits_.values[i]->object : ~0u;
         }
-        distancePx_ = measure::distanceToBoundary(measure::boundaryEdges(shades, receivers), size_);
+        distancePx_ = judge::distanceToBoundary(judge::boundaryEdges(shades, receivers), size_);
     }
     return distancePx_->at(x, y);
 }

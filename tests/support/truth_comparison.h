@@ -6,10 +6,10 @@
 #include <optional>
 #include <ostream>
 
-#include "app/measure/grid.h"
-#include "app/session/picture.h"
-#include "app/session/session.h"
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "app/judge/grid.h"
+#include "app/picture/picture.h"
+#include "app/picture/session.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
 
 namespace shadowlab::testing {
 
@@ -34,10 +34,10 @@ public:
     JudgedPicture(scene::Snapshot snapshot, ivec2 size, int light, TieRadius tieRadiusPx);
     JudgedPicture(scene::Snapshot snapshot, ivec2 size, int light, double tieRadiusPx);
 
-    [[nodiscard]] TruthComparison compare(const session::VisibilityImage& image) const;
+    [[nodiscard]] TruthComparison compare(const picture::VisibilityImage& image) const;
     /// How many pixels differ from the truth at their centres, ties included: for faults of thousands of pixels, each of which
     /// would have to be asked whether it is a tie.
-    [[nodiscard]] int differing(const session::VisibilityImage& image) const;
+    [[nodiscard]] int differing(const picture::VisibilityImage& image) const;
 
     [[nodiscard]] const scene::Snapshot& snapshot() const { return snapshot_; }
     [[nodiscard]] ivec2 size() const { return size_; }
@@ -54,10 +54,10 @@ private:
     int light_;
     TieRadius tieRadiusPx_;
     trace::ExactVisibility judge_;
-    measure::Grid<std::optional<trace::EyeHit>> hits_;
-    measure::Grid<trace::Visibility> truth_;
+    judge::Grid<std::optional<trace::EyeHit>> hits_;
+    judge::Grid<trace::Visibility> truth_;
     mutable std::map<std::size_t, bool> ties_;               ///< of the pixels that were asked for
-    mutable std::optional<measure::Grid<float>> distancePx_; ///< found when first asked for
+    mutable std::optional<judge::Grid<float>> distancePx_; ///< found when first asked for
 };
 
 /// Renders the visibility stage through the session, in a fresh slot with settings "param=value", and compares.
@@ -70,7 +70,7 @@ TruthComparison compareWithTruth(const scene::Snapshot& snapshot, const std::str
                                  const std::vector<std::string>& settings, ivec2 size, int light, double tieRadiusPx);
 
 /// The visibility image alone.
-session::VisibilityImage renderVisibility(const scene::Snapshot& snapshot, const std::string& technique,
+picture::VisibilityImage renderVisibility(const scene::Snapshot& snapshot, const std::string& technique,
                                           const std::vector<std::string>& settings, ivec2 size, int light);
 
 /// Two steps of the rasteriser's subpixel grid (GL_SUBPIXEL_BITS is 8 on Mesa's software renderers), and no less than

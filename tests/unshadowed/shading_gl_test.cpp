@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "app/session/session.h"
+#include "app/picture/session.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/scene/shading.h"
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/scene/query/shading.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 
@@ -33,8 +33,8 @@ TEST_P(ShadingTest, EqualsItsTwin) {
 
     const auto snapshot = testing::snapshot(scene);
     const ivec2 size{160, 120};
-    session::Session session(snapshot);
-    session::Slot slot = session::Session::makeSlot("unshadowed");
+    picture::Session session(snapshot);
+    picture::Slot slot = picture::Session::makeSlot("unshadowed");
     View view;
     view.camera = scene.camera;
     view.size = size;
@@ -94,8 +94,8 @@ TEST_P(ShadingTest, ALightStraightBehindTheSurfaceMakesNoPixelNoNumber) {
     View view;
     view.camera = scene.camera;
     view.size = {33, 33}; // an odd number: the middle of a pixel is on the axis
-    session::Session session(testing::snapshot(scene));
-    session::Slot slot = session::Session::makeSlot("unshadowed");
+    picture::Session session(testing::snapshot(scene));
+    picture::Slot slot = picture::Session::makeSlot("unshadowed");
     session.render(slot, view);
     for (const vec4& texel : gl::readTexels(slot.target.color))
         ASSERT_TRUE(std::isfinite(texel.r));

@@ -8,21 +8,21 @@
 #include <string>
 #include <string_view>
 
-#include "app/session/assets.h"
-#include "app/session/document.h"
-#include "app/session/slide_file.h"
-#include "app/session/window_settings.h"
-#include "techniques/foundation/error.h"
-#include "techniques/foundation/scene/load.h"
+#include "app/context/assets.h"
+#include "app/course/slide_file.h"
+#include "app/lab/document.h"
+#include "app/window/window_settings.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/load/load.h"
 
 namespace {
 
 using namespace shadowlab;
 
 void saveSlideOf(const std::string& scene, const std::string& folder) {
-    const scene::LoadOptions loading{.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}};
-    const session::Document document = session::newDocument(scene::loadScene(scene, loading), scene);
-    session::saveSlide(document, *document.scene, folder, loading);
+    const scene::LoadOptions loading{.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}};
+    const lab::Document document = lab::newDocument(scene::loadScene(scene, loading), scene);
+    course::saveSlide(document, *document.scene, folder, loading);
 }
 
 /// Straight into the file, and nothing that fails is noticed.
@@ -40,7 +40,7 @@ int main(int count, char** words) {
     const std::string folder = count == 3 ? words[2] : "";
     try {
         if (what == "window-settings") {
-            session::writeWindowMemory(folder + "/deeper/window.json", {});
+            window::writeWindowMemory(folder + "/deeper/window.json", {});
         } else if (what == "slide") {
             saveSlideOf("still-life", folder);
         } else if (what == "careless") {

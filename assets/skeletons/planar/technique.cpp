@@ -7,7 +7,7 @@
 // Source: Blinn, "Me and My (Fake) Shadow", 1988. Simplified: only objects that are flat as a whole receive shadows; casters with
 // holes cast as if they had none; a light with an area is its centre.
 #include "techniques/foundation/gl/baseline.h"
-#include "techniques/foundation/scene/casters.h"
+#include "techniques/foundation/scene/query/casters.h"
 #include "techniques/frame.h"
 
 namespace shadowlab::my_shadows {

@@ -8,7 +8,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "techniques/foundation/gl/baseline.h"
-#include "techniques/foundation/scene/casters.h"
+#include "techniques/foundation/scene/query/casters.h"
 #include "techniques/frame.h"
 
 namespace shadowlab::my_shadows {

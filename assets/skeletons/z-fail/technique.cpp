@@ -10,8 +10,8 @@
 #include <map>
 
 #include "techniques/foundation/gl/baseline.h"
-#include "techniques/foundation/scene/casters.h"
-#include "techniques/foundation/scene/facing.h"
+#include "techniques/foundation/scene/query/casters.h"
+#include "techniques/foundation/scene/query/facing.h"
 #include "techniques/frame.h"
 
 namespace shadowlab::my_shadows {

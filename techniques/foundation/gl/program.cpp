@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/gl/debug.h"
 
 namespace shadowlab::gl {

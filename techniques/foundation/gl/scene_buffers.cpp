@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "techniques/foundation/scene/facing.h"
-#include "techniques/foundation/scene/holes.h"
+#include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/query/facing.h"
 
 namespace shadowlab::gl {
 

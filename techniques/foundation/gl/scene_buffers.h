@@ -8,7 +8,7 @@
 
 #include "techniques/foundation/gl/handle.h"
 #include "techniques/foundation/gl/texture.h"
-#include "techniques/foundation/scene/scene.h"
+#include "techniques/foundation/scene/model/scene.h"
 
 namespace shadowlab::gl {
 
@@ -39,7 +39,7 @@ public:
     /// Uploads what the snapshot's revisions say is new.
     void update(const scene::Snapshot& snapshot);
     [[nodiscard]] const MeshBuffers& mesh(std::size_t object) const { return *objectMeshes_[object]; }
-    /// The alpha mask of a part of an object (scene/holes.h): 255 where there is surface, rows from the bottom. nullptr: the
+    /// The alpha mask of a part of an object (scene/model/holes.h): 255 where there is surface, rows from the bottom. nullptr: the
     /// part is whole.
     [[nodiscard]] const Texture2D* mask(std::size_t object, std::size_t part) const;
     [[nodiscard]] bool hasHoles(std::size_t object) const { return hasHoles_[object]; }
@@ -48,7 +48,7 @@ public:
     [[nodiscard]] int triangleBase(std::size_t object) const { return triangleBases_[object]; }
     /// Boxes around the objects (scene::objectBounds), made when the scene changes.
     [[nodiscard]] const std::vector<scene::Bounds>& bounds() const { return bounds_; }
-    /// The stored facing signs (scene/facing.h) of all triangles for one light; made when first asked for.
+    /// The stored facing signs (scene/query/facing.h) of all triangles for one light; made when first asked for.
     [[nodiscard]] const ByteBufferTexture& facing(int light) const;
 
 private:

@@ -8,12 +8,12 @@
 #include <sstream>
 #include <utility>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/base/nearest_names.h"
 #include "techniques/foundation/gl/added_shaders.h"
 #include "techniques/foundation/gl/shader_text.h"
-#include "techniques/foundation/nearest_names.h"
-#include "techniques/foundation/scene/file_access.h"
-#include "techniques/foundation/scene/message_text.h"
+#include "techniques/foundation/scene/load/file_access.h"
+#include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::gl {
 

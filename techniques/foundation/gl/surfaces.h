@@ -9,8 +9,8 @@
 
 #include "techniques/foundation/gl/program.h"
 #include "techniques/foundation/gl/scene_buffers.h"
-#include "techniques/foundation/scene/picture_part.h"
-#include "techniques/foundation/scene/scene.h"
+#include "techniques/foundation/scene/model/scene.h"
+#include "techniques/foundation/scene/query/picture_part.h"
 
 namespace shadowlab::gl {
 

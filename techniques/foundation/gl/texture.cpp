@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/gl/debug.h"
 
 namespace shadowlab::gl {

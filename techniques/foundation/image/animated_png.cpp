@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 
 namespace shadowlab::image {
 

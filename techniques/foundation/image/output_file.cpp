@@ -17,7 +17,7 @@
 #include <mutex>
 #include <set>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_error.h"
 
 namespace shadowlab::image {

@@ -11,7 +11,7 @@
 #include <string>
 #include <thread>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_error.h"
 
 namespace shadowlab::image {

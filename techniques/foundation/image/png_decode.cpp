@@ -11,7 +11,7 @@
 #include <new>
 #include <system_error>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/png.h"
 #include "techniques/foundation/image/png_failure.h"
 #include "techniques/foundation/image/utf8.h"

@@ -6,7 +6,7 @@
 #include <csetjmp>
 #include <new>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/png.h"
 #include "techniques/foundation/image/png_failure.h"
 #include "techniques/foundation/image/utf8.h"

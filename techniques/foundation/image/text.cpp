@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/utf8.h"
 
 namespace shadowlab::image {

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "techniques/foundation/error.h"
-#include "techniques/foundation/nearest_names.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/base/nearest_names.h"
 
 namespace shadowlab::params {
 

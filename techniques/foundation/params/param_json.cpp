@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/params/param_json.h"
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 
 namespace shadowlab::params {
 

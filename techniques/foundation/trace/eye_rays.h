@@ -3,8 +3,8 @@
 #pragma once
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/scene/camera.h"
-#include "techniques/foundation/trace/block_rays.h"
+#include "techniques/foundation/scene/model/camera.h"
+#include "techniques/foundation/trace/packets/block_rays.h"
 #include "techniques/foundation/trace/ray.h"
 
 namespace shadowlab::trace {

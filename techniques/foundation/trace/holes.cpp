@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "techniques/foundation/scene/holes.h"
+#include "techniques/foundation/scene/model/holes.h"
 
 namespace shadowlab::trace {
 

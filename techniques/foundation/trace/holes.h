@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "techniques/foundation/scene/scene.h"
+#include "techniques/foundation/scene/model/scene.h"
 #include "techniques/foundation/trace/world_triangles.h"
 
 namespace shadowlab::trace {

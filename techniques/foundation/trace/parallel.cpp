@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 
 namespace shadowlab::trace {
 

@@ -8,8 +8,8 @@
 #pragma once
 #include <vector>
 
-#include "techniques/foundation/trace/engine.h"
 #include "techniques/foundation/trace/ray_tests.h"
+#include "techniques/foundation/trace/structures/engine.h"
 
 namespace shadowlab::trace {
 

@@ -18,7 +18,7 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include "techniques/foundation/trace/exact_sign.h"
+#include "techniques/foundation/trace/judge/exact_sign.h"
 #include "techniques/foundation/trace/ray.h"
 
 namespace shadowlab::trace {

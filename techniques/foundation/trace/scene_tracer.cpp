@@ -3,9 +3,9 @@
 
 #include <utility>
 
-#include "techniques/foundation/scene/facing.h"
-#include "techniques/foundation/scene/shading.h"
-#include "techniques/foundation/trace/bvh_traverse.h"
+#include "techniques/foundation/scene/query/facing.h"
+#include "techniques/foundation/scene/query/shading.h"
+#include "techniques/foundation/trace/bvh/bvh_traverse.h"
 
 namespace shadowlab::trace {
 

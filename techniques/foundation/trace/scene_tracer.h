@@ -11,11 +11,11 @@
 #include <optional>
 #include <span>
 
-#include "techniques/foundation/trace/bvh_build.h"
-#include "techniques/foundation/trace/engine.h"
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/foundation/trace/bvh/bvh_build.h"
 #include "techniques/foundation/trace/eye_rays.h"
 #include "techniques/foundation/trace/holes.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
+#include "techniques/foundation/trace/structures/engine.h"
 #include "techniques/foundation/trace/traced_geometry.h"
 
 namespace shadowlab::trace {

@@ -4,7 +4,7 @@
 #pragma once
 #include <memory>
 
-#include "techniques/foundation/trace/bvh.h"
+#include "techniques/foundation/trace/bvh/bvh.h"
 #include "techniques/foundation/trace/world_triangles.h"
 
 namespace shadowlab::trace {

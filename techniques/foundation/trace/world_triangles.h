@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "techniques/foundation/scene/scene.h"
+#include "techniques/foundation/scene/model/scene.h"
 #include "techniques/foundation/trace/ray_triangle.h"
 
 namespace shadowlab::trace {

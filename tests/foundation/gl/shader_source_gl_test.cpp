@@ -6,7 +6,7 @@
 
 #include <unistd.h>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/program.h"
 #include "techniques/foundation/gl/read_back.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "techniques/foundation/gl/id_buffer.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 

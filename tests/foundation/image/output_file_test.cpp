@@ -15,7 +15,7 @@
 #include <functional>
 #include <iterator>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 
 namespace shadowlab::image {
 namespace {

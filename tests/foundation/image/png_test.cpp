@@ -9,7 +9,7 @@
 #include <functional>
 #include <string>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 
 namespace shadowlab::image {
 namespace {

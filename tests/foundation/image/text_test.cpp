@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 
 namespace shadowlab::image {
 namespace {

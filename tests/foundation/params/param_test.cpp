@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 
 namespace shadowlab::params {
 namespace {

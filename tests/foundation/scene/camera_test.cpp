@@ -1,6 +1,6 @@
 // The camera's matrices and its rays agree, and points at infinity keep a place.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/camera.h"
+#include "techniques/foundation/scene/model/camera.h"
 
 #include <gtest/gtest.h>
 

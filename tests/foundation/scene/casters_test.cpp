@@ -1,10 +1,10 @@
 // Which objects can be left out because nothing lies in their shadow, and which must not.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/casters.h"
+#include "techniques/foundation/scene/query/casters.h"
 
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab {

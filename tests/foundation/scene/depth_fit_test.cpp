@@ -1,11 +1,11 @@
 // The near plane moves out as far as what is in view allows, and never cuts anything off.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/depth_fit.h"
+#include "techniques/foundation/scene/query/depth_fit.h"
 
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/scenes.h"
 

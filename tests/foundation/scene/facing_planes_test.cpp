@@ -1,15 +1,15 @@
 // Planes side by side give the signs that facing.h gives triangle by triangle, also where rounding decides.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/facing_planes.h"
+#include "techniques/foundation/scene/query/facing_planes.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <random>
 
-#include "techniques/foundation/scene/facing.h"
-#include "techniques/foundation/scene/scene_json.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/json/scene_json.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/scene/query/facing.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/scenes.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/light_reach.h"
+#include "techniques/foundation/scene/query/light_reach.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab {

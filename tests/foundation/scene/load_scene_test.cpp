@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "techniques/foundation/scene/camera.h"
+#include "techniques/foundation/scene/model/camera.h"
 #include "tests/foundation/scene/scene_files.h"
 
 namespace shadowlab::scene {

@@ -1,10 +1,10 @@
 // The report on meshes made by hand, whose numbers can be counted, and on shapes, whose numbers follow from Euler.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/mesh_topology.h"
+#include "techniques/foundation/scene/query/mesh_topology.h"
 
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 
 namespace shadowlab::scene {
 namespace {

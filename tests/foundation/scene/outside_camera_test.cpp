@@ -1,6 +1,6 @@
 // The second camera's place: everything worth seeing is in its picture, whatever lies about, whatever the scale.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/outside_camera.h"
+#include "techniques/foundation/scene/query/outside_camera.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::scene {

@@ -1,15 +1,15 @@
 // Which parts of a mesh are never inside out, and what would be wrong if a weaker test let others pass.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/outward_parts.h"
+#include "techniques/foundation/scene/query/outward_parts.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/session/assets.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "app/context/assets.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab {
@@ -64,8 +64,8 @@ scene::Mesh bowTie() {
 }
 
 std::shared_ptr<const scene::Mesh> model(const std::string& name) {
-    const auto staged = scene::loadScene((session::assetsRoot() / "models" / name).string(),
-                                         {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+    const auto staged = scene::loadScene((context::assetsRoot() / "models" / name).string(),
+                                         {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
     return std::ranges::max_element(staged->objects, {},
                                     [](const scene::Object& o) {
                                         return o.mesh->triangles.size(); // the rest is the stage it stands on

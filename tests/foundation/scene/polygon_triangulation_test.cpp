@@ -1,6 +1,6 @@
 // Triangulation: right area, right orientation, no triangle outside, convex or not.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/polygon_triangulation.h"
+#include "techniques/foundation/scene/obj/polygon_triangulation.h"
 
 #include <cmath>
 #include <random>

@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/error.h"
-#include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/load/load.h"
 
 namespace shadowlab::scene {
 

@@ -1,6 +1,6 @@
 // The built-in shapes: counts, closedness, orientation, and vertices exactly where they belong.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 
 #include <cmath>
 #include <numbers>

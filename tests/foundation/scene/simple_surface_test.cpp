@@ -1,6 +1,6 @@
 // Surfaces that meet themselves are never taken for simple ones, and ordinary ones are seen to be simple.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/simple_surface.h"
+#include "techniques/foundation/scene/query/simple_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <numeric>
 #include <random>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/scenes.h"
 #include "tests/support/trefoil.h"
 

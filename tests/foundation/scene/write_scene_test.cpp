@@ -1,9 +1,9 @@
 // A scene written down and read again is the same scene, number by number.
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/image/png.h"
-#include "techniques/foundation/scene/edit_scene.h"
-#include "techniques/foundation/scene/holes.h"
-#include "techniques/foundation/scene/write_scene.h"
+#include "techniques/foundation/scene/json/write_scene.h"
+#include "techniques/foundation/scene/model/edit_scene.h"
+#include "techniques/foundation/scene/model/holes.h"
 #include "tests/foundation/scene/scene_files.h"
 
 namespace shadowlab::scene {

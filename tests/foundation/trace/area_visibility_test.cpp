@@ -1,6 +1,6 @@
 // The visible share of lights with an area: against closed forms, against rays, and where it is delicate.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/trace/area_visibility.h"
+#include "techniques/foundation/trace/area/area_visibility.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <iostream>
 #include <random>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/area_lights.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/perforated.h"

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "tests/foundation/trace/ray_meshes.h"

@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "techniques/foundation/trace/bvh_build.h"
-#include "techniques/foundation/trace/bvh_traverse.h"
+#include "techniques/foundation/trace/bvh/bvh_build.h"
+#include "techniques/foundation/trace/bvh/bvh_traverse.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "tests/foundation/trace/ray_meshes.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "techniques/foundation/trace/area_visibility.h"
+#include "techniques/foundation/trace/area/area_visibility.h"
 #include "tests/support/area_lights.h"
 #include "tests/support/scenes.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/trace/engine.h"
+#include "techniques/foundation/trace/structures/engine.h"
 #include "tests/foundation/trace/ray_meshes.h"
 
 namespace shadowlab::trace {

@@ -1,6 +1,6 @@
 // The exact sign against whole-number arithmetic, on cases made so that plain double gets many of them wrong.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/trace/exact_sign.h"
+#include "techniques/foundation/trace/judge/exact_sign.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // The judge itself against closed forms: where a shadow must lie by geometry alone.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/trace/exact_visibility.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
 
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab {

@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/trace/grid.h"
 #include "techniques/foundation/trace/parallel.h"
+#include "techniques/foundation/trace/structures/grid.h"
 #include "tests/foundation/trace/ray_meshes.h"
 
 namespace shadowlab::trace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "tests/support/perforated.h"
 #include "tests/support/scenes.h"

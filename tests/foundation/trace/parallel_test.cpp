@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/trace/parallel.h"
 
 namespace shadowlab::trace {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/trace/bvh_build.h"
-#include "techniques/foundation/trace/bvh_traverse.h"
+#include "techniques/foundation/trace/bvh/bvh_build.h"
+#include "techniques/foundation/trace/bvh/bvh_traverse.h"
 #include "tests/foundation/trace/exact_slabs.h"
 #include "tests/foundation/trace/ray_meshes.h"
 

@@ -10,13 +10,13 @@
 #include <chrono>
 #include <functional>
 
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/shapes.h"
-#include "techniques/foundation/trace/bvh_traverse.h"
-#include "techniques/foundation/trace/embree_packets.h"
-#include "techniques/foundation/trace/engine.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/trace/bvh/bvh_traverse.h"
+#include "techniques/foundation/trace/packets/embree_packets.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/foundation/trace/scene_tracer.h"
+#include "techniques/foundation/trace/structures/engine.h"
 #include "tests/foundation/trace/ray_meshes.h"
 #include "tests/support/scenes.h"
 

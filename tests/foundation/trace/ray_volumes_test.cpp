@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "techniques/foundation/trace/ray_volumes.h"
+#include "techniques/foundation/trace/structures/ray_volumes.h"
 #include "tests/foundation/trace/exact_slabs.h"
 #include "tests/foundation/trace/ray_meshes.h"
 

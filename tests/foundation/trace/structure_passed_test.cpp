@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "techniques/foundation/trace/engine.h"
+#include "techniques/foundation/trace/structures/engine.h"
 
 namespace shadowlab::trace {
 namespace {

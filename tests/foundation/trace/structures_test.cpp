@@ -5,8 +5,8 @@
 
 #include <atomic>
 
-#include "techniques/foundation/trace/engine.h"
 #include "techniques/foundation/trace/parallel.h"
+#include "techniques/foundation/trace/structures/engine.h"
 #include "tests/foundation/trace/ray_meshes.h"
 
 namespace shadowlab::trace {

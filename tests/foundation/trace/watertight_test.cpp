@@ -5,8 +5,8 @@
 
 #include <atomic>
 
-#include "techniques/foundation/trace/bvh_build.h"
-#include "techniques/foundation/trace/bvh_traverse.h"
+#include "techniques/foundation/trace/bvh/bvh_build.h"
+#include "techniques/foundation/trace/bvh/bvh_traverse.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/foundation/trace/world_triangles.h"
 #include "tests/foundation/trace/ray_meshes.h"

@@ -3,14 +3,14 @@
 #include <benchmark/benchmark.h>
 
 #include "techniques/foundation/gl/surfaces.h"
-#include "techniques/foundation/scene/casters.h"
-#include "techniques/foundation/scene/depth_fit.h"
-#include "techniques/foundation/scene/light_reach.h"
-#include "techniques/foundation/scene/visible_receivers.h"
+#include "techniques/foundation/scene/query/casters.h"
+#include "techniques/foundation/scene/query/depth_fit.h"
+#include "techniques/foundation/scene/query/light_reach.h"
+#include "techniques/foundation/scene/query/visible_receivers.h"
 #include "techniques/planar/casters.h"
 #include "techniques/planar/flattening.h"
-#include "techniques/planar/receivers.h"
-#include "techniques/shadow_map/shadowed_part.h"
+#include "techniques/planar/receivers/receivers.h"
+#include "techniques/shadow_map/fit/shadowed_part.h"
 #include "tests/speed/hot_paths/meshes.h"
 
 namespace shadowlab {

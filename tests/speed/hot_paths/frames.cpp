@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
-#include "app/session/session.h"
-#include "app/session/settings.h"
+#include "app/lab/settings.h"
+#include "app/picture/session.h"
 #include "tests/speed/hot_paths/meshes.h"
 
 namespace shadowlab {
@@ -12,10 +12,10 @@ namespace {
 
 void drawMoving(benchmark::State& state, const char* technique, scene::Scene scene, ivec2 size,
                 const std::vector<std::string>& settings = {}) {
-    session::Session session(testing::snapshot(scene));
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot(technique));
-    session::applySettings(slots, settings);
+    picture::Session session(testing::snapshot(scene));
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot(technique));
+    lab::applySettings(slots, settings);
     View view;
     view.camera = scene.camera;
     view.size = size;
@@ -75,10 +75,10 @@ void radiosityByPatches(benchmark::State& state) {
     view.camera = scene.camera;
     view.size = {320, 180};
     for (auto _ : state) {
-        session::Session session(testing::snapshot(scene));
-        std::vector<session::Slot> slots;
-        slots.push_back(session::Session::makeSlot("radiosity"));
-        session::applySettings(slots, {"radiosity.patches=" + std::to_string(state.range(0))});
+        picture::Session session(testing::snapshot(scene));
+        std::vector<picture::Slot> slots;
+        slots.push_back(picture::Session::makeSlot("radiosity"));
+        lab::applySettings(slots, {"radiosity.patches=" + std::to_string(state.range(0))});
         session.render(slots[0], view);
     }
     state.SetComplexityN(state.range(0));
@@ -93,10 +93,10 @@ BENCHMARK(radiosityByPatches)
 /// Of a room that is solved: the eye moves.
 void radiosityByPixels(benchmark::State& state) {
     const scene::Scene scene = testing::simpleScene();
-    session::Session session(testing::snapshot(scene));
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot("radiosity"));
-    session::applySettings(slots, {"radiosity.patches=75"});
+    picture::Session session(testing::snapshot(scene));
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot("radiosity"));
+    lab::applySettings(slots, {"radiosity.patches=75"});
     const auto width = static_cast<int>(state.range(0));
     View view;
     view.camera = scene.camera;

@@ -9,7 +9,7 @@
 
 #include <unistd.h>
 
-#include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/load/load.h"
 #include "tests/speed/hot_paths/meshes.h"
 
 namespace shadowlab {

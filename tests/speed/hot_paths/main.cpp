@@ -15,7 +15,7 @@
 #include <cstdio>
 
 #include "app/context/context.h"
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);

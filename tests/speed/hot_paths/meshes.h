@@ -3,7 +3,7 @@
 #pragma once
 #include <cmath>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/scenes.h"
 #include "tests/support/trefoil.h"
 

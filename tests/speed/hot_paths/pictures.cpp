@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
-#include "app/measure/flip.h"
-#include "app/measure/image_metrics.h"
+#include "app/judge/metrics/flip.h"
+#include "app/judge/metrics/image_metrics.h"
 #include "techniques/foundation/image/png.h"
 
 namespace shadowlab {
@@ -31,10 +31,10 @@ void byPixels(benchmark::State& state, const Work& work) {
 }
 
 void flip(benchmark::State& state) {
-    byPixels(state, [](const auto& a, const auto& b) { return measure::flip(a, b); });
+    byPixels(state, [](const auto& a, const auto& b) { return judge::flip(a, b); });
 }
 void ssim(benchmark::State& state) {
-    byPixels(state, [](const auto& a, const auto& b) { return measure::ssim(a, b); });
+    byPixels(state, [](const auto& a, const auto& b) { return judge::ssim(a, b); });
 }
 void encodePng(benchmark::State& state) {
     byPixels(state, [](const auto& a, const auto&) { return image::encodePng(a); });

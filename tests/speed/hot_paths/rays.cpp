@@ -9,8 +9,8 @@
 #include <random>
 #include <string>
 
-#include "techniques/foundation/trace/engine.h"
 #include "techniques/foundation/trace/ray_triangle.h"
+#include "techniques/foundation/trace/structures/engine.h"
 #include "techniques/foundation/trace/world_triangles.h"
 #include "tests/speed/hot_paths/meshes.h"
 

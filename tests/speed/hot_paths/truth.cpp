@@ -5,8 +5,8 @@
 
 #include <chrono>
 
-#include "app/measure/boundary.h"
-#include "app/measure/truth.h"
+#include "app/judge/metrics/boundary.h"
+#include "app/judge/truth.h"
 #include "tests/speed/hot_paths/meshes.h"
 
 namespace shadowlab {
@@ -30,12 +30,12 @@ void byPixels(benchmark::State& state, const Work& work) {
 
 void truthAtCentres(benchmark::State& state) {
     byPixels(state, [](const auto& tracer, const auto& camera, ivec2 size) {
-        return measure::truthAtCentres(tracer, camera, size, 0).visibility.size();
+        return judge::truthAtCentres(tracer, camera, size, 0).visibility.size();
     });
 }
 void exactTruth(benchmark::State& state) {
     byPixels(state, [](const auto& tracer, const auto& camera, ivec2 size) {
-        return measure::exactTruth(tracer, camera, size, 0, {}).ties.size();
+        return judge::exactTruth(tracer, camera, size, 0, {}).ties.size();
     });
 }
 BENCHMARK(truthAtCentres)
@@ -52,27 +52,27 @@ BENCHMARK(exactTruth)
     ->Complexity(benchmark::oN);
 
 /// Light and shadow in stripes as wide as those in pictures, all on one receiver.
-measure::Grid<measure::Shade> stripes(ivec2 size) {
-    measure::Grid<measure::Shade> shades(size.x, size.y);
+judge::Grid<judge::Shade> stripes(ivec2 size) {
+    judge::Grid<judge::Shade> shades(size.x, size.y);
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x)
-            shades.at(x, y) = (x + y / 3) / 40 % 2 == 0 ? measure::Shade::lit : measure::Shade::shadowed;
+            shades.at(x, y) = (x + y / 3) / 40 % 2 == 0 ? judge::Shade::lit : judge::Shade::shadowed;
     return shades;
 }
 
 void boundary(benchmark::State& state) {
     const ivec2 size = sizeOf(state);
-    const measure::Grid<measure::Shade> shades = stripes(size);
-    const measure::Grid<std::uint32_t> receivers(size.x, size.y, 0);
+    const judge::Grid<judge::Shade> shades = stripes(size);
+    const judge::Grid<std::uint32_t> receivers(size.x, size.y, 0);
     for (auto _ : state)
-        benchmark::DoNotOptimize(measure::boundaryEdges(shades, receivers));
+        benchmark::DoNotOptimize(judge::boundaryEdges(shades, receivers));
     state.SetComplexityN(std::int64_t{size.x} * size.y);
 }
 void boundaryDistance(benchmark::State& state) {
     const ivec2 size = sizeOf(state);
-    const auto edges = measure::boundaryEdges(stripes(size), measure::Grid<std::uint32_t>(size.x, size.y, 0));
+    const auto edges = judge::boundaryEdges(stripes(size), judge::Grid<std::uint32_t>(size.x, size.y, 0));
     for (auto _ : state)
-        benchmark::DoNotOptimize(measure::distanceToBoundary(edges, size));
+        benchmark::DoNotOptimize(judge::distanceToBoundary(edges, size));
     state.SetComplexityN(std::int64_t{size.x} * size.y);
 }
 BENCHMARK(boundary)->RangeMultiplier(2)->Range(160, 1280)->Unit(benchmark::kMillisecond)->Complexity(benchmark::oN);

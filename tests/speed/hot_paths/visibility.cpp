@@ -4,9 +4,9 @@
 
 #include <chrono>
 
-#include "techniques/foundation/trace/area_visibility.h"
-#include "techniques/foundation/trace/exact_visibility.h"
-#include "techniques/shadow_map/alias_free.h"
+#include "techniques/foundation/trace/area/area_visibility.h"
+#include "techniques/foundation/trace/judge/exact_visibility.h"
+#include "techniques/shadow_map/irregular/alias_free.h"
 #include "tests/speed/hot_paths/meshes.h"
 
 namespace shadowlab {

@@ -4,11 +4,11 @@
 
 #include <memory>
 
-#include "techniques/foundation/scene/facing.h"
-#include "techniques/foundation/scene/facing_planes.h"
-#include "techniques/foundation/scene/mesh_topology.h"
-#include "techniques/shadow_volume/edge_table.h"
-#include "techniques/shadow_volume/volume.h"
+#include "techniques/foundation/scene/query/facing.h"
+#include "techniques/foundation/scene/query/facing_planes.h"
+#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/shadow_volume/count/edge_table.h"
+#include "techniques/shadow_volume/count/volume.h"
 #include "tests/speed/hot_paths/meshes.h"
 
 namespace shadowlab {

@@ -1,0 +1,336 @@
+// `shadowlab capture`: one picture, or a sequence, of one or several techniques.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "app/cli/capture_stats.h"
+#include "app/cli/capture_window.h"
+#include "app/cli/command_line.h"
+#include "app/cli/messages.h"
+#include "app/context/assets.h"
+#include "app/context/signals.h"
+#include "app/film/film_encoder.h"
+#include "app/film/motion.h"
+#include "app/lab/settings.h"
+#include "app/picture/derived_stages.h"
+#include "app/picture/difference_panel.h"
+#include "app/picture/limits.h"
+#include "app/picture/picture.h"
+#include "app/picture/session.h"
+#include "app/picture/steps/step_captions.h"
+#include "app/picture/steps/stepping.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/query/outside_camera.h"
+
+namespace shadowlab::cli {
+
+namespace {
+
+/// The file that SCENE stands for; it may not exist.
+std::filesystem::path sceneFile(const std::string& scene) {
+    const std::filesystem::path path(scene);
+    return path.has_extension() ? path : context::assetsRoot() / "scenes" / (scene + ".json");
+}
+
+/// Would these two names lead to one and the same regular file?
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code ignored;
+    if (std::filesystem::exists(a, ignored) && !std::filesystem::is_regular_file(a, ignored)) return false; // /dev/null
+    return std::filesystem::equivalent(a, b, ignored) || image::outputTarget(a) == image::outputTarget(b);
+}
+
+[[noreturn]] void refuseOutput(const std::string& option, const std::filesystem::path& path, const std::string& other) {
+    throw Error(ExitStatus::usage, option + ": '" + path.string() + "' is also " + other + "; choose another name");
+}
+
+class Capture {
+public:
+    explicit Capture(const CaptureOptions& options)
+        : options_(options), exactVisibility_(options.techniques.size() == 1 && !options.stages.empty() &&
+                                              options.stages[0].substr(0, options.stages[0].find('@')) == "visibility"),
+          size_(options.size) {}
+
+    int run() {
+        for (const std::string& id : options_.techniques)
+            slots_.push_back(picture::Session::makeSlot(id));
+        lab::applySettings(slots_, options_.settings);
+        checkOutputs();
+        loadScene();
+        motion_ = motionOf(options_.motion, *base_);
+        requirePlaceForNumbers(options_, motion_.frames);
+        for (int frame = 1; frame < motion_.frames && !isFilm(options_); ++frame)
+            image::requireNoInput(numbered(options_.output, frame));
+        for (int frame = 1; frame < motion_.frames && !options_.stats.empty() && !isFilm(options_); ++frame)
+            if (const auto picture = numbered(options_.output, frame); sameFile(options_.stats, picture))
+                refuseOutput("--stats", options_.stats, "the picture " + picture.string() + " that is written");
+        for (std::size_t i = 0; i < slots_.size(); ++i) {
+            stages_.emplace_back();
+            if (i < options_.stages.size() && !options_.stages[i].empty())
+                stages_[i] = picture::parseStage(options_.stages[i], *slots_[i].info, *base_, defaultLight_);
+        }
+
+        context_ = context::createContext(options_.backend);
+        checkGlLimits();
+        sayNotes();
+        session_ = std::make_unique<picture::Session>(base_);
+        encoder_ = std::make_unique<picture::PictureEncoder>();
+        stats_ = std::make_unique<CaptureStats>(*base_, options_, *context_, slots_);
+        if (isFilm(options_)) film_ = film::makeFilm(options_.output, options_.time, stats_->pngText());
+        if (options_.steps) {
+            renderSteps();
+            return 0;
+        }
+        for (int frame = 0; frame < motion_.frames; ++frame) {
+            context::throwIfInterrupted();
+            renderFrame(frame);
+        }
+        context::throwIfInterrupted();
+        if (film_) film_->finish();
+        if (!options_.stats.empty()) image::writeWhole(options_.stats, stats_->json());
+        return 0;
+    }
+
+private:
+    /// Before any work: can the outputs be written, and would they destroy something?
+    void checkOutputs() const {
+        const std::filesystem::path picture = numbered(options_.output, 0), input = sceneFile(options_.scene);
+        if (sameFile(picture, input)) refuseOutput("-o", picture, "the scene that is read");
+        const std::filesystem::path& path = options_.motion.path;
+        if (!path.empty() && sameFile(picture, path)) refuseOutput("-o", picture, "the path that is read");
+        image::probeWritable(picture);
+        if (film::isMp4(picture)) film::requireFfmpeg(picture);
+        if (options_.stats.empty()) return;
+        if (sameFile(options_.stats, input)) refuseOutput("--stats", options_.stats, "the scene that is read");
+        if (!path.empty() && sameFile(options_.stats, path))
+            refuseOutput("--stats", options_.stats, "the path that is read");
+        if (sameFile(options_.stats, picture)) refuseOutput("--stats", options_.stats, "the picture that is written");
+        image::probeWritable(options_.stats);
+    }
+
+    void loadScene() {
+        base_ = scene::loadScene(
+            options_.scene,
+            {.assetsRoot = context::assetsRoot(), .allowed = options_.allowed, .limits = picture::limits()});
+        image::requireNoInput(numbered(options_.output, 0)); // it may be an image that the scene shows
+        if (!options_.light.empty()) defaultLight_ = picture::lightIndex(*base_, options_.light);
+    }
+
+    /// Said when nothing stands in the way of the picture any more: a refusal is one line, without remarks before it.
+    void sayNotes() const {
+        for (const std::string& remark : base_->notes)
+            note(remark);
+        if (base_->lights.empty())
+            note("scene '" + base_->name + "' has no lights; only its ambient light and what glows is seen");
+        if (base_->objects.empty()) note("scene '" + base_->name + "' has no objects; only its background is seen");
+        for (const std::string& remark : lab::settingsWithoutEffect(slots_))
+            note(remark);
+    }
+
+    /// What this driver can draw, asked before it is given anything to allocate.
+    void checkGlLimits() const {
+        const int needed = requireDrawable(options_);
+        const int limit = context::largestSide();
+        if (needed > limit)
+            throw Error(ExitStatus::overLimit, "the picture needs " + std::to_string(needed) +
+                                                   " samples on a side, this OpenGL driver draws " +
+                                                   std::to_string(limit) +
+                                                   "; choose a smaller --size or --supersample");
+    }
+
+    /// One picture after another: of each step what it shows in the window, and its title below.
+    void renderSteps() {
+        const film::Moment moment = film::momentAt(motion_, base_, 0, session_->snapshot());
+        session_->setScene(moment.snapshot);
+        View view;
+        view.camera = moment.camera;
+        view.size = options_.size;
+        const std::vector<StageKey> passes = session_->render(slots_[0], view, {}).result.passes;
+        if (options_.labels) captions_.emplace(*slots_[0].info, passes, *base_, font(), options_.size);
+        if (captions_) size_.y -= captions_->height();
+        if (size_.y < 2 * options_.size.y / 3)
+            throw Error(ExitStatus::usage,
+                        "--size: no room for the titles of the steps below the picture; choose a larger "
+                        "size, or --labels false");
+        for (step_ = 0; step_ < passes.size(); ++step_) {
+            context::throwIfInterrupted();
+            const int light = base_->lights.empty() ? kNoLight : std::max(defaultLight_, 0);
+            stages_[0] = picture::shownInStep({passes[step_], true}, *slots_[0].info, light);
+            renderFrame(0);
+        }
+        film_->finish();
+    }
+
+    void renderFrame(int frame) {
+        const film::Moment moment = film::momentAt(motion_, base_, frame, session_->snapshot());
+        session_->setScene(moment.snapshot);
+        View view;
+        view.camera = moment.camera;
+
+        std::vector<picture::Cell> cells =
+            picture::layoutCells(options_.layout, static_cast<int>(slots_.size()), size_, options_.split);
+        const std::filesystem::path path = numbered(options_.output, frame);
+        if (options_.layout == picture::Layout::diff) {
+            view.size = cells[0].pictureSize;
+            writeFigure(frame, path, cells, {difference(view)});
+            return;
+        }
+        std::vector<picture::Panel> panels;
+        for (std::size_t i = 0; i < slots_.size(); ++i) {
+            picture::Slot& slot = slots_[i];
+            view.size = cells[i].pictureSize * options_.supersample;
+            view.region = {ivec2(cells[i].cropX, 0) * options_.supersample,
+                           ivec2(cells[i].width, cells[i].height) * options_.supersample};
+            FrameRequest request;
+            request.timePasses = !options_.stats.empty();
+            const std::optional<picture::StageChoice>& stage = stages_[i];
+            view.picked = view.partner = std::nullopt;
+            if (stage && picture::followsPicked(*slot.info, stage->key.id)) {
+                view.picked = within("--pixel", options_.pixel, cells[i].pictureSize);
+                view.partner = within("--partner", options_.partner, cells[i].pictureSize);
+            }
+            if (stage && stage->isPass) request.stopAfter = stage->key;
+            if (stage && !stage->isPass) request.stages = picture::neededFor(stage->key);
+            const picture::RenderedFrame rendered = session_->render(slot, view, request);
+            stats_->add(i, rendered);
+
+            if (exactVisibility_) {
+                const picture::VisibilityImage visibility =
+                    picture::readVisibility(picture::findStage(rendered, stage->key));
+                image::writeWhole(path, image::encodeGreyAlpha(visibility.width, visibility.height,
+                                                               visibility.greyAlpha, stats_->pngText()));
+                return;
+            }
+            if (stage && stage->key.id == "outside") { // a picture of its own, no band of a larger one
+                cells[i].pictureSize = {cells[i].width, cells[i].height};
+                cells[i].cropX = 0;
+            }
+            panels.push_back(panel(i, rendered, view, cells[i]));
+        }
+        writeFigure(frame, path, cells, panels);
+    }
+
+    void writeFigure(int frame, const std::filesystem::path& path, const std::vector<picture::Cell>& cells,
+                     const std::vector<picture::Panel>& panels) {
+        const bool needsFont = std::ranges::any_of(
+            panels, [](const picture::Panel& p) { return !p.title.empty() || picture::hasLegend(p); });
+        const picture::Figure figure = picture::composeFigure(cells, panels, size_, needsFont ? &font() : nullptr);
+        if (frame == 0)
+            for (const std::string& remark : figure.notes)
+                note(remark);
+        if (film_)
+            film_->add(captions_ ? captions_->below(figure.picture, step_) : figure.picture);
+        else
+            image::writeWhole(path, image::encodePng(figure.picture, {.opaque = true, .text = stats_->pngText()}));
+    }
+
+    /// Both techniques' answers for one light, and one picture of what is wrong with either.
+    picture::Panel difference(const View& view) {
+        if (base_->lights.empty())
+            throw Error(ExitStatus::usage, "--layout: diff is about one light and scene '" + base_->name +
+                                               "' has none; choose another layout or scene");
+        const int light = std::max(defaultLight_, 0);
+        std::array<judge::Judgement, 2> judgements;
+        for (std::size_t i = 0; i < slots_.size(); ++i) {
+            FrameRequest request;
+            request.timePasses = !options_.stats.empty();
+            request.stages = {picture::parseStage("visibility", *slots_[i].info, *base_, light).key};
+            const picture::RenderedFrame rendered = session_->render(slots_[i], view, request);
+            stats_->add(i, rendered);
+            judgements[i] =
+                judge::judge(session_->truth(view, session_->truthFor(slots_[i], light)),
+                               picture::readVisibility(picture::findStage(rendered, request.stages[0])).greyAlpha);
+        }
+        const std::array<std::string, 2> titles = {std::string(slots_[0].info->title),
+                                                   std::string(slots_[1].info->title)};
+        picture::Panel panel = picture::differencePanel(encoder_->encode(slots_[0].target.color, base_->exposure),
+                                                        {&judgements[0], &judgements[1]}, titles);
+        if (options_.labels) panel.title = titles[0] + " against " + titles[1];
+        return panel;
+    }
+
+    const image::Font& font() {
+        if (!font_) font_ = std::make_unique<image::Font>(context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+        return *font_;
+    }
+
+    /// A pixel that was asked for, of a picture of that size: each of several is smaller than the whole. Of its samples, the
+    /// one in the middle.
+    [[nodiscard]] std::optional<ivec2> within(const std::string& option, std::optional<ivec2> pixel, ivec2 size) const {
+        if (!pixel) return {};
+        if (pixel->x >= size.x || pixel->y >= size.y)
+            throw Error(ExitStatus::usage, option + ": each technique's picture has " + std::to_string(size.x) + " x " +
+                                               std::to_string(size.y) + " pixels; choose one within");
+        return *pixel * options_.supersample + options_.supersample / 2;
+    }
+
+    /// The second camera that was asked for, its other properties those of the scene's.
+    [[nodiscard]] std::optional<scene::Camera> outsideCamera() const {
+        if (!options_.outside) return {};
+        const auto& [x, y, z, targetX, targetY, targetZ] = *options_.outside;
+        scene::Camera camera = scene::outsideCameraFor(*base_, base_->camera);
+        camera.positionWorld = {x, y, z};
+        camera.targetWorld = {targetX, targetY, targetZ};
+        if (!scene::hasView(camera))
+            throw Error(ExitStatus::usage, "--outside: from there nothing can be seen; choose a target apart from the "
+                                           "camera, and not straight above or below it");
+        return camera;
+    }
+
+    picture::Panel panel(std::size_t i, const picture::RenderedFrame& rendered, const View& view,
+                         const picture::Cell& cell) {
+        picture::Panel panel = pictureOf(i, rendered, view, cell);
+        if (options_.labels && slots_.size() > 1) panel.title = slots_[i].info->title;
+        return panel;
+    }
+
+    picture::Panel pictureOf(std::size_t i, const picture::RenderedFrame& rendered, const View& view,
+                             const picture::Cell& cell) {
+        picture::Slot& slot = slots_[i];
+        const std::optional<picture::StageChoice>& chosen = stages_[i];
+        picture::Panel panel;
+        if (chosen && !chosen->isPass && picture::isDerived(chosen->key.id))
+            return picture::derivedPanel(*session_, slot, rendered, *encoder_,
+                                         {chosen->key, view, options_.row, &font(), outsideCamera(), cell.pictureSize});
+        if (!chosen || chosen->isPass) {
+            if (chosen) picture::requirePassRan(rendered, chosen->key, *slot.info);
+            panel.picture = encoder_->encode(slot.target.color, base_->exposure, options_.supersample);
+            return panel;
+        }
+        const Stage& stage = picture::findStage(rendered, chosen->key);
+        const StageInfo& info = picture::stageInfo(*slot.info, stage.key.id);
+        // A stage of a size of its own (a light's view of the scene) is averaged only if it would not fit otherwise.
+        const ivec2 size = stage.texture.size();
+        const bool fits = size.x <= cell.pictureSize.x && size.y <= cell.pictureSize.y;
+        panel.picture = encoder_->encode(stage, info.kind, base_->exposure, fits ? 1 : options_.supersample);
+        panel.kind = info.kind;
+        panel.display = stage.display;
+        return panel;
+    }
+
+    const CaptureOptions& options_;
+    const bool exactVisibility_; ///< the output is the visibility image itself, not a figure of it
+    scene::Snapshot base_;
+    film::Motion motion_;
+    int defaultLight_ = kNoLight;
+    std::unique_ptr<context::Context> context_; ///< before all that lives in it, so that it is destroyed after them
+    std::unique_ptr<picture::Session> session_;
+    std::unique_ptr<picture::PictureEncoder> encoder_;
+    std::vector<picture::Slot> slots_;
+    std::vector<std::optional<picture::StageChoice>> stages_; ///< one for each slot
+    std::unique_ptr<CaptureStats> stats_;
+    ivec2 size_;                          ///< of the picture, without what stands below it
+    std::unique_ptr<film::Film> film_; ///< none: a file for each picture
+    std::unique_ptr<image::Font> font_;
+    std::optional<picture::StepCaptions> captions_; ///< of steps, and the one that is drawn now
+    std::size_t step_ = 0;
+};
+
+} // namespace
+
+int capture(const CaptureOptions& options) { return options.ui ? captureWindow(options) : Capture(options).run(); }
+
+} // namespace shadowlab::cli

@@ -1,0 +1,125 @@
+// `shadowlab grade`: a score sheet for a plug-in.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "app/cli/command_line.h"
+#include "app/cli/json/json_values.h"
+#include "app/cli/messages.h"
+#include "app/cli/progress.h"
+#include "app/cli/text_table.h"
+#include "app/context/context.h"
+#include "app/student/grading/grader.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/base/nearest_names.h"
+#include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
+#include "techniques/foundation/image/png.h"
+
+namespace shadowlab::cli {
+
+namespace {
+
+constexpr int kNotAllRight = 1; // exit status: graded, and not all cases are right
+
+using student::CaseResult;
+using student::Sheet;
+
+std::string chosenTechnique(const GradeOptions& options, const student::Declared& declared) {
+    if (options.technique.empty()) {
+        if (declared.techniques.size() == 1) return declared.techniques.front();
+        std::string all;
+        for (const std::string& technique : declared.techniques)
+            all += (all.empty() ? "" : ", ") + technique;
+        throw Error(ExitStatus::usage, "grade: " + options.plugin.string() + " has " +
+                                           std::to_string(declared.techniques.size()) +
+                                           " techniques; choose one of them with -t: " + all);
+    }
+    if (std::ranges::find(declared.techniques, options.technique) == declared.techniques.end())
+        throw Error(ExitStatus::usage, "grade: " + options.plugin.string() + " has no technique '" + options.technique +
+                                           "'; " + suggestion(options.technique, declared.techniques));
+    return options.technique;
+}
+
+const student::Family& chosenFamily(const GradeOptions& options, const student::Declared& declared) {
+    const std::string& id = options.family.empty() ? declared.family : options.family;
+    if (id.empty())
+        throw Error(ExitStatus::usage, "grade: " + options.plugin.string() +
+                                           " does not say what family it is of; add --family planar, shadow-map or "
+                                           "shadow-volume");
+    return student::findFamily(id);
+}
+
+std::string wrongText(const CaseResult& result) { return result.wrong ? std::to_string(*result.wrong) : "-"; }
+
+std::string sheetText(const Sheet& sheet, const std::string& picture) {
+    std::string text = std::string(sheet.family->title) + ": " + sheet.candidate.technique + " (" +
+                       sheet.candidate.plugin.filename().string() + ")\n\n";
+    Rows rows{{"case", "wrong px", "limit", "points", "  idea"}};
+    for (const CaseResult& result : sheet.results)
+        rows.push_back({std::string(result.which->id), wrongText(result), std::to_string(result.which->limit),
+                        std::to_string(result.points()) + "/" + std::to_string(result.which->points),
+                        "  " + std::string(result.which->idea)});
+    rows.push_back({"sum", "", "", std::to_string(sheet.points()) + "/" + std::to_string(sheet.mostPoints()), ""});
+    text += aligned(rows);
+    for (const CaseResult& result : sheet.results) {
+        if (result.isRight()) continue;
+        text += "\n" + std::string(result.which->id) + ": ";
+        if (result.wrong)
+            text += std::to_string(result.counts.falseLit) + " pixels lit that should be dark, " +
+                    std::to_string(result.counts.falseShadow) + " dark that should be lit. ";
+        else
+            text += "no picture: " + result.failure + ". ";
+        text += std::string(result.which->hint) + "\n";
+    }
+    if (!picture.empty()) text += "\nThe first failing case: " + picture + "\n";
+    return text;
+}
+
+std::string sheetJson(const Sheet& sheet, const std::string& picture) {
+    Json cases = Json::array();
+    for (const CaseResult& result : sheet.results)
+        cases.push_back({{"case", result.which->id},
+                         {"idea", result.which->idea},
+                         {"wrong", result.wrong ? Json(*result.wrong) : Json(nullptr)},
+                         {"falseLit", result.wrong ? Json(result.counts.falseLit) : Json(nullptr)},
+                         {"falseShadow", result.wrong ? Json(result.counts.falseShadow) : Json(nullptr)},
+                         {"lit", result.counts.lit},
+                         {"shadowed", result.counts.shadowed},
+                         {"limit", result.which->limit},
+                         {"reason", result.which->reason},
+                         {"points", result.points()},
+                         {"of", result.which->points},
+                         {"failure", result.failure},
+                         {"hint", result.isRight() ? "" : std::string(result.which->hint)}});
+    const Json json{{"plugin", sheet.candidate.plugin.string()},
+                    {"technique", sheet.candidate.technique},
+                    {"family", sheet.family->id},
+                    {"points", sheet.points()},
+                    {"of", sheet.mostPoints()},
+                    {"cases", cases},
+                    {"picture", picture.empty() ? Json(nullptr) : Json(picture)}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace
+
+int grade(const GradeOptions& options) {
+    const student::Declared declared = student::askPlugin(options.plugin, options.limits);
+    const student::Candidate candidate{options.plugin, chosenTechnique(options, declared), options.backend};
+    const student::Family& family = chosenFamily(options, declared);
+    std::filesystem::path picture;
+    if (!options.output.empty()) {
+        picture = options.output / (candidate.technique + "-first-failing.png");
+        image::makeFolders(options.output);
+        image::probeWritable(picture);
+    }
+    const std::unique_ptr<context::Context> context = context::createContext(context::backendFromName(options.backend));
+    Progress progress("case", static_cast<int>(family.cases.size()));
+    const Sheet sheet = student::grade(candidate, family, options.limits, [&](int count) { progress.done(count); });
+    if (sheet.firstFailing.rgba.empty()) picture.clear();
+    if (!picture.empty()) image::writeWhole(picture, image::encodePng(sheet.firstFailing));
+    print(options.json ? sheetJson(sheet, picture.string()) : sheetText(sheet, picture.string()));
+    return sheet.points() == sheet.mostPoints() ? 0 : kNotAllRight;
+}
+
+} // namespace shadowlab::cli

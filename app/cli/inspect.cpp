@@ -1,0 +1,196 @@
+// `shadowlab inspect`: what a mesh or a scene is made of, and what that means for each technique.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "app/cli/inspection.h"
+#include "app/cli/json/json_values.h"
+#include "app/cli/messages.h"
+#include "app/cli/text_table.h"
+#include "techniques/foundation/scene/load/message_text.h"
+
+namespace shadowlab::cli {
+
+namespace {
+
+/// One count of a mesh, as it is called: in JSON, as a line, as a column, and what it is.
+struct Count {
+    const char *key, *line, *column, *meaning;
+    std::uint64_t scene::MeshReport::*value;
+};
+
+constexpr std::array kCounts{
+    Count{"triangles", "triangles", "triangles", "", &scene::MeshReport::triangles},
+    Count{"degenerateTriangles", "  degenerate", "degenerate", "without area, left out when the file was read",
+          &scene::MeshReport::droppedTriangles},
+    Count{"duplicateTriangles", "  duplicate", "duplicate", "with the same three corners as an earlier one",
+          &scene::MeshReport::duplicateTriangles},
+    Count{"vertices", "vertices", "vertices", "in the buffers: one for each position, normal and texture coordinate",
+          &scene::MeshReport::vertices},
+    Count{"weldedVertices", "  welded", "welded", "positions that differ", &scene::MeshReport::weldedVertices},
+    Count{"edges", "edges", "edges", "between welded vertices", &scene::MeshReport::edges},
+    Count{"boundaryEdges", "  boundary", "boundary", "of one face: the mesh is open there",
+          &scene::MeshReport::boundaryEdges},
+    Count{"multipleEdges", "  multiple", "multiple", "of more than two faces", &scene::MeshReport::multipleEdges},
+    Count{"inconsistentEdges", "  inconsistent", "inconsistent", "of two faces with opposite windings",
+          &scene::MeshReport::inconsistentEdges},
+    Count{"components", "components", "components", "pieces that hang together by edges",
+          &scene::MeshReport::components}};
+
+/// Four digits are enough to read.
+std::string metres(double value) {
+    std::array<char, 32> buffer{};
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 4);
+    return error == std::errc{} ? std::string(buffer.data(), end) : "?";
+}
+
+std::string joined(const dvec3& value, const std::string& between) {
+    return metres(value.x) + between + metres(value.y) + between + metres(value.z);
+}
+
+/// The first few names, and how many more there are.
+std::string named(const std::vector<std::string>& names) {
+    constexpr std::size_t kMost = 6;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i)
+        text += (i > 0 ? ", " : "") + scene::shown(names[i], 40);
+    return names.size() > kMost ? text + " and " + std::to_string(names.size() - kMost) + " more" : text;
+}
+
+std::string yes(bool value) { return value ? "yes" : "no"; }
+
+/// One mesh: a line for each of its numbers.
+std::string meshLines(const InspectedMesh& mesh) {
+    Rows rows;
+    for (const Count& count : kCounts)
+        rows.push_back({count.line, std::to_string(mesh.report.*count.value), count.meaning});
+    rows.push_back({"closed", yes(mesh.report.isClosed()), "if every edge has two faces, wound alike"});
+    rows.push_back({"outward", yes(mesh.outward),
+                    "if it is certain that nothing of it is inside out: front faces alone make its shadow volume"});
+    rows.push_back({"holes", yes(mesh.report.hasHoles), "if an alpha map cuts holes into it"});
+    return aligned(rows) + "size: " + joined(mesh.sizeMetres, " x ") + " m\n";
+}
+
+/// Several meshes: a row for each.
+std::string meshTable(const std::vector<InspectedMesh>& meshes) {
+    Rows rows{{"mesh", "objects"}};
+    for (const Count& count : kCounts)
+        rows[0].push_back(count.column);
+    rows[0].insert(rows[0].end(), {"closed", "outward", "holes", "size in m"});
+    for (const InspectedMesh& mesh : meshes) {
+        std::vector<std::string>& row = rows.emplace_back();
+        row = {scene::shown(mesh.name, 40), std::to_string(mesh.objects.size())};
+        for (const Count& count : kCounts)
+            row.push_back(std::to_string(mesh.report.*count.value));
+        row.insert(row.end(), {yes(mesh.report.isClosed()), yes(mesh.outward), yes(mesh.report.hasHoles),
+                               joined(mesh.sizeMetres, " x ")});
+    }
+    return aligned(rows);
+}
+
+std::string sceneLines(const Inspection& inspection) {
+    const SceneContent& content = *inspection.scene;
+    std::string lights;
+    for (const auto& [type, count] : content.lights)
+        if (count > 0) lights += (lights.empty() ? "" : ", ") + std::to_string(count) + " " + type;
+    const auto orNone = [](const std::string& text) { return text.empty() ? "none" : text; };
+    return aligned({{"objects", std::to_string(content.objects)},
+                    {"triangles", std::to_string(inspection.triangles)},
+                    {"lights", orNone(lights)},
+                    {"cameras", "1"},
+                    {"materials", named(inspection.materials)},
+                    {"cast no shadow", orNone(named(content.castNoShadow))},
+                    {"receive no shadow", orNone(named(content.receiveNoShadow))}});
+}
+
+/// What is odd about where, and how large, a mesh is.
+std::string oddities(const InspectedMesh& mesh) {
+    const std::string name = scene::shown(mesh.name, 40);
+    std::string text;
+    if (mesh.scale != Scale::ordinary)
+        text += "scale: " + name + " is " + metres(mesh.largestInWorld) + " m across, " +
+                (mesh.scale == Scale::tiny ? "smaller than a millimetre" : "larger than ten kilometres") +
+                "; was it made in another unit than metres?\n";
+    if (mesh.originOffset != dvec3(0.0))
+        text += "origin: " + name + " lies far from its origin; positions are kept relative to (" +
+                joined(mesh.originOffset, ", ") + "), so no detail is lost\n";
+    return text;
+}
+
+std::string text(const Inspection& inspection) {
+    const bool bare = !inspection.scene;
+    std::string text = scene::shown(inspection.file, 4096) + (bare ? ": a mesh\n\n" : ": a scene\n\n");
+    text += bare ? meshLines(inspection.meshes.front()) : sceneLines(inspection);
+    if (bare && !inspection.materials.empty()) text += "materials: " + named(inspection.materials) + "\n";
+    if (!bare && !inspection.meshes.empty()) text += "\n" + meshTable(inspection.meshes);
+    std::string more;
+    for (const InspectedMesh& mesh : inspection.meshes)
+        more += oddities(mesh);
+    for (const std::string& note : inspection.notes)
+        more += "note: " + scene::shown(note, 4096) + "\n";
+    if (!more.empty()) text += "\n" + more;
+    Rows rows;
+    for (const Remark& remark : inspection.remarks) {
+        std::vector<std::string> names;
+        for (const std::size_t mesh : remark.meshes)
+            names.push_back(inspection.meshes[mesh].name);
+        const bool all = names.size() == inspection.meshes.size();
+        rows.push_back({remark.technique, remark.sentence + (all ? "" : " [" + named(names) + "]")});
+    }
+    if (!rows.empty()) text += "\nWhat that means\n" + aligned(rows);
+    const bool allClosed =
+        std::ranges::all_of(inspection.meshes, [](const InspectedMesh& mesh) { return mesh.report.isClosed(); });
+    if (!allClosed)
+        text += "\nTo see these edges: shadowlab capture " + scene::shown(inspection.file, 4096) +
+                " --stage mesh-edges -o edges.png\n";
+    return text;
+}
+
+Json inspectionJson(const Inspection& inspection) {
+    Json meshes = Json::array(), remarks = Json::array(), scene;
+    for (const InspectedMesh& mesh : inspection.meshes) {
+        Json& entry = meshes.emplace_back(Json{{"name", mesh.name}, {"objects", mesh.objects}});
+        for (const Count& count : kCounts)
+            entry[count.key] = mesh.report.*count.value;
+        constexpr std::array kScales{"ordinary", "tiny", "huge"};
+        entry["closed"] = mesh.report.isClosed();
+        entry["outward"] = mesh.outward;
+        entry["holes"] = mesh.report.hasHoles;
+        entry["sizeMetres"] = vectorJson(mesh.sizeMetres);
+        entry["originOffset"] = vectorJson(mesh.originOffset);
+        entry["largestInWorld"] = mesh.largestInWorld;
+        entry["scale"] = kScales[static_cast<std::size_t>(mesh.scale)];
+    }
+    for (const Remark& remark : inspection.remarks)
+        for (const std::size_t mesh : remark.meshes)
+            remarks.push_back(
+                {{"technique", remark.technique}, {"mesh", inspection.meshes[mesh].name}, {"remark", remark.sentence}});
+    if (inspection.scene)
+        scene = {{"objects", inspection.scene->objects},
+                 {"lights", inspection.scene->lights},
+                 {"cameras", 1},
+                 {"castNoShadow", inspection.scene->castNoShadow},
+                 {"receiveNoShadow", inspection.scene->receiveNoShadow}};
+    return {{"file", inspection.file},
+            {"kind", inspection.scene ? "scene" : "mesh"},
+            {"name", inspection.name},
+            {"triangles", inspection.triangles},
+            {"materials", inspection.materials},
+            {"scene", scene},
+            {"meshes", meshes},
+            {"remarks", remarks},
+            {"notes", inspection.notes}};
+}
+
+} // namespace
+
+int inspect(const InspectOptions& options) {
+    const Inspection inspection = inspectFile(options);
+    print(options.json ? inspectionJson(inspection).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                       : text(inspection));
+    return 0;
+}
+
+} // namespace shadowlab::cli

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/inspection.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "app/context/assets.h"
+#include "app/picture/limits.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/query/outward_parts.h"
+#include "techniques/registry.h"
+
+namespace shadowlab::cli {
+
+namespace {
+
+double largest(const dvec3& size) { return glm::max(size.x, glm::max(size.y, size.z)); }
+
+/// Size of a mesh of its own, or of an object in the world.
+dvec3 sizeOf(const scene::Object& object) {
+    const scene::Bounds bounds = scene::boundsWorld(object);
+    return bounds.isEmpty() ? dvec3(0.0) : bounds.upperWorld - bounds.lowerWorld;
+}
+
+Scale scaleOf(double metres) {
+    if (metres < kTinyMetres) return Scale::tiny;
+    return metres > kHugeMetres ? Scale::huge : Scale::ordinary;
+}
+
+InspectedMesh inspectMesh(const std::string& name, const std::shared_ptr<const scene::Mesh>& mesh) {
+    InspectedMesh inspected;
+    inspected.name = name;
+    inspected.mesh = mesh;
+    inspected.report = scene::reportMesh(*mesh, scene::buildTopology(*mesh));
+    inspected.outward = mesh->outward;
+    scene::Object unmoved;
+    unmoved.mesh = mesh;
+    inspected.sizeMetres = sizeOf(unmoved);
+    inspected.originOffset = mesh->originObject;
+    return inspected;
+}
+
+void addObjects(Inspection& inspection, const scene::Scene& scene) {
+    std::unordered_map<const scene::Mesh*, std::size_t> known;
+    for (const scene::Object& object : scene.objects) {
+        if (object.emitterOfLight >= 0) continue; // not the user's, and no technique's concern
+        const auto [entry, isNew] = known.try_emplace(object.mesh.get(), inspection.meshes.size());
+        if (isNew) inspection.meshes.push_back(inspectMesh(object.name, object.mesh));
+        InspectedMesh& mesh = inspection.meshes[entry->second];
+        mesh.objects.push_back(object.name);
+        mesh.report.hasHoles |= scene::hasHoles(scene, object);
+        mesh.largestInWorld = glm::max(mesh.largestInWorld, largest(sizeOf(object)));
+        mesh.scale = scaleOf(mesh.largestInWorld);
+        inspection.triangles += object.mesh->triangles.size();
+    }
+}
+
+SceneContent contentOf(const scene::Scene& scene) {
+    SceneContent content;
+    for (const scene::Object& object : scene.objects) {
+        if (object.emitterOfLight >= 0) continue;
+        ++content.objects;
+        if (!object.castsShadow) content.castNoShadow.push_back(object.name);
+        if (!object.receivesShadow) content.receiveNoShadow.push_back(object.name);
+    }
+    using enum scene::LightType;
+    for (const scene::LightType type : {point, directional, spot, rect, sphere})
+        content.lights[std::string(toText(type))] = 0;
+    for (const scene::Light& light : scene.lights)
+        ++content.lights[std::string(toText(light.type))];
+    return content;
+}
+
+/// Equal sentences of one technique become one remark on several meshes.
+std::vector<Remark> remarksOn(const std::vector<InspectedMesh>& meshes) {
+    std::vector<Remark> remarks;
+    for (const RegisteredTechnique& registered : registeredTechniques()) {
+        const auto technique = registered.info->make();
+        std::unordered_map<std::string, std::size_t> known;
+        for (std::size_t i = 0; i < meshes.size(); ++i) {
+            const std::string sentence = technique->remark(meshes[i].report, *meshes[i].mesh);
+            if (sentence.empty()) continue;
+            const auto [entry, isNew] = known.try_emplace(sentence, remarks.size());
+            if (isNew) remarks.push_back({std::string(registered.info->id), sentence, {}});
+            remarks[entry->second].meshes.push_back(i);
+        }
+    }
+    return remarks;
+}
+
+/// A mesh as a scene of its own, with nothing else in it.
+scene::Scene alone(const std::string& name, scene::ObjFile obj) {
+    scene::Scene scene;
+    scene.materials = std::move(obj.materials);
+    scene.materials.emplace_back(); // of parts whose material no file defines
+    scene::Object object;
+    object.name = name;
+    const scene::MaterialsByName known = scene::materialsByName(scene.materials);
+    for (const scene::MeshPart& part : obj.mesh.parts) {
+        const auto found = known.find(part.materialName);
+        const bool isKnown = found != known.end();
+        object.partMaterials.push_back(isKnown ? found->second
+                                               : static_cast<std::uint32_t>(scene.materials.size()) - 1);
+    }
+    object.mesh = scene::sharedMesh(std::move(obj.mesh));
+    scene.objects.push_back(std::move(object));
+    return scene;
+}
+
+bool isMeshFile(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    for (char& c : ending)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return ending == ".obj";
+}
+
+} // namespace
+
+Inspection inspectFile(const InspectOptions& options) {
+    const scene::LoadOptions loading{
+        .assetsRoot = context::assetsRoot(), .allowed = options.allowed, .limits = picture::limits()};
+    Inspection inspection;
+    inspection.file = options.file;
+    std::vector<scene::Material> materials;
+    if (isMeshFile(options.file)) { // itself, not staged: floor and light are not its own
+        scene::ObjFile obj = scene::loadObj(options.file, scene::NormalMode::file, loading);
+        inspection.name = std::filesystem::path(options.file).stem().string();
+        inspection.notes = std::move(obj.notes);
+        materials = obj.materials;
+        addObjects(inspection, alone(inspection.name, std::move(obj)));
+    } else {
+        const auto scene = scene::loadScene(options.file, loading);
+        inspection.name = scene->name;
+        inspection.notes = scene->notes;
+        inspection.scene = contentOf(*scene);
+        materials = scene->materials;
+        addObjects(inspection, *scene);
+    }
+    for (const scene::Material& material : materials)
+        inspection.materials.push_back(material.name);
+    inspection.remarks = remarksOn(inspection.meshes);
+    return inspection;
+}
+
+} // namespace shadowlab::cli

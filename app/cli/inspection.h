@@ -1,0 +1,55 @@
+// What `inspect` finds out about a mesh file or a scene, before anybody writes it down. Needs no GL.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/command_line.h"
+#include "techniques/foundation/scene/query/mesh_topology.h"
+
+namespace shadowlab::cli {
+
+/// Is a mesh, as it stands in the world, of a size that metres are made for?
+enum class Scale { ordinary, tiny, huge };
+constexpr double kTinyMetres = 1e-3, kHugeMetres = 1e4; ///< largest extent
+
+struct InspectedMesh {
+    std::string name;                 ///< the file's, or of the first object that shows it
+    std::vector<std::string> objects; ///< those that show it, by name
+    std::shared_ptr<const scene::Mesh> mesh;
+    scene::MeshReport report;
+    bool outward = false;          ///< as scene/query/outward_parts.h has it
+    dvec3 sizeMetres{0.0};         ///< extent along x, y and z, as the file has it
+    dvec3 originOffset{0.0};       ///< what its coordinates are kept relative to (scene/model/mesh.h)
+    double largestInWorld = 0.0;   ///< largest extent, in metres, of the largest object that shows it
+    Scale scale = Scale::ordinary; ///< of that extent
+};
+
+/// One sentence that a technique has for some of the meshes.
+struct Remark {
+    std::string technique, sentence;
+    std::vector<std::size_t> meshes;
+};
+
+struct SceneContent {
+    std::size_t objects = 0;                  ///< surfaces of lights are not counted
+    std::map<std::string, int> lights;        ///< how many of each type
+    std::vector<std::string> castNoShadow;    ///< names of objects
+    std::vector<std::string> receiveNoShadow; ///< names of objects
+};
+
+struct Inspection {
+    std::string file, name;
+    std::optional<SceneContent> scene; ///< none for a bare mesh
+    std::uint64_t triangles = 0;       ///< of all objects, repetitions included
+    std::vector<std::string> materials, notes;
+    std::vector<InspectedMesh> meshes; ///< each once, in the order in which objects show them
+    std::vector<Remark> remarks;       ///< in the order of the techniques
+};
+
+/// Throws Error (badInput, overLimit) for what cannot be loaded.
+Inspection inspectFile(const InspectOptions& options);
+
+} // namespace shadowlab::cli

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/json/json_values.h"
+
+#include <cmath>
+
+namespace shadowlab::cli {
+
+Json vectorJson(const dvec2& v) { return {v.x, v.y}; }
+Json vectorJson(const dvec3& v) { return {v.x, v.y, v.z}; }
+Json vectorJson(const dvec4& v) { return {v.x, v.y, v.z, v.w}; }
+Json vectorJson(const std::optional<dvec3>& v) { return v ? vectorJson(*v) : Json(); }
+Json numberJson(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+Json numberJson(const std::optional<double>& value) { return value ? numberJson(*value) : Json(); }
+Json textJson(const std::string& text) { return text.empty() ? Json() : Json(text); }
+
+} // namespace shadowlab::cli

@@ -1,0 +1,26 @@
+// The values that the JSON of all commands is made of.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "techniques/foundation/math/types.h"
+
+namespace shadowlab::cli {
+
+using Json = nlohmann::ordered_json; // keys stay in the order in which they are written
+
+/// A list of the components.
+Json vectorJson(const dvec2& v);
+Json vectorJson(const dvec3& v);
+Json vectorJson(const dvec4& v);
+Json vectorJson(const std::optional<dvec3>& v); ///< null where there is none
+/// null where the number is infinite or none at all: JSON has no such number.
+Json numberJson(double value);
+Json numberJson(const std::optional<double>& value);
+/// null where the text is empty.
+Json textJson(const std::string& text);
+
+} // namespace shadowlab::cli

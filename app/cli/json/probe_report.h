@@ -1,0 +1,27 @@
+// What is known about a pixel, as text for people and as JSON for programs.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+#include <string>
+
+#include "techniques/probe.h"
+
+namespace shadowlab::cli {
+
+/// A pixel, and what was asked about it.
+struct ProbedPixel {
+    std::string scene, technique;
+    std::string light; ///< empty: the scene has none
+    ivec2 size{0}, pixel{0};
+    std::optional<ivec2> partner{};
+    Probe probe;
+};
+
+/// Facts a line each, then the tree, every ray indented below the one it comes from.
+std::string probeText(const ProbedPixel& probed);
+
+/// One object, with all digits: {"scene", "technique", "light", "size", "pixel", "partner", "facts", "vectors", "rays",
+/// "tree", "exchange", "decision", "volume", "map", "plane"}.
+std::string probeJson(const ProbedPixel& probed);
+
+} // namespace shadowlab::cli

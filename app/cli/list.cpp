@@ -1,0 +1,242 @@
+// `shadowlab list`: what there is, asked from the techniques and the folders themselves.
+// SPDX-License-Identifier: MIT
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "app/cli/command_line.h"
+#include "app/cli/json/json_values.h"
+#include "app/cli/messages.h"
+#include "app/context/assets.h"
+#include "app/course/deck.h"
+#include "app/course/lessons/lesson.h"
+#include "app/course/lessons/lesson_quantities.h"
+#include "app/figures/figures.h"
+#include "app/film/path.h"
+#include "app/picture/derived_stages.h"
+#include "app/picture/limits.h"
+#include "app/student/plugins.h"
+#include "app/window/actions.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/base/nearest_names.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/registry.h"
+#include "techniques/source_text.h"
+
+namespace shadowlab::cli {
+
+namespace {
+
+/// A list: one row a thing, each with the same named columns. Rows become tab-separated lines or JSON objects.
+struct Table {
+    std::vector<std::string> columns;
+    std::vector<std::vector<std::string>> rows;
+};
+
+/// Where it comes from: a folder of the project, or the file of a plug-in.
+std::string placeOf(const RegisteredTechnique& technique) {
+    const student::LoadedPlugin* const plugin = student::pluginOf(technique.folder);
+    return plugin ? plugin->file : "techniques/" + std::string(technique.folder);
+}
+
+Table techniquesTable() {
+    Table table{{"id", "title", "paper", "getsWrong", "folder"}, {}};
+    for (const RegisteredTechnique& technique : registeredTechniques()) {
+        const TechniqueInfo& info = *technique.info;
+        table.rows.push_back({std::string(info.id), std::string(info.title), std::string(info.paper),
+                              std::string(info.getsWrong), placeOf(technique)});
+    }
+    return table;
+}
+
+Table pluginsTable() {
+    Table table{{"file", "technique", "family"}, {}};
+    for (const student::LoadedPlugin& plugin : student::loadedPlugins())
+        for (const TechniqueInfo& info : plugin.techniques)
+            table.rows.push_back({plugin.file, std::string(info.id), std::string(plugin.plugin->family)});
+    return table;
+}
+
+Table parametersTable() {
+    Table table{{"parameter", "default", "range", "unit", "help"}, {}};
+    for (const RegisteredTechnique& technique : registeredTechniques())
+        for (const params::Param& param : technique.info->make()->params())
+            table.rows.push_back({std::string(technique.info->id) + "." + param.id, params::initialText(param),
+                                  params::rangeText(param), param.unit, param.help});
+    return table;
+}
+
+/// Lines of pseudocode as one line of a list.
+std::string inOneLine(std::string_view lines) {
+    std::string line;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (lines[i] == '\n') {
+            line += "; ";
+            while (i + 1 < lines.size() && lines[i + 1] == ' ')
+                ++i;
+        } else {
+            line += lines[i];
+        }
+    }
+    return line;
+}
+
+Table stagesTable() {
+    Table table{{"technique", "stage", "perLight", "caption", "why", "pseudocode", "glState", "derived"}, {}};
+    for (const RegisteredTechnique& technique : registeredTechniques()) {
+        const std::string id(technique.info->id);
+        for (const StageInfo& stage : picture::stagesOf(*technique.info))
+            table.rows.push_back({id, std::string(stage.id), stage.perLight ? "true" : "false",
+                                  std::string(stage.caption), "", "", "",
+                                  picture::isDerived(stage.id) ? "true" : "false"});
+        for (const PassInfo& pass : technique.info->passes)
+            table.rows.push_back({id, "pass:" + std::string(pass.id), pass.perLight ? "true" : "false",
+                                  std::string(pass.title), std::string(pass.why),
+                                  inOneLine(pseudocodeOf(*technique.info, pass)), std::string(pass.glState), "false"});
+    }
+    return table;
+}
+
+/// Where in the source each step is: every anchor of every pass.
+Table sourceTable() {
+    Table table{{"technique", "pass", "file", "lines", "anchor", "onlyIf"}, {}};
+    const SourceText source = SourceText::read();
+    for (const RegisteredTechnique& technique : registeredTechniques())
+        for (const PassInfo& pass : technique.info->passes)
+            for (const AnchorUse& use : anchorsOf(pass)) {
+                const Snippet& snippet = source.at(use.anchor);
+                table.rows.push_back({std::string(technique.info->id), std::string(pass.id), snippet.file,
+                                      std::to_string(snippet.lines.first) + "-" + std::to_string(snippet.lines.last),
+                                      use.anchor, use.parameter.empty() ? "" : use.parameter + "=" + use.value});
+            }
+    return table;
+}
+
+Table figuresTable() {
+    Table table{{"name", "techniques", "shows"}, {}};
+    for (const figures::Figure& figure : figures::figures())
+        table.rows.push_back({std::string(figure.name), std::string(figure.techniques), std::string(figure.shows)});
+    return table;
+}
+
+Table decksTable() {
+    const scene::LoadOptions loading{.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = picture::limits()};
+    Table table{{"name", "title", "slides"}, {}};
+    for (const std::string& name : course::builtInDecks(loading.assetsRoot)) {
+        const course::Deck deck(name, loading);
+        table.rows.push_back({name, deck.title(), std::to_string(deck.slides().size())});
+    }
+    return table;
+}
+
+Table lessonsTable() {
+    Table table{{"name", "title", "happens", "mends"}, {}};
+    for (const course::LessonText& lesson : course::builtInLessons(context::assetsRoot()))
+        table.rows.push_back({lesson.name, lesson.title, lesson.happens, lesson.mends});
+    return table;
+}
+
+Table quantitiesTable() {
+    Table table{{"quantity", "unit", "help"}, {}};
+    for (const course::LessonQuantity& quantity : course::lessonQuantities())
+        table.rows.push_back({std::string(quantity.id), std::string(quantity.unit), std::string(quantity.help)});
+    return table;
+}
+
+Table scenesTable() {
+    Table table{{"name"}, {}};
+    for (const std::string& name : scene::builtInScenes(context::assetsRoot()))
+        table.rows.push_back({name});
+    return table;
+}
+
+Table backendsTable() {
+    Table table{{"name", "available", "version", "renderer", "reason", "mend"}, {}};
+    for (const context::BackendReport& report : context::probeBackends())
+        table.rows.push_back({report.name, report.available ? "true" : "false", report.version, report.renderer,
+                              report.reason, report.mend});
+    return table;
+}
+
+/// What the driver of the default context can hold; nothing, with a note, on a machine without graphics.
+void addDriverLimits(Table& table) {
+    try {
+        const std::unique_ptr<context::Context> context = context::createContext(context::Backend::automatic);
+        const auto limit = [&](const char* name, GLenum which, const char* unit) {
+            GLint value = 0;
+            glGetIntegerv(which, &value);
+            table.rows.push_back({name, std::to_string(value), unit});
+        };
+        limit("driver-texture-side", GL_MAX_TEXTURE_SIZE, "texels");
+        limit("driver-texture-layers", GL_MAX_ARRAY_TEXTURE_LAYERS, "layers");
+        limit("driver-buffer-texture", GL_MAX_TEXTURE_BUFFER_SIZE, "texels");
+        limit("driver-sub-pixel", GL_SUBPIXEL_BITS, "bits");
+    } catch (const Error& why) {
+        note(std::string("the limits of the graphics driver are not known: ") + why.what());
+    }
+}
+
+Table keysTable() {
+    Table table{{"action", "group", "keys", "help"}, {}};
+    for (const window::Action& action : window::actions())
+        table.rows.push_back({action.id, action.group, action.keys, action.help});
+    return table;
+}
+
+Table limitsTable() {
+    Table table{{"limit", "value", "unit"}, {}};
+    for (const picture::NamedLimit& limit : picture::namedLimits())
+        table.rows.push_back({limit.name, std::to_string(limit.value()), limit.unit});
+    addDriverLimits(table);
+    return table;
+}
+
+std::string lines(const Table& table) {
+    std::string text;
+    for (const std::vector<std::string>& row : table.rows)
+        for (std::size_t i = 0; i < row.size(); ++i)
+            text += row[i] + (i + 1 < row.size() ? '\t' : '\n');
+    return text;
+}
+
+std::string tableJson(const std::string& what, const Table& table) {
+    Json entries = Json::array();
+    for (const std::vector<std::string>& row : table.rows) {
+        Json entry;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const bool boolean =
+                table.columns[i] == "available" || table.columns[i] == "perLight" || table.columns[i] == "derived";
+            if (boolean)
+                entry[table.columns[i]] = row[i] == "true";
+            else
+                entry[table.columns[i]] = row[i];
+        }
+        entries.push_back(std::move(entry));
+    }
+    return Json{{what, entries}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace
+
+int list(const ListOptions& options) {
+    const std::vector<std::pair<std::string, std::function<Table()>>> tables = {
+        {"techniques", techniquesTable}, {"plugins", pluginsTable},   {"parameters", parametersTable},
+        {"stages", stagesTable},         {"source", sourceTable},     {"scenes", scenesTable},
+        {"figures", figuresTable},       {"decks", decksTable},       {"lessons", lessonsTable},
+        {"quantities", quantitiesTable}, {"backends", backendsTable}, {"keys", keysTable},
+        {"limits", limitsTable}};
+    std::vector<std::string> known;
+    for (const auto& [name, make] : tables) {
+        if (name == options.what) {
+            const Table table = make();
+            print(options.json ? tableJson(name, table) : lines(table));
+            return 0;
+        }
+        known.push_back(name);
+    }
+    throw Error(ExitStatus::usage,
+                "list: nothing is called '" + options.what + "'; " + suggestion(options.what, known));
+}
+
+} // namespace shadowlab::cli

@@ -1,0 +1,22 @@
+// The program's voice: data on standard output, talk on standard error, one line a sentence.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string_view>
+
+namespace shadowlab::cli {
+
+/// Called once, first thing in main: a standard descriptor that the caller has closed gets a stand-in. Otherwise the
+/// next file to be opened would take its number, and messages would end up inside a picture.
+void keepStandardDescriptors();
+
+/// Writes data to standard output at once. Throws Error (cannotWrite) with the reason when that fails; a reader that
+/// has closed its end of the pipe (`list parameters | head -1`) has what it wanted, and is no failure.
+void print(std::string_view text);
+
+/// "shadowlab: note: ..." on standard error: something the user should know and need not mend.
+void note(std::string_view sentence);
+
+/// "shadowlab: ..." on standard error: why the program ends without having done what was asked.
+void complain(std::string_view sentence);
+
+} // namespace shadowlab::cli

@@ -1,0 +1,26 @@
+// The options of a sequence of frames, the same for every command that draws one.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <optional>
+
+#include "app/cli/option_values.h"
+#include "app/film/motion.h"
+
+namespace shadowlab::cli {
+
+struct MotionOptions {
+    std::optional<int> frames; ///< nothing: to the last key of the path, else one
+    std::optional<double> orbitLightDegrees, orbitCameraDegrees;
+    std::filesystem::path path; ///< empty: none
+};
+
+void describeMotion(CLI::App& command);
+
+/// Throws Error (usage) for what is wrong in itself, or contradicts itself.
+MotionOptions motionOptions(const GivenOptions& given);
+
+/// The motion that is meant for this scene. Reads the path. Throws Error (badInput, overLimit).
+film::Motion motionOf(const MotionOptions& options, const scene::Scene& scene);
+
+} // namespace shadowlab::cli

@@ -1,0 +1,180 @@
+// Numbers are read with from_chars: no locale may turn a point into a comma.
+// SPDX-License-Identifier: MIT
+#include "app/cli/option_values.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include <CLI/CLI.hpp>
+
+#include "app/picture/limits.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/base/nearest_names.h"
+#include "techniques/foundation/scene/load/message_text.h"
+
+namespace shadowlab::cli {
+
+namespace {
+
+/// Reads the whole text as a number. A number too large for its type counts as one: `text` is then beyond any limit.
+template <typename Number>
+bool readWhole(std::string_view text, Number& value) {
+    const char *begin = text.data(), *end = begin + text.size();
+    const auto [last, error] = std::from_chars(begin, end, value);
+    if (error == std::errc::result_out_of_range && *begin != '-') value = std::numeric_limits<Number>::max();
+    return error != std::errc::invalid_argument && last == end;
+}
+
+} // namespace
+
+void refuseUsage(const std::string& message) { throw Error(ExitStatus::usage, message); }
+
+std::vector<std::string> GivenOptions::texts(const std::string& option) const {
+    const CLI::Option* found = command_.get_option(option);
+    std::vector<std::string> texts = found->count() > 0 ? found->results() : std::vector<std::string>{};
+    if (std::ranges::find(texts, "") != texts.end())
+        refuseUsage(option + ": an empty text is given; write a value after it, or leave " + option + " out");
+    return texts;
+}
+
+std::vector<std::filesystem::path> GivenOptions::allowedFolders() const {
+    std::vector<std::filesystem::path> folders;
+    for (const std::string& folder : texts("--allow")) {
+        std::error_code ignored;
+        if (!std::filesystem::is_directory(folder, ignored))
+            refuseUsage("--allow: '" + scene::shown(folder) +
+                        "' is no folder; write one that is there, or leave it out");
+        folders.emplace_back(folder);
+    }
+    return folders;
+}
+
+std::string GivenOptions::text(const std::string& option, const std::string& fallback) const {
+    const std::vector<std::string> given = texts(option);
+    if (given.size() > 1) refuseUsage(option + " is given " + std::to_string(given.size()) + " times; give it once");
+    return given.empty() ? fallback : given.front();
+}
+
+std::string GivenOptions::required(const std::string& option, const std::string& example) const {
+    if (!has(option)) refuseUsage(command_.get_name() + ": " + option + " is missing; write " + example);
+    return text(option);
+}
+
+bool GivenOptions::has(const std::string& option) const { return command_.get_option(option)->count() > 0; }
+
+void addOption(CLI::App& command, const std::string& names, const std::string& value, const std::string& help) {
+    CLI::Option* option = command.add_option(names, help);
+    option->expected(1)->take_all()->allow_extra_args(false);
+    option->type_name(value);
+}
+
+void addArguments(CLI::App& command, const std::string& name, const std::string& help) {
+    constexpr int kAnyNumber = CLI::detail::expected_max_vector_size;
+    command.add_option(name, help)->expected(1, kAnyNumber)->take_all()->allow_extra_args(true)->type_name("");
+}
+
+/// The name's ending tells what is in a file, and keeps a slip of the hand from overwriting a scene or a mesh. What
+/// stands for a device or a pipe may have any name.
+void requireEnding(const std::string& option, const std::filesystem::path& path, const std::string& ending) {
+    std::error_code ignored;
+    const bool device = path.native().starts_with("/dev/") || path.native().starts_with("/proc/self/fd/");
+    if (device || std::filesystem::is_fifo(path, ignored) || std::filesystem::is_directory(path, ignored)) return;
+    std::string found = path.extension().string();
+    std::ranges::transform(found, found.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    if (found != ending)
+        refuseUsage(option + ": '" + path.string() + "' does not end in " + ending + "; write " + path.string() +
+                    ending);
+}
+
+ivec2 pixelFrom(const std::string& option, const std::string& text, ivec2 size) {
+    ivec2 pixel(-1);
+    const char *const begin = text.data(), *const end = begin + text.size();
+    const auto [comma, error] = std::from_chars(begin, end, pixel.x);
+    const bool pair = error == std::errc{} && comma != end && *comma == ',';
+    const auto [last, errorY] = std::from_chars(pair ? comma + 1 : end, end, pixel.y);
+    if (!pair || errorY != std::errc{} || last != end)
+        refuseUsage(option + ": '" + text + "' is not a pixel; write its column and row, as 320,180");
+    if (pixel.x < 0 || pixel.y < 0 || pixel.x >= size.x || pixel.y >= size.y)
+        refuseUsage(option + ": '" + text + "' is outside the picture of " + std::to_string(size.x) + " x " +
+                    std::to_string(size.y) + " pixels; columns are 0 to " + std::to_string(size.x - 1) +
+                    ", rows 0 to " + std::to_string(size.y - 1));
+    return pixel;
+}
+
+ivec2 sizeFrom(const std::string& option, const std::string& text, std::string_view limit) {
+    const std::size_t cross = std::min(text.find('x'), text.size());
+    const std::string width = text.substr(0, cross), height = cross < text.size() ? text.substr(cross + 1) : "";
+    ivec2 size{0};
+    if (!readWhole(width, size.x) || !readWhole(height, size.y) || size.x < 1 || size.y < 1)
+        refuseUsage(option + ": '" + text + "' is not a size; write WIDTHxHEIGHT in pixels, as 1280x720");
+    const std::uint64_t longestSide = picture::limitNamed(limit);
+    if (static_cast<std::uint64_t>(std::max(size.x, size.y)) > longestSide)
+        throw Error(ExitStatus::overLimit,
+                    option + ": '" + text + "' is larger than " + std::to_string(longestSide) +
+                        " pixels, the limit for either side; choose a smaller size, or set --limit " +
+                        std::string(limit) + "=VALUE");
+    return size;
+}
+
+bool booleanFrom(const std::string& option, const std::string& text) {
+    if (text != "true" && text != "false")
+        refuseUsage(option + ": '" + text + "' is neither true nor false; write one of them");
+    return text == "true";
+}
+
+double degreesFrom(const std::string& option, const std::string& text) {
+    double value = 0;
+    if (!readWhole(text, value) || !(std::abs(value) <= 1e6))
+        refuseUsage(option + ": '" + text + "' is not a number within ±1000000; write degrees, as 360");
+    return value;
+}
+
+double secondsFrom(const std::string& option, const std::string& text) {
+    constexpr double kLeastSeconds = 0.01, kMostSeconds = 60; // in milliseconds a number of 16 bits
+    double seconds = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+    if (error != std::errc{} || end != text.data() + text.size() ||
+        !(seconds >= kLeastSeconds && seconds <= kMostSeconds))
+        refuseUsage(option + ": '" + text +
+                    "' is no time that a picture can stay; write seconds from 0.01 to 60, as 2.5");
+    return seconds;
+}
+
+int countFrom(const std::string& option, const std::string& text, int most) {
+    int value = 0;
+    if (!readWhole(text, value) || value < 1 || value > most)
+        refuseUsage(option + ": '" + text + "' is not a whole number from 1 to " + std::to_string(most) +
+                    "; write one");
+    return value;
+}
+
+int limitedCountFrom(const std::string& option, const std::string& text, std::string_view limit) {
+    int value = 0;
+    if (!readWhole(text, value) || value < 1)
+        (void)countFrom(option, text, static_cast<int>(picture::limitNamed(limit))); // refuses it
+    if (static_cast<std::uint64_t>(value) > picture::limitNamed(limit))
+        throw Error(ExitStatus::overLimit, option + ": " + text + " is more than the limit of " +
+                                               std::to_string(picture::limitNamed(limit)) +
+                                               "; write less, or set --limit " + std::string(limit) + "=VALUE");
+    return value;
+}
+
+int choiceFrom(const std::string& option, const std::string& text, const std::vector<std::string>& choices) {
+    const auto found = std::ranges::find(choices, text);
+    if (found != choices.end()) return static_cast<int>(found - choices.begin());
+    refuseUsage(option + ": '" + text + "' is not one of its values; " + suggestion(text, choices));
+}
+
+std::vector<std::string> splitAtCommas(const std::vector<std::string>& texts) {
+    std::vector<std::string> parts;
+    for (const std::string& text : texts)
+        for (std::size_t begin = 0; begin <= text.size();) {
+            const std::size_t end = std::min(text.find(',', begin), text.size());
+            parts.push_back(text.substr(begin, end - begin));
+            begin = end + 1;
+        }
+    return parts;
+}
+
+} // namespace shadowlab::cli

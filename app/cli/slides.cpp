@@ -1,0 +1,225 @@
+// `shadowlab slides`: decks as pictures, as a page for a browser, and as a text for pandoc.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "app/cli/command_line.h"
+#include "app/cli/messages.h"
+#include "app/cli/progress.h"
+#include "app/cli/slides_options.h"
+#include "app/context/assets.h"
+#include "app/context/signals.h"
+#include "app/course/slides/pages.h"
+#include "app/course/slides/unfinished.h"
+#include "app/picture/digest.h"
+#include "app/picture/limits.h"
+#include "app/student/program_digest.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/base/nearest_names.h"
+#include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
+#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/scene/load/message_text.h"
+
+namespace shadowlab::cli {
+
+namespace {
+
+using course::Deck;
+
+void makeFolder(const std::filesystem::path& folder) {
+    image::makeFolders(folder);
+    image::probeWritable(folder / "slide.png");
+}
+
+/// "07-silhouettes"
+std::string numbered(const Deck& deck, std::size_t slide) {
+    std::array<char, 24> number{};
+    std::snprintf(number.data(), number.size(), "%02zu-", slide + 1);
+    return number.data() + deck.slides()[slide];
+}
+
+class Slides {
+public:
+    explicit Slides(const SlidesOptions& options) : options_(options) {}
+
+    int run() {
+        openDecks();
+        context_ = context::createContext(options_.backend); // before the folders: without graphics none is left behind
+        std::error_code ignored;
+        const std::filesystem::path folders[] = {options_.output / "pictures", options_.output};
+        const bool were[] = {std::filesystem::exists(folders[0], ignored),
+                             std::filesystem::exists(folders[1], ignored)};
+        makeFolder(folders[1]);
+        makeFolder(folders[0]);
+        makePainter();
+        progress_.emplace("slide", total_);
+        try {
+            for (Deck& deck : decks_)
+                draw(deck);
+        } catch (const context::Interrupted&) {
+            note("interrupted; the same command goes on from here");
+            throw;
+        }
+        comeToTheEnd();
+        for (const int i : {0, 1}) // one that nothing came into goes again
+            if (!were[i] && std::filesystem::is_empty(folders[i], ignored))
+                std::filesystem::remove(folders[i], ignored);
+        return static_cast<int>(worst_);
+    }
+
+private:
+    void openDecks() {
+        const scene::LoadOptions loading{
+            .assetsRoot = context::assetsRoot(), .allowed = options_.allowed, .limits = picture::limits()};
+        std::vector<std::string> names = options_.decks;
+        if (names.empty()) names = course::builtInDecks(loading.assetsRoot);
+        for (const std::string& name : names) {
+            Deck deck(name, loading);
+            image::keepInput(deck.file());
+            if (std::ranges::find(decks_, deck.name(), &Deck::name) != decks_.end())
+                throw Error(ExitStatus::usage, "two of the decks are called '" + scene::shown(deck.name()) +
+                                                   "', and so would be their slides; draw them into two folders");
+            decks_.push_back(std::move(deck));
+        }
+        checkOnly();
+        for (const Deck& deck : decks_) {
+            for (std::size_t i = 0; i < deck.slides().size(); ++i)
+                image::requireNoInput(options_.output / (deck.name() + "-" + numbered(deck, i) + ".png"));
+            for (const char* ending : {".html", ".md"})
+                image::requireNoInput(options_.output / (deck.name() + ending));
+        }
+        for (const Deck& deck : decks_)
+            for (const std::string& slide : deck.slides())
+                total_ += isWanted(slide);
+    }
+
+    void makePainter() {
+        const course::SlideLook& look = options_.look;
+        if (const int limit = context::largestSide(); std::max(look.size.x, look.size.y) * look.supersample > limit)
+            throw Error(ExitStatus::overLimit, "a picture needs more samples on a side than the " +
+                                                   std::to_string(limit) +
+                                                   " of this OpenGL driver; choose a smaller --size or --supersample");
+        painter_ = std::make_unique<course::SlidePainter>(context::assetsRoot() / "fonts", look);
+        madeBy_ = student::programDigest() + context::glVersion() + context::glRenderer() +
+                  std::to_string(look.size.x) + "x" + std::to_string(look.size.y) + " by " +
+                  std::to_string(look.supersample);
+    }
+
+    /// The next run draws all slides anew.
+    void comeToTheEnd() {
+        for (const Deck& deck : decks_) {
+            const course::Unfinished unfinished(options_.output, deck.name());
+            if (options_.only.empty()) unfinished.discardAll();
+            std::vector<std::string> drawn;
+            for (std::size_t i = 0; i < deck.slides().size(); ++i)
+                if (isWanted(deck.slides()[i])) drawn.push_back(numbered(deck, i));
+            unfinished.discard(drawn);
+        }
+        if (stood_ > 0)
+            note(std::to_string(stood_) + " of " + std::to_string(total_) +
+                 " slides were there already, from a run that did not come to its end");
+    }
+
+    [[nodiscard]] bool isWanted(const std::string& slide) const {
+        return options_.only.empty() || std::ranges::find(options_.only, slide) != options_.only.end();
+    }
+
+    void checkOnly() const {
+        std::vector<std::string> known;
+        for (const Deck& deck : decks_)
+            known.insert(known.end(), deck.slides().begin(), deck.slides().end());
+        for (const std::string& slide : options_.only)
+            if (std::ranges::find(known, slide) == known.end())
+                throw Error(ExitStatus::usage,
+                            "--only: no slide is called '" + scene::shown(slide) + "'; " + suggestion(slide, known));
+    }
+
+    void draw(Deck& deck) {
+        if (const course::Unfinished unfinished(options_.output, deck.name()); unfinished.isForeign())
+            note(scene::shownPath(unfinished.file()) +
+                 ": is none of ours, so an interrupted run would begin again; move it away");
+        std::vector<course::PageSlide> pages;
+        for (std::size_t i = 0; i < deck.slides().size(); ++i) {
+            if (!isWanted(deck.slides()[i])) continue;
+            context::throwIfInterrupted();
+            try {
+                pages.push_back(draw(deck, i));
+            } catch (const Error& error) {
+                if (error.status() == ExitStatus::cannotWrite) throw; // the next would fail as well
+                complain(place(deck, i, error.what()));
+                if (worst_ == ExitStatus::ok) worst_ = error.status();
+            }
+            progress_->done(++done_);
+        }
+        if (!options_.only.empty() || pages.empty()) return;
+        image::writeWhole(options_.output / (deck.name() + ".html"), course::htmlPage(deck, pages));
+        image::writeWhole(options_.output / (deck.name() + ".md"), course::markdown(deck, pages));
+    }
+
+    /// What is wrong with a slide, naming it; what the file's readers say names file and line already.
+    static std::string place(const Deck& deck, std::size_t slide, const std::string& what) {
+        const std::string file = scene::shownPath(deck.file());
+        const std::string which = "slide '" + deck.slides()[slide] + "': ";
+        if (what.starts_with(file + ":")) return what + " (slide '" + deck.slides()[slide] + "')";
+        return file + ": " + which + what;
+    }
+
+    course::PageSlide draw(Deck& deck, std::size_t number) {
+        course::PageSlide page{deck.read(number), {}, "", ""};
+        const std::string name = deck.name() + "-" + numbered(deck, number);
+        course::SlideFiles files{name + ".png"};
+        if (!page.slide.pictures.empty()) files.emplace_back(page.pictureFile = "pictures/" + name + ".png");
+        if (course::showsWordsAsPicture(page.slide))
+            files.emplace_back(page.wordsFile = "pictures/" + name + "-with-words.png");
+        const course::Unfinished unfinished(options_.output, deck.name());
+        const std::string from = madeFrom(deck, page.slide);
+        if (std::optional<std::vector<std::uint8_t>> png = unfinished.find(numbered(deck, number), from, files)) {
+            page.png = std::move(*png);
+            ++stood_;
+            return page;
+        }
+        const course::DrawnSlide drawn = painter_->draw(page.slide, {deck.title(), number + 1, deck.slides().size()});
+        std::vector<image::PngText> text{{"Title", page.slide.title}};
+        if (!page.slide.alt.empty()) text.push_back({"Description", page.slide.alt});
+        std::vector<std::string> digests;
+        const auto write = [&](const std::string& file, const image::Image& picture) {
+            std::vector<std::uint8_t> png = image::encodePng(picture, {.opaque = true, .text = text});
+            image::writeWhole(options_.output / file, png);
+            digests.push_back(picture::digestOf(png));
+            return png;
+        };
+        page.png = write(name + ".png", drawn.slide);
+        if (!page.pictureFile.empty()) write(page.pictureFile, drawn.pictures);
+        if (!page.wordsFile.empty()) write(page.wordsFile, drawn.content);
+        unfinished.keep(numbered(deck, number), from, digests); // last: with it the slide stands
+        return page;
+    }
+
+    /// A digest of all that the slide's files depend on.
+    [[nodiscard]] std::string madeFrom(const Deck& deck, const course::Slide& slide) const {
+        std::string all = madeBy_ + deck.text();
+        for (const course::SlidePicture& picture : slide.pictures)
+            all += picture::digestOf(*picture.state.scene);
+        return picture::digestOf(all);
+    }
+
+    const SlidesOptions& options_;
+    std::vector<Deck> decks_;
+    std::string madeBy_; ///< what all slides have in common
+    std::unique_ptr<context::Context> context_;
+    std::unique_ptr<course::SlidePainter> painter_;
+    std::optional<Progress> progress_;
+    int total_ = 0;                     ///< slides that are asked for
+    int done_ = 0, stood_ = 0;          ///< of them: so far; drawn by a run before this one
+    ExitStatus worst_ = ExitStatus::ok; ///< of the first slide that failed
+};
+
+} // namespace
+
+int slides(const SlidesOptions& options) { return Slides(options).run(); }
+
+} // namespace shadowlab::cli

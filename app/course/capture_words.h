@@ -1,0 +1,23 @@
+// The words of a command line that make the picture which is on show.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/lab/document.h"
+
+namespace shadowlab::course {
+
+/// What follows the program's name: `capture SCENE -o OUT.png -t ...`. `sceneFile` holds the scene as it is seen, with its
+/// camera; `size` is that of the picture area.
+std::vector<std::string> captureWords(const lab::Document& document, const std::filesystem::path& sceneFile,
+                                      const std::filesystem::path& picture, ivec2 size);
+
+/// For a shell: words with odd characters in quotes.
+std::string asCommandLine(const std::vector<std::string>& words);
+
+/// "single", "side", "split", "grid", "diff".
+std::string_view layoutName(picture::Layout layout);
+
+} // namespace shadowlab::course

@@ -1,0 +1,31 @@
+// A deck's slides as one page for a browser, and as a text for pandoc.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "app/course/deck.h"
+
+namespace shadowlab::course {
+
+/// A slide that was drawn.
+struct PageSlide {
+    Slide slide;
+    std::vector<std::uint8_t> png; ///< of the whole slide
+    std::string pictureFile;       ///< of its pictures alone, beside the page; empty: it has none
+    std::string wordsFile;         ///< of its pictures with the words beside them, where showsWordsAsPicture()
+};
+
+/// Presentation programs set words too large to stand beside a picture, and not all of them set formulas: where a slide has many
+/// words, formulas or pseudocode, Markdown shows them as they are drawn.
+bool showsWordsAsPicture(const Slide& slide);
+
+/// One HTML page that needs nothing else: keys, captions, descriptions, an overview, and one slide on each printed page.
+std::string htmlPage(const Deck& deck, const std::vector<PageSlide>& slides);
+
+/// Markdown that pandoc turns into PPTX or Beamer: headings, pictures, captions; descriptions as notes, with the
+/// formulas as TeX.
+std::string markdown(const Deck& deck, const std::vector<PageSlide>& slides);
+
+} // namespace shadowlab::course

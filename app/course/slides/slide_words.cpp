@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "app/course/slides/slide_words.h"
+
+#include <algorithm>
+#include <array>
+
+#include "techniques/foundation/base/error.h"
+
+namespace shadowlab::course {
+
+namespace {
+
+using drawing::Drawing;
+using drawing::TextStyle;
+
+constexpr const char *kTextInk = "#1a1a1a", *kMarkedGround = "#ffe9b8";
+constexpr double kFormulaSize = 1.25; ///< times the type beside it
+constexpr double kBetween = 0.6;      ///< em between paragraphs
+
+/// Writes from the top down; with a null sheet it only measures.
+class Column {
+public:
+    Column(Drawing* drawing, const Box& box, double type, const Fonts& fonts)
+        : svg_(drawing), box_(box), type_(type), fonts_(fonts) {}
+
+    void paragraph(const std::string& text) {
+        for (const std::string& line : fonts_.upright.wrap(text, type_, static_cast<int>(box_.size.x)))
+            put(line, 0, false);
+        y_ += kBetween * type_;
+    }
+    /// Lines keep their indentation, also where they go on.
+    void code(const std::string& text, bool isMarked) {
+        const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
+        const double indent = 0.5 * type_ * static_cast<double>(blanks);
+        for (const std::string& line :
+             fonts_.upright.wrap(text.substr(blanks), type_, static_cast<int>(box_.size.x - indent)))
+            put(line, indent, isMarked);
+        y_ += 0.2 * type_;
+    }
+    void formula(const std::string& tex) {
+        const drawing::Formula formula(tex);
+        const drawing::FormulaFonts fonts = fonts_.formula();
+        double em = kFormulaSize * type_;
+        drawing::Extent extent = formula.measure(em, fonts);
+        if (extent.width > box_.size.x) {
+            em *= box_.size.x / extent.width;
+            extent = formula.measure(em, fonts);
+        }
+        isTooSmall_ = isTooSmall_ || em < kLeastType;
+        y_ += extent.above;
+        if (svg_) formula.draw(*svg_, box_.corner + dvec2(0, y_), em, kTextInk, fonts);
+        y_ += extent.below + kBetween * type_;
+    }
+    [[nodiscard]] bool fits() const { return y_ <= box_.size.y && !isTooSmall_; }
+
+private:
+    void put(const std::string& line, double indent, bool isMarked) {
+        const double height = kLineHeight * type_;
+        if (svg_ && isMarked)
+            svg_->rectangle(box_.corner + dvec2(-8, y_ + 0.12 * type_), {box_.size.x + 16, height}, kMarkedGround,
+                            {kMarkedGround, 0, false});
+        y_ += height;
+        if (svg_)
+            svg_->text(box_.corner + dvec2(indent, y_ - 0.12 * type_), line,
+                       {.size = type_, .isBold = isMarked, .color = kTextInk, .hasRim = false});
+    }
+
+    Drawing* svg_;
+    Box box_;
+    double type_;
+    const Fonts& fonts_;
+    double y_ = 0;
+    bool isTooSmall_ = false;
+};
+
+/// Text first, then formulas, then the pseudocode. Does it fit?
+bool write(Drawing* drawing, const Slide& slide, const Box& box, double type, const Fonts& fonts) {
+    Column column(drawing, box, type, fonts);
+    for (const std::string& text : slide.text)
+        column.paragraph(text);
+    for (const std::string& tex : slide.formulas)
+        column.formula(tex);
+    int number = 0;
+    for (const std::string& line : slide.pseudocode)
+        column.code(line, std::ranges::find(slide.marked, ++number) != slide.marked.end());
+    return column.fits();
+}
+
+} // namespace
+
+void writeWords(Drawing& drawing, const Slide& slide, const SlideLayout& layout, const Fonts& fonts) {
+    if (layout.words.size.x <= 0) return;
+    for (const double type : {36.0, 32.0, 29.0, 26.0, kLeastType}) {
+        if (!write(nullptr, slide, layout.words, type, fonts)) continue;
+        write(&drawing, slide, layout.words, type, fonts);
+        return;
+    }
+    throw Error(ExitStatus::badInput,
+                "the words do not fit beside the pictures in type that can be read; make them fewer, or two slides");
+}
+
+} // namespace shadowlab::course

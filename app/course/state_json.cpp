@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "app/course/state_json.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "app/course/capture_words.h"
+#include "app/course/lessons/lesson_parts.h"
+#include "app/film/light_changes.h"
+#include "app/lab/settings.h"
+#include "techniques/foundation/scene/json/scene_json.h"
+#include "techniques/foundation/scene/load/message_text.h"
+
+namespace shadowlab::course {
+
+using scene::JsonObject;
+using scene::JsonValue;
+
+namespace {
+
+/// The innermost level that has one of the keys; without one the outermost, which then says that it is missing.
+const JsonObject& having(std::span<const JsonObject* const> levels, std::initializer_list<std::string_view> keys) {
+    for (std::size_t i = levels.size(); i-- > 0;)
+        for (const std::string_view key : keys)
+            if (levels[i]->find(key)) return *levels[i];
+    return *levels.front();
+}
+bool hasStage(const JsonObject& object) { return object.find("stage") || object.find("step"); }
+
+} // namespace
+
+ShownState StateReader::read(std::span<const JsonObject* const> levels) {
+    ShownState state;
+    loadScene(having(levels, {"scene"}), state);
+    state.camera = state.scene->camera;
+    std::vector<scene::Light> lights = state.scene->lights;
+    for (const JsonObject* level : levels) {
+        if (const JsonValue* camera = level->find("camera"))
+            state.camera = scene::readCamera(scene::NumberRanges{}, document_, *camera,
+                                             "the camera of " + level->what(), state.camera);
+        film::readLightChanges(*level, lights);
+    }
+    state.scene = scene::withLights(state.scene, lights);
+    if (const JsonObject& lightOf = having(levels, {"light"}); lightOf.find("light")) {
+        std::vector<std::string> names;
+        for (const scene::Light& light : state.scene->lights)
+            names.push_back(light.name);
+        state.light = oneOf(lightOf, "light", lightOf.text("light"), names);
+    }
+    // A stage of all slots is that of slots further out, or beside them; slots further in have their own.
+    const JsonObject& slotsAt = having(levels, {"slots", "technique"});
+    const JsonObject& stageAt = having(levels, {"stage", "step"});
+    const bool isOfThem =
+        hasStage(stageAt) && std::ranges::find(levels, &stageAt) >= std::ranges::find(levels, &slotsAt);
+    readSlots(slotsAt, isOfThem ? &stageAt : nullptr, state);
+    const JsonObject& layoutOf = having(levels, {"layout"});
+    std::vector<std::string> layouts;
+    for (const picture::Layout layout : {picture::Layout::single, picture::Layout::side, picture::Layout::split, picture::Layout::grid, picture::Layout::diff})
+        layouts.emplace_back(layoutName(layout));
+    state.layout = static_cast<picture::Layout>(
+        oneOf(layoutOf, "layout", layoutOf.text("layout", state.slots.size() == 1 ? "single" : "side"), layouts));
+    const int shown = state.layout == picture::Layout::grid ? lab::kPanes : lab::shownPanes(state.layout);
+    if (static_cast<int>(state.slots.size()) != shown)
+        layoutOf.fail("layout", "shows " + scene::counted(static_cast<std::uint64_t>(shown), "technique") + ", and " +
+                                    std::to_string(state.slots.size()) + " are under \"slots\"; write as many");
+    if (const JsonObject& splitOf = having(levels, {"split"}); splitOf.find("split")) {
+        if (state.layout != picture::Layout::split)
+            splitOf.fail("split", R"(is the share of the left one of two in "layout": "split"; leave it out)");
+        state.split = splitOf.number("split", scene::Range::between(0, 1));
+    }
+    readSettings(levels, state);
+    return state;
+}
+
+/// As `capture --stage` takes it; a step is the pass of that name.
+std::string StateReader::readStage(const JsonObject& object, const TechniqueInfo& info, const ShownState& state) {
+    if (!hasStage(object)) return {};
+    const char* const key = object.find("step") ? "step" : "stage";
+    if (object.find("stage") && object.find("step"))
+        object.fail("step", "is a pass, and \"stage\" what to show in its place; write either");
+    const std::string stage = (object.find("step") ? "pass:" : "") + object.text(key);
+    if (!object.find("step") && stage.empty()) return {};
+    saidAt(document_, object.require(key, "").offset,
+           [&] { return picture::parseStage(stage, info, *state.scene, state.light); });
+    return stage;
+}
+
+void StateReader::loadScene(const JsonObject& object, ShownState& state) {
+    const std::string reference = object.text("scene");
+    const std::string ending = std::filesystem::path(reference).extension().string();
+    state.sceneName = reference;
+    if (ending == ".json" || ending == ".obj") {
+        const auto found = scene::AllowedFolders(file_, options_).resolve(reference);
+        if (!found) object.fail("scene", scene::inQuotes(reference) + " " + std::string(scene::kOutsideMessage));
+        state.sceneName = (file_.parent_path() / reference).string();
+        if (const std::string fault = scene::whyUnreadable(state.sceneName); !fault.empty())
+            object.fail("scene",
+                        scene::inQuotes(reference) + " " + fault + "; correct the path, it is relative to this file");
+    } else {
+        oneOf(object, "scene", reference, scene::builtInScenes(options_.assetsRoot));
+    }
+    if (loaded_.first != state.sceneName) loaded_ = {state.sceneName, scene::loadScene(state.sceneName, options_)};
+    state.scene = loaded_.second;
+}
+
+void StateReader::readSlots(const JsonObject& object, const JsonObject* stageOf, ShownState& state) {
+    if (object.find("technique")) {
+        readSlot(object, stageOf, state);
+        return;
+    }
+    for (const JsonValue& value : object.array("slots")) {
+        const JsonObject slot(document_, value, "slot " + std::to_string(state.slots.size() + 1),
+                              {"technique", "stage", "step"});
+        readSlot(slot, stageOf, state);
+    }
+    if (state.slots.empty())
+        object.fail("slots", R"(is missing or empty; write for example [{"technique": "shadow-map"}])");
+    if (state.slots.size() > lab::kPanes)
+        object.fail("slots", "has more techniques than the " + std::to_string(lab::kPanes) +
+                                 " that the window shows; leave some out");
+}
+
+void StateReader::readSlot(const JsonObject& slot, const JsonObject* stageOf, ShownState& state) {
+    lab::PaneState pane;
+    pane.technique = slot.text("technique");
+    const TechniqueInfo& info = saidAt(document_, slot.require("technique", "\"shadow-map\"").offset,
+                                       [&]() -> const TechniqueInfo& { return findTechnique(pane.technique); });
+    pane.stage = readStage(stageOf ? *stageOf : slot, info, state);
+    state.slots.push_back(std::move(pane));
+}
+
+/// Settings are checked by slots like those of a capture, and written down as the panes keep them.
+void StateReader::readSettings(std::span<const JsonObject* const> levels, ShownState& state) {
+    std::vector<picture::Slot> slots = slotsOf(state.slots);
+    for (const JsonObject* level : levels)
+        for (const auto& [setting, offset] : texts(*level, "set")) {
+            saidAt(document_, offset, [&] {
+                lab::applySettings(slots, {setting});
+                return 0;
+            });
+            if (level == levels.back()) state.settings.push_back(setting);
+        }
+    for (std::size_t i = 0; i < slots.size(); ++i)
+        state.slots[i].settings = settingsOf(slots[i]);
+}
+
+} // namespace shadowlab::course

@@ -1,0 +1,33 @@
+// The lectures' drawings of a pixel, made from a pixel of a scene. Where rays are followed: their paths, their tree, and the
+// vectors where the first of them ends. Where patches send each other light: the angles of a form factor, and the directions
+// that a Lambertian reflector sends its light in.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+
+#include "app/drawing/drawing.h"
+#include "techniques/foundation/image/text.h"
+#include "techniques/foundation/scene/model/scene.h"
+#include "techniques/probe.h"
+
+namespace shadowlab::figures {
+
+/// Has the probe a tree or patches? Else there is nothing to draw.
+bool canDraw(const Probe& probe);
+
+struct Diagram {
+    drawing::Drawing drawing;
+    std::string title; ///< what it is, for who cannot see it
+    [[nodiscard]] std::string document() const { return drawing.document(title); }
+};
+
+/// How high drawings of the plane through eye, light and point are, on a sheet 1920 pixels wide: as a slide.
+constexpr double kSectionHeight = 1080;
+
+/// One sheet of panels, those that the probe has something for: canDraw() must hold, and the first ray of a tree meet a
+/// surface. `font` is DejaVu Sans, which the document names: labels are placed by its measures. Same input, same
+/// bytes.
+Diagram pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font,
+                     double sectionHeight = kSectionHeight);
+
+} // namespace shadowlab::figures

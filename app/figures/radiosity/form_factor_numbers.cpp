@@ -1,0 +1,94 @@
+// The numbers beside the figure of a form factor: what the lecture's formula says of the two centres, and what is true.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <glm/gtc/constants.hpp>
+
+#include "app/figures/panels.h"
+
+namespace shadowlab::figures {
+
+namespace {
+
+constexpr double kNumbersRow = 37; ///< pixels from one line of numbers to the next
+
+/// Lines of numbers beside the figure.
+class Column {
+public:
+    Column(drawing::Drawing& drawing, const drawing::Box& area, const image::Font& font) : svg_(drawing), font_(font), area_(area) {}
+
+    void heading(const std::string& text) {
+        y_ += y_ > 0 ? kNumbersRow + 16 : kHeading;
+        write(0, text, {.size = kHeading, .isBold = true});
+    }
+    void row(const std::string& name, const std::string& value) {
+        y_ += kNumbersRow;
+        write(0, name, {.size = kText + 2});
+        if (!value.empty()) write(kValues, value, {.size = kText + 2});
+    }
+    void row(const std::string& name, const dvec3& values, const std::string& unit) {
+        row(name, "");
+        for (int i = 0; i < 3; ++i)
+            write(kValues + kColor * i, fourDigits(values[i]), {.size = kText + 2});
+        write(kValues + kColor * 3, unit, {.size = kText + 2});
+    }
+    /// F_jk = cos phi_j cos phi_k / (pi r^2) dA_k, as a fraction.
+    void formula(const std::string& value) {
+        const drawing::TextStyle style{.size = kText + 4};
+        const std::string above = "cos \u03c6\u2c7c cos \u03c6\u2096", below = "\u03c0 r\u00b2",
+                          name = "F\u2c7c\u2096 = ";
+        y_ += 1.6 * kNumbersRow;
+        double x = 0;
+        write(x, name, style);
+        x += drawing::textSize(font_, name, style.size).x + 12;
+        const double width = drawing::textSize(font_, above, style.size).x;
+        const dvec2 bar = area_.corner + dvec2(x, y_ - 0.3 * style.size);
+        svg_.line(bar, bar + dvec2(width, 0), {"#1a1a1a", 2, false});
+        y_ -= 0.62 * style.size;
+        write(x, above, style);
+        y_ += 1.34 * style.size;
+        write(x + 0.5 * (width - drawing::textSize(font_, below, style.size).x), below, style);
+        y_ -= 0.72 * style.size;
+        write(x + width + 12, "dA\u2096  =  " + value, style);
+        y_ += 0.4 * kNumbersRow;
+    }
+
+private:
+    static constexpr double kValues = 130,
+                            kColor = 170; ///< pixels from the left where values begin, and from one to the next
+    void write(double x, const std::string& text, const drawing::TextStyle& style) {
+        const std::vector<std::string> lines =
+            font_.wrap(text, style.size, static_cast<int>(area_.size.x - x - style.size));
+        svg_.text(area_.corner + dvec2(x, y_), lines.front() + (lines.size() > 1 ? "\u2026" : ""), style);
+    }
+    drawing::Drawing& svg_;
+    const image::Font& font_;
+    drawing::Box area_;
+    double y_ = 0;
+};
+
+} // namespace
+
+void writeFormFactor(drawing::Drawing& drawing, const drawing::Box& area, const Probe::Exchange& exchange, const image::Font& font) {
+    const Probe::Patch &j = exchange.j, &k = *exchange.k;
+    const dvec3 way = k.centreWorld - j.centreWorld;
+    const double r = glm::length(way);
+    const double cosJ = std::max(0.0, glm::dot(j.normalWorld, way) / r);
+    const double cosK = std::max(0.0, -glm::dot(k.normalWorld, way) / r);
+    Column column(drawing, area, font);
+    column.heading("Two pieces of surface");
+    column.row("j is of", j.object);
+    column.row("k is of", k.object);
+    column.heading("If all of j and k were at their centres");
+    column.formula(fourDigits(cosJ * cosK / (glm::pi<double>() * r * r) * k.area));
+    column.heading("In full, with what stands in between");
+    column.row("F\u2c7c\u2096", fourDigits(exchange.formFactorJk) + "  of the light of j reaches k");
+    column.row("F\u2096\u2c7c", fourDigits(exchange.formFactorKj) + "  of the light of k reaches j");
+    column.row("dA\u2c7c F\u2c7c\u2096",
+               fourDigits(j.area * exchange.formFactorJk) + " m\u00b2 = dA\u2096 F\u2096\u2c7c");
+    column.heading("What j gets from k: red, green, blue");
+    column.row("B\u2096", k.radiosity, "W/m\u00b2");
+    column.row("F\u2c7c\u2096 B\u2096", exchange.formFactorJk * k.radiosity, "W/m\u00b2");
+}
+
+} // namespace shadowlab::figures

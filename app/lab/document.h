@@ -1,0 +1,64 @@
+// What the window shows, as plain values: the scene and its camera, the layout, and what each pane is told to show. Undo
+// brings an earlier one back; a screenshot writes it down.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/lab/pane.h"
+#include "app/picture/figure.h"
+
+namespace shadowlab::lab {
+
+constexpr int kPanes = 4; ///< of the grid; the other layouts show the first, or the first two of them
+
+struct Document {
+    scene::Snapshot scene; ///< as edited, at rest
+    std::string sceneName; ///< as the command line takes it
+    scene::Camera camera;
+    scene::Camera outsideCamera; ///< the second camera, which looks on from outside
+    picture::Layout layout = picture::Layout::split;
+    double split = 0.5;           ///< share of the width that the left pane has
+    std::optional<dvec2> picked;  ///< a pixel that is asked about, as shares of a picture's width and height
+    std::optional<dvec2> partner; ///< a second one beside it, never alone
+    int light = 0;                ///< the light that stages and errors are about
+    int active = 0;               ///< the pane that keys and panels are about
+    std::array<PaneState, kPanes> panes;
+    friend bool operator==(const Document&, const Document&) = default;
+};
+
+/// The document that a scene is first shown with: shadow map beside shadow volume, and what else there is behind them.
+Document newDocument(scene::Snapshot scene, std::string sceneName);
+
+/// Where the second camera stands before anybody moves it.
+scene::Camera outsideCameraOf(const scene::Scene& scene, const scene::Camera& eye);
+
+/// The pixel at a share of a picture's width and height.
+ivec2 pixelAt(const dvec2& share, ivec2 size);
+
+/// How many panes the layout shows, from the first.
+int shownPanes(picture::Layout layout);
+
+/// Earlier states, in order, and those that were undone.
+class UndoHistory {
+public:
+    /// Call before a change: what is there now can be brought back. Changes of one gesture, a drag or a slider, have one
+    /// name, and only the first of a run of equal names is kept.
+    void remember(const Document& before, const std::string& gesture);
+    /// The run of equal names ends: the button is up, the key released.
+    void endGesture() { gesture_.clear(); }
+    [[nodiscard]] bool canUndo() const { return !past_.empty(); }
+    [[nodiscard]] bool canRedo() const { return !future_.empty(); }
+    Document undo(const Document& now);
+    Document redo(const Document& now);
+    void clear();
+
+private:
+    static constexpr std::size_t kMost = 200; ///< snapshots share what they have in common, so a step is small
+    std::vector<Document> past_, future_;
+    std::string gesture_;
+};
+
+} // namespace shadowlab::lab

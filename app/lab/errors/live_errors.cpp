@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: MIT
+#include "app/lab/errors/live_errors.h"
+
+#include <algorithm>
+
+#include "app/picture/difference_panel.h"
+#include "app/picture/stages/scanline_plot.h"
+
+namespace shadowlab::lab {
+
+namespace {
+
+constexpr double kBetweenTasks = 1.5; ///< seconds, while something moves: a judged frame costs more than others
+constexpr double kRest = 0.2;         ///< seconds without motion, before the exact answer is worth its work
+
+/// The visibility that a pane's technique can be judged by; a pass, or a scene without that light, has none.
+bool canBeJudged(const PaneRequest& request) {
+    const std::string& stage = request.state.stage;
+    if (stage.starts_with("pass:") || stage.starts_with("outside")) return false;
+    if (request.light < 0 || request.light >= static_cast<int>(request.snapshot->lights.size())) return false;
+    const auto& stages = findTechnique(request.state.technique).stages;
+    return std::ranges::find(stages, "visibility", &StageInfo::id) != stages.end();
+}
+
+std::vector<PaneRequest> requestsOf(const Workbench& bench, const std::vector<PlacedPane>& placed) {
+    std::vector<PaneRequest> requests;
+    for (const PlacedPane& pane : placed)
+        requests.push_back(bench.requestFor(pane, bench.draft()));
+    return requests;
+}
+
+} // namespace
+
+bool LiveErrors::ask(Workbench& bench, ivec2 areaSize, double seconds) {
+    wanted_.clear();
+    const std::vector<PlacedPane> placed = bench.placed(areaSize);
+    const std::vector<PaneRequest> requests = requestsOf(bench, placed);
+    if (!bench.isAtRest()) restSince_ = seconds;
+    const bool rests = seconds - restSince_ >= kRest;
+    if (requests != exactFor_) done_ = false;
+    if (rests && requests != exactFor_) {
+        for (std::size_t i = 0; i < placed.size(); ++i)
+            if (canBeJudged(requests[i])) wanted_.push_back(placed[i].pane);
+    } else if (!rests) {
+        forgetAreas(bench, placed);
+    }
+    if (!rests && !judge_.busy() && seconds - lastSubmit_ >= kBetweenTasks && !placed.empty()) {
+        const auto isQuick = [&](const PlacedPane& pane) {
+            return bench.pane(pane.pane).judgedBy() == judge::TruthOf::centre;
+        };
+        if (bench.document().layout == picture::Layout::diff) {
+            if (std::ranges::all_of(placed, isQuick))
+                for (const PlacedPane& pane : placed)
+                    wanted_.push_back(pane.pane);
+        } else {
+            turn_ = (turn_ + 1) % placed.size();
+            if (canBeJudged(requests[turn_]) && isQuick(placed[turn_])) wanted_.push_back(placed[turn_].pane);
+        }
+    }
+    bench.wantVisibility(wanted_);
+    return !wanted_.empty();
+}
+
+/// The truth about an area takes seconds. So while things move nothing is said of who is judged by it: what was true of another
+/// picture might be wrong of this one.
+void LiveErrors::forgetAreas(const Workbench& bench, const std::vector<PlacedPane>& placed) {
+    for (const PlacedPane& pane : placed) {
+        if (bench.pane(pane.pane).judgedBy() != judge::TruthOf::area) continue;
+        errors_.erase(pane.pane);
+        pictures_.erase(pane.pane);
+        if (bench.document().layout == picture::Layout::diff) difference_.reset();
+    }
+}
+
+bool LiveErrors::update(Workbench& bench, ivec2 areaSize, double seconds) {
+    const std::vector<PlacedPane> placed = bench.placed(areaSize);
+    if (!wanted_.empty()) {
+        // A pane that could not be drawn in time is asked again in the next frame.
+        const bool ready = std::ranges::all_of(wanted_, [&](int pane) {
+            return !bench.pane(pane).failure().empty() || bench.pane(pane).visibility(bench.document().light);
+        });
+        const bool exact = seconds - restSince_ >= kRest;
+        if (ready) {
+            submit(bench, placed, wanted_, exact);
+            lastSubmit_ = seconds;
+            if (exact) exactFor_ = requestsOf(bench, placed);
+        }
+    } else if (seconds - restSince_ >= kRest && (exactFor_.empty() || requestsOf(bench, placed) != exactFor_)) {
+        done_ = true; // nothing on show can be judged
+    }
+    try {
+        // The reduced answer of an exact task comes before its exact one, under the same number.
+        std::shared_ptr<const JudgeAnswer> answer = judge_.newest();
+        if (!answer || answer == taken_) return false;
+        taken_ = std::move(answer);
+        take(bench, *taken_, seconds);
+        return true;
+    } catch (const std::exception& fault) {
+        failure_ = fault.what();
+        done_ = true; // there will be no better answer
+        return true;
+    }
+}
+
+void LiveErrors::submit(Workbench& bench, const std::vector<PlacedPane>& placed, const std::vector<int>& panes,
+                        bool exact) {
+    const bool diff = bench.document().layout == picture::Layout::diff;
+    JudgeTask task;
+    Submitted submitted;
+    for (const PlacedPane& one : placed) {
+        if (std::ranges::find(panes, one.pane) == panes.end()) continue;
+        const Pane& pane = bench.pane(one.pane);
+        const PaneRequest& request = pane.drawnFor();
+        const Stage* const answers = pane.visibility(request.light);
+        if (!answers || !pane.failure().empty()) continue;
+        task.snapshot = request.snapshot;
+        task.view = request.view;
+        task.light = request.light;
+        const std::string& stage = request.state.stage;
+        SlotTask slot;
+        slot.region = request.view.region;
+        slot.truth = pane.judgedBy();
+        slot.visibility = picture::readVisibility(*answers, slot.region);
+        slot.wantsOverlay = stage.starts_with("error");
+        task.wantsTruthPanel = task.wantsTruthPanel || stage.starts_with("truth");
+        if (isJudged(stage) && pane.picture().texture) {
+            // The pane's own picture may be another one when the answer comes.
+            submitted.grounds.emplace(one.pane, bench.encoder().copyOf(pane.picture().texture));
+            if (stage.starts_with("scanline")) submitted.answers.emplace(one.pane, picture::readVisibility(*answers));
+        }
+        if (diff && submitted.panes.empty()) submitted.pictures[0] = bench.encoder().read(pane.picture().texture);
+        task.slots.push_back(std::move(slot));
+        submitted.panes.push_back(one.pane);
+        submitted.requests.push_back(request);
+    }
+    if (task.slots.empty()) return;
+    forgetAreas(bench, placed);
+    task.exact = exact;
+    if (exact) {
+        bench.session().setScene(task.snapshot);
+        task.rasterised = bench.session().rasterise(task.view);
+    }
+    const std::uint64_t number = judge_.submit(std::move(task));
+    submitted_.emplace(number, std::move(submitted));
+}
+
+void LiveErrors::take(const Workbench& bench, const JudgeAnswer& answer, double seconds) {
+    const auto found = submitted_.find(answer.number);
+    if (found == submitted_.end()) return;
+    Submitted& submitted = found->second;
+    Sample sample{seconds, std::vector<SlotSample>(kPanes)};
+    for (std::size_t i = 0; i < submitted.panes.size(); ++i) {
+        const int pane = submitted.panes[i];
+        if (!answer.slots[i]) continue;
+        const SlotAnswer& slot = *answer.slots[i];
+        errors_[pane] = {slot.judgement.counts, slot.edgeErrorPx, slot.coreErrors, slot.exact, submitted.requests[i]};
+        showPicture(bench, answer, submitted, i);
+    }
+    for (int pane = 0; pane < kPanes; ++pane) {
+        SlotSample& slot = sample.slots[static_cast<std::size_t>(pane)];
+        slot.frameMs = bench.pane(pane).rendered().frameMs;
+        if (const auto known = errors_.find(pane); known != errors_.end()) {
+            slot.edgeErrorPx = known->second.edgeErrorPx;
+            slot.wrongPixels = known->second.counts.wrong();
+        }
+    }
+    history_.add(std::move(sample));
+    if (submitted.pictures[0] && submitted.panes.size() == 2 && answer.slots[0] && answer.slots[1]) {
+        const auto title = [&](std::size_t i) {
+            return std::string(findTechnique(submitted.requests[i].state.technique).title);
+        };
+        const picture::Panel panel = picture::differencePanel(
+            *submitted.pictures[0], {&answer.slots[0]->judgement, &answer.slots[1]->judgement}, {title(0), title(1)});
+        difference_ = JudgedPicture{{}, textureOf(panel.picture), {{}, panel.kind, panel.display, ""}, answer.exact};
+    }
+    done_ = answer.exact;
+    // What is older than this answer will not be answered any more.
+    std::erase_if(submitted_, [&](const auto& one) {
+        return one.first < answer.number || (one.first == answer.number && answer.exact);
+    });
+}
+
+void LiveErrors::showPicture(const Workbench&, const JudgeAnswer& answer, Submitted& submitted, std::size_t slot) {
+    const int pane = submitted.panes[slot];
+    const PaneRequest& request = submitted.requests[slot];
+    const std::string& stage = request.state.stage;
+    if (!isJudged(stage)) {
+        pictures_.erase(pane);
+        return;
+    }
+    const SlotAnswer& judged = *answer.slots[slot];
+    const bool last = answer.exact; // else the same ground is needed once more
+    JudgedPicture& shown = pictures_[pane];
+    const auto ground = submitted.grounds.find(pane);
+    const auto keep = [&](const picture::Panel& panel, bool overGround) {
+        shown.verdicts = textureOf(panel.picture);
+        if (overGround && ground != submitted.grounds.end()) {
+            shown.ground = last ? std::move(ground->second) : picture::PictureEncoder::copyOf(ground->second);
+        } else {
+            shown.ground = {};
+        }
+        shown.legend = {{}, panel.kind, panel.display, ""};
+        shown.exact = judged.exact;
+    };
+    if (stage.starts_with("error") && judged.overlay) keep(*judged.overlay, true);
+    if (stage.starts_with("truth") && judged.truthPanel) keep(*judged.truthPanel, false);
+    if (stage.starts_with("scanline") && ground != submitted.grounds.end()) {
+        const picture::Scanline scanline{*judged.truth, judged.judgement, submitted.answers[pane],
+                                request.snapshot->lights[static_cast<std::size_t>(request.light)].name,
+                                std::string(findTechnique(request.state.technique).title)};
+        keep(picture::scanlinePanel(picture::PictureEncoder::read(ground->second), scanline, {}, request.view.region, &font_), false);
+    }
+}
+
+const PaneErrors* LiveErrors::errors(int pane) const {
+    const auto found = errors_.find(pane);
+    return found == errors_.end() ? nullptr : &found->second;
+}
+
+const JudgedPicture* LiveErrors::picture(int pane) const {
+    const auto found = pictures_.find(pane);
+    return found == pictures_.end() ? nullptr : &found->second;
+}
+
+} // namespace shadowlab::lab

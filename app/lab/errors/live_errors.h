@@ -1,0 +1,93 @@
+// How wrong the pictures of the window are, found while they are on show: what is to be judged is handed to the judge in
+// the background, and what it says is made ready to be seen.
+//
+// While something moves, one pane after the other is judged, every second or so and without ties: each time the pane is
+// drawn with its answers as well, which costs a little. When all is at rest, every pane is judged exactly, once. Techniques
+// that are judged by a light's area, which takes seconds, are judged at rest only, after all others.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/lab/errors/background_judge.h"
+#include "app/lab/errors/history.h"
+#include "app/lab/workbench.h"
+#include "techniques/foundation/image/text.h"
+
+namespace shadowlab::lab {
+
+/// What is known of one pane. It speaks of the picture that was judged, which may be a moment old.
+struct PaneErrors {
+    judge::Counts counts;
+    std::optional<double> edgeErrorPx;
+    std::optional<int> coreErrors;
+    bool exact = false;
+    PaneRequest judged; ///< what it is about
+};
+
+/// A stage that has been judged, ready to be seen: the ground, and over it the verdicts.
+struct JudgedPicture {
+    gl::Texture2D ground, verdicts; ///< of one size; without ground the verdicts cover everything
+    PanePicture legend;             ///< its kind and key; no texture
+    bool exact = false;
+};
+
+class LiveErrors {
+public:
+    /// The font is for the numbers of the stage `scanline`. It must live as long. `yields`: see BackgroundJudge.
+    LiveErrors(const image::Font& font, bool yields) : font_(font), judge_(yields), history_(kHistory) {}
+
+    /// Before the panes are drawn: which of them are to publish their answers. True if any is.
+    bool ask(Workbench& bench, ivec2 areaSize, double seconds);
+    /// After they are drawn: hands over what they published, and takes what has been found. True if a picture has changed.
+    bool update(Workbench& bench, ivec2 areaSize, double seconds);
+
+    /// Nothing when the pane has not been judged yet, or shows something that cannot be.
+    [[nodiscard]] const PaneErrors* errors(int pane) const;
+    /// Of a pane that shows `truth`, `error` or `scanline`; nothing before the first verdict.
+    [[nodiscard]] const JudgedPicture* picture(int pane) const;
+    /// Of the layout `diff`.
+    [[nodiscard]] const JudgedPicture* difference() const { return difference_ ? &*difference_ : nullptr; }
+    [[nodiscard]] const History& history() const { return history_; }
+    /// Is every pane on show judged exactly?
+    [[nodiscard]] bool isDone() const { return done_; }
+    /// Why the last errors could not be found: said once. Empty: nothing new has failed.
+    [[nodiscard]] std::string takeFailure() { return std::exchange(failure_, {}); }
+
+private:
+    static constexpr std::size_t kHistory = 600; ///< samples of the plot: about a minute of moving
+
+    /// What was handed over, until the answer comes.
+    struct Submitted {
+        std::vector<int> panes;
+        std::vector<PaneRequest> requests;
+        std::map<int, gl::Texture2D> grounds;                ///< of panes that show a judged stage
+        std::map<int, picture::VisibilityImage> answers;              ///< of those that show `scanline`
+        std::array<std::optional<image::Image>, 2> pictures; ///< of `diff`: only the first is the ground
+    };
+    void forgetAreas(const Workbench& bench, const std::vector<PlacedPane>& placed);
+    void submit(Workbench& bench, const std::vector<PlacedPane>& placed, const std::vector<int>& panes, bool exact);
+    void take(const Workbench& bench, const JudgeAnswer& answer, double seconds);
+    void showPicture(const Workbench& bench, const JudgeAnswer& answer, Submitted& submitted, std::size_t slot);
+
+    const image::Font& font_;
+    BackgroundJudge judge_;
+    std::map<std::uint64_t, Submitted> submitted_;
+    std::shared_ptr<const JudgeAnswer> taken_; ///< the last answer
+    std::map<int, PaneErrors> errors_;
+    std::map<int, JudgedPicture> pictures_;
+    std::optional<JudgedPicture> difference_;
+    History history_;
+    std::vector<PaneRequest> exactFor_; ///< what the last exact task was about
+    std::vector<int> wanted_;           ///< panes that are to publish their answers now
+    double lastSubmit_ = 0, restSince_ = 0;
+    std::size_t turn_ = 0; ///< whose turn it is while something moves
+    bool done_ = false;
+    std::string failure_; ///< not yet taken
+};
+
+} // namespace shadowlab::lab

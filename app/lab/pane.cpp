@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "app/lab/pane.h"
+
+#include <algorithm>
+
+#include "app/picture/derived_stages.h"
+#include "app/picture/steps/stepping.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/query/outside_camera.h"
+
+namespace shadowlab::lab {
+
+namespace {
+
+/// Of the driver and of bad input, as a sentence; a technique that breaks must not take the window with it.
+template <typename Work>
+std::string failureOf(const Work& work) {
+    try {
+        work();
+    } catch (const std::exception& failure) {
+        return failure.what();
+    }
+    return {};
+}
+
+/// The steps of the algorithm: what was done again to publish a stage is no further step.
+std::vector<StageKey> distinct(const std::vector<StageKey>& passes) {
+    std::vector<StageKey> once;
+    for (const StageKey& pass : passes)
+        if (std::ranges::find(once, pass) == once.end()) once.push_back(pass);
+    return once;
+}
+
+} // namespace
+
+const Values& PaneState::values() const {
+    static const Values none;
+    const auto found = settings.find(technique);
+    return found == settings.end() ? none : found->second;
+}
+
+bool operator==(const PaneRequest& a, const PaneRequest& b) {
+    const bool outside = a.state.stage.starts_with("outside");
+    const bool isAboutPicked =
+        !a.state.technique.empty() && picture::windowFollowsPicked(findTechnique(a.state.technique), a.state.stage);
+    return a.state.technique == b.state.technique && a.state.stage == b.state.stage &&
+           a.state.values() == b.state.values() && a.snapshot == b.snapshot && a.view.camera == b.view.camera &&
+           a.view.size == b.view.size && a.view.region.corner == b.view.region.corner &&
+           a.view.region.size == b.view.region.size && a.light == b.light &&
+           (!outside || (a.outsideCamera == b.outsideCamera && a.outsideSize == b.outsideSize)) &&
+           (!isAboutPicked || (a.view.picked == b.view.picked && a.view.partner == b.view.partner));
+}
+
+picture::Slot& Pane::slotFor(const PaneState& state) {
+    auto found = slots_.find(state.technique);
+    if (found == slots_.end()) found = slots_.emplace(state.technique, picture::Session::makeSlot(state.technique)).first;
+    picture::Slot& slot = found->second;
+    const Values& values = state.values();
+    for (params::Param& param : slot.params) {
+        const auto value = values.find(param.id);
+        params::setFromText(param, value == values.end() ? params::initialText(param) : value->second, state.technique);
+    }
+    return slot;
+}
+
+judge::TruthOf Pane::judgedBy() const {
+    const auto found = slots_.find(drawnFor_.state.technique);
+    const int light = drawnFor_.light;
+    const bool known = found != slots_.end() && drawnFor_.snapshot && light >= 0 &&
+                       light < static_cast<int>(drawnFor_.snapshot->lights.size());
+    const bool area = known && found->second.technique->samplesArea(*drawnFor_.snapshot, light);
+    return area ? judge::TruthOf::area : judge::TruthOf::centre;
+}
+
+std::optional<Probe> Pane::probe(const View& view) {
+    // Samples may still be added to the picture; from outside a pane draws only what is ready.
+    const bool isReady = converged_ || (progress_ >= 1 && !drawnFor_.state.stage.starts_with("outside"));
+    if (!view.picked || !isReady || !failure_.empty() || !drawnFor_.snapshot) return std::nullopt;
+    const int light = drawnFor_.snapshot->lights.empty() ? kNoLight : drawnFor_.light;
+    return slotFor(drawnFor_.state).technique->probe(drawnFor_.snapshot, view, *view.picked, light);
+}
+
+bool isJudged(std::string_view stage) {
+    const std::string_view id = stage.substr(0, stage.find('@'));
+    return id == "truth" || id == "error" || id == "scanline";
+}
+
+gl::Texture2D textureOf(const image::Image& image) {
+    const ivec2 size(image.width, image.height);
+    gl::Texture2D texture(GL_RGBA8, size, "derived stage");
+    std::vector<image::Color8> fromBelow(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            fromBelow[static_cast<std::size_t>(size.y - 1 - y) * static_cast<std::size_t>(size.x) +
+                      static_cast<std::size_t>(x)] = image.at(x, y);
+    texture.bind(0);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size.x, size.y, GL_RGBA, GL_UNSIGNED_BYTE, fromBelow.data());
+    return texture;
+}
+
+const Stage* Pane::visibility(int light) const {
+    if (!isDrawn_) return nullptr;
+    const auto found = std::ranges::find(rendered_.result.stages, StageKey{"visibility", light}, &Stage::key);
+    return found == rendered_.result.stages.end() ? nullptr : &*found;
+}
+
+bool Pane::update(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, const PaneWork& work) {
+    const bool answered = !work.visibility || visibility(request.light) || !failure_.empty();
+    const bool timed = !work.timePasses || timed_ || !failure_.empty();
+    if (request == drawnFor_ && answered && timed && (converged_ || !failure_.empty())) return false;
+    // Asked for before the work: what failed is not tried again until something changes.
+    const bool sizeChanged = request.view.size != drawnFor_.view.size;
+    isDrawn_ = isDrawn_ && request == drawnFor_;
+    drawnFor_ = request;
+    timed_ = work.timePasses;
+    failure_ = failureOf([&] { draw(session, encoder, request, work); });
+    if (!failure_.empty() && sizeChanged) picture_ = {}; // stretched to another size it would be no picture of anything
+    return true;
+}
+
+void Pane::draw(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, const PaneWork& work) {
+    picture::Slot& slot = slotFor(request.state);
+    const scene::Scene& scene = *request.snapshot;
+    std::optional<picture::StageChoice> stage;
+    if (!request.state.stage.empty()) stage = picture::parseStage(request.state.stage, *slot.info, scene, request.light);
+    const std::optional<StageKey> step = stage && stage->isPass ? std::optional(stage->key) : std::nullopt;
+    if (step) stage = picture::shownInStep(*stage, *slot.info, scene.lights.empty() ? kNoLight : std::max(0, request.light));
+
+    FrameRequest frame;
+    frame.timePasses = frame.waitForGl = work.timePasses;
+    frame.deadline = work.deadline;
+    frame.refine = work.refine;
+    if (stage && stage->isPass) frame.stopAfter = stage->key;
+    if (stage && !stage->isPass && !picture::isDerived(stage->key.id)) frame.stages = {stage->key};
+    const StageKey answers{"visibility", request.light};
+    const bool published = std::ranges::find(slot.info->stages, answers.id, &StageInfo::id) != slot.info->stages.end();
+    if (work.visibility && published && !frame.stopAfter &&
+        std::ranges::find(frame.stages, answers) == frame.stages.end())
+        frame.stages.push_back(answers);
+
+    session.setScene(request.snapshot);
+    if (stage && stage->key.id == "outside") {
+        converged_ = drawOutside(session, encoder, request, slot, work);
+        return;
+    }
+    if (stage && stage->key.id == "shadow-outline") {
+        progress_ = session.prepareTruth(work.deadline);
+        converged_ = progress_ == 1;
+        if (!converged_) return; // the last picture stays
+    }
+    if (frame.stopAfter && !(request.state.technique == drawn_.technique && request.state.values() == drawn_.values() &&
+                             !passesOf(drawn_.technique, scene).empty()))
+        keepPasses(request,
+                   session.render(slot, request.view, {.refine = false, .deadline = work.deadline}).result.passes);
+    picture::RenderedFrame rendered = session.render(slot, request.view, frame);
+    converged_ = rendered.converged;
+    progress_ = rendered.prepared;
+    if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
+    if (step) picture::requirePassRan(rendered, *step, *slot.info);
+    encode(session, encoder, request, slot, stage, rendered);
+    if (!frame.stopAfter) keepPasses(request, rendered.result.passes);
+    // Times are taken now and then; between, the last ones stand.
+    if (!work.timePasses && drawn_.technique == request.state.technique) {
+        rendered.result.passMs = std::move(rendered_.result.passMs);
+        rendered.frameMs = rendered_.frameMs;
+        rendered.prepareMs = rendered_.prepareMs;
+    }
+    drawn_ = request.state;
+    rendered_ = std::move(rendered);
+    isDrawn_ = true;
+}
+
+namespace {
+
+std::vector<std::string> lightNames(const scene::Scene& scene) {
+    std::vector<std::string> names;
+    for (const scene::Light& light : scene.lights)
+        names.push_back(light.name);
+    return names;
+}
+
+} // namespace
+
+void Pane::keepPasses(const PaneRequest& request, const std::vector<StageKey>& passes) {
+    passes_ = distinct(passes);
+    passesTechnique_ = request.state.technique;
+    passesLights_ = lightNames(*request.snapshot);
+}
+
+const std::vector<StageKey>& Pane::passesOf(std::string_view technique, const scene::Scene& scene) const {
+    static const std::vector<StageKey> kNone;
+    return technique == passesTechnique_ && lightNames(scene) == passesLights_ ? passes_ : kNone;
+}
+
+/// False when the technique was not ready in time.
+bool Pane::drawOutside(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot,
+                       const PaneWork& work) {
+    if (!outside_) outside_ = std::make_unique<picture::OutsideView>();
+    View outside = request.view;
+    outside.size = request.outsideSize;
+    outside.camera = scene::widenedFor(request.outsideCamera, static_cast<double>(outside.size.x) / outside.size.y);
+    outside.region = {};
+    const int light = request.snapshot->lights.empty() ? kNoLight : request.light;
+    const std::optional<Stage> seen = outside_->render(session, slot, request.view, outside, light, work.deadline);
+    if (!seen) return false;
+    const std::vector<StageInfo> known = picture::stagesOf(*slot.info);
+    picture_ = {encoder.encodeInPlace(*seen, StageKind::swatches, request.snapshot->exposure), StageKind::swatches,
+                seen->display, std::string(std::ranges::find(known, seen->key.id, &StageInfo::id)->caption)};
+    drawn_ = request.state;
+    return true;
+}
+
+void Pane::encode(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot,
+                  const std::optional<picture::StageChoice>& stage, const picture::RenderedFrame& rendered) {
+    const float exposure = request.snapshot->exposure;
+    if (!stage || stage->isPass) {
+        picture_ = {
+            encoder.encodeInPlace(slot.target.color, exposure, 1, request.view.region), StageKind::radiance, {}, ""};
+        return;
+    }
+    const std::vector<StageInfo> known = picture::stagesOf(*slot.info);
+    const std::string caption(std::ranges::find(known, stage->key.id, &StageInfo::id)->caption);
+    if (isJudged(stage->key.id)) {
+        picture_ = {
+            encoder.encodeGround(slot.target.color, exposure, request.view.region), StageKind::swatches, {}, caption};
+    } else if (picture::isDerived(stage->key.id)) {
+        const picture::Panel panel = picture::derivedPanel(session, slot, rendered, encoder, {stage->key, request.view, {}, nullptr});
+        picture_ = {textureOf(panel.picture), panel.kind, panel.display, caption};
+    } else {
+        const Stage& published = picture::findStage(rendered, stage->key);
+        const StageInfo& info = picture::stageInfo(*slot.info, stage->key.id);
+        picture_ = {encoder.encodeInPlace(published, info.kind, exposure), info.kind, published.display, caption};
+    }
+}
+
+} // namespace shadowlab::lab

@@ -1,0 +1,19 @@
+// `[SLOT:]ID.PARAM=VALUE`: setting the parameters of slots from text.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/picture/session.h"
+
+namespace shadowlab::lab {
+
+/// Applies the settings in order. A setting without a slot number goes to every slot of that technique.
+/// Throws Error (usage) for anything unknown, out of range, or meant for a technique that no slot shows.
+void applySettings(std::vector<picture::Slot>& slots, const std::vector<std::string>& settings);
+
+/// A sentence for each parameter that somebody has set, and that does nothing as the others are set: an aperture with one ray
+/// for each pixel, say.
+std::vector<std::string> settingsWithoutEffect(const std::vector<picture::Slot>& slots);
+
+} // namespace shadowlab::lab

@@ -1,0 +1,33 @@
+// All stages of a technique as small pictures, to choose from.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/lab/pane.h"
+
+namespace shadowlab::lab {
+
+/// One small picture.
+struct Thumbnail {
+    std::string stage;   ///< as `capture --stage` takes it; empty: the finished picture
+    std::string caption; ///< what is seen there
+    PanePicture picture; ///< without a texture where the stage could not be drawn
+};
+
+class StageStrip {
+public:
+    /// Draws the stages of what the pane shows anew if anything but its stage has changed: all of them from one frame of
+    /// that size. True if something was drawn.
+    bool update(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& pane, ivec2 size);
+    [[nodiscard]] const std::vector<Thumbnail>& thumbnails() const { return thumbnails_; }
+
+private:
+    void draw(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot);
+    Pane pane_; ///< its slots are of their own: small targets, not those of the window
+    PaneRequest drawnFor_;
+    std::vector<Thumbnail> thumbnails_;
+};
+
+} // namespace shadowlab::lab

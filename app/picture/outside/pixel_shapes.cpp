@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "app/picture/outside/pixel_shapes.h"
+
+#include <array>
+#include <cmath>
+
+#include "app/picture/outside/stroke_letters.h"
+#include "techniques/foundation/base/look.h"
+
+namespace shadowlab::picture {
+
+namespace {
+
+// Of half the picture's height: arrows are read from the last row, and do not hide what they stand on.
+constexpr double kArrowShare = 0.4, kLetterShare = 0.065;
+constexpr double kHeadShare = 0.16;   ///< of an arrow's length
+constexpr std::size_t kNamedRays = 8; ///< more names would cover one another
+constexpr double kLettersLong = 4;    ///< letters' heights that a ray with a name is long at least
+constexpr double kOnRay = 0.6;        ///< length of the arrows on the ray itself, in those of the others
+
+struct ShapeKind {
+    const char* label;
+    vec3 color;
+};
+/// In the order of Probe::Role.
+const std::array<ShapeKind, 5>& kinds() {
+    static const std::array<ShapeKind, 5> all = {{{"the pixel's ray, and vectors where it ends", look::kEyeRay},
+                                                  {"reflection rays R", look::kReflectionRay},
+                                                  {"refraction rays T", look::kRefractionRay},
+                                                  {"shadow rays that arrive: lit", look::kEqualDepth},
+                                                  {"shadow rays that do not arrive", look::kOccluded}}};
+    return all;
+}
+
+/// How large a share of half the picture's height is at a place, and the picture's own axes there.
+struct Facing {
+    explicit Facing(const scene::Camera& outside) : camera(outside) {
+        forward = glm::normalize(outside.targetWorld - outside.positionWorld);
+        right = glm::normalize(glm::cross(forward, outside.upWorld));
+        up = glm::cross(right, forward);
+    }
+    [[nodiscard]] double metres(const dvec3& placeWorld, double share) const {
+        return share * std::tan(glm::radians(camera.fovYDegrees / 2)) *
+               std::abs(glm::dot(placeWorld - camera.positionWorld, forward));
+    }
+    void addName(std::vector<dvec3>& points, std::string_view name, const dvec3& placeWorld) const {
+        const double height = metres(placeWorld, kLetterShare);
+        addWord(points, name, placeWorld, 0.6 * height * right, height * up);
+    }
+    const scene::Camera& camera;
+    dvec3 forward, right, up;
+};
+
+/// The head lies in the picture's plane, as far as the arrow itself does.
+void addArrow(std::vector<dvec3>& points, const Facing& facing, const dvec3& fromWorld, const dvec3& byWorld) {
+    const dvec3 tip = fromWorld + byWorld;
+    points.insert(points.end(), {fromWorld, tip});
+    dvec3 across = glm::cross(byWorld, tip - facing.camera.positionWorld);
+    if (glm::length(across) == 0) return; // seen from its end, it is a point
+    across = glm::normalize(across) * glm::length(byWorld);
+    for (const double side : {-1.0, 1.0})
+        points.insert(points.end(), {tip, tip - kHeadShare * byWorld + side * 0.5 * kHeadShare * across});
+}
+
+} // namespace
+
+std::vector<SceneShape> pixelShapes(const Probe& probe, const scene::Camera& outside) {
+    std::vector<SceneShape> shapes = probe.visited;
+    const std::size_t first = shapes.size();
+    for (const ShapeKind& kind : kinds())
+        shapes.push_back({kind.label, kind.color, SceneShape::Kind::lines, {}});
+    const auto pointsOf = [&](Probe::Role role) -> std::vector<dvec3>& {
+        return shapes[first + static_cast<std::size_t>(role)].pointsWorld;
+    };
+    for (const Probe::Segment& segment : probe.geometry)
+        pointsOf(segment.role).insert(pointsOf(segment.role).end(), {segment.fromWorld, segment.toWorld});
+    if (probe.geometry.empty()) return {};
+
+    const Facing facing(outside);
+    std::size_t named = 0;
+    for (const Probe::Node& node : probe.tree) {
+        if (node.segment < 0 || node.sign.empty() || named == kNamedRays) continue;
+        const Probe::Segment& segment = probe.geometry[static_cast<std::size_t>(node.segment)];
+        const dvec3 middle = 0.5 * (segment.fromWorld + segment.toWorld);
+        if (glm::length(segment.toWorld - segment.fromWorld) < kLettersLong * facing.metres(middle, kLetterShare))
+            continue;
+        ++named;
+        facing.addName(pointsOf(node.role), node.sign, middle + facing.metres(middle, kLetterShare) * facing.up);
+    }
+    const dvec3 atWorld = probe.geometry.front().toWorld;
+    const double length = facing.metres(atWorld, kArrowShare);
+    for (const Probe::Vector& vector : probe.vectors) {
+        const Probe::Role role = vector.label == "R"   ? Probe::Role::reflection
+                                 : vector.label == "T" ? Probe::Role::refraction
+                                                       : Probe::Role::eye;
+        // u and V lie on the ray itself: u farther out, on its way in, and the letters of both beside it.
+        const bool onRay = vector.label == "u" || vector.label == "V";
+        const dvec3 by = (onRay ? kOnRay : 1.0) * length * vector.directionWorld;
+        const dvec3 from = vector.label == "u" ? atWorld - 2.5 * by : atWorld;
+        addArrow(pointsOf(role), facing, from, by);
+        const double away = facing.metres(atWorld, kLetterShare);
+        facing.addName(pointsOf(role), vector.label,
+                       onRay ? from + 0.5 * by + away * facing.up : from + by + away * vector.directionWorld);
+    }
+    return shapes;
+}
+
+} // namespace shadowlab::picture

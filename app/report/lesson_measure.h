@@ -1,0 +1,26 @@
+// Is the artefact of a lesson really there, and really gone? The numbers of its two states, beside what they have to be.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <array>
+#include <vector>
+
+#include "app/course/lessons/lesson.h"
+
+namespace shadowlab::report {
+
+/// One expectation of a lesson, measured in both states.
+struct MeasuredExpectation {
+    std::array<double, 2> values{}; ///< before, after
+    /// How many pixels, frames or numbers the values are about: where it is 0, they prove nothing.
+    std::array<int, 2> compared{};
+    std::array<bool, 2> holds{};
+};
+
+/// In the order of the lesson's expectations. A value that could not be measured (a fact that no probe tells) is an Error
+/// (badInput) naming what there is. Needs a current GL context.
+std::vector<MeasuredExpectation> measureLesson(const course::Lesson& lesson);
+
+/// Does all of it hold, and was there something to be compared?
+bool holdsAsExpected(const std::vector<MeasuredExpectation>& measured);
+
+} // namespace shadowlab::report

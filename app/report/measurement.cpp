@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "app/report/measurement.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "app/judge/metrics/flip.h"
+#include "app/judge/metrics/frame_times.h"
+#include "app/judge/metrics/image_metrics.h"
+#include "app/judge/slot_errors.h"
+#include "techniques/foundation/gl/read_back.h"
+
+namespace shadowlab::report {
+
+namespace {
+
+using namespace judge;
+
+using SteadyClock = std::chrono::steady_clock;
+using trace::Visibility;
+
+bool hasStage(const TechniqueInfo& info, std::string_view stage) {
+    return std::ranges::find(info.stages, stage, &StageInfo::id) != info.stages.end();
+}
+
+/// Is each pixel lit? Turned away and empty pixels are not.
+std::vector<std::uint8_t> litMask(const picture::VisibilityImage& visibility) {
+    std::vector<std::uint8_t> lit(visibility.greyAlpha.size() / 2);
+    for (std::size_t i = 0; i < lit.size(); ++i)
+        lit[i] = visibility.greyAlpha[2 * i + 1] == 255 && visibility.greyAlpha[2 * i] > 127 ? 1 : 0;
+    return lit;
+}
+std::vector<std::uint8_t> litMask(const Truth& truth) {
+    std::vector<std::uint8_t> lit(truth.visibility.size());
+    std::ranges::transform(truth.visibility, lit.begin(), [](Visibility v) { return v == Visibility::lit ? 1 : 0; });
+    return lit;
+}
+
+// Frames of a turn: enough for caches to be those of the technique, few enough for turns to alternate within a second.
+constexpr std::size_t kTurnFrames = 12, kWarmingFrames = 3;
+
+} // namespace
+
+Measurement::Measurement(picture::Session& session, std::vector<picture::Slot>& slots, int light, ivec2 size)
+    : session_(session), light_(light), size_(size) {
+    for (picture::Slot& slot : slots) {
+        entries_.push_back({&slot, {}, {}});
+        entries_.back().result.technique = slot.info->id;
+    }
+}
+
+void Measurement::addFrame(const film::Moment& moment) {
+    const bool first = moments_.empty();
+    session_.setScene(moment.snapshot);
+    View view;
+    view.camera = moment.camera;
+    view.size = size_;
+    if (first) session_.prepareTruth(Deadline::max()); // builds the tree
+    std::map<TruthOf, Judged> truths;                  // those that somebody is judged by
+    std::optional<Shown> reference;
+    if (first) reference = referencePicture(view);
+
+    for (Entry& measured : entries_) {
+        picture::Slot& slot = *measured.slot;
+        const picture::LightTruth asked = session_.truthFor(slot, light_);
+        measured.result.truth = asked.of;
+        if (!truths.contains(asked.of)) truths.emplace(asked.of, truthOf(view, asked, first));
+        const Judged& judged = truths.at(asked.of);
+        if (first) measured.result.firstPrepareMs = session_.render(slot, view).prepareMs;
+
+        FrameRequest request;
+        request.stages = {{"visibility", light_}};
+        if (hasStage(*slot.info, "texel-size")) request.stages.push_back({"texel-size", light_});
+        const picture::RenderedFrame rendered = session_.render(slot, view, request);
+        const picture::VisibilityImage visibility = picture::readVisibility(picture::findStage(rendered, {"visibility", light_}));
+        measured.flips.addFrame(litOutsideTies(visibility, judged.truth, asked, view), litMask(judged.truth),
+                                lengthPx(judged.boundary));
+        measured.result.counters = rendered.result.counters;
+        if (first) judgeFirst(measured, rendered, visibility, judged, *reference);
+    }
+    moments_.push_back(moment);
+}
+
+int Measurement::turns() const { return static_cast<int>((moments_.size() + kTurnFrames - 1) / kTurnFrames); }
+
+void Measurement::timeTurn(int turn) {
+    const std::size_t first = kTurnFrames * static_cast<std::size_t>(turn), frames = moments_.size();
+    const std::size_t end = std::min(first + kTurnFrames, frames), warming = std::min(kWarmingFrames, frames);
+    for (Entry& measured : entries_) {
+        for (std::size_t before = warming; before > 0; --before)
+            draw(*measured.slot, moments_[(first + frames - before) % frames], false);
+        for (std::size_t i = first; i < end; ++i) {
+            const SteadyClock::time_point start = SteadyClock::now();
+            const picture::RenderedFrame drawn = draw(*measured.slot, moments_[i], false);
+            picture_ = encoder_.encodeInPlace(measured.slot->target.color, moments_[i].snapshot->exposure, 1, {},
+                                              std::move(picture_));
+            glFinish();
+            measured.result.times.addFrame(elapsedMs(start), drawn.prepareMs);
+        }
+        for (std::size_t i = first; i < end; ++i)
+            measured.result.times.addPasses(draw(*measured.slot, moments_[i], true).result.passMs);
+    }
+}
+
+picture::RenderedFrame Measurement::draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses) {
+    session_.setScene(moment.snapshot);
+    View view;
+    view.camera = moment.camera;
+    view.size = size_;
+    FrameRequest request;
+    request.timePasses = timesPasses;
+    return session_.render(slot, view, request);
+}
+
+Measurement::Judged Measurement::truthOf(const View& view, const picture::LightTruth& light, bool first) {
+    const SteadyClock::time_point start = SteadyClock::now();
+    Truth truth = first ? session_.truth(view, light) : session_.truthAtCentres(view, light);
+    if (first) truthMs_ += elapsedMs(start);
+    std::vector<BoundaryEdge> boundary = trueBoundary(truth);
+    return {std::move(truth), std::move(boundary)};
+}
+
+/// The technique's lit pixels, ties as the truth has them: what no rasteriser promises is no flicker. Only pixels that
+/// differ have to be asked whether they are ties.
+std::vector<std::uint8_t> Measurement::litOutsideTies(const picture::VisibilityImage& visibility, const Truth& truth,
+                                                      const picture::LightTruth& light, const View& view) {
+    std::vector<std::uint8_t> lit = litMask(visibility);
+    const std::vector<std::uint8_t> exact = litMask(truth);
+    std::vector<ivec2> differing;
+    for (int y = 0; y < size_.y; ++y)
+        for (int x = 0; x < size_.x; ++x)
+            if (lit[truth.index(x, y)] != exact[truth.index(x, y)]) differing.emplace_back(x, y);
+    const std::vector<std::uint8_t> ties = session_.tiesAmong(view, light, differing);
+    for (std::size_t i = 0; i < differing.size(); ++i)
+        if (ties[i]) lit[truth.index(differing[i].x, differing[i].y)] ^= 1;
+    return lit;
+}
+
+void Measurement::judgeFirst(Entry& measured, const picture::RenderedFrame& rendered, const picture::VisibilityImage& visibility,
+                             const Judged& judged, const Shown& reference) {
+    TechniqueErrors& result = measured.result;
+    const auto& [truth, boundary] = judged;
+    const SlotErrors errors = judgeSlot(truth, boundary, visibility.greyAlpha);
+    result.counts = errors.judgement.counts;
+    result.edgeErrorPx = errors.edgeErrorPx;
+    result.boundaryPx = displacement(truth, boundary, visibility.greyAlpha);
+    std::optional<Grid<float>> texelPx;
+    if (hasStage(*measured.slot->info, "texel-size"))
+        texelPx = picture::readTexelSizes(picture::findStage(rendered, {"texel-size", light_}));
+    result.coreErrors = coreErrors(truth, errors.judgement, distanceToBoundary(boundary, size_), texelPx);
+    result.converged = rendered.converged;
+    for (const Counter& counter : result.counters)
+        if (counter.id == "served" && counter.of > 0) result.served = counter.built / counter.of;
+
+    const Shown picture = shown(*measured.slot);
+    result.picture = {psnr(picture.linear, reference.linear), ssim(picture.encoded, reference.encoded),
+                      flip(picture.encoded, reference.encoded).mean};
+}
+
+/// The picture in a slot's target: linear light as it is shown, that is exposed and clamped, and the encoded bytes.
+Measurement::Shown Measurement::shown(const picture::Slot& slot) const {
+    const float exposure = session_.snapshot()->exposure;
+    Shown picture{{}, encoder_.encode(slot.target.color, exposure)};
+    for (const vec4& texel : gl::readTexels(slot.target.color))
+        for (int channel = 0; channel < 3; ++channel)
+            picture.linear.push_back(std::clamp(exposure * texel[channel], 0.0f, 1.0f));
+    return picture;
+}
+
+Measurement::Shown Measurement::referencePicture(const View& view) {
+    picture::Slot slot = picture::Session::makeSlot("ray-traced");
+    session_.render(slot, view);
+    return shown(slot);
+}
+
+std::vector<TechniqueErrors> Measurement::results() const {
+    std::vector<TechniqueErrors> results;
+    for (const Entry& measured : entries_) {
+        results.push_back(measured.result);
+        results.back().excessFlipRate = measured.flips.rate();
+    }
+    return results;
+}
+
+} // namespace shadowlab::report

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include "app/student/grading/families.h"
+
+namespace shadowlab::student {
+
+namespace {
+
+constexpr std::string_view kExactVolume = "volumes are exact but for cracks between triangles, a pixel here and there";
+
+constexpr std::array kShadowVolumeCases = std::to_array<Case>({
+    {"volume-lamp", "silhouette, extrusion and count, for a lamp", 8, kExactVolume, 3,
+     "Draw the volumes as a picture, front faces in one colour, back faces in another: are they closed?"},
+    {"volume-sun", "the same for the sun: all sides meet at infinity", 8, kExactVolume, 2,
+     "The light is a homogeneous point: from v it lies toward light.xyz - light.w v, for lamp and sun alike."},
+    {"volume-knot", "a mesh that shadows itself", 20, kExactVolume, 2,
+     "The top cap lies on the caster's own surface: same vertices, same order, depth test LESS and not LEQUAL."},
+    {"volume-eye-inside", "the eye stands in a shadow", 8, kExactVolume, 3,
+     "Count what lies behind the point, where the depth test fails. What lies before it begins with the eye."},
+    {"volume-along-light", "volumes are closed at infinity", 12, kExactVolume, 2,
+     "A line that stays in a volume to its end leaves it through the bottom cap."},
+    {"volume-mirrored", "meshes that a mirror has turned inside out", 8, kExactVolume, 2,
+     "Which corner order is the front depends on the object: scene::isMirrored, glFrontFace."},
+    {"volume-row", "points in several volumes at once", 12, kExactVolume, 2,
+     "Add and take, and wrap: a count may go below zero on its way."},
+    {"volume-long", "a shadow falls as far as there is something", 12, kExactVolume, 2,
+     "Extrude to infinity (w = 0), and clamp depths, so that the far plane does not cut the volume open."},
+});
+
+} // namespace
+
+std::span<const Case> shadowVolumeCases() { return kShadowVolumeCases; }
+
+} // namespace shadowlab::student

@@ -1,0 +1,57 @@
+// Holds a plug-in against the truth in every case of a family.
+//
+// The plug-in draws in another process, a new one for each case, and hands over pictures; the truth is found here, where nothing of
+// the plug-in runs. So it cannot change its marks, and what happens to it happens to it alone.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/judge/verdict.h"
+#include "app/student/grading/child_program.h"
+#include "app/student/grading/families.h"
+#include "techniques/foundation/image/image.h"
+
+namespace shadowlab::student {
+
+/// What is graded: one technique of a plug-in.
+struct Candidate {
+    std::filesystem::path plugin;
+    std::string technique;
+    std::string backend = "auto"; ///< what it draws with
+};
+
+struct CaseResult {
+    const Case* which = nullptr;
+    std::optional<int> wrong; ///< pixels; none: it drew no picture
+    std::string failure;      ///< why it drew none
+    judge::Counts counts;   ///< of the truth and, if there is a picture, of what is wrong in it
+    [[nodiscard]] bool isRight() const { return wrong && *wrong <= which->limit; }
+    [[nodiscard]] int points() const { return isRight() ? which->points : 0; }
+};
+
+struct Sheet {
+    const Family* family = nullptr;
+    Candidate candidate;
+    std::vector<CaseResult> results;
+    image::Image firstFailing; ///< student, truth, difference; empty where all is right
+    [[nodiscard]] int points() const;
+    [[nodiscard]] int mostPoints() const;
+};
+
+/// Asks a plug-in, in a process of its own, which techniques it has and which family it says it is of (empty: none). Throws Error
+/// (badInput) with the line that its loading failed with.
+struct Declared {
+    std::vector<std::string> techniques;
+    std::string family;
+};
+Declared askPlugin(const std::filesystem::path& plugin, const ChildLimits& limits);
+
+/// Needs a current GL context, for the ties of the truth. `done` is told how many cases are through.
+Sheet grade(const Candidate& candidate, const Family& family, const ChildLimits& limits,
+            const std::function<void(int)>& done);
+
+} // namespace shadowlab::student

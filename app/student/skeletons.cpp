@@ -1,0 +1,124 @@
+// In a skeleton's files, and in their names, `my_shadows` stands for the namespace, `my-shadows` for the id, `My shadows` for the
+// title: so each is C++ and GLSL that editors and compilers take as it is.
+// SPDX-License-Identifier: MIT
+#include "app/student/skeletons.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/context/assets.h"
+#include "app/picture/limits.h"
+#include "app/student/plugins.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/image/output_error.h"
+#include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/image/output_folder.h"
+#include "techniques/foundation/scene/load/file_access.h"
+#include "techniques/registry.h"
+
+namespace shadowlab::student {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Twice as long as any of ours: it stands in tables and on labels.
+constexpr std::size_t kLongestTechniqueName = 40;
+
+// Namespaces that a technique's own would be mixed up with, and words that no namespace can have.
+constexpr std::array kTaken = {"app",    "commands", "context", "gl",        "glm", "image", "look", "measure",
+                               "params", "scene",    "session", "shadowlab", "std", "trace", "ui"};
+constexpr std::array kWords = {
+    "alignas",   "alignof",  "and",      "asm",     "auto",      "bitand",    "bitor",    "bool",      "break",
+    "case",      "catch",    "char",     "class",   "compl",     "concept",   "const",    "consteval", "constexpr",
+    "constinit", "continue", "decltype", "default", "delete",    "do",        "double",   "else",      "enum",
+    "explicit",  "export",   "extern",   "false",   "float",     "for",       "friend",   "goto",      "if",
+    "inline",    "int",      "long",     "main",    "mutable",   "namespace", "new",      "noexcept",  "not",
+    "nullptr",   "operator", "or",       "private", "protected", "public",    "register", "requires",  "return",
+    "short",     "signed",   "sizeof",   "static",  "struct",    "switch",    "template", "this",      "throw",
+    "true",      "try",      "typedef",  "typeid",  "typename",  "union",     "unsigned", "using",     "virtual",
+    "void",      "volatile", "while",    "xor"};
+
+std::string namespaceOf(std::string name) {
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+/// "My shadows"
+std::string titleOf(std::string name) {
+    std::ranges::replace(name, '-', ' ');
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
+    return name;
+}
+
+std::string renamed(std::string text, const std::string& name) {
+    const std::array<std::pair<std::string, std::string>, 3> words = {
+        {{"my_shadows", namespaceOf(name)}, {"my-shadows", name}, {"My shadows", titleOf(name)}}};
+    for (const auto& [from, to] : words)
+        for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+    return text;
+}
+
+std::string textOf(const fs::path& file) {
+    if (const std::string why = scene::whyUnreadable(file); !why.empty())
+        throw Error(ExitStatus::badInput, file.string() + ": " + why + "; install shadowlab again");
+    return scene::readFile(file, picture::limits().sceneFileBytes, "scene-file");
+}
+
+} // namespace
+
+std::vector<std::string> skeletonNames() { return {"empty", "planar", "shadow-map", "z-fail"}; }
+
+void requireFreeName(const std::string& name) {
+    const auto refuse = [&](const std::string& why) {
+        throw Error(ExitStatus::usage, "new-technique: '" + name + "' " + why);
+    };
+    if (!isKebabCase(name))
+        refuse("is no name of a technique; use small letters, digits and hyphens between them, as my-shadows");
+    if (name.size() > kLongestTechniqueName)
+        refuse("has " + std::to_string(name.size()) + " characters; use at most " +
+               std::to_string(kLongestTechniqueName));
+    const std::string space = namespaceOf(name);
+    if (std::ranges::find(kWords, space) != kWords.end() || std::ranges::find(kTaken, space) != kTaken.end())
+        refuse("cannot be the name of a namespace beside those of the program; choose another, as my-" + name);
+    for (const RegisteredTechnique& technique : registeredTechniques())
+        if (technique.info->id == name || technique.folder == space)
+            refuse("is the name of a technique that there is already; choose another, as my-" + name);
+}
+
+void writeSkeleton(const std::string& skeleton, const std::string& name, const fs::path& folder) {
+    requireFreeName(name);
+    const fs::path source = context::assetsRoot() / "skeletons" / skeleton;
+    std::error_code failed;
+    if (!fs::is_directory(source, failed))
+        throw Error(ExitStatus::badInput, source.string() + ": there is no such skeleton; install shadowlab again");
+    const fs::path absolute = fs::absolute(folder, failed);
+    if (failed) throw Error(ExitStatus::cannotWrite, image::outputErrorText(folder, failed.value(), false));
+    const fs::path target = absolute.lexically_normal();
+    const fs::path made = target.has_filename() ? target : target.parent_path();
+    if (fs::exists(fs::symlink_status(made, failed)))
+        throw Error(ExitStatus::cannotWrite,
+                    folder.string() + ": there is something of that name already; choose another folder with -o");
+    image::OutputFolder output(made);
+    try {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source)) {
+            const fs::path place = output.path() / renamed(fs::relative(entry.path(), source).string(), name);
+            image::makeFolders(entry.is_directory() ? place : place.parent_path());
+            if (!entry.is_directory()) image::writeWhole(place, renamed(textOf(entry.path()), name));
+        }
+    } catch (const Error& fault) {
+        // Of a place that is gone when the message is read: named is the one that was asked for.
+        std::string message = fault.what();
+        const std::string temporary = output.path().string();
+        if (const std::size_t at = message.find(temporary); at != std::string::npos)
+            message.replace(at, temporary.size(), made.string());
+        throw Error(fault.status(), message);
+    } catch (const fs::filesystem_error& fault) {
+        throw Error(ExitStatus::badInput,
+                    source.string() + ": cannot be read: " + fault.code().message() + "; install shadowlab again");
+    }
+    output.commit();
+}
+
+} // namespace shadowlab::student

@@ -1,0 +1,46 @@
+// A lesson on the desk: which one, how far it has come, and what was there before it.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/course/lessons/lesson.h"
+#include "app/course/lessons/prediction.h"
+
+namespace shadowlab::window {
+
+struct Desk;
+
+/// What a lesson goes through; questions only where it asks one, revealing only where something was painted.
+enum class LessonStep { question, reveal, artefact, mend };
+
+struct LessonDesk {
+    std::vector<course::LessonText> all; ///< the course
+    scene::LoadOptions loading;
+    std::optional<course::Lesson> now; ///< none: no lesson is on
+    LessonStep step = LessonStep::artefact;
+    std::optional<lab::Document> earlier; ///< what was shown before the lessons began
+    std::optional<int> chosen;                ///< of a question's choices
+    course::Prediction painted;
+    std::optional<course::PredictionScore> score;
+
+    [[nodiscard]] bool isOn() const { return now.has_value(); }
+    /// Does the mouse paint where the shadow will be?
+    [[nodiscard]] bool paints() const;
+    [[nodiscard]] bool asksChoice() const;
+};
+
+/// The steps of a lesson, in order.
+std::vector<LessonStep> stepsOf(const course::Lesson& lesson);
+
+/// Begins a lesson: a built-in name or a file. One that cannot be loaded leaves a message, and all as it was.
+void openLesson(Desk& desk, const std::string& nameOrPath, bool atItsEnd = false);
+/// One step on (1) or back (-1), into the next or the last lesson where this one ends. Without a lesson: the first, or the last.
+void stepLesson(Desk& desk, int by);
+/// The lesson is over, and what was there before it is back.
+void leaveLesson(Desk& desk);
+/// An answer to the question that is asked; counted from 0.
+void answer(Desk& desk, int choice);
+
+} // namespace shadowlab::window

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/panels/error_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "techniques/foundation/base/look.h"
+
+namespace shadowlab::window {
+
+namespace {
+
+constexpr double kPlotSeconds = 30; ///< the plot shows the last half minute
+
+int panesOf(const Desk& desk) { return lab::shownPanes(desk.bench.document().layout); }
+
+int paneAt(const Desk& desk, int i) {
+    return desk.bench.document().layout == picture::Layout::single ? desk.bench.document().active : i;
+}
+
+/// One curve chart: `value(sample)` of each pane over the last seconds, from zero to the largest.
+template <typename ValueOf>
+void chart(const Desk& desk, const lab::LiveErrors& errors, const Theme& theme, const char* label, const char* unit,
+           const ValueOf& valueOf) {
+    const std::deque<lab::Sample>& samples = errors.history().samples();
+    const float width = ImGui::GetContentRegionAvail().x, height = theme.em * 4;
+    const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + width, low.y + height);
+    ImGui::Dummy({width, height});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, high, IM_COL32(12, 12, 14, 255));
+    list.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_Border));
+    double largest = 0;
+    const double end = samples.empty() ? 0 : samples.back().seconds;
+    for (const lab::Sample& sample : samples)
+        for (const lab::SlotSample& slot : sample.slots)
+            if (end - sample.seconds <= kPlotSeconds) largest = std::max(largest, valueOf(slot).value_or(0));
+    // Up to a round number, so that the scale does not move with every sample.
+    double top = 1e-3;
+    for (int i = 0; top < largest; ++i)
+        top *= i % 3 == 1 ? 2.5 : 2;
+    for (int i = 0; i < panesOf(desk); ++i) {
+        const int pane = paneAt(desk, i);
+        ImVec2 before{};
+        bool joined = false;
+        for (const lab::Sample& sample : samples) {
+            const std::optional<double> value = valueOf(sample.slots[static_cast<std::size_t>(pane)]);
+            const double age = end - sample.seconds;
+            if (!value || age > kPlotSeconds) {
+                joined = false;
+                continue;
+            }
+            const ImVec2 at(high.x - static_cast<float>(age / kPlotSeconds) * width,
+                            high.y - static_cast<float>(*value / top) * (height - theme.em * 1.1f) - 1);
+            if (joined) list.AddLine(before, at, paneColor(pane), 2);
+            list.AddCircleFilled(at, 2, paneColor(pane));
+            before = at;
+            joined = true;
+        }
+    }
+    char text[64];
+    std::snprintf(text, sizeof text, "%s, 0 to %.3g %s", label, top, unit);
+    list.AddText(theme.text, theme.em * 0.85f, {low.x + theme.em * 0.3f, low.y + theme.em * 0.1f}, kPlateText, text);
+}
+
+} // namespace
+
+ImU32 paneColor(int pane) {
+    // Okabe and Ito, without those that mean false lit and false shadow.
+    static const std::array<vec3, lab::kPanes> kColors = {
+        look::linearFromSrgb8(0xF0, 0xE4, 0x42), look::linearFromSrgb8(0x56, 0xB4, 0xE9),
+        look::linearFromSrgb8(0x00, 0x9E, 0x73), look::linearFromSrgb8(0xCC, 0x79, 0xA7)};
+    return shownColor(kColors[static_cast<std::size_t>(pane)]);
+}
+
+void errorTable(const Desk& desk, const lab::LiveErrors& errors) {
+    if (!ImGui::BeginTable("errors", 5, ImGuiTableFlags_SizingStretchProp)) return;
+    for (const char* title : {"pane", "false lit", "false sh.", "edge px", "frame"})
+        ImGui::TableSetupColumn(title);
+    ImGui::TableNextRow();
+    for (const char* title : {"", "false lit", "false sh.", "edge", "frame"}) {
+        ImGui::TableNextColumn();
+        ImGui::TextDisabled("%s", title);
+    }
+    for (int i = 0; i < panesOf(desk); ++i) {
+        const int pane = paneAt(desk, i);
+        const lab::PaneErrors* const known = errors.errors(pane);
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(paneColor(pane)), "%d", pane + 1);
+        if (known) {
+            ImGui::TableNextColumn();
+            ImGui::Text("%d", known->counts.falseLit);
+            ImGui::TableNextColumn();
+            ImGui::Text("%d", known->counts.falseShadow);
+            ImGui::TableNextColumn();
+            if (known->edgeErrorPx)
+                ImGui::Text("%.3f px", *known->edgeErrorPx);
+            else
+                ImGui::TextDisabled("-");
+        } else {
+            for (int column = 0; column < 3; ++column) {
+                ImGui::TableNextColumn();
+                ImGui::TextDisabled("-");
+            }
+        }
+        ImGui::TableNextColumn();
+        if (desk.live)
+            ImGui::Text("%.0f ms", desk.bench.pane(pane).rendered().frameMs);
+        else
+            ImGui::TextDisabled("- ms");
+    }
+    ImGui::EndTable();
+    ImGui::TextDisabled(errors.isDone() ? "exact, at rest" : "without ties; exact when all is at rest");
+}
+
+void historyPlot(const Desk& desk, const lab::LiveErrors& errors, const Theme& theme) {
+    if (!desk.live) return; // a plot over time is never the same twice
+    chart(desk, errors, theme, "frame", "ms",
+          [](const lab::SlotSample& s) { return s.frameMs > 0 ? std::optional(s.frameMs) : std::nullopt; });
+    chart(desk, errors, theme, "edge error", "px", [](const lab::SlotSample& s) { return s.edgeErrorPx; });
+}
+
+} // namespace shadowlab::window

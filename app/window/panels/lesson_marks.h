@@ -1,0 +1,18 @@
+// A lesson's marks on the pictures: frames around what to look at, what the class paints, and how right that was.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <imgui.h>
+
+#include "app/window/desk.h"
+#include "app/window/pictures.h"
+#include "app/window/theme.h"
+
+namespace shadowlab::window {
+
+/// Nothing without a lesson, and nothing after the camera has left the place that the frames are for.
+void drawLessonMarks(ImDrawList& list, const Desk& desk, const ShownPane& shown, const Theme& theme);
+
+/// While the shadow is to be painted, the mouse over the pictures paints, and does nothing else. True while it does.
+bool handlePainting(Desk& desk, const std::vector<ShownPane>& panes);
+
+} // namespace shadowlab::window

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/panels/strip_panel.h"
+
+#include <algorithm>
+
+#include "app/window/widget_renderer.h"
+
+namespace shadowlab::window {
+
+namespace {
+
+constexpr int kCaptionLines = 3;
+
+/// The picture in the middle of a frame of that size, its proportions kept.
+void drawInFrame(ImDrawList& list, const lab::PanePicture& picture, ImVec2 corner, ImVec2 frame) {
+    list.AddRectFilled(corner, {corner.x + frame.x, corner.y + frame.y}, IM_COL32(12, 12, 14, 255));
+    if (!picture.texture) return;
+    const ImVec2 size = imVec(picture.texture.size());
+    const float scale = std::min(frame.x / size.x, frame.y / size.y);
+    const ImVec2 low(corner.x + (frame.x - size.x * scale) / 2, corner.y + (frame.y - size.y * scale) / 2);
+    list.AddImage(imguiTexture(picture.texture), low, {low.x + size.x * scale, low.y + size.y * scale}, {0, 1}, {1, 0});
+}
+
+} // namespace
+
+ivec2 thumbnailSize(const Theme& theme) {
+    const auto height = static_cast<int>(theme.em * 5.5f);
+    return {height * 16 / 9, height};
+}
+
+float stripHeight(const Theme& theme) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return static_cast<float>(thumbnailSize(theme).y) + kCaptionLines * theme.em * 0.95f + 2 * style.WindowPadding.y +
+           style.ScrollbarSize + theme.em * 0.3f;
+}
+
+void stripPanel(Desk& desk, const lab::StageStrip& strip, const Area& area, const Theme& theme) {
+    ImGui::SetNextWindowPos(imVec(area.corner));
+    ImGui::SetNextWindowSize(imVec(area.size));
+    ImGui::Begin("stages", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_HorizontalScrollbar |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    const std::string now = desk.bench.activeState().stage.substr(0, desk.bench.activeState().stage.find('@'));
+    const ImVec2 frame = imVec(thumbnailSize(theme));
+    const float small = theme.em * 0.85f;
+    int number = 0;
+    for (const lab::Thumbnail& thumbnail : strip.thumbnails()) {
+        if (number > 0) ImGui::SameLine();
+        ImGui::PushID(number++);
+        const ImVec2 corner = ImGui::GetCursorScreenPos();
+        const ImVec2 size(frame.x, frame.y + kCaptionLines * theme.em * 0.95f);
+        if (ImGui::InvisibleButton("stage", size)) chooseStage(desk, thumbnail.stage);
+        const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemFocused(), chosen = thumbnail.stage == now;
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        drawInFrame(list, thumbnail.picture, corner, frame);
+        if (!thumbnail.picture.texture) {
+            const char* const later = "drawn when chosen";
+            const ImVec2 extent = theme.text->CalcTextSizeA(small, FLT_MAX, 0, later);
+            list.AddText(theme.text, small, {corner.x + (frame.x - extent.x) / 2, corner.y + (frame.y - extent.y) / 2},
+                         ImGui::GetColorU32(ImGuiCol_TextDisabled), later);
+        }
+        list.AddRect(corner, {corner.x + frame.x, corner.y + frame.y},
+                     chosen || hovered ? kAccent : ImGui::GetColorU32(ImGuiCol_Border), 0, 0, chosen ? 3.0f : 1.0f);
+        list.PushClipRect({corner.x, corner.y + frame.y}, {corner.x + size.x, corner.y + size.y}, true);
+        list.AddText(theme.text, small, {corner.x, corner.y + frame.y + theme.em * 0.15f},
+                     chosen ? kAccent : ImGui::GetColorU32(ImGuiCol_Text), thumbnail.caption.c_str(), nullptr, frame.x);
+        list.PopClipRect();
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", thumbnail.caption.c_str());
+        ImGui::PopID();
+    }
+    ImGui::End();
+}
+
+} // namespace shadowlab::window

@@ -1,0 +1,93 @@
+// Everything that is seen in the window, drawn into a framebuffer of our own: pictures, widgets, messages. A window shows
+// it, a headless capture writes it down; the bytes are the same.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/lab/stage_strip.h"
+#include "app/window/desk.h"
+#include "app/window/panels/source_panel.h"
+#include "app/window/pictures.h"
+#include "app/window/theme.h"
+#include "app/window/widget_renderer.h"
+
+struct ImGuiContext;
+
+namespace shadowlab::window {
+
+class Screen {
+public:
+    /// Needs a current GL context for its whole life. `fontFile` is DejaVu Sans.
+    Screen(Desk& desk, std::filesystem::path fontFile);
+    ~Screen();
+    Screen(const Screen&) = delete;
+    Screen& operator=(const Screen&) = delete;
+
+    /// Before ImGui's own input is fed: makes type and framebuffer fit a window of that many pixels on a screen of that
+    /// scale. A size of zero is a window that is not seen; nothing is drawn then.
+    void fit(ivec2 windowPixels, float contentScale);
+
+    /// How long the drawing of one frame may take before it goes on in the next.
+    void setPatience(std::chrono::milliseconds patience) { patience_ = patience; }
+
+    /// One frame: keys and mouse as ImGui has them, the pictures that have changed, the widgets. `seconds` is the time
+    /// since the last frame. Returns false when there was nothing to draw to.
+    bool frame(double seconds);
+
+    [[nodiscard]] const gl::Framebuffer& framebuffer() const { return framebuffer_; }
+    [[nodiscard]] const gl::Texture2D& picture() const { return picture_; }
+    /// Is the next frame wanted at once? Not while nothing is left but to wait for exact errors, which need the processor.
+    [[nodiscard]] bool isBusy() const { return busy_; }
+    /// Pixels of the picture area: what a capture of the pictures alone has.
+    [[nodiscard]] ivec2 pictureSize() const { return desk_.bench.shownSize(pictureArea().size); }
+    /// Would the next frame look just like this one, if no hand moves and no time goes by?
+    [[nodiscard]] bool isSettled() const { return settled_; }
+    [[nodiscard]] const lab::LiveErrors& errors() const { return errors_; }
+    /// The step as text, as it was shown last.
+    [[nodiscard]] const picture::StepSource& stepSource() const { return source_.shown(); }
+    [[nodiscard]] const std::vector<ShownPane>& shownPanes() const { return panes_; }
+    /// The ids of the actions that keys have run in the last frame.
+    [[nodiscard]] const std::vector<std::string>& ran() const { return ran_; }
+
+    void say(const std::string& news) { desk_.messages.push_back({news, false, clock_ + 6}); }
+    void complain(const std::string& fault) { window::complain(desk_, fault); }
+    [[nodiscard]] const std::vector<Message>& messages() const { return desk_.messages; }
+    /// Takes back a fault that has been mended.
+    void withdraw(const std::string& beginning);
+
+private:
+    void drawMessages(const Area& pictures);
+    void drawWidgets();
+    [[nodiscard]] Area pictureArea() const;
+    [[nodiscard]] int sourceWidth() const;
+    /// Small pictures wait until nothing moves: they must not slow down what does.
+    bool updateStrip();
+
+    Desk& desk_;
+    std::filesystem::path fontFile_;
+    struct ContextDeleter {
+        void operator()(ImGuiContext* context) const;
+    };
+    std::unique_ptr<ImGuiContext, ContextDeleter> imgui_;
+    std::unique_ptr<WidgetRenderer> renderer_;
+    Theme theme_;
+    lab::StageStrip strip_;
+    SourcePanel source_;
+    image::Font labels_; ///< for numbers inside of pictures
+    lab::LiveErrors errors_;
+    gl::Texture2D picture_;
+    gl::Framebuffer framebuffer_;
+    ivec2 size_{0};
+    std::vector<std::string> ran_;
+    std::vector<ShownPane> panes_;             ///< of the last frame
+    double clock_ = 0, timed_ = 0, drawn_ = 0; ///< seconds: now, and of the last frames with and without times
+    // Hands wait a tenth of a second at most; what else belongs to a frame takes its part of it.
+    std::chrono::milliseconds patience_{60};
+    bool settled_ = false, busy_ = true;
+};
+
+} // namespace shadowlab::window

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "app/window/state_report.h"
+
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "app/course/capture_words.h"
+#include "app/window/gizmo.h"
+#include "techniques/foundation/gl/handle.h"
+
+namespace shadowlab::window {
+
+namespace {
+
+nlohmann::ordered_json numbers(const dvec3& v) { return {v.x, v.y, v.z}; }
+
+nlohmann::ordered_json cameraJson(const scene::Camera& camera) {
+    return {{"position", numbers(camera.positionWorld)}, {"target", numbers(camera.targetWorld)}};
+}
+
+/// The same for the same pixels, and hardly ever for others (FNV-1a: Fowler, Noll and Vo).
+std::string fingerprint(const gl::Texture2D& picture) {
+    std::uint64_t hash = 14695981039346656037ull;
+    for (const std::uint8_t channel : picture::PictureEncoder::read(picture).rgba)
+        hash = (hash ^ channel) * 1099511628211ull;
+    return std::to_string(hash);
+}
+
+} // namespace
+
+std::string stateReport(Desk& desk, const Screen& screen) {
+    const lab::Document& document = desk.bench.document();
+    nlohmann::ordered_json json;
+    json["ran"] = screen.ran();
+    json["settled"] = screen.isSettled();
+    json["scene"] = document.sceneName;
+    json["layout"] = course::layoutName(document.layout);
+    json["split"] = document.split;
+    json["active"] = document.active + 1;
+    json["light"] = document.light;
+    json["panes"] = nlohmann::ordered_json::array();
+    for (int i = 0; i < lab::kPanes; ++i) {
+        const lab::PaneState& state = document.panes[static_cast<std::size_t>(i)];
+        const lab::Pane& pane = desk.bench.pane(i);
+        json["panes"].push_back({{"technique", state.technique},
+                                 {"stage", state.stage},
+                                 {"settings", state.values()},
+                                 {"frameMs", pane.rendered().frameMs},
+                                 {"fault", pane.failure()}});
+    }
+    json["camera"] = cameraJson(document.camera);
+    json["outsideCamera"] = cameraJson(document.outsideCamera);
+    const scene::Scene& scene = *desk.bench.shownScene();
+    json["lights"] = nlohmann::ordered_json::array();
+    for (const scene::Light& light : scene.lights)
+        json["lights"].push_back({{"name", light.name},
+                                  {"position", numbers(light.positionWorld)},
+                                  {"direction", numbers(light.directionWorld)}});
+    using Kind = lab::Selection::Kind;
+    const auto index = static_cast<std::size_t>(desk.selection.index);
+    // What is undone may take what is selected away.
+    const bool isLight = desk.selection.kind == Kind::light && index < scene.lights.size();
+    const bool isObject = desk.selection.kind == Kind::object && index < scene.objects.size();
+    json["selection"] = isLight ? scene.lights[index].name : isObject ? scene.objects[index].name : std::string();
+    const lab::PickedPixel& picked = desk.bench.pickedPixel();
+    json["picked"] = nullptr;
+    json["partner"] = nullptr;
+    if (picked.askedFor.view.partner)
+        json["partner"] = {picked.askedFor.view.partner->x, picked.askedFor.view.partner->y};
+    if (picked.askedFor.view.picked)
+        json["picked"] = {{"pixel", {picked.askedFor.view.picked->x, picked.askedFor.view.picked->y}},
+                          {"technique", picked.askedFor.state.technique},
+                          {"facts", picked.probe.facts.size()},
+                          {"rays", picked.probe.tree.size()}};
+    json["lesson"] = nullptr;
+    if (desk.lesson.now) {
+        constexpr const char* kSteps[] = {"question", "reveal", "artefact", "mend"};
+        json["lesson"] = {{"name", desk.lesson.now->text.name}, {"step", kSteps[static_cast<int>(desk.lesson.step)]}};
+        if (desk.lesson.score)
+            json["lesson"]["score"] = {desk.lesson.score->paintedRight(), desk.lesson.score->shadowFound()};
+    }
+    json["slide"] = nullptr;
+    if (desk.slides.deck)
+        json["slide"] = {
+            {"deck", desk.slides.deck->name()}, {"name", desk.slides.slide.name}, {"picture", desk.slides.stop}};
+    json["playing"] = desk.bench.animation().playing;
+    json["moves"] = {{"lights", desk.bench.animation().lights},
+                     {"camera", desk.bench.animation().camera},
+                     {"objects", desk.bench.animation().objects}};
+    json["speed"] = desk.bench.animation().speed;
+    const Shown& shown = desk.shown;
+    json["shown"] = {{"keys", shown.keys},           {"panel", shown.panel},
+                     {"strip", shown.strip},         {"source", shown.source},
+                     {"magnifier", shown.magnifier}, {"blink", shown.blink},
+                     {"presenter", shown.presenter}, {"handles", shown.handles},
+                     {"coarse", shown.coarse},       {"panelHasKeys", desk.panelHasKeys}};
+    json["canUndo"] = desk.bench.history().canUndo();
+    json["canRedo"] = desk.bench.history().canRedo();
+    json["draft"] = desk.bench.draft();
+    json["messages"] = nlohmann::ordered_json::array();
+    for (const Message& message : screen.messages())
+        json["messages"].push_back(message.text);
+    json["handles"] = nlohmann::ordered_json::object();
+    for (const ShownPane& pane : screen.shownPanes())
+        for (const auto& [name, place] : handlePlaces(desk, pane))
+            json["handles"][name] = {std::lround(place.x), std::lround(place.y)};
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    json["mouse"] =
+        ImGui::IsMousePosValid(&mouse) ? nlohmann::ordered_json{mouse.x, mouse.y} : nlohmann::ordered_json();
+    const ivec2 size = screen.framebuffer().size();
+    json["size"] = {size.x, size.y};
+    if (screen.isSettled()) json["picture"] = fingerprint(screen.picture());
+    json["glObjects"] = gl::liveObjects;
+    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+} // namespace shadowlab::window

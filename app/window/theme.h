@@ -1,0 +1,42 @@
+// How the window looks: type sizes, colours, distances. All lengths follow the size of the type.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+
+#include <imgui.h>
+
+#include "techniques/foundation/math/types.h"
+
+namespace shadowlab::window {
+
+struct Theme {
+    float em = 16;          ///< pixels: the type size everything is measured in
+    bool presenter = false; ///< large type, high contrast, for the last row of a lecture hall
+    ImFont* text = nullptr;
+    ImFont* heading = nullptr;
+    ImFont* code = nullptr; ///< every letter as wide as every other
+    // Pixels, as for `text` it is em: ImGui keeps them under another name in each version.
+    float headingSize = 20, codeSize = 14;
+};
+
+/// The type size for a window of that height on a screen of that scale (1: 96 dots an inch). Presenter mode: at least 1/32
+/// of the height, which is read from the last row.
+float typeSize(ivec2 windowPixels, float contentScale, bool presenter);
+
+/// Loads the fonts at that size and sets colours and distances. The fonts have to be uploaded afterwards. `fontFile` is that of
+/// texts; beside it lies DejaVuSansMono.ttf, for source. Throws Error (badInput) when one of them cannot be read.
+Theme applyTheme(float em, bool presenter, const std::filesystem::path& fontFile);
+
+/// A linear colour as ImGui takes it.
+ImU32 shownColor(const vec3& linear, float alpha = 1);
+
+// Of the window itself.
+constexpr ImU32 kAccent = IM_COL32(0xE6, 0x9F, 0x00, 0xFF); ///< what is chosen, or can be taken hold of
+constexpr ImU32 kPlateColor = IM_COL32(16, 16, 18, 230);    ///< under text on pictures (app/picture/labels.cpp)
+constexpr ImU32 kPlateText = IM_COL32(245, 245, 245, 255);
+// What came of a painted shadow: those for false lit and false shadow, and a third that is told from both.
+constexpr ImU32 kPredictedRight = IM_COL32(0x00, 0x9E, 0x73, 0xC8), kPredictedMissed = IM_COL32(0xE6, 0x9F, 0x00, 0xC8),
+                kPredictedWrong = IM_COL32(0x00, 0x72, 0xB2, 0xC8);
+constexpr ImU32 kWarning = IM_COL32(0xD5, 0x5E, 0x00, 0xFF);
+
+} // namespace shadowlab::window

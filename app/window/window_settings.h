@@ -1,0 +1,25 @@
+// What the window remembers from one run to the next: its size, and which of its parts are on show. Never what is in the
+// pictures: every run begins with the same ones.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+
+#include "techniques/foundation/math/types.h"
+
+namespace shadowlab::window {
+
+struct WindowMemory {
+    ivec2 size{1280, 720};
+    bool panel = true, strip = false, presenter = false, handles = true, coarse = true;
+    friend bool operator==(const WindowMemory&, const WindowMemory&) = default;
+};
+
+/// $XDG_CONFIG_HOME/shadowlab/window.json, or below ~/.config; empty where neither is known.
+std::filesystem::path windowMemoryFile();
+
+/// What is written there; a file that is missing or broken is as none, for nothing hangs on it.
+WindowMemory readWindowMemory(const std::filesystem::path& file);
+/// Throws Error (cannotWrite).
+void writeWindowMemory(const std::filesystem::path& file, const WindowMemory& memory);
+
+} // namespace shadowlab::window

@@ -1,0 +1,84 @@
+// Reads a scene file from the top: camera, colours, then lights, materials and objects by their own readers.
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/json/scene_json.h"
+
+#include "techniques/foundation/scene/load/message_text.h"
+
+namespace shadowlab::scene {
+
+Camera readCamera(const NumberRanges& ranges, const JsonDocument& document, const JsonValue& value,
+                  const std::string& what, const std::optional<Camera>& before) {
+    const JsonObject camera(document, value, what, {"position", "target", "up", "fovYDegrees", "near", "far"});
+    const auto fallback = [&](const dvec3 Camera::*part) {
+        return before ? std::optional((*before).*part) : std::nullopt;
+    };
+    Camera result = before.value_or(Camera{});
+    result.positionWorld = camera.vector("position", ranges.anyNumber(), fallback(&Camera::positionWorld));
+    result.targetWorld = camera.vector("target", ranges.anyNumber(), fallback(&Camera::targetWorld));
+    result.upWorld = camera.direction("up", ranges.anyNumber(), result.upWorld);
+    result.fovYDegrees = camera.number("fovYDegrees", Range::strictlyBetween(0.0, 180.0), result.fovYDegrees);
+    result.near = camera.number("near", ranges.aboveZero(), result.near);
+    if (camera.find("far")) result.far = camera.number("far", ranges.aboveZero());
+    if (!(result.far > result.near))
+        camera.fail("far", "is " + numberText(result.far) + "; it must be larger than near, which is " +
+                               numberText(result.near));
+    const dvec3 view = result.targetWorld - result.positionWorld;
+    if (!(glm::dot(view, view) > 0.0)) camera.fail("target", "is the camera's own position; move one of them");
+    if (!hasView(result))
+        camera.fail("up", "is parallel to the view from position to target; choose another up, such as [0, 0, 1]");
+    return result;
+}
+
+ReferredFile readReference(const SceneReading& reading, const JsonObject& object, std::string_view key) {
+    const std::string reference = object.text(key);
+    const std::string named = inQuotes(reference) + " ";
+    const auto canonical = reading.folders.resolve(reference);
+    if (!canonical) object.fail(key, named + std::string(kOutsideMessage));
+    std::filesystem::path path = reading.file.parent_path() / reference;
+    if (std::error_code ignored; std::filesystem::is_directory(path, ignored))
+        object.fail(key, named + "is a folder; name a file in it");
+    if (const std::string fault = whyUnreadable(path); !fault.empty())
+        object.fail(key,
+                    named + fault + " (" + shownPath(path) + "); correct the path, it is relative to the scene file");
+    return {std::move(path), *canonical};
+}
+
+namespace {
+
+/// Pictures are kept in half floats before exposure. Below 1/65504 their largest number is no white, and above 65504 the steps
+/// between their smallest, 6e-8, are a level of 255.
+bool isBeyondHalfFloats(float exposure) {
+    constexpr float kLargest = 65504;
+    return exposure < 1 / kLargest || exposure > kLargest;
+}
+
+} // namespace
+
+std::shared_ptr<const Scene> parseSceneJson(const std::string& text, const std::filesystem::path& file,
+                                            const LoadOptions& options) {
+    const JsonDocument document(text, file, options.limits.jsonDepth);
+    const JsonObject top(document, document.root(), "the scene",
+                         {"camera", "ambient", "background", "exposure", "lights", "materials", "objects"});
+    const auto scene = std::make_shared<Scene>();
+    const AllowedFolders folders(file, options);
+    const SceneReading reading{{options.limits.coordinate}, document, file, options, folders, *scene};
+
+    scene->name = file.stem().string();
+    const JsonValue& camera = top.require("camera", "{\"position\": [3, 2.5, 5], \"target\": [0, 0, 0]}");
+    scene->camera = readCamera(reading, document, camera, "the camera");
+    scene->ambient = top.color("ambient", reading.atLeastZero(), scene->ambient);
+    scene->background = top.color("background", reading.atLeastZero(), scene->background);
+    scene->exposure = static_cast<float>(top.number("exposure", reading.aboveZero(), scene->exposure));
+    if (const JsonValue* exposure = top.find("exposure"); exposure && isBeyondHalfFloats(scene->exposure))
+        scene->notes.push_back(document.place(exposure->offset) + ": \"exposure\" " + numberText(scene->exposure) +
+                               " asks for brightnesses that pictures do not hold (half floats, 6e-8 to 65504); make it "
+                               "a number from 1/65504 to 65504, and intensities as much smaller or larger");
+    readLights(reading, top);
+    readMaterials(reading, top);
+    readObjects(reading, top);
+    addEmitterSurfaces(*scene);
+    scene->memory = memoryBudget(*scene, options.limits);
+    return scene;
+}
+
+} // namespace shadowlab::scene

@@ -1,0 +1,66 @@
+// Reads the materials. Colours and shares of light stay within 0..1, so that no surface makes light of its own unless
+// it says so by `emission`.
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/json/scene_json.h"
+#include "techniques/foundation/scene/load/message_text.h"
+
+namespace shadowlab::scene {
+
+namespace {
+
+void readAlphaMap(const SceneReading& reading, const JsonObject& keys, AlphaMasks& masks, Material& material) {
+    const std::filesystem::path file = readReference(reading, keys, "alphaMap").canonical;
+    try {
+        material.alphaMask = masks.load(file, reading.options.limits);
+    } catch (const Error& error) {
+        keys.fail("alphaMap", "is " + inQuotes(keys.text("alphaMap")) + ", " + error.what(), error.status());
+    }
+    material.alphaMap = file.string();
+}
+
+Material readMaterial(const SceneReading& reading, const JsonMember& member, AlphaMasks& masks) {
+    const JsonObject keys(reading.document, member.value, "material '" + shown(member.key) + "'",
+                          {"diffuse", "specular", "shininess", "reflectivity", "transparency", "ior", "priority",
+                           "glossDegrees", "translucencyDegrees", "emission", "alphaMap"});
+    const Range share = Range::between(0.0, 1.0);
+    const Range angle = Range::between(0.0, 90.0);
+    Material material;
+    material.name = member.key;
+    material.diffuse = keys.color("diffuse", share, material.diffuse);
+    material.specular = keys.color("specular", share, material.specular);
+    // A million is a highlight of 0.1 degrees; beyond it the power underflows float everywhere.
+    material.shininess = static_cast<float>(keys.number("shininess", Range::between(0.0, 1e6), material.shininess));
+    material.reflectivity = keys.number("reflectivity", share, material.reflectivity);
+    material.transparency = keys.number("transparency", share, material.transparency);
+    // Nothing transparent refracts more than 4; below 1 the outside is the denser medium.
+    material.ior = keys.number("ior", Range::between(0.1, 10.0), material.ior);
+    material.priority = keys.integer("priority", -1000000, 1000000, material.priority);
+    material.glossDegrees = keys.number("glossDegrees", angle, material.glossDegrees);
+    material.translucencyDegrees = keys.number("translucencyDegrees", angle, material.translucencyDegrees);
+    material.emission = keys.color("emission", reading.atLeastZero(), material.emission);
+    if (keys.find("alphaMap")) readAlphaMap(reading, keys, masks, material);
+    return material;
+}
+
+} // namespace
+
+void readMaterials(const SceneReading& reading, const JsonObject& top) {
+    std::vector<Material>& materials = reading.scene.materials;
+    materials.assign(1, Material{});
+    const JsonValue* value = top.find("materials");
+    if (!value) return;
+    if (value->kind != JsonValue::Kind::object)
+        top.fail("materials",
+                 "is " + std::string(describe(value->kind)) + "; it must be an object {\"name\": { ... }, ...}");
+    AlphaMasks masks;
+    for (const JsonMember& member : value->members) {
+        Material material = readMaterial(reading, member, masks);
+        if (member.key == "white")
+            materials.front() = std::move(material);
+        else
+            materials.push_back(std::move(material));
+    }
+}
+
+} // namespace shadowlab::scene

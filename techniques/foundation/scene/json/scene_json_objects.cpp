@@ -1,0 +1,290 @@
+// Reads the objects: a built-in shape or a mesh file, its placement and its materials. Objects that show the same
+// shape or file share one mesh.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+#include <span>
+
+#include "techniques/foundation/base/nearest_names.h"
+#include "techniques/foundation/scene/json/scene_json.h"
+#include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/query/outward_parts.h"
+
+namespace shadowlab::scene {
+
+namespace {
+
+constexpr std::uint32_t kWhite = 0; ///< index of the default material
+
+class ObjectReader {
+public:
+    explicit ObjectReader(const SceneReading& reading) : reading_(reading), limits_(reading.options.limits) {
+        for (const Material& material : reading.scene.materials)
+            countTexels(material);
+        for (std::uint32_t i = 0; i < reading.scene.materials.size(); ++i)
+            materialIndex_[reading.scene.materials[i].name] = i;
+        sceneMaterials_ = materialIndex_;
+    }
+
+    /// Those of all shapes together, before the first is built. What is wrong with one is for read() to say.
+    void countShapes(std::span<const JsonValue> values);
+    void read(const JsonValue& value, const std::string& what);
+
+private:
+    struct LoadedMesh {
+        std::shared_ptr<const Mesh> mesh;
+        std::vector<std::uint32_t> partMaterials;
+        std::string shape;          ///< ShapeRequest::id
+        std::filesystem::path file; ///< canonical
+    };
+
+    JsonObject checkedKeys(const JsonValue& value, const std::string& what) const;
+    LoadedMesh meshOf(const JsonObject& keys);
+    LoadedMesh loadedFile(const JsonObject& keys, NormalMode mode);
+    LoadedMesh shape(const JsonObject& keys, NormalMode mode);
+    std::uint32_t materialOfFile(const std::filesystem::path& canonical, const ObjFile& file,
+                                 const MaterialsByName& known, const std::string& name);
+    std::uint32_t materialIndex(const JsonObject& keys) const;
+    dvec3 scaleOf(const JsonObject& keys) const;
+    void checkTriangles(const JsonObject& keys, std::uint64_t more) const;
+    void countTexels(const Material& material);
+    std::string uniqueName(const std::string& wish);
+
+    const SceneReading& reading_;
+    Limits limits_;                                       ///< with the texels of all masks so far
+    std::set<const AlphaMask*> countedMasks_;             ///< materials may share one
+    std::map<std::string, std::uint32_t> materialIndex_;  ///< all of the scene so far
+    std::map<std::string, std::uint32_t> sceneMaterials_; ///< those of the scene file, which `material` may name
+    std::map<std::pair<std::string, NormalMode>, std::shared_ptr<const Mesh>> shapes_; ///< by ShapeRequest::id
+    std::map<std::pair<std::string, NormalMode>, LoadedMesh> files_;                   ///< by canonical path
+    std::map<std::pair<std::string, std::string>, std::uint32_t> materialOfFile_; ///< by canonical path and MTL name
+    std::set<std::string> names_;
+    std::map<std::string, int> lastNumber_; ///< of the names made up for unnamed objects: box, box2, box3 ...
+    std::uint64_t triangles_ = 0;
+};
+
+/// The object with exactly the keys its kind has.
+JsonObject ObjectReader::checkedKeys(const JsonValue& value, const std::string& what) const {
+    const JsonDocument& document = reading_.document;
+    const JsonObject all(document, value, what,
+                         {"name", "shape", "mesh", "size", "radius", "radii", "segments", "material", "scale",
+                          "rotateDegrees", "translate", "normals", "castsShadow", "receivesShadow", "velocity"});
+    const bool hasMesh = all.find("mesh") != nullptr, hasShape = all.find("shape") != nullptr;
+    if (hasMesh && hasShape) all.fail("mesh", "stands beside \"shape\"; keep one of the two");
+    if (!hasMesh && !hasShape)
+        document.fail(value.offset, what + " has neither \"mesh\" nor \"shape\"; add \"mesh\": \"FILE.obj\" or "
+                                           "\"shape\": \"quad\" (or box, sphere, torus)");
+    if (hasMesh)
+        return {document,
+                value,
+                what + " (a mesh)",
+                {"name", "mesh", "material", "scale", "rotateDegrees", "translate", "normals", "castsShadow",
+                 "receivesShadow", "velocity"}};
+    const std::string shape = all.text("shape");
+    const std::string named = what + " (a " + shown(shape) + ")";
+    if (shape == "quad" || shape == "box")
+        return {document,
+                value,
+                named,
+                {"name", "shape", "size", "material", "scale", "rotateDegrees", "translate", "normals", "castsShadow",
+                 "receivesShadow", "velocity"}};
+    if (shape == "sphere")
+        return {document,
+                value,
+                named,
+                {"name", "shape", "radius", "segments", "material", "scale", "rotateDegrees", "translate", "normals",
+                 "castsShadow", "receivesShadow", "velocity"}};
+    if (shape == "torus")
+        return {document,
+                value,
+                named,
+                {"name", "shape", "radii", "segments", "material", "scale", "rotateDegrees", "translate", "normals",
+                 "castsShadow", "receivesShadow", "velocity"}};
+    const std::vector<std::string> shapes{"quad", "box", "sphere", "torus"};
+    all.fail("shape", "is " + inQuotes(shape) + "; " + suggestion(shape, shapes));
+}
+
+void ObjectReader::checkTriangles(const JsonObject& keys, std::uint64_t more) const {
+    const std::uint64_t triangles = triangles_ + more;
+    const auto refuse = [&](const std::string& why, const char* limit) {
+        reading_.document.fail(keys.value().offset,
+                               keys.what() + " brings the scene to " + counted(triangles, "triangle") + ", " + why +
+                                   "; simplify or remove objects, or set --limit " + limit + "=VALUE",
+                               ExitStatus::overLimit);
+    };
+    if (triangles > limits_.triangles)
+        refuse("more than the limit of " + std::to_string(limits_.triangles), "triangles");
+    if (const std::uint64_t needed = memoryForTriangles(triangles, limits_); needed > limits_.memoryBytes)
+        refuse("for which " + beyondMemory(needed, limits_.memoryBytes), "memory");
+}
+
+void ObjectReader::countTexels(const Material& material) {
+    const AlphaMask* mask = material.alphaMask.get();
+    if (mask && countedMasks_.insert(mask).second) limits_.texels += mask->texels().size();
+}
+
+ObjectReader::LoadedMesh ObjectReader::shape(const JsonObject& keys, NormalMode mode) {
+    const ShapeRequest request = readShape(reading_, keys);
+    checkTriangles(keys, request.triangles); // before anything is built
+    std::shared_ptr<const Mesh>& mesh = shapes_[{request.id, mode}];
+    if (!mesh) mesh = sharedMesh(withNormals(request.make(), mode));
+    return {mesh, {kWhite}, request.id, {}};
+}
+
+void ObjectReader::countShapes(std::span<const JsonValue> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        try {
+            const JsonObject keys = checkedKeys(values[i], "object " + std::to_string(i + 1));
+            if (!keys.find("shape")) continue;
+            const std::uint64_t more = readShape(reading_, keys).triangles;
+            checkTriangles(keys, more);
+            triangles_ += more;
+        } catch (const Error& fault) {
+            if (fault.status() == ExitStatus::overLimit) throw;
+        }
+    }
+    triangles_ = 0;
+}
+
+/// Index of a material that an MTL file defines, added to the scene on first use. A name that is taken gets the mesh
+/// file's name as an addition.
+std::uint32_t ObjectReader::materialOfFile(const std::filesystem::path& canonical, const ObjFile& file,
+                                           const MaterialsByName& known, const std::string& name) {
+    const auto found = known.find(name);
+    if (name.empty() || found == known.end()) return kWhite;
+    const auto [entry, isNew] = materialOfFile_.try_emplace({canonical.string(), name}, 0);
+    if (!isNew) return entry->second;
+    Material material = file.materials[found->second];
+    material.ofMesh = true;
+    for (int attempt = 1; materialIndex_.contains(material.name); ++attempt)
+        material.name = name + " (" + canonical.stem().string() +
+                        (attempt == 1 ? std::string() : " no. " + std::to_string(attempt)) + ")";
+    entry->second = static_cast<std::uint32_t>(reading_.scene.materials.size());
+    materialIndex_[material.name] = entry->second;
+    countTexels(material);
+    reading_.scene.materials.push_back(std::move(material));
+    return entry->second;
+}
+
+ObjectReader::LoadedMesh ObjectReader::loadedFile(const JsonObject& keys, NormalMode mode) {
+    const ReferredFile file = readReference(reading_, keys, "mesh");
+    const auto [entry, isNew] = files_.try_emplace({file.canonical.string(), mode});
+    LoadedMesh& loaded = entry->second;
+    if (!isNew) return loaded;
+    LoadOptions options = reading_.options; // the mesh's own references may use the scene's folder too
+    options.limits = limits_;
+    options.allowed.push_back(reading_.file.parent_path().empty() ? "." : reading_.file.parent_path());
+    ObjFile obj = loadObj(file.path, mode, options);
+    const MaterialsByName known = materialsByName(obj.materials);
+    for (const MeshPart& part : obj.mesh.parts)
+        loaded.partMaterials.push_back(materialOfFile(file.canonical, obj, known, part.materialName));
+    loaded.mesh = sharedMesh(std::move(obj.mesh));
+    loaded.file = file.canonical;
+    std::vector<std::string>& notes = reading_.scene.notes;
+    for (std::string& note : obj.notes)
+        if (std::ranges::find(notes, note) == notes.end()) notes.push_back(std::move(note));
+    return loaded;
+}
+
+ObjectReader::LoadedMesh ObjectReader::meshOf(const JsonObject& keys) {
+    NormalMode mode = NormalMode::file; // for a shape: as it is built, smooth or flat
+    if (keys.find("normals")) {
+        const std::string text = keys.text("normals");
+        const std::vector<std::string> modes{"file", "flat", "smooth"};
+        const auto found = std::ranges::find(modes, text);
+        if (found == modes.end()) keys.fail("normals", "is " + inQuotes(text) + "; " + suggestion(text, modes));
+        mode = static_cast<NormalMode>(found - modes.begin());
+    }
+    LoadedMesh loaded = keys.find("mesh") ? loadedFile(keys, mode) : shape(keys, mode);
+    if (!keys.find("material")) return loaded;
+    std::ranges::fill(loaded.partMaterials, materialIndex(keys));
+    const Material& material = reading_.scene.materials[materialIndex(keys)];
+    for (const MeshPart& part : loaded.mesh->parts)
+        if (const std::string note = noteOnWholePart(material, part); !note.empty())
+            reading_.scene.notes.push_back(keys.what() + ": " + note);
+    return loaded;
+}
+
+std::uint32_t ObjectReader::materialIndex(const JsonObject& keys) const {
+    const std::string name = keys.text("material");
+    if (const auto found = sceneMaterials_.find(name); found != sceneMaterials_.end()) return found->second;
+    std::vector<std::string> names;
+    for (const auto& [known, index] : sceneMaterials_)
+        names.push_back(known);
+    keys.fail("material", "is " + inQuotes(name) + ", which \"materials\" does not define; " + suggestion(name, names));
+}
+
+dvec3 ObjectReader::scaleOf(const JsonObject& keys) const {
+    const JsonValue* value = keys.find("scale");
+    if (!value) return dvec3(1.0);
+    const dvec3 scale = value->kind == JsonValue::Kind::array ? keys.vector("scale", reading_.anyNumber())
+                                                              : dvec3(keys.number("scale", reading_.anyNumber()));
+    for (int axis = 0; axis < 3; ++axis)
+        if (!reading_.length().contains(std::abs(scale[axis])))
+            keys.fail("scale", "is " + numberText(scale[axis]) + " along " + "xyz"[axis] +
+                                   "; it must not be zero (or next to it)");
+    return scale;
+}
+
+std::string ObjectReader::uniqueName(const std::string& wish) {
+    int& number = lastNumber_.try_emplace(wish, 0).first->second;
+    std::string name;
+    do {
+        ++number;
+        name = wish + (number == 1 ? "" : std::to_string(number));
+    } while (!names_.insert(name).second);
+    return name;
+}
+
+void ObjectReader::read(const JsonValue& value, const std::string& what) {
+    const JsonObject keys = checkedKeys(value, what);
+    LoadedMesh loaded = meshOf(keys);
+    checkTriangles(keys, loaded.mesh->triangles.size());
+    triangles_ += loaded.mesh->triangles.size();
+
+    Object object;
+    const std::string kind =
+        keys.find("shape") ? keys.text("shape") : std::filesystem::path(keys.text("mesh")).stem().string();
+    object.name = keys.find("name") ? keys.text("name") : uniqueName(kind);
+    names_.insert(object.name);
+    object.mesh = std::move(loaded.mesh);
+    object.partMaterials = std::move(loaded.partMaterials);
+    object.source = {.shape = loaded.shape,
+                     .mesh = loaded.file,
+                     .material = keys.find("material") ? keys.text("material") : "",
+                     .normals = keys.find("normals") ? keys.text("normals") : "",
+                     .scale = scaleOf(keys),
+                     .rotateDegrees = keys.vector("rotateDegrees", reading_.anyNumber(), dvec3(0)),
+                     .translateWorld = keys.vector("translate", reading_.anyNumber(), dvec3(0))};
+    object.worldFromObject =
+        worldFromObjectOf(object.source.scale, object.source.rotateDegrees, object.source.translateWorld);
+    object.castsShadow = keys.boolean("castsShadow", true);
+    object.receivesShadow = keys.boolean("receivesShadow", true);
+    object.velocityWorld = keys.vector("velocity", reading_.anyNumber(), dvec3(0));
+
+    const Bounds bounds = boundsWorld(object);
+    const dvec3 farthest = glm::max(glm::abs(bounds.lowerWorld), glm::abs(bounds.upperWorld));
+    const double limit = reading_.options.limits.coordinate;
+    if (!(glm::max(farthest.x, glm::max(farthest.y, farthest.z)) <= limit))
+        reading_.document.fail(value.offset, keys.what() + " reaches beyond " + numberText(limit) +
+                                                 " m from the origin; reduce its scale or translate");
+    reading_.scene.objects.push_back(std::move(object));
+}
+
+} // namespace
+
+void readObjects(const SceneReading& reading, const JsonObject& top) {
+    const auto values = top.array("objects");
+    if (values.size() > reading.options.limits.objects)
+        top.fail("objects",
+                 "are " + std::to_string(values.size()) + ", more than the limit of " +
+                     std::to_string(reading.options.limits.objects) + "; remove some, or set --limit objects=VALUE",
+                 ExitStatus::overLimit);
+    ObjectReader reader(reading);
+    reader.countShapes(values);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        reader.read(values[i], "object " + std::to_string(i + 1));
+}
+
+} // namespace shadowlab::scene

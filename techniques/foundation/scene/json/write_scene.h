@@ -1,0 +1,22 @@
+// From a scene back to a scene file (docs/scene_format.md): what is read from it is the same scene.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "techniques/foundation/scene/model/scene.h"
+
+namespace shadowlab::scene {
+
+/// The text of a scene file that stands in `folder`, with that camera. Numbers have as many digits as it takes to read the
+/// same ones; what is as by default is left out; meshes and images are named relative to the folder.
+/// Simplified: of a staged mesh whose file has materials, parts that name none become white instead of clay.
+std::string sceneText(const Scene& scene, const Camera& camera, const std::filesystem::path& folder);
+
+/// Folders of files the scene uses that a scene file in `folder` may not read unless they are allowed (--allow): those
+/// neither below it nor below the assets.
+std::vector<std::filesystem::path> foldersToAllow(const Scene& scene, const std::filesystem::path& folder,
+                                                  const std::filesystem::path& assetsRoot);
+
+} // namespace shadowlab::scene

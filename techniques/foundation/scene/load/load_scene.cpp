@@ -1,0 +1,59 @@
+// SCENE on the command line: a `.json`, an `.obj`, or the name of a built-in scene.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/base/nearest_names.h"
+#include "techniques/foundation/image/output_file.h"
+#include "techniques/foundation/scene/load/file_access.h"
+#include "techniques/foundation/scene/load/message_text.h"
+
+namespace shadowlab::scene {
+
+namespace {
+
+/// The file's ending in lower case: MODEL.OBJ is an OBJ file too.
+std::string ending(const std::filesystem::path& path) {
+    std::string text = path.extension().string();
+    for (char& c : text)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return text;
+}
+
+std::shared_ptr<const Scene> loadJson(const std::filesystem::path& file, const LoadOptions& options) {
+    const auto scene = parseSceneJson(readFile(file, options.limits.sceneFileBytes, "scene-file"), file, options);
+    image::keepInput(file);
+    return scene;
+}
+
+} // namespace
+
+std::vector<std::string> builtInScenes(const std::filesystem::path& assetsRoot) {
+    std::vector<std::string> names;
+    std::error_code error;
+    for (std::filesystem::directory_iterator entry(assetsRoot / "scenes", error), end; !error && entry != end;
+         entry.increment(error))
+        if (entry->path().extension() == ".json") names.push_back(entry->path().stem().string());
+    std::ranges::sort(names); // the order of a directory is no order
+    return names;
+}
+
+std::shared_ptr<const Scene> loadScene(const std::string& nameOrPath, const LoadOptions& options) {
+    const std::filesystem::path path(nameOrPath);
+    if (ending(path) == ".json") return loadJson(path, options);
+    if (ending(path) == ".obj") return stageObj(path, options);
+
+    const std::vector<std::string> names = builtInScenes(options.assetsRoot);
+    if (std::ranges::find(names, nameOrPath) != names.end())
+        return loadJson(options.assetsRoot / "scenes" / (nameOrPath + ".json"), options);
+    std::error_code ignored;
+    if (nameOrPath.find('/') != std::string::npos || path.has_extension() || std::filesystem::exists(path, ignored))
+        throw Error(ExitStatus::badInput, shownPath(path) + ": is neither a .json scene nor an .obj mesh; " +
+                                              "give a file with one of these endings");
+    throw Error(ExitStatus::badInput,
+                "there is no built-in scene '" + shown(nameOrPath) + "'; " +
+                    (names.empty() ? "none was found in " + shownPath(options.assetsRoot / "scenes")
+                                   : suggestion(nameOrPath, names)));
+}
+
+} // namespace shadowlab::scene

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/model/edit_scene.h"
+
+#include <algorithm>
+
+namespace shadowlab::scene {
+
+namespace {
+
+/// Its matrix stays what its source says: a scene that is written down and read is the same to the last bit.
+void move(Object& object, const dvec3& byWorld) {
+    object.source.translateWorld += byWorld;
+    object.worldFromObject[3] = dvec4(object.source.translateWorld, 1.0);
+}
+
+} // namespace
+
+Snapshot withObjectMovedBy(const Snapshot& snapshot, std::size_t object, const dvec3& byWorld) {
+    if (object >= snapshot->objects.size() || snapshot->objects[object].emitterOfLight >= 0) return snapshot;
+    auto moved = std::make_shared<Scene>(*snapshot);
+    move(moved->objects[object], byWorld);
+    moved->revisions.transforms = newRevision();
+    return moved;
+}
+
+Snapshot atTime(const Snapshot& atRest, double seconds) {
+    const bool anyMoves =
+        std::ranges::any_of(atRest->objects, [](const Object& object) { return object.velocityWorld != dvec3(0.0); });
+    if (seconds == 0 || !anyMoves) return atRest;
+    auto moved = std::make_shared<Scene>(*atRest);
+    for (Object& object : moved->objects)
+        if (object.velocityWorld != dvec3(0.0)) move(object, object.velocityWorld * seconds);
+    moved->revisions.transforms = newRevision();
+    return moved;
+}
+
+} // namespace shadowlab::scene

@@ -1,0 +1,16 @@
+// Changes to a scene that nobody may change: each gives a new snapshot that shares with the old one all that is equal.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/foundation/scene/model/scene.h"
+
+namespace shadowlab::scene {
+
+/// One object moved, in metres. Only the revision of the transforms is new. The surface of a light stays with its light:
+/// move that (withLights).
+Snapshot withObjectMovedBy(const Snapshot& snapshot, std::size_t object, const dvec3& byWorld);
+
+/// Every object that has a velocity, so many seconds on its way from where it is in `atRest`. The same snapshot when
+/// nothing moves.
+Snapshot atTime(const Snapshot& atRest, double seconds);
+
+} // namespace shadowlab::scene

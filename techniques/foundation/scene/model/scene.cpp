@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/model/scene.h"
+
+#include <atomic>
+
+namespace shadowlab::scene {
+
+std::uint64_t newRevision() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
+
+dmat4 worldFromMesh(const Object& object) {
+    dmat4 worldFromMesh = object.worldFromObject;
+    worldFromMesh[3] = object.worldFromObject * dvec4(object.mesh->originObject, 1.0);
+    return worldFromMesh;
+}
+
+Bounds boundsWorld(const Object& object) {
+    const dmat4 worldFromMesh = scene::worldFromMesh(object);
+    Bounds bounds;
+    for (const vec3& positionMesh : object.mesh->positionsMesh)
+        bounds.include(transformPoint(worldFromMesh, dvec3(positionMesh)));
+    return bounds;
+}
+
+std::vector<Bounds> objectBounds(const Scene& scene) {
+    std::vector<Bounds> bounds;
+    bounds.reserve(scene.objects.size());
+    for (const Object& object : scene.objects)
+        bounds.push_back(boundsWorld(object));
+    return bounds;
+}
+
+bool isMirrored(const Object& object) { return glm::determinant(dmat3(object.worldFromObject)) < 0; }
+
+std::uint64_t triangleCount(const Scene& scene) {
+    std::uint64_t count = 0;
+    for (const Object& object : scene.objects)
+        count += object.mesh->triangles.size();
+    return count;
+}
+
+} // namespace shadowlab::scene

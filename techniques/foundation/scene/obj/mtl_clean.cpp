@@ -1,0 +1,157 @@
+// Checks and clamps MTL statements line by line.
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/obj/mtl_clean.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/obj/statement_lines.h"
+
+namespace shadowlab::scene {
+
+namespace {
+
+/// A statement with numbers: how many, and between what.
+struct NumberStatement {
+    std::string_view keyword;
+    std::size_t count;
+    double low, high;
+};
+
+constexpr std::array kStatements{
+    NumberStatement{"Kd", 3, 0.0, 1.0},  NumberStatement{"Ks", 3, 0.0, 1.0},
+    NumberStatement{"Ke", 3, 0.0, 1e6},  // radiance; a million times white is brighter than any lamp
+    NumberStatement{"Ns", 1, 0.0, 1e6},  // as for shininess in scene files
+    NumberStatement{"Ni", 1, 0.1, 10.0}, // as for ior in scene files
+    NumberStatement{"d", 1, 0.0, 1.0},   NumberStatement{"Tr", 1, 0.0, 1.0}};
+
+/// map_Kd, map_Ks ...: pictures in place of numbers that are read.
+bool isMapOfNumbers(std::string_view keyword) {
+    constexpr std::string_view kPrefix = "map_";
+    return keyword.starts_with(kPrefix) && keyword != "map_d" &&
+           std::ranges::find(kStatements, keyword.substr(kPrefix.size()), &NumberStatement::keyword) !=
+               kStatements.end();
+}
+
+class Cleaner {
+public:
+    Cleaner(std::string_view text, const std::filesystem::path& file, const Limits& limits)
+        : lines_(text, file, limits.lineBytes) {}
+
+    CleanMtl run(std::vector<std::string>& notes) {
+        while (lines_.nextStatement()) {
+            const std::string keyword(lines_.keyword());
+            const auto statement = std::ranges::find(kStatements, keyword, &NumberStatement::keyword);
+            if (keyword == "newmtl")
+                newMaterial();
+            else if (isMapOfNumbers(keyword))
+                ignore(keyword + " is not supported and ignored");
+            else if (!inMaterial_ && (statement != kStatements.end() || keyword == "map_d"))
+                ignore(keyword + " stands before the first newmtl and is ignored");
+            else if (statement != kStatements.end())
+                numbers(*statement);
+            else if (keyword == "map_d")
+                alphaMap();
+        }
+        if (clamped_ > 0)
+            notes.push_back(lines_.place(firstClampedLine_) + ": " + firstClamped_ +
+                            (clamped_ > 1 ? " (and " + counted(clamped_ - 1, "more value") + ")" : ""));
+        for (const Ignored& ignored : ignored_)
+            notes.push_back(lines_.place(ignored.firstLine) + ": " + ignored.what +
+                            (ignored.count > 1 ? " (and " + counted(ignored.count - 1, "more time") + ")" : ""));
+        if (!repeated_.empty())
+            notes.push_back(lines_.place(repeatedLine_) + ": material '" + shown(repeated_) +
+                            "' is defined twice; the first definition is used");
+        return std::move(result_);
+    }
+
+private:
+    /// Statements of one kind that change nothing here: one note tells of them all.
+    struct Ignored {
+        std::string what;
+        std::size_t firstLine, count;
+    };
+
+    void ignore(const std::string& what) {
+        const auto known = std::ranges::find(ignored_, what, &Ignored::what);
+        if (known == ignored_.end())
+            ignored_.push_back({what, lines_.line(), 1});
+        else
+            ++known->count;
+    }
+
+    void newMaterial() {
+        const std::string name(lines_.restOfLine());
+        if (name.empty()) lines_.fail("newmtl without a name; write one after it");
+        isDefinition_ = names_.insert(name).second;
+        if (!isDefinition_ && repeated_.empty()) {
+            repeated_ = name;
+            repeatedLine_ = lines_.line();
+        }
+        inMaterial_ = true;
+        material_ = name;
+        // Defaults first: a later statement of the file replaces them. 0.8 is the scene's default grey.
+        result_.text += "newmtl " + std::to_string(result_.names.size()) + "\nKd 0.8 0.8 0.8\nNs 32\nNi 1.5\n";
+        result_.names.push_back(name);
+    }
+
+    void alphaMap() {
+        result_.text += "map_d " + std::string(lines_.restOfLine()) + "\n";
+        if (isDefinition_) result_.alphaMapPlaces.insert_or_assign(material_, lines_.place(lines_.line()));
+    }
+
+    void numbers(const NumberStatement& statement) {
+        std::array<double, 3> values{};
+        std::size_t count = 0;
+        while (const auto token = lines_.nextToken()) {
+            if (count == 0 && (*token == "spectral" || *token == "xyz" || *token == "-halo")) // other forms
+                return ignore(std::string(statement.keyword) + " " + std::string(*token) +
+                              " is not supported and ignored");
+            if (count == statement.count) break;
+            const auto value = readNumber(*token);
+            if (!value || !std::isfinite(*value))
+                lines_.fail(inQuotes(*token, 40) + " in " + std::string(statement.keyword) +
+                            " is not a finite number; write a number such as 0.8");
+            values[count++] = clamped(*value, statement);
+        }
+        if (count == 0) lines_.fail(std::string(statement.keyword) + " has no number; write one after it");
+        // One number for a colour means grey.
+        if (count < statement.count) values[1] = count < 2 ? values[0] : values[1];
+        if (count < statement.count && statement.count == 3) values[2] = values[0];
+        result_.text += statement.keyword;
+        for (std::size_t i = 0; i < statement.count; ++i)
+            result_.text.append(1, ' ').append(numberText(values[i]));
+        result_.text += '\n';
+    }
+
+    double clamped(double value, const NumberStatement& statement) {
+        const double result = std::clamp(value, statement.low, statement.high);
+        if (result != value && clamped_++ == 0) {
+            firstClampedLine_ = lines_.line();
+            firstClamped_ = std::string(statement.keyword) + " " + numberText(value) + " is clamped to " +
+                            numberText(statement.low) + ".." + numberText(statement.high);
+        }
+        return result;
+    }
+
+    StatementLines lines_;
+    CleanMtl result_;
+    bool inMaterial_ = false, isDefinition_ = false; ///< of a name's definitions, the first one counts
+    std::string material_;
+    std::set<std::string> names_;
+    std::size_t clamped_ = 0, firstClampedLine_ = 0, repeatedLine_ = 0;
+    std::string firstClamped_, repeated_;
+    std::vector<Ignored> ignored_;
+};
+
+} // namespace
+
+CleanMtl cleanMtl(std::string_view text, const std::filesystem::path& file, const Limits& limits,
+                  std::vector<std::string>& notes) {
+    return Cleaner(text, file, limits).run(notes);
+}
+
+} // namespace shadowlab::scene

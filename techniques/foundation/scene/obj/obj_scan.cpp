@@ -1,0 +1,211 @@
+// One pass over the lines of an OBJ file, a few statement kinds, and a check at the end for indices that pointed ahead.
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/obj/obj_scan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_set>
+
+#include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/obj/obj_indices.h"
+#include "techniques/foundation/scene/obj/statement_lines.h"
+
+namespace shadowlab::scene {
+
+namespace {
+
+constexpr std::size_t kShownToken = 40; ///< characters of a faulty token that a message repeats
+
+class Scanner {
+public:
+    Scanner(std::string_view text, const std::filesystem::path& file, const Limits& limits)
+        : lines_(text, file, limits.lineBytes), limits_(limits), textBytes_(text.size()) {
+        scan_.statements.reserve(text.size() / 2); // the faces are about half of most files
+    }
+
+    ObjScan run();
+
+private:
+    /// All numbers of the statement. NaN and infinity are let through for the caller to judge.
+    std::size_t readNumbers(std::array<double, 8>& numbers);
+    void position();
+    void normal();
+    void texcoord();
+    void face();
+    std::string_view name(std::string_view what);
+    void checkEnd();
+    void noteUnusableNormals();
+
+    StatementLines lines_;
+    const Limits& limits_;
+    std::size_t textBytes_;
+    ObjScan scan_;
+    IndexSpace positions_{"vertex", "v"}, texcoords_{"texture coordinate", "vt"}, normals_{"normal", "vn"};
+    std::vector<std::size_t> zeroNormalLines_; ///< per unusable vn, in order
+    std::vector<std::uint64_t> zeroNormals_;
+    std::vector<bool> normalUsed_;
+    std::unordered_set<std::string> librariesSeen_, materialsSeen_;
+    std::uint64_t faces_ = 0, triangles_ = 0;
+};
+
+std::size_t Scanner::readNumbers(std::array<double, 8>& numbers) {
+    std::size_t count = 0;
+    while (const auto token = lines_.nextToken()) {
+        const auto number = readNumber(*token);
+        if (!number && token->find(',') != std::string_view::npos)
+            lines_.fail(inQuotes(*token, kShownToken) +
+                        " is not a number; write a decimal point, as in 1.5, and blanks between numbers");
+        if (!number)
+            lines_.fail(inQuotes(*token, kShownToken) + " is not a number; write a number such as 1.5 or -2e-3");
+        if (count < numbers.size()) numbers[count] = *number;
+        ++count;
+    }
+    return count;
+}
+
+void Scanner::position() {
+    std::array<double, 8> numbers{};
+    const std::size_t count = readNumbers(numbers);
+    // x y z, then w, or a colour r g b, or both: neither moves the vertex.
+    if (count != 3 && count != 4 && count != 6 && count != 7)
+        lines_.fail("the vertex has " + counted(count, "number") + "; write x y z");
+    for (std::size_t i = 0; i < count; ++i)
+        if (!std::isfinite(numbers[i]))
+            lines_.fail("the vertex has a number that is not a finite number; write finite coordinates");
+    for (std::size_t i = 0; i < 3; ++i)
+        if (std::abs(numbers[i]) > limits_.coordinate)
+            lines_.fail("coordinate " + numberText(numbers[i]) + " is beyond \u00b1" + numberText(limits_.coordinate) +
+                        "; rescale the model");
+    scan_.positions.emplace_back(numbers[0], numbers[1], numbers[2]);
+    ++positions_.count;
+}
+
+void Scanner::normal() {
+    std::array<double, 8> numbers{};
+    const std::size_t count = readNumbers(numbers);
+    if (count != 3) lines_.fail("the normal has " + counted(count, "number") + "; write x y z");
+    dvec3 normal(numbers[0], numbers[1], numbers[2]);
+    // Divided by its largest number first, so that squaring neither overflows nor underflows.
+    const double largest = std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)});
+    const bool usable = std::isfinite(normal.x + normal.y + normal.z) && largest > 0.0;
+    if (!usable) {
+        zeroNormals_.push_back(scan_.normals.size());
+        zeroNormalLines_.push_back(lines_.line());
+    }
+    scan_.normals.push_back(usable ? vec3(glm::normalize(normal / largest)) : vec3(0.0f));
+    ++normals_.count;
+}
+
+void Scanner::texcoord() {
+    std::array<double, 8> numbers{};
+    const std::size_t count = readNumbers(numbers);
+    if (count < 1 || count > 3) lines_.fail("the texture coordinate has " + counted(count, "number") + "; write u v");
+    scan_.texcoords.emplace_back(numbers[0], numbers[1]); // v is 0 where it is left out; a third number is for solids
+    ++texcoords_.count;
+}
+
+void Scanner::face() {
+    std::uint64_t corners = 0;
+    std::string& out = scan_.statements;
+    out += 'f';
+    while (const auto token = lines_.nextToken()) {
+        if (++corners > limits_.polygonCorners)
+            lines_.fail("the face has more than " + std::to_string(limits_.polygonCorners) +
+                            " corners, the limit; split it, or set --limit polygon-corners=VALUE",
+                        ExitStatus::overLimit);
+        // v, v/vt, v//vn or v/vt/vn; an empty part after a slash means "none".
+        const std::size_t slash = token->find('/');
+        const std::size_t slash2 = slash == std::string_view::npos ? slash : token->find('/', slash + 1);
+        const std::uint64_t v = positions_.resolve(token->substr(0, slash), lines_);
+        out.append(1, ' ').append(std::to_string(v));
+        if (slash == std::string_view::npos) continue;
+        const std::string_view texcoord =
+            token->substr(slash + 1, slash2 == std::string_view::npos ? slash2 : slash2 - slash - 1);
+        if (!texcoord.empty()) out.append(1, '/').append(std::to_string(texcoords_.resolve(texcoord, lines_)));
+        if (slash2 == std::string_view::npos || slash2 + 1 == token->size()) continue;
+        const std::uint64_t n = normals_.resolve(token->substr(slash2 + 1), lines_);
+        out.append(texcoord.empty() ? "//" : "/").append(std::to_string(n));
+        if (n > normalUsed_.size() && n <= textBytes_) normalUsed_.resize(n); // more normals than bytes: refused later
+        if (n <= normalUsed_.size()) normalUsed_[n - 1] = true;
+    }
+    if (corners < 3) lines_.fail("the face has " + counted(corners, "corner") + "; a face needs at least 3");
+    out += '\n';
+    ++faces_;
+    triangles_ += corners - 2;
+    if (triangles_ > limits_.triangles)
+        lines_.fail("more than " + std::to_string(limits_.triangles) +
+                        " triangles, the limit; simplify the model, or set --limit triangles=VALUE",
+                    ExitStatus::overLimit);
+    if (const std::uint64_t needed = memoryForTriangles(triangles_, limits_); needed > limits_.memoryBytes)
+        lines_.fail("for the " + counted(triangles_, "triangle") + " so far, " +
+                        beyondMemory(needed, limits_.memoryBytes) + "; simplify the model, or set --limit memory=VALUE",
+                    ExitStatus::overLimit);
+}
+
+std::string_view Scanner::name(std::string_view what) {
+    const std::string_view rest = lines_.restOfLine();
+    if (rest.empty()) lines_.fail(std::string(what) + " without a name; write one after it or delete the line");
+    return rest;
+}
+
+void Scanner::checkEnd() {
+    const IndexSpace::Ahead* first = nullptr;
+    const IndexSpace* space = nullptr;
+    for (const IndexSpace* candidate : {&positions_, &texcoords_, &normals_})
+        if (const auto* ahead = candidate->firstOutOfRange(); ahead && (!first || ahead->line < first->line)) {
+            first = ahead;
+            space = candidate;
+        }
+    if (first) throw Error(ExitStatus::badInput, lines_.place(first->line) + ": " + space->outOfRangeMessage(*first));
+    const auto refuse = [&](const std::string& message) {
+        throw Error(ExitStatus::badInput, lines_.place(1) + ": " + message);
+    };
+    if (textBytes_ == 0) refuse("the file is empty, it has no faces; export the mesh again");
+    if (positions_.count == 0 && faces_ == 0)
+        refuse("is not an OBJ file (it has no v or f lines); give a Wavefront OBJ");
+    if (faces_ == 0) refuse("the file has no faces (f lines); export the mesh with its faces");
+}
+
+void Scanner::noteUnusableNormals() {
+    for (std::size_t i = 0; i < zeroNormals_.size(); ++i) {
+        if (zeroNormals_[i] >= normalUsed_.size() || !normalUsed_[zeroNormals_[i]]) continue;
+        if (scan_.unusableNormals++ == 0) scan_.unusableNormalLine = zeroNormalLines_[i];
+    }
+}
+
+ObjScan Scanner::run() {
+    while (lines_.nextStatement()) {
+        const std::string_view keyword = lines_.keyword();
+        if (keyword == "v")
+            position();
+        else if (keyword == "f")
+            face();
+        else if (keyword == "vn")
+            normal();
+        else if (keyword == "vt")
+            texcoord();
+        else if (keyword == "usemtl") {
+            const std::string material(name("usemtl"));
+            scan_.statements += "usemtl " + material + "\n";
+            if (materialsSeen_.insert(material).second) scan_.usedMaterials.push_back({material, lines_.line()});
+        } else if (keyword == "mtllib") {
+            const std::string library(name("mtllib"));
+            if (!librariesSeen_.insert(library).second) continue;
+            scan_.statements += "mtllib " + std::to_string(scan_.libraries.size()) + "\n";
+            scan_.libraries.push_back({library, lines_.line()});
+        }
+        // Everything else (o, g, s, l, p, vp, vw, curves ...) has no part in shadows.
+    }
+    checkEnd();
+    noteUnusableNormals();
+    return std::move(scan_);
+}
+
+} // namespace
+
+ObjScan scanObj(std::string_view text, const std::filesystem::path& file, const Limits& limits) {
+    return Scanner(text, file, limits).run();
+}
+
+} // namespace shadowlab::scene

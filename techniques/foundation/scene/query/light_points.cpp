@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/query/light_points.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <glm/gtc/constants.hpp>
+
+namespace shadowlab::scene {
+
+namespace {
+
+/// One point in each of `count` rectangles of equal area that fill the unit square. In rows: as many as columns, or nearly, so
+/// that no number of points is refused. Cook, "Stochastic Sampling in Computer Graphics", 1986 (jittering).
+std::vector<dvec2> jitteredSquare(int count, const auto& chance) {
+    const int rows = std::max(1, static_cast<int>(std::lround(std::sqrt(count))));
+    std::vector<dvec2> points;
+    for (int row = 0; row < rows; ++row) {
+        const int first = row * count / rows, last = (row + 1) * count / rows; // of all points, those in this row
+        for (int i = first; i < last; ++i) {
+            const double across = chance(), along = chance(); // in this order with every compiler
+            points.emplace_back((i - first + across) / (last - first), (first + along * (last - first)) / count);
+        }
+    }
+    return points;
+}
+
+std::vector<dvec2> randomSquare(int count, const auto& chance) {
+    std::vector<dvec2> points(static_cast<std::size_t>(count));
+    for (dvec2& point : points) {
+        point.x = chance();
+        point.y = chance();
+    }
+    return points;
+}
+
+/// Points spread evenly over the unit cube, moved together by chance: multiples of the powers of a number that no fraction comes
+/// near to. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018.
+std::vector<dvec3> evenCube(int count, const auto& chance) {
+    constexpr double kRoot = 1.2207440846057594754; // of x^4 = x + 1
+    dvec3 shift;
+    for (int axis = 0; axis < 3; ++axis)
+        shift[axis] = chance();
+    std::vector<dvec3> points;
+    for (int i = 0; i < count; ++i)
+        points.push_back(glm::fract(shift + static_cast<double>(i) *
+                                                dvec3(1 / kRoot, 1 / (kRoot * kRoot), 1 / (kRoot * kRoot * kRoot))));
+    return points;
+}
+
+std::vector<dvec3> randomCube(int count, const auto& chance) {
+    std::vector<dvec3> points(static_cast<std::size_t>(count));
+    for (dvec3& point : points)
+        for (int axis = 0; axis < 3; ++axis)
+            point[axis] = chance();
+    return points;
+}
+
+} // namespace
+
+std::vector<dvec3> pointsOfLight(const Light& light, int lightNumber, const LightPointParams& params) {
+    std::mt19937 numbers(static_cast<std::uint32_t>(params.seed + 1000003 * lightNumber));
+    const auto chance = [&numbers] { return static_cast<double>(numbers()) / 4294967296.0; };
+    std::vector<dvec3> points;
+    const bool jittered = params.spread == LightPointParams::Spread::jittered;
+    if (light.type == LightType::rect) {
+        for (const dvec2& p : jittered ? jitteredSquare(params.count, chance) : randomSquare(params.count, chance))
+            points.push_back(light.positionWorld + (p.x - 0.5) * light.edgeUWorld + (p.y - 0.5) * light.edgeVWorld);
+        return points;
+    }
+    for (const dvec3& p : jittered ? evenCube(params.count, chance) : randomCube(params.count, chance)) {
+        // The surface of a sphere in three dimensions, seen along one of them, is a line filled evenly (Archimedes). One more
+        // dimension: that of a sphere in four, seen along two, is a disc filled evenly. So take a point there, by its two
+        // radii and two angles, and leave one coordinate out.
+        const double nearRadius = std::sqrt(p.x), farRadius = std::sqrt(1 - p.x);
+        const dvec3 angles = glm::two_pi<double>() * p;
+        const dvec3 unit(nearRadius * std::cos(angles.y), nearRadius * std::sin(angles.y),
+                         farRadius * std::cos(angles.z));
+        points.push_back(light.positionWorld + light.radius * unit);
+    }
+    return points;
+}
+
+} // namespace shadowlab::scene

@@ -1,0 +1,28 @@
+// Shading in C++: the twin of shaders/light.glsl and shaders/material.glsl, held equal to them by a test.
+//
+// L = emission + ambient * diffuse + sum over lights of visibility * color * E * (diffuse/pi + specular * lobe),
+// lobe = (s + 8) / (8 pi) * (n.h)^s: Lambert's law plus Blinn's highlight (1977), normalised so that the highlight's
+// energy does not depend on its width (Akenine-Moeller, Haines, Hoffman, Real-Time Rendering).
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/foundation/scene/model/scene.h"
+
+namespace shadowlab::scene {
+
+/// Unit vector from the surface toward the light (its centre).
+dvec3 towardLightWorld(const Light& light, const dvec3& positionWorld);
+
+/// Is the light of a kind that shines in every direction: no spot and no rect?
+bool shinesEverywhere(const Light& light);
+
+/// Is the point inside a spot's cone, or on the shining side of a rect? True for the other lights.
+bool lightShinesTo(const Light& light, const dvec3& positionWorld);
+
+/// Irradiance of the unshadowed light on a surface with that unit normal, per colour: color * E.
+dvec3 irradiance(const Light& light, const dvec3& positionWorld, const dvec3& normalWorld);
+
+/// Radiance reflected toward the eye per unit irradiance; unit vectors, the normal on the viewer's side.
+dvec3 reflectance(const Material& material, const dvec3& normalWorld, const dvec3& toLightWorld,
+                  const dvec3& toEyeWorld);
+
+} // namespace shadowlab::scene

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/trace/area/area_asker.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+
+#include "techniques/foundation/trace/bvh/bvh_traverse.h"
+
+namespace shadowlab::trace {
+
+namespace {
+
+// The sign of a triangle's side counts as certain for a whole box of points when it is beyond rounding: a determinant of
+// coordinates is wrong by some 1e-15 of their cube.
+constexpr double kCertain = 1e-12;
+
+// Rays for a light of which all is covered by triangles with holes.
+constexpr double kSamples = 1024;
+
+// Contours are counted this share of the light's size beyond its border, too: a point that moves might see them before it.
+constexpr double kMargin = 0.25;
+
+// The disc of a sphere is at least this share as wide as the sphere, from all points farther away than 1.4 radii.
+constexpr double kLeastDisc = 0.7;
+
+/// A part of an edge, from 0 at its first end to 1 at its second.
+struct Part {
+    double begin = 0, end = 1;
+    /// Leaves out where a function, given by its values at the ends, is negative.
+    void keep(double atFirst, double atSecond) {
+        if (atFirst < 0 && atSecond < 0) end = -1;
+        if (atFirst < 0 && atSecond >= 0) begin = std::max(begin, atFirst / (atFirst - atSecond));
+        if (atFirst >= 0 && atSecond < 0) end = std::min(end, atFirst / (atFirst - atSecond));
+    }
+};
+
+dvec3 normalOf(const Triangle& t) { return glm::cross(t.b - t.a, t.c - t.a); }
+
+/// On which side of the triangle is all of the box? 0: on both, or not certain.
+int sideOf(const Triangle& t, const CentredBox& box) {
+    const dvec3 normal = normalOf(t), middle = 0.5 * (box.lower + box.upper), half = 0.5 * (box.upper - box.lower);
+    const dvec3 offset = middle - t.a;
+    const double height = glm::dot(normal, offset);
+    const double doubt =
+        glm::dot(glm::abs(normal), half + kCertain * (glm::abs(middle) + glm::abs(t.a) + half + glm::abs(offset)));
+    return height > doubt ? 1 : height < -doubt ? -1 : 0;
+}
+
+} // namespace
+
+AreaVisibility::Asker::Asker(const AreaVisibility& owner, const CentredBox& box, double largestMove,
+                             const std::vector<std::uint32_t>& candidates)
+    : owner_(owner), bvh_(owner.tracer_.bvh()) {
+    findEdges(box, candidates);
+    CentredBox around = box, light = owner.box_;
+    const double reach = glm::length(glm::max(glm::abs(light.upper - box.lower), glm::abs(box.upper - light.lower)));
+    around.grow(2 * kContact * reach + nearness(largestMove, reach));
+    light.grow(2 * kContact * reach);
+    for (const std::uint32_t primitive : candidates) {
+        perforated_ = perforated_ || owner.tracer_.mayHaveHoles(primitive);
+        const CentredBox own = boxOf(bvh_.triangles[primitive]);
+        if (own.touches(around) || own.touches(light)) near_.push_back(primitive);
+    }
+}
+
+/// Leaves out edges that are a contour for no point of the box.
+void AreaVisibility::Asker::findEdges(const CentredBox& box, const std::vector<std::uint32_t>& candidates) {
+    const SurfaceEdges& edges = owner_.edges_;
+    for (const std::uint32_t primitive : candidates)
+        for (const std::uint32_t number : edges.ofPrimitive(primitive)) {
+            bool certain = true;
+            int turn = 0;
+            for (const SurfaceEdges::Use& use : edges.uses(edges.edge(number))) {
+                if (!owner_.casts_[use.primitive]) continue;
+                const int side = sideOf(bvh_.triangles[use.primitive], box);
+                certain = certain && side != 0;
+                turn += side * use.direction;
+            }
+            if (!certain || turn != 0) edgeNumbers_.push_back(number);
+        }
+    std::ranges::sort(edgeNumbers_);
+    edgeNumbers_.erase(std::unique(edgeNumbers_.begin(), edgeNumbers_.end()), edgeNumbers_.end());
+}
+
+AreaShare AreaVisibility::Asker::ask(const SurfacePoint& point, double move) {
+    // Within a sphere there is no disc; its centre answers for it.
+    if (!lookFrom(point, move))
+        return {owner_.tracer_.visibility(point, owner_.number_) == Visibility::lit ? 1.0 : 0.0, 1.0};
+    double visible = 0;
+    pieces_.cut(outline_, contours_, [&](std::span<const dvec2> polygon) {
+        const LightPiece piece(seen_, polygon);
+        if (piece.area() > 0) visible += piece.area() * seenOf(piece, polygon, dvec3(0.0)).area;
+    });
+    return {std::clamp(visible / seen_.area, 0.0, 1.0), change_};
+}
+
+AreaIrradiance AreaVisibility::Asker::askIrradiance(const SurfacePoint& point, const dvec3& normalWorld) {
+    if (!lookFrom(point, 0))
+        return {owner_.tracer_.visibility(point, owner_.number_) == Visibility::lit ? 1.0 : 0.0, 0.0, 0.0};
+    const bool receives = owner_.tracer_.objectOf(point).receivesShadow;
+    if (!receives) contours_.clear();
+    contours_.push_back({seen_.product(normalWorld)}); // the normal's horizon: each piece is above it or below
+    AreaIrradiance answer;
+    if (outline_.size() < 3) return {receives ? 0.0 : 1.0, 0.0, 0.0};
+    pieces_.cut(outline_, contours_, [&](std::span<const dvec2> polygon) {
+        const LightPiece piece(seen_, polygon);
+        if (!(piece.area() > 0)) return;
+        const Seen seen = receives ? seenOf(piece, polygon, normalWorld) : Seen{1, 1};
+        answer.visible += piece.area() * seen.area;
+        if (!(glm::dot(normalWorld, seen_.toward(piece.middle())) > 0)) return;
+        // By rounding a piece of next to nothing may seem to have less than that.
+        const double whole = std::max(glm::dot(normalWorld, piece.vectorIrradiance()), 0.0) / glm::pi<double>();
+        answer.unshadowed += whole;
+        answer.irradiance += whole * seen.irradiance;
+    });
+    answer.visible = receives ? std::clamp(answer.visible / seen_.area, 0.0, 1.0) : 1.0;
+    return answer;
+}
+
+/// Finds what of the light is above the point's triangle, and the contours before it. False for points within a sphere.
+bool AreaVisibility::Asker::lookFrom(const SurfacePoint& point, double move) {
+    point_ = point;
+    positionCentred_ = owner_.tracer_.positionCentred(point);
+    move_ = move;
+    change_ = 0;
+    contours_.clear();
+    outline_.clear();
+    const dvec3 toLight = owner_.centreCentred_ - positionCentred_;
+    const std::optional<SeenLight> seen = seenLight(owner_.light_, toLight);
+    if (!seen) return false;
+    seen_ = *seen;
+
+    dvec3 up = normalOf(bvh_.triangles[point.primitive]);
+    if (!point.eyeOnFront) up = -up;
+    const dvec3 elevation = seen_.product(up);
+    outline_.assign(seen_.outline.begin(), seen_.outline.end());
+    if (elevation.z < seen_.range(elevation)) {
+        outline_ = keptPart(seen_.outline, elevation);
+        // A rect stays where it is, and the plane, too. A disc turns with the point, by less than it moves over its distance;
+        // a chord is at most 2/pi of the area times the radius, so four makes more than twice of it.
+        if (seen_.isDisc) change_ += 4 * move_ / glm::length(toLight);
+    }
+    if (outline_.size() < 3) return true; // all of it is below
+    addEdges();
+    addCrossings();
+    if (move_ > 0) mindWhatIsNear(up);
+    return true;
+}
+
+int AreaVisibility::Asker::turnAt(const SurfaceEdges::Edge& edge) const {
+    int turn = 0;
+    for (const SurfaceEdges::Use& use : owner_.edges_.uses(edge)) {
+        if (!owner_.casts_[use.primitive] || use.primitive == point_.primitive) continue;
+        const double height = heightOver(bvh_.triangles[use.primitive]);
+        turn += height > 0 ? use.direction : height < 0 ? -use.direction : 0;
+    }
+    return turn;
+}
+
+/// How far the point is above a triangle's plane, times twice the triangle's area.
+double AreaVisibility::Asker::heightOver(const Triangle& triangle) const {
+    return glm::dot(normalOf(triangle), positionCentred_ - triangle.a);
+}
+
+void AreaVisibility::Asker::addEdges() {
+    const dvec3 across = glm::cross(seen_.axisU, seen_.axisV);
+    // Products with these tell where on the light's plane something is seen, and how far on the way there it is.
+    const dvec3 placeU = glm::cross(seen_.axisV, across) / glm::dot(across, across);
+    const dvec3 placeV = glm::cross(across, seen_.axisU) / glm::dot(across, across);
+    const dvec3 depth = across / glm::dot(across, seen_.middle);
+    const dvec2 middle(glm::dot(placeU, seen_.middle), glm::dot(placeV, seen_.middle));
+    const dvec2 half = (1 + kMargin) * seen_.half;
+    const double aslant = farthestOnLight() * glm::length(depth);
+    for (const std::uint32_t number : edgeNumbers_) {
+        const SurfaceEdges::Edge& edge = owner_.edges_.edge(number);
+        const dvec3 first = edge.firstCentred - positionCentred_, second = edge.secondCentred - positionCentred_;
+        // The part of it that is seen before the light and some way around.
+        const double atFirst = glm::dot(depth, first), atSecond = glm::dot(depth, second);
+        Part part;
+        part.keep(1 - atFirst, 1 - atSecond);
+        const dvec2 u(glm::dot(placeU, first) - atFirst * middle.x, glm::dot(placeU, second) - atSecond * middle.x);
+        const dvec2 v(glm::dot(placeV, first) - atFirst * middle.y, glm::dot(placeV, second) - atSecond * middle.y);
+        part.keep(half.x * atFirst - u.x, half.x * atSecond - u.y);
+        part.keep(half.x * atFirst + u.x, half.x * atSecond + u.y);
+        part.keep(half.y * atFirst - v.x, half.y * atSecond - v.y);
+        part.keep(half.y * atFirst + v.x, half.y * atSecond + v.y);
+        if (part.begin > part.end || turnAt(edge) == 0) continue;
+        const dvec3 normal = glm::cross(first, second);
+        contours_.push_back({seen_.product(normal), seen_.product(glm::cross(normal, first)),
+                             seen_.product(glm::cross(second, normal))});
+        if (!(move_ > 0)) continue;
+        // What stands at a share t of the way moves by (1 - t) / t on the light's plane, against the point, and more where that
+        // is seen aslant; the disc of a sphere itself moves by less than the point. To first order a contour sweeps its length
+        // times its way; twice that is well beyond.
+        const double atBegin = glm::mix(atFirst, atSecond, part.begin), atEnd = glm::mix(atFirst, atSecond, part.end);
+        const double nearest = std::min(atBegin, atEnd);
+        const double length =
+            glm::length(glm::mix(first, second, part.begin) / atBegin - glm::mix(first, second, part.end) / atEnd);
+        const double swept = std::min(length, seen_.diameter()) * move_ * aslant * (1 / nearest);
+        change_ += nearest > 0 ? 2 * swept / (seen_.area * glm::length(across)) : 1;
+    }
+}
+
+/// Within this distance from a point, things may move by more than the margin while the point moves. `farthest`: metres to
+/// the farthest place of the light.
+double AreaVisibility::Asker::nearness(double move, double farthest) const {
+    const scene::Light& light = owner_.light_;
+    const double leastHalf = light.type == scene::LightType::sphere
+                                 ? kLeastDisc * light.radius
+                                 : 0.5 * glm::length(glm::cross(light.edgeUWorld, light.edgeVWorld)) /
+                                       std::max(glm::length(light.edgeUWorld), glm::length(light.edgeVWorld));
+    return move * farthest / (kMargin * leastHalf);
+}
+
+/// What is so near that it might come before the light from beyond the margin in which contours are counted.
+void AreaVisibility::Asker::mindWhatIsNear(const dvec3& up) {
+    // So close to a sphere its disc is smaller than the margin takes it to be.
+    if (owner_.light_.type == scene::LightType::sphere && glm::length(seen_.axisU) < kLeastDisc * owner_.light_.radius)
+        change_ = 1;
+    CentredBox around;
+    around.include(positionCentred_);
+    around.grow(nearness(move_, farthestOnLight()));
+    for (const std::uint32_t primitive : near_) {
+        const Triangle& triangle = bvh_.triangles[primitive];
+        if (primitive == point_.primitive || !boxOf(triangle).touches(around)) continue;
+        const double level = glm::dot(up, positionCentred_);
+        const double rounding = kCertain * glm::length(up) * farthestOnLight();
+        const bool below = glm::dot(up, triangle.a) <= level + rounding &&
+                           glm::dot(up, triangle.b) <= level + rounding && glm::dot(up, triangle.c) <= level + rounding;
+        if (!below) change_ = 1;
+    }
+}
+
+double AreaVisibility::Asker::farthestOnLight() const { return glm::length(seen_.middle) + 0.5 * seen_.diameter(); }
+
+/// A triangle that the light's plane, or the contact at the point, cuts ends there too.
+void AreaVisibility::Asker::addCrossings() {
+    for (const std::uint32_t primitive : near_) {
+        if (primitive == point_.primitive) continue;
+        const Triangle& triangle = bvh_.triangles[primitive];
+        const double height = -heightOver(triangle);
+        const dvec3 depth = seen_.product(height < 0 ? -normalOf(triangle) : normalOf(triangle));
+        for (const double end : {kContact, 1 - kContact}) {
+            // The triangle is met at |height| / depth of the way.
+            const dvec3 line = depth - dvec3(0, 0, std::abs(height) / end);
+            if (std::abs(line.z) > seen_.range(line)) continue;
+            contours_.push_back({line});
+            if (move_ > 0) change_ = 1; // whatever there may be
+        }
+    }
+}
+
+AreaVisibility::Asker::Seen AreaVisibility::Asker::seenOf(const LightPiece& piece, std::span<const dvec2> polygon,
+                                                          const dvec3& normalWorld) {
+    const dvec2 middle = piece.middle();
+    if (!isFree(middle, false)) return {0, 0};
+    return !perforated_ || isFree(middle, true) ? Seen{1, 1} : sampledSeenOf(piece, polygon, normalWorld);
+}
+
+/// Does no triangle stand before that place of the light? Asks those with holes, as if they had none, or those without.
+bool AreaVisibility::Asker::isFree(dvec2 place, bool perforated) {
+    const Ray ray{positionCentred_, seen_.toward(place), kContact, 1 - kContact};
+    if (!isUsable(ray)) return true;
+    const auto accept = [&](std::uint32_t primitive) {
+        return owner_.casts_[primitive] && primitive != point_.primitive &&
+               (!perforated_ || owner_.tracer_.mayHaveHoles(primitive) == perforated);
+    };
+    // What covered the last piece often covers this one.
+    if (lastBlocker_ != kNoPrimitive && accept(lastBlocker_)) {
+        const ShearedRay sheared(ray);
+        const auto hit = intersect(sheared, bvh_.triangles[lastBlocker_], sheared.farthest);
+        if (hit && hit->reach < sheared.farthest) return false;
+    }
+    const std::uint32_t blocker = bvh_.any(ray, accept);
+    if (blocker != kNoPrimitive) lastBlocker_ = blocker;
+    return blocker == kNoPrimitive;
+}
+
+/// Rays to places spread evenly over the polygon, of a disc to those within it, through whatever holes there are: multiples of
+/// the powers of a number that no fraction comes near to (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
+/// 2018).
+AreaVisibility::Asker::Seen AreaVisibility::Asker::sampledSeenOf(const LightPiece& piece,
+                                                                 std::span<const dvec2> polygon,
+                                                                 const dvec3& normalWorld) {
+    constexpr double kRoot = 1.3247179572447460260; // of x^3 = x + 1
+    const double area = areaOf(polygon);
+    const int count = static_cast<int>(std::ceil(kSamples * area / seen_.area));
+    const auto goesOn = [&](std::uint32_t primitive, const dvec3& barycentric) {
+        return owner_.tracer_.mayHaveHoles(primitive) &&
+               owner_.tracer_.isInHole({primitive, false, dvec2(barycentric)});
+    };
+    const auto accept = [&](std::uint32_t primitive) {
+        return owner_.casts_[primitive] && primitive != point_.primitive;
+    };
+    const dvec3 lightNormal = glm::cross(seen_.axisU, seen_.axisV);
+    double free = 0, all = 0, freeIrradiance = 0, allIrradiance = 0;
+    const auto look = [&](dvec2 place) {
+        const dvec3 toward = seen_.toward(place);
+        const Ray ray{positionCentred_, toward, kContact, 1 - kContact};
+        const double seen = bvh_.any(ray, accept, goesOn) == kNoPrimitive ? 1 : 0;
+        // What a place adds to the irradiance goes with both cosines over the square of its distance.
+        const double squared = glm::dot(toward, toward);
+        const double weight =
+            std::abs(glm::dot(normalWorld, toward) * glm::dot(lightNormal, toward)) / (squared * squared);
+        free += seen, all += 1;
+        freeIrradiance += weight * seen, allIrradiance += weight;
+    };
+    for (int i = 0; i < count; ++i) {
+        double along = glm::fract((i + 0.5) / kRoot), across = std::sqrt(glm::fract((i + 0.5) / (kRoot * kRoot)));
+        // The triangle of the polygon's fan in which that share of the area ends, and in it a place by square root.
+        std::size_t corner = 2;
+        double left = along * area, part = areaOf(std::array{polygon[0], polygon[1], polygon[2]});
+        while (left > part && corner + 1 < polygon.size()) {
+            left -= part;
+            ++corner;
+            part = areaOf(std::array{polygon[0], polygon[corner - 1], polygon[corner]});
+        }
+        along = part > 0 ? std::min(left / part, 1.0) : 0.5;
+        const dvec2 side = glm::mix(polygon[corner - 1], polygon[corner], along);
+        const dvec2 place = glm::mix(polygon[0], side, across);
+        if (!seen_.isDisc || glm::dot(place, place) <= 1) look(place);
+    }
+    if (all == 0) look(piece.middle()); // so little of the disc that no place is in it
+    return {free / all, allIrradiance > 0 ? freeIrradiance / allIrradiance : free / all};
+}
+
+} // namespace shadowlab::trace

@@ -1,0 +1,69 @@
+// Which share of a light with an area a point sees: no samples, but the area itself.
+//
+// What the point sees of the light changes only along *contours*: edges of casters at which the number of triangles that cover
+// the light is another one on either side. That is decided per edge as for a silhouette: each triangle has a side on which
+// the point is, and an edge counts where its triangles' turns, each with the sign of that side, do not add up to nothing. So
+// the light is cut along the contours alone (uniform_pieces.h), and one ray for each piece tells whether it is seen. An edge
+// between two triangles beside each other never matters, however fine the mesh.
+//
+// The share is right up to the rounding of double; what of a sphere counts is said in seen_light.h. Triangles with holes in them:
+// pieces that such a triangle covers are asked with rays, in proportion about 1024 for the whole light, so a share is then
+// wrong by at most about 1/64 (one standard deviation of as many independent rays, which these, spread evenly, stay below).
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <span>
+#include <vector>
+
+#include "techniques/foundation/trace/area/area_irradiance.h"
+#include "techniques/foundation/trace/area/shaft.h"
+#include "techniques/foundation/trace/area/surface_edges.h"
+#include "techniques/foundation/trace/scene_tracer.h"
+
+namespace shadowlab::trace {
+
+/// What a point sees of the light.
+struct AreaShare {
+    double visible = 0; ///< 0..1 of its area, as it is seen
+    /// By how much that may change while the point moves on its triangle, by as much as was said. At least twice what it is to
+    /// first order.
+    double change = 0;
+};
+
+class AreaVisibility {
+public:
+    /// The tracer must live as long, with the scene that it has. The light must have an area.
+    AreaVisibility(const SceneTracer& tracer, int light);
+
+    /// The gates are those of the light's centre: where they are shut, and without a surface, nothing is seen. Of the light what
+    /// lies below the plane of the point's triangle is not seen. Where no shadows are received, all is seen.
+    [[nodiscard]] double share(const SurfacePoint& point) const;
+
+    /// The same for many points, which is quicker where they are neighbours. `moves`: of each point, in metres; empty: none.
+    void shares(std::span<const SurfacePoint> points, std::span<const double> moves,
+                std::span<AreaShare> answers) const;
+
+    /// What they get of the light, by the same gates. `normalsWorld`: one unit vector per point, on the side that the light is to
+    /// be counted on: the shading normal. A point within a sphere gets nothing of it.
+    void irradiances(std::span<const SurfacePoint> points, std::span<const dvec3> normalsWorld,
+                     std::span<AreaIrradiance> answers) const;
+
+private:
+    class Asker;
+    struct Group;
+    void askAll(Group& group) const;
+    void ask(Group& group, std::span<std::uint32_t> members, std::vector<std::uint32_t> candidates) const;
+    void askTogether(Group& group, std::span<const std::uint32_t> members,
+                     const std::vector<std::uint32_t>& candidates) const;
+    [[nodiscard]] bool isBelowAll(const Group& group, std::span<const std::uint32_t> members,
+                                  const Triangle& triangle) const;
+
+    const SceneTracer& tracer_;
+    const scene::Light& light_;
+    int number_;
+    dvec3 centreCentred_;
+    CentredBox box_;                  ///< of the light
+    std::vector<std::uint8_t> casts_; ///< of each triangle
+    SurfaceEdges edges_;
+};
+
+} // namespace shadowlab::trace

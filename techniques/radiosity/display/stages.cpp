@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/display/stages.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/constants.hpp>
+
+#include "techniques/foundation/base/look.h"
+#include "techniques/radiosity/display/matrix_picture.h"
+#include "techniques/radiosity/probe/probe.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+void publishRadiance(const Showing& showing, std::string_view stage, const std::function<void()>& draw) {
+    if (showing.frame.wants(stage))
+        showing.frame.drawStage(stage, kNoLight, GL_RGBA16F, [&] {
+            const vec3& background = showing.frame.scene().background;
+            glClearColor(background.r, background.g, background.b, 1);
+            glClear(GL_COLOR_BUFFER_BIT);
+            draw();
+        });
+}
+void publishRadiance(const Showing& showing, std::string_view stage, std::span<const dvec3> radiosity,
+                     bool interpolates) {
+    publishRadiance(showing, stage, [&] { showing.draw(radiosity, interpolates); });
+}
+
+void publishScalar(const Showing& showing, std::string_view stage, const std::vector<dvec3>& values,
+                   const Display& display) {
+    showing.frame.drawStage(
+        stage, kNoLight, GL_RG32F,
+        [&] {
+            const auto uploaded = SurfacePicture::upload(cellValues(showing.kept.cells(), values));
+            showing.picture.drawScalar(showing.frame, uploaded, false);
+        },
+        display);
+}
+
+/// One number of each patch that exchanges light; of the others, `ofLoose`.
+std::vector<dvec3> asValues(const Showing& showing, std::span<const double> numbers, double ofLoose) {
+    std::vector<dvec3> values;
+    for (const double number : numbers)
+        values.emplace_back(number);
+    values.resize(showing.sources.size(), dvec3(ofLoose));
+    return values;
+}
+
+void publishPatches(const Showing& showing) {
+    // A light step of viridis for each time that a patch was cut again.
+    static const std::vector<KeyEntry> key = {{look::linearFromSrgb8(0xB8, 0xB8, 0xB4), "patch, cut to size"},
+                                              {look::colorAt(look::viridis(), 0.3), "cut again once"},
+                                              {look::colorAt(look::viridis(), 0.5), "twice"},
+                                              {look::colorAt(look::viridis(), 0.7), "three times"},
+                                              {look::colorAt(look::viridis(), 0.95), "more often"},
+                                              {look::kNoSurface, "border of a patch"}};
+    const bool isRefined = showing.kept.isRefined();
+    std::vector<dvec3> colors(showing.sources.size(), dvec3(key[0].colorLinear));
+    for (std::size_t i = 0; i < showing.kept.room().levels().size(); ++i)
+        colors[i] = dvec3(key[std::min<std::size_t>(showing.kept.room().levels()[i], 4)].colorLinear);
+    showing.frame.drawStage("patches", kNoLight, GL_RGBA16F,
+                            [&] {
+                                const auto uploaded = SurfacePicture::upload(cellValues(showing.kept.cells(), colors));
+                                showing.picture.drawOutlines(showing.frame, uploaded, key.back().colorLinear);
+                            },
+                            {.unit = "", .key = isRefined ? key : std::vector<KeyEntry>{key.front(), key.back()}});
+}
+
+/// Whose form factors are looked at: the picked pixel's, the one asked for, or the one that sends the most light.
+std::size_t lookedAt(const Showing& showing) {
+    const std::size_t count = showing.kept.room().patches().size();
+    const View& view = showing.frame.view();
+    if (view.picked)
+        if (const auto seen = patchSeen(showing.kept, showing.frame.snapshot(), view, *view.picked)) return *seen;
+    if (showing.params.fromPatch >= 0 && static_cast<std::size_t>(showing.params.fromPatch) < count)
+        return static_cast<std::size_t>(showing.params.fromPatch);
+    std::size_t best = 0;
+    double most = -1;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double power = luminance(showing.balance.radiosity()[i]) * showing.kept.exchange().areas[i];
+        if (power > most) {
+            most = power;
+            best = i;
+        }
+    }
+    return best;
+}
+
+void publishFormFactors(const Showing& showing) {
+    const std::size_t count = showing.kept.room().patches().size();
+    std::vector<double> shares(count, 0.0);
+    double most = 0;
+    if (const std::size_t from = count > 0 ? lookedAt(showing) : 0; from < count) { // nothing lies before the others
+        for (std::size_t j = 0; j < count; ++j)
+            shares[j] = 100 * showing.kept.exchange().matrix(from, j) / showing.kept.exchange().areas[from];
+        most = *std::ranges::max_element(shares);
+    }
+    publishScalar(showing, "form-factors", asValues(showing, shares, 0),
+                  {.minimum = 0, .maximum = most > 0 ? most : 1, .unit = "% of its light", .key = {}});
+}
+
+void publishResidual(const Showing& showing) {
+    std::vector<dvec3> values = showing.balance.residual();
+    double most = 0;
+    for (dvec3& value : values) {
+        value = dvec3(std::abs(luminance(value)));
+        most = std::max(most, value.x);
+    }
+    publishScalar(showing, "residual", values,
+                  {.minimum = 0, .maximum = most > 0 ? most : 1, .unit = "W/m^2", .key = {}});
+}
+
+void publishVisibility(const Showing& showing, int light, const LightMap* map) {
+    const SurfaceCells& cells = showing.kept.cells();
+    if (map) {
+        const LightMap::Values seen = map->seenArea(cells, light);
+        const std::vector<dvec3> nothing(showing.sources.size(), dvec3(0)); // all of it is in the map
+        const auto uploaded = SurfacePicture::upload(cellValues(cells, nothing, seen.atBlends));
+        const auto lattices = SurfacePicture::upload(map->lattices(), seen.atPoints);
+        showing.frame.drawStage("visibility", light, GL_RG32F,
+                                [&] { showing.picture.drawVisibility(showing.frame, uploaded, lattices, light); });
+        return;
+    }
+    std::vector<dvec3> shares;
+    for (const double share : showing.kept.light(light).seenArea)
+        shares.emplace_back(share);
+    const auto uploaded = SurfacePicture::upload(cellValues(cells, shares));
+    const bool interpolates = showing.params.display != RadiosityParams::Display::flat;
+    showing.frame.drawStage("visibility", light, GL_RG32F,
+                            [&] { showing.picture.drawVisibility(showing.frame, uploaded, interpolates, light); });
+}
+
+} // namespace
+
+void Showing::draw(std::span<const dvec3> radiosity, bool interpolates) const {
+    picture.drawRadiosity(frame, SurfacePicture::upload(cellValues(kept.cells(), radiosity)), interpolates,
+                          params.exposureFactor());
+}
+
+void Showing::drawSmooth(const ShownLight& shown) const {
+    picture.drawReflected(frame, shown.values, shown.map ? &*shown.map : nullptr, params.exposureFactor());
+}
+
+ShownLight Showing::shown(const LightMap* map) const {
+    std::vector<dvec3> arriving = balance.irradianceShown();
+    if (!map) return {SurfacePicture::upload(cellValues(kept.cells(), arriving)), std::nullopt};
+    // What came by way of other patches, or from outside, changes slowly: it is interpolated. The rest is in the map.
+    for (std::size_t i = 0; i < arriving.size(); ++i)
+        arriving[i] -= sources.fromLights[i];
+    const LightMap::Values direct = map->irradiance(kept.cells());
+    std::vector<dvec3> atBlends = blended(kept.cells(), arriving);
+    for (std::size_t i = 0; i < atBlends.size(); ++i)
+        atBlends[i] += direct.atBlends[i];
+    return {SurfacePicture::upload(cellValues(kept.cells(), arriving, atBlends)),
+            SurfacePicture::upload(map->lattices(), direct.atPoints)};
+}
+
+void publishStages(const Showing& showing, const LightMap* map) {
+    const Frame& frame = showing.frame;
+    if (frame.wants("patches")) publishPatches(showing);
+    if (frame.wants("form-factors")) publishFormFactors(showing);
+    if (frame.wants("matrix")) publishMatrix(showing.frame, showing.kept.exchange());
+    if (frame.wants("row-sums")) {
+        const std::vector<double>& sums = showing.kept.exchange().rowSums;
+        const double most = sums.empty() ? 1 : std::max(1.0, *std::ranges::max_element(sums));
+        publishScalar(showing, "row-sums", asValues(showing, sums, 0),
+                      {.minimum = 0, .maximum = most, .unit = "sum of form factors", .key = {}});
+    }
+    if (frame.wants("surroundings"))
+        publishScalar(showing, "surroundings", asValues(showing, showing.kept.room().surroundings(), 1),
+                      {.minimum = 0, .maximum = 1, .unit = "share of its view", .key = {}});
+    publishRadiance(showing, "emission", showing.sources.emission, false);
+    if (frame.wants("first-bounce")) publishRadiance(showing, "first-bounce", showing.balance.bounce(1), false);
+    if (frame.wants("bounce"))
+        publishRadiance(showing, "bounce", showing.balance.bounce(static_cast<std::size_t>(showing.params.bounce)),
+                        false);
+    if (frame.wants("reflected")) {
+        std::vector<dvec3> more = showing.balance.radiosity();
+        const std::vector<dvec3> once = showing.balance.bounce(1);
+        for (std::size_t i = 0; i < more.size(); ++i)
+            more[i] = glm::max(more[i] - once[i] - showing.sources.emission[i], dvec3(0));
+        publishRadiance(showing, "reflected", more, true);
+    }
+    if (frame.wants("residual")) publishResidual(showing);
+    publishRadiance(showing, "radiosity", showing.balance.radiosity(), false);
+    publishRadiance(showing, "interpolated", [&] { showing.drawSmooth(showing.shown(nullptr)); });
+    for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
+        if (frame.wants("visibility", light)) publishVisibility(showing, light, map);
+}
+
+} // namespace shadowlab::radiosity

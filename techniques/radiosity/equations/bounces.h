@@ -1,0 +1,37 @@
+// Light sorted by how often it was reflected, and where its power goes.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "techniques/foundation/math/types.h"
+#include "techniques/radiosity/equations/problem.h"
+
+namespace shadowlab::radiosity {
+
+/// B_k: the part of the radiosity that was reflected exactly k times, W/m^2. B_0 = E, B_k = rho F B_{k-1}; their sum over all k is B.
+std::vector<dvec3> bounce(const Problem& problem, std::size_t k);
+
+/// rho F B_{k-1}, from B_{k-1}: the next bounce without going through all before.
+std::vector<dvec3> nextBounce(const Problem& problem, std::span<const dvec3> bounceBefore);
+
+/// H_i = sum_j F_ij B_j, the irradiance that reaches each patch, W/m^2.
+std::vector<dvec3> irradiance(const Problem& problem, const std::vector<dvec3>& radiosity);
+
+/// Where the power goes, W. For the solution, emitted = absorbed + escaped: sum the equation B = E + rho H over A_i, and use
+/// sum A_i H_i = sum_j B_j sum_i S_ij. In a closed room nothing escapes: sum A E = sum A (1 - rho) H. With H: a patch absorbs
+/// of what falls on it, and B is what leaves it.
+struct EnergyBalance {
+    dvec3 emitted{0};  ///< sum A_i E_i
+    dvec3 absorbed{0}; ///< sum A_i (1 - rho_i) H_i
+    dvec3 escaped{0};  ///< sum A_i (1 - sum_j F_ij) B_i
+    /// (emitted - absorbed - escaped) / emitted; 0 for a colour that nothing emits.
+    [[nodiscard]] dvec3 residual() const;
+    /// (emitted - absorbed) / emitted: what is to be 0 in a closed room.
+    [[nodiscard]] dvec3 closedResidual() const;
+};
+
+EnergyBalance energyBalance(const Problem& problem, const std::vector<dvec3>& radiosity);
+
+} // namespace shadowlab::radiosity

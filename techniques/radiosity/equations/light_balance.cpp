@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/equations/light_balance.h"
+
+#include <algorithm>
+
+#include <glm/gtc/constants.hpp>
+
+#include "techniques/radiosity/equations/gather.h"
+
+namespace shadowlab::radiosity {
+
+Sources sourcesOf(const Room& room, std::span<const DirectLight* const> lights, const dvec3& surroundings) {
+    Sources sources;
+    const auto add = [&](const Patch& patch, double seenOutside) {
+        const scene::Material& material = room.materialOf(patch);
+        // A Lambertian surface of radiance L sends pi L into its hemisphere.
+        sources.emission.push_back(glm::pi<double>() * dvec3(material.emission));
+        sources.reflectance.emplace_back(glm::clamp(dvec3(material.diffuse), 0.0, 1.0));
+        sources.fromOutside.push_back(glm::pi<double>() * seenOutside * surroundings);
+    };
+    for (std::size_t i = 0; i < room.patches().size(); ++i)
+        add(room.patches()[i], room.surroundings()[i]);
+    for (std::size_t i = room.patches().size(); i < room.allPatches().size(); ++i)
+        add(room.allPatches()[i], 1); // nothing lies before them
+    sources.fromLights.assign(sources.size(), dvec3(0));
+    for (const DirectLight* light : lights)
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            sources.fromLights[i] += light->irradiance[i];
+    return sources;
+}
+
+Problem LightBalance::problem() const {
+    const std::size_t count = exchange_->areas.size();
+    Problem problem{exchange_->matrix, exchange_->areas, {}, {}};
+    for (std::size_t i = 0; i < count; ++i) {
+        problem.emission.push_back(sources_->first(i));
+        problem.reflectance.push_back(sources_->reflectance[i]);
+    }
+    return problem;
+}
+
+void LightBalance::restart(const PreparedExchange& exchange, const Sources& sources, SolverKind solver,
+                           bool showsEstimate) {
+    exchange_ = &exchange;
+    sources_ = &sources;
+    showsEstimate_ = showsEstimate;
+    solver_.reset();
+    if (!exchange.areas.empty()) solver_ = makeSolver(solver, problem());
+    isFinished_ = false;
+    isOneByOne_ = solver == SolverKind::southwell || solver == SolverKind::shooting;
+    show();
+}
+
+bool LightBalance::advance(const Until& until, std::size_t most, std::chrono::steady_clock::time_point deadline) {
+    // Of single shots the bound is looked at now and then: to look costs as much as a shot, and while shooting as much as a sweep.
+    constexpr std::size_t kShotsBetween = 64;
+    const auto isDone = [&] {
+        return (until.steps > 0 && solver_->steps() >= until.steps) || isSolved(*solver_, until.tolerance);
+    };
+    if (!solver_ || isFinished_) return true; // nothing exchanges light, or all has been done
+    bool done = isDone();
+    for (std::size_t step = 0; !done && (most == 0 || step < most); ++step) {
+        solver_->step();
+        const bool looks = !isOneByOne_ || solver_->steps() % kShotsBetween == 0;
+        done = looks ? isDone() : until.steps > 0 && solver_->steps() >= until.steps;
+        if (std::chrono::steady_clock::now() >= deadline) break;
+    }
+    show();
+    isFinished_ = done;
+    return done;
+}
+
+const EnergyBalance& LightBalance::energy() const {
+    if (energy_) return *energy_;
+    energy_ = energyBalance(problem(), solver_->radiosity());
+    // In the equations a patch emits what it reflects of the light that no patch sent. The rest of that light is absorbed at once.
+    for (std::size_t i = 0; i < exchange_->areas.size(); ++i) {
+        const dvec3 lost = exchange_->areas[i] * (1.0 - sources_->reflectance[i]) * sources_->irradiance(i);
+        energy_->emitted += lost;
+        energy_->absorbed += lost;
+    }
+    return *energy_;
+}
+
+void LightBalance::show() {
+    ++version_;
+    energy_.reset();
+    radiosity_.clear();
+    if (solver_) radiosity_ = showsEstimate_ ? solver_->shown() : solver_->radiosity();
+    for (std::size_t i = radiosity_.size(); i < sources_->size(); ++i)
+        radiosity_.push_back(sources_->first(i));
+}
+
+std::vector<dvec3> LightBalance::irradiance() const {
+    std::vector<dvec3> arriving =
+        gathered(exchange_->matrix, exchange_->areas, std::span(radiosity_).first(exchange_->areas.size()));
+    arriving.resize(sources_->size(), dvec3(0)); // loose patches receive nothing from others
+    for (std::size_t i = 0; i < arriving.size(); ++i)
+        arriving[i] += sources_->irradiance(i);
+    return arriving;
+}
+
+std::vector<dvec3> LightBalance::irradianceShown() const {
+    std::vector<dvec3> shown(radiosity_.size()), gathered; // the latter only if it is needed
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        for (int color = 0; color < 3; ++color) {
+            const double reflectance = sources_->reflectance[i][color];
+            if (reflectance > 0) {
+                shown[i][color] = std::max(0.0, radiosity_[i][color] - sources_->emission[i][color]) / reflectance;
+            } else {
+                if (gathered.empty()) gathered = irradiance();
+                shown[i][color] = gathered[i][color];
+            }
+        }
+    return shown;
+}
+
+std::vector<dvec3> LightBalance::bounce(std::size_t k) const {
+    std::vector<dvec3> now = sources_->emission;
+    Problem own = problem();
+    for (std::size_t done = 0; done < k; ++done) {
+        std::vector<dvec3> next = nextBounce(own, std::span(now).first(exchange_->areas.size()));
+        next.resize(sources_->size(), dvec3(0));
+        if (done == 0)
+            for (std::size_t i = 0; i < next.size(); ++i)
+                next[i] += sources_->reflectance[i] * sources_->irradiance(i);
+        now = std::move(next);
+    }
+    return now;
+}
+
+std::vector<dvec3> LightBalance::residual() const {
+    std::vector<dvec3> residual = solver_ ? solver_->residual() : std::vector<dvec3>{};
+    residual.resize(sources_->size(), dvec3(0));
+    return residual;
+}
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/form_factors/polygon_exchange.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "techniques/radiosity/form_factors/point_form_factor.h"
+#include "techniques/radiosity/form_factors/rectangle_exchange.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+// Gauss's points and weights on 0..1, for two, three and four of them.
+constexpr int kFewest = 2, kMost = 4;
+struct GaussPoint {
+    double place, weight;
+};
+constexpr std::array<std::array<GaussPoint, kMost>, kMost + 1> kGauss = {{
+    {},
+    {},
+    {{{0.21132486540518712, 0.5}, {0.78867513459481288, 0.5}}},
+    {{{0.11270166537925831, 5.0 / 18}, {0.5, 8.0 / 18}, {0.88729833462074169, 5.0 / 18}}},
+    {{{0.069431844202973712, 0.17392742256872693},
+      {0.33000947820757187, 0.32607257743127307},
+      {0.66999052179242813, 0.32607257743127307},
+      {0.93056815579702629, 0.17392742256872693}}},
+}};
+
+// A form factor from a point is a sum of some angles, each rounded at 2^-53 of a turn or less: what changes by no more than this
+// share of a piece's area is noise, and halving does not help.
+constexpr double kNoise = 4e-15;
+
+// A corner of a common edge takes about a halving for two bits of the result; twenty leave a millionth of a millionth.
+constexpr int kMostHalvings = 20;
+
+// Plates that lie on each other almost, but not quite, would want a piece for every point of their rims. After so many pieces the
+// rest is taken as it is, and the error says so.
+constexpr int kMostPieces = 1 << 14;
+
+/// A piece of a polygon: four corners, of a triangle the last two are one.
+using Quad = std::array<dvec3, 4>;
+
+/// Integral of the form factor to `target` over a quad by n x n points: exact where it is a polynomial of degree 2 n - 1 in each
+/// of the quad's own coordinates.
+double integral(const Quad& q, const dvec3& normal, const Polygon& target, int n) {
+    const auto& points = kGauss[static_cast<std::size_t>(n)];
+    double sum = 0;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            const auto [s, weightS] = points[static_cast<std::size_t>(i)];
+            const auto [t, weightT] = points[static_cast<std::size_t>(j)];
+            const dvec3 alongS = glm::mix(q[1] - q[0], q[2] - q[3], t), alongT = glm::mix(q[3] - q[0], q[2] - q[1], s);
+            const dvec3 point = glm::mix(glm::mix(q[0], q[1], s), glm::mix(q[3], q[2], s), t);
+            sum += weightS * weightT * glm::dot(normal, glm::cross(alongS, alongT)) *
+                   pointFormFactor(point, normal, target);
+        }
+    return sum;
+}
+
+/// How many points in each direction are enough without a second look; nothing where the polygons are too near for that. The
+/// form factor is an analytic function of the point up to the other polygon, so the error of n points falls as the 2 n-th power of
+/// the radius of the piece over twice its distance; a tenth of what is allowed makes up for the factor before it.
+std::optional<int> pointsAtDistance(const Polygon& a, const Polygon& b, double tolerance) {
+    const auto middle = [](const Polygon& p) {
+        dvec3 sum(0.0);
+        for (const dvec3& corner : p.corners())
+            sum += corner;
+        return sum / static_cast<double>(p.count());
+    };
+    const auto radius = [](const Polygon& p, const dvec3& from) {
+        double most = 0;
+        for (const dvec3& corner : p.corners())
+            most = std::max(most, glm::distance(corner, from));
+        return most;
+    };
+    const dvec3 middleA = middle(a), middleB = middle(b);
+    const double radiusA = radius(a, middleA);
+    const double apart = glm::distance(middleA, middleB) - radius(b, middleB);
+    if (!(apart > radiusA)) return std::nullopt;
+    const double ratio = 0.5 * radiusA / apart;
+    for (int n = kFewest; n <= kMost; ++n)
+        if (std::pow(ratio * ratio, n) <= 0.1 * tolerance) return n;
+    return std::nullopt;
+}
+
+std::array<Quad, 4> quarters(const Quad& q) {
+    const dvec3 below = 0.5 * (q[0] + q[1]), right = 0.5 * (q[1] + q[2]), above = 0.5 * (q[2] + q[3]),
+                left = 0.5 * (q[3] + q[0]), middle = 0.25 * (q[0] + q[1] + q[2] + q[3]);
+    return {Quad{q[0], below, middle, left}, Quad{below, q[1], right, middle}, Quad{middle, right, q[2], above},
+            Quad{left, middle, above, q[3]}};
+}
+
+/// Halves a piece in both directions as long as that changes more than its share of what may change.
+void refine(const Quad& q, const dvec3& normal, const Polygon& target, double whole, double allowed, int halvings,
+            int& pieces, Exchange& sum) {
+    const std::array<Quad, 4> parts = quarters(q);
+    std::array<double, 4> values{};
+    double together = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        together += values[i] = integral(parts[i], normal, target, kMost);
+    const double change = std::abs(together - whole);
+    const double area = glm::length(glm::cross(q[2] - q[0], q[3] - q[1])) / 2;
+    if (change <= std::max(allowed, kNoise * area) || halvings == 0 || pieces <= 0) {
+        sum.area += together;
+        sum.error += change;
+        return;
+    }
+    pieces -= 4;
+    // The change is that of the coarser sum, some hundred times the error that is left, and most pieces end far below it; so a
+    // half, not a quarter, is passed on.
+    for (std::size_t i = 0; i < 4; ++i)
+        refine(parts[i], normal, target, values[i], 0.5 * allowed, halvings - 1, pieces, sum);
+}
+
+Polygon relativeTo(const dvec3& origin, const Polygon& polygon) {
+    Polygon moved;
+    for (const dvec3& corner : polygon.corners())
+        moved.add(corner - origin);
+    return moved;
+}
+
+/// What of each lies before the other's plane; nothing if nothing does. Places are relative to a corner of the first: far from the
+/// origin the points of a small piece would be rounded so much that halving it never settles.
+struct Facing {
+    Polygon a, b;
+    dvec3 normalA{0.0};
+    Facing(const Polygon& farA, const Polygon& farB) {
+        const Polygon wholeA = relativeTo(farA[0], farA), wholeB = relativeTo(farA[0], farB);
+        const Plane planeA = planeOf(wholeA), planeB = planeOf(wholeB);
+        const double touching = kTouching * (sizeOf(wholeA) + sizeOf(wholeB));
+        a = partBefore(planeB, wholeA, touching);
+        b = partBefore(planeA, wholeB, touching);
+        normalA = planeA.normal;
+    }
+    [[nodiscard]] bool isEmpty() const { return a.isEmpty() || b.isEmpty(); }
+};
+
+Exchange integrate(const Polygon& a, const dvec3& normalA, const Polygon& b, double tolerance) {
+    const double least = std::min(glm::length(areaVector(a)), glm::length(areaVector(b)));
+    std::array<Quad, Polygon::kMostCorners> quads{};
+    std::size_t count = 0;
+    for (std::size_t i = 1; i + 1 < a.count(); i += 2)
+        quads[count++] = {a[0], a[i], a[i + 1], i + 2 < a.count() ? a[i + 2] : a[i + 1]};
+    std::array<double, Polygon::kMostCorners> values{};
+    double together = 0;
+    const std::optional<int> enough = pointsAtDistance(a, b, tolerance);
+    for (std::size_t i = 0; i < count; ++i)
+        together += values[i] = integral(quads[i], normalA, b, enough.value_or(kMost));
+    if (enough) return {together, tolerance * together};
+    const double allowed = tolerance * together + kNoise * least;
+    Exchange sum;
+    int pieces = kMostPieces;
+    for (std::size_t i = 0; i < count; ++i)
+        refine(quads[i], normalA, b, values[i], allowed, kMostHalvings, pieces, sum);
+    return sum;
+}
+
+} // namespace
+
+Exchange exchangeByQuadrature(const Polygon& a, const Polygon& b, double tolerance) {
+    const Facing facing(a, b);
+    return facing.isEmpty() ? Exchange() : integrate(facing.a, facing.normalA, facing.b, tolerance);
+}
+
+Exchange unoccludedExchange(const Polygon& a, const Polygon& b, double tolerance) {
+    const Facing facing(a, b);
+    if (facing.isEmpty()) return {};
+    if (const auto closed = rectangleExchange(facing.a, facing.b)) return {*closed, 1e-12 * *closed};
+    return integrate(facing.a, facing.normalA, facing.b, tolerance);
+}
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/lights/direct_light.h"
+
+#include <utility>
+
+#include "techniques/foundation/trace/parallel.h"
+#include "techniques/radiosity/form_factors/even_places.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+// They miss what is seen in part by 1/40 or so; and a patch is no smaller than a shadow's edge anyway.
+constexpr int kLines = 64;
+
+/// Lines that are tried: the share of their weight that is free, and of their number.
+struct Tried {
+    double free = 0, all = 0, freeCount = 0, count = 0;
+    /// `countWeight`: what the line counts where all of the light counts alike.
+    void add(double weight, double countWeight, bool isFree) {
+        all += weight;
+        count += countWeight;
+        if (isFree) free += weight;
+        if (isFree && weight > 0) freeCount += countWeight;
+    }
+    [[nodiscard]] double share() const { return all > 0 ? free / all : 0; }
+    [[nodiscard]] double seenArea() const { return count > 0 ? freeCount / count : 0; }
+};
+
+} // namespace
+
+DirectLightBuilder::DirectLightBuilder(LightSource source, const std::vector<Patch>& patches,
+                                       const Occlusion& occlusion, std::vector<std::uint8_t> receivesShadow)
+    : source_(std::move(source)), patches_(patches), occlusion_(occlusion), receivesShadow_(std::move(receivesShadow)) {
+    light_.irradiance.resize(patches.size(), dvec3(0.0));
+    light_.visible.resize(patches.size(), 0.0);
+    light_.seenArea.resize(patches.size(), 0.0);
+}
+
+bool DirectLightBuilder::advance(std::chrono::steady_clock::time_point deadline) {
+    next_ = trace::parallelUntil(deadline, next_, patches_.size(), [&](std::size_t i) { fill(i); });
+    return next_ == patches_.size();
+}
+
+double DirectLightBuilder::done() const {
+    return patches_.empty() ? 1 : static_cast<double>(next_) / static_cast<double>(patches_.size());
+}
+
+// [anchor: light-on-a-patch]
+void DirectLightBuilder::fill(std::size_t i) {
+    const Patch& patch = patches_[i];
+    const double whole = source_.meanIrradiance(patch);
+    if (!(whole > 0)) return;
+    const Blockers blockers = receivesShadow_[i] ? source_.blockers(patch.polygon, occlusion_) : Blockers{};
+    if (!blockers.empty() && source_.isHidden(patch.polygon, occlusion_, blockers)) return;
+    tryLines(i, blockers);
+    if (blockers.empty()) light_.visible[i] = 1; // for certain
+    light_.irradiance[i] = light_.visible[i] * whole * source_.color();
+}
+
+void DirectLightBuilder::tryLines(std::size_t i, const Blockers& blockers) {
+    const Patch& patch = patches_[i];
+    const Polygon reached = source_.reached(patch);
+    if (reached.isEmpty()) return;
+    Tried tried;
+    for (int l = 0; l < kLines; ++l) {
+        const auto x = evenly(l, kLines);
+        const Place place = placeIn(reached, x[0], x[1]);
+        const LightLine line = source_.line(place.point, patch.normal, x[2], x[3]);
+        const bool isFree =
+            line.weight > 0 && (blockers.empty() || !occlusion_.hide(blockers, place.point, line.fromCentred));
+        tried.add(place.weight * line.weight, place.weight, isFree);
+    }
+    light_.visible[i] = tried.share();
+    light_.seenArea[i] = tried.seenArea();
+}
+
+Arriving arrivingAt(const dvec3& positionCentred, const dvec3& normal, const LightSource& source, const Hides& hides) {
+    const double whole = source.irradiance(positionCentred, normal);
+    if (!source.hasArea()) {
+        const bool isFree = !hides(positionCentred, source.line(positionCentred, normal, 0, 0).fromCentred);
+        return {(isFree ? whole : 0.0) * source.color(), isFree ? 1.0 : 0.0};
+    }
+    if (!(whole > 0)) return {};
+    Tried tried;
+    for (int i = 0; i < kLines; ++i) {
+        const auto x = evenly(i, kLines);
+        const LightLine line = source.line(positionCentred, normal, x[0], x[1]);
+        tried.add(line.weight, 1, line.weight > 0 && !hides(positionCentred, line.fromCentred));
+    }
+    return {tried.share() * whole * source.color(), tried.seenArea()};
+}
+
+} // namespace shadowlab::radiosity

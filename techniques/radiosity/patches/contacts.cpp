@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/patches/contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+struct Segment {
+    dvec3 from, to;
+};
+
+/// Where a polygon meets a plane: its edges, if it lies in it; else the piece of line in which it goes through, or touches.
+std::vector<Segment> meeting(const Plane& plane, const Polygon& other, double touching) {
+    std::vector<Segment> segments;
+    std::vector<dvec3> points;
+    std::size_t within = 0;
+    for (std::size_t i = 0; i < other.count(); ++i) {
+        const dvec3 &a = other[i], &b = other[(i + 1) % other.count()];
+        const double heightA = plane.height(a), heightB = plane.height(b);
+        const bool isIn = std::abs(heightA) <= touching;
+        within += isIn;
+        segments.push_back({a, b});
+        if (isIn)
+            points.push_back(a);
+        else if (std::abs(heightB) > touching && (heightA > 0) != (heightB > 0))
+            points.push_back(a + heightA / (heightA - heightB) * (b - a));
+    }
+    if (within == other.count()) return segments;
+    if (points.size() < 2) return {};
+    return {{points.front(), points.back()}}; // convex: there are two
+}
+
+/// The part of a segment that lies inside a convex polygon of the same plane, farther from its edges than `touching`; nothing
+/// where there is none.
+std::optional<Segment> inside(const Segment& segment, const Polygon& polygon, const dvec3& normal, double touching) {
+    double first = 0, last = 1;
+    const dvec3 way = segment.to - segment.from;
+    for (std::size_t i = 0; i < polygon.count(); ++i) {
+        const dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.count()];
+        const dvec3 inward = glm::normalize(glm::cross(normal, b - a));
+        const double from = glm::dot(inward, segment.from - a) - touching, slope = glm::dot(inward, way);
+        if (std::abs(slope) < 1e-300) {
+            if (from < 0) return std::nullopt;
+            continue;
+        }
+        const double crossing = -from / slope;
+        (slope > 0 ? first : last) = slope > 0 ? std::max(first, crossing) : std::min(last, crossing);
+    }
+    if (!(last > first)) return std::nullopt;
+    return Segment{segment.from + first * way, segment.from + last * way};
+}
+
+/// With the normal of the whole: that of a sliver is noise.
+/// Cuts every piece that the segment goes through, along the segment's whole line.
+void cut(std::vector<Patch>& pieces, const Segment& segment, double touching) {
+    for (std::size_t i = 0, count = pieces.size(); i < count; ++i) {
+        const Patch patch = pieces[i];
+        if (patch.polygon.count() + 1 > Polygon::kMostCorners ||
+            !inside(segment, patch.polygon, patch.normal, touching))
+            continue;
+        const dvec3 across = glm::normalize(glm::cross(segment.to - segment.from, patch.normal));
+        const Polygon left = partBefore({segment.from, across}, patch.polygon, touching);
+        const Polygon right = partBefore({segment.from, -across}, patch.polygon, touching);
+        if (hasNoArea(left) || hasNoArea(right)) continue;
+        pieces[i] = pieceOf(patch, left);
+        pieces.push_back(pieceOf(patch, right));
+    }
+}
+
+/// Of each face the others whose boxes touch its own, in order. Boxes are gone through from left to right.
+std::vector<std::vector<std::uint32_t>> facesNear(const Faces& faces) {
+    std::vector<trace::CentredBox> boxes;
+    std::vector<std::uint32_t> order;
+    for (const Face& face : faces.all) {
+        order.push_back(static_cast<std::uint32_t>(boxes.size()));
+        boxes.emplace_back(boxOf(face.polygon)).grow(kTouching * sizeOf(face.polygon));
+    }
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t number) { return boxes[number].lower.x; });
+    std::vector<std::vector<std::uint32_t>> near(faces.all.size());
+    for (auto here = order.begin(); here != order.end(); ++here)
+        for (auto next = here + 1; next != order.end() && boxes[*next].lower.x <= boxes[*here].upper.x; ++next)
+            if (boxes[*next].touches(boxes[*here])) {
+                near[*here].push_back(*next);
+                near[*next].push_back(*here);
+            }
+    for (std::vector<std::uint32_t>& others : near)
+        std::ranges::sort(others);
+    return near;
+}
+
+} // namespace
+
+std::vector<std::vector<Contact>> contactsOf(const Faces& faces) {
+    const std::vector<std::vector<std::uint32_t>> near = facesNear(faces);
+    std::vector<std::vector<Contact>> contacts(faces.all.size());
+    for (std::uint32_t number = 0; number < faces.all.size(); ++number) {
+        const Polygon& polygon = faces.all[number].polygon;
+        const Plane& plane = faces.all[number].plane;
+        const double touching = kTouching * sizeOf(polygon);
+        for (const std::uint32_t other : near[number]) {
+            const Polygon& otherPolygon = faces.all[other].polygon;
+            const Plane turned{plane.point, -plane.normal};
+            const bool isBeneath = isBehind(plane, otherPolygon, touching);
+            if (isBeneath && !isBehind(turned, otherPolygon, touching))
+                continue; // what lies in the plane is behind both
+            for (const Segment& segment : meeting(plane, otherPolygon, touching))
+                // The face is grown by what touches: of faces that meet in a point at right angles a line of twice that is within.
+                if (const auto part = inside(segment, polygon, plane.normal, -touching);
+                    part && glm::distance(part->from, part->to) > 4 * touching)
+                    contacts[number].push_back({part->from, part->to, other});
+        }
+    }
+    return contacts;
+}
+
+std::vector<Patch> cutAtContacts(const Faces& faces, std::vector<Patch> patches) {
+    const std::vector<std::vector<Contact>> contacts = contactsOf(faces);
+    std::vector<Patch> all;
+    for (const Patch& patch : patches) {
+        std::vector<Patch> pieces{patch};
+        for (const Contact& contact : contacts[patch.face])
+            cut(pieces, {contact.from, contact.to}, kTouching * sizeOf(faces.all[patch.face].polygon));
+        all.insert(all.end(), pieces.begin(), pieces.end());
+    }
+    return all;
+}
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/room/room.h"
+
+#include "techniques/foundation/trace/bvh/bvh_build.h"
+#include "techniques/foundation/trace/parallel.h"
+#include "techniques/radiosity/patches/contacts.h"
+#include "techniques/radiosity/patches/patch_memory.h"
+#include "techniques/radiosity/room/look_around.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+// Patches are cut where bodies stand on them or pierce them, so all of a patch lies in a body or nothing, but for rounding. Where they
+// are not cut, what is half outside stays.
+constexpr double kCovered = 0.95;
+
+// Of a mesh that was made coarser, what lies nearer than this share of a cell's side has come that near by it: two walls, two leaves.
+// Patches that see as good as nothing else are in a fold that the true mesh does not have.
+constexpr double kFold = 0.5, kNothingElse = 0.95;
+
+// Of the budget, what the faces of curved meshes may take at most: the flat ones have to be cut as well.
+constexpr double kShareOfFaces = 0.6;
+
+} // namespace
+
+Room::Room(const scene::Scene& scene, RoomSettings settings) : scene_(scene), settings_(std::move(settings)) {}
+
+bool Room::advance(std::chrono::steady_clock::time_point deadline) {
+    do {
+        switch (phase_) {
+        case Phase::simplify:
+            simplify();
+            phase_ = Phase::cut;
+            break;
+        case Phase::cut:
+            cut();
+            phase_ = Phase::lookAround;
+            break;
+        case Phase::lookAround:
+            nextPatch_ =
+                trace::parallelUntil(deadline, nextPatch_, patches_.size(), [&](std::size_t i) { lookAround(i); });
+            if (nextPatch_ < patches_.size()) return false;
+            leaveOutCovered();
+            phase_ = Phase::done;
+            break;
+        case Phase::done: return true;
+        }
+    } while (phase_ == Phase::done || std::chrono::steady_clock::now() < deadline);
+    return false;
+}
+
+void Room::simplify() {
+    requireMemoryToSimplify(scene_);
+    simple_ = simplifiedScene(scene_, static_cast<std::size_t>(kShareOfFaces * static_cast<double>(settings_.patches)));
+    world_ = trace::worldTriangles(*simple_->scene);
+    plain_ = facesOf(*simple_->scene, world_);
+    bvh_ = trace::buildBvh(world_.triangles);
+    std::vector<std::uint8_t> casts;
+    for (const std::uint32_t object : world_.objects)
+        casts.push_back(simple_->scene->objects[object].castsShadow ? 1 : 0);
+    occlusion_.emplace(plain_, *bvh_, std::move(casts));
+    tracer_.advance(simple_->scene, std::chrono::steady_clock::time_point::max());
+}
+
+void Room::cut() {
+    sides_ = sidesOf(*simple_->scene, world_, plain_, settings_.lightWithin);
+    bodies_.emplace(*bvh_, world_, sides_.isClosed);
+    Faces loose;
+    exchangingFaces_.ofTriangle = sides_.faces.ofTriangle;
+    for (std::size_t i = 0; i < sides_.faces.all.size(); ++i)
+        (i < sides_.exchanging ? exchangingFaces_ : loose).all.push_back(sides_.faces.all[i]);
+    requireMemory(scene_, exchangingFaces_.all.size()); // each is a patch at least, and where they touch there are more
+    const double size = cutWithinBudget();
+    requireMemory(scene_, patches_.size());
+    // Beside what it holds, a floor can be so large that it exchanges light with nothing: it is not cut as fine as the rest.
+    const double sizeOfLoose = std::max(size, sizeForBudget(loose, settings_.patches));
+    allPatches_ = cutIntoPatches(loose, sizeOfLoose); // for now without the others
+    for (Patch& patch : allPatches_)
+        patch.face += static_cast<std::uint32_t>(sides_.exchanging);
+    surroundings_.resize(patches_.size());
+    inBodies_.resize(patches_.size());
+    folded_.resize(patches_.size());
+}
+
+double Room::cutWithinBudget() {
+    // How many patches contacts will make of one is not known before: what is too much is taken off the budget, a few times.
+    constexpr int kTries = 6;
+    std::size_t budget = settings_.patches;
+    for (int i = 0;; ++i) {
+        const double size = sizeForBudget(exchangingFaces_, budget);
+        patches_ = cutIntoPatches(exchangingFaces_, size);
+        if (settings_.cutsAtContacts) patches_ = cutAtContacts(exchangingFaces_, std::move(patches_));
+        const std::size_t count = patches_.size();
+        if (count <= settings_.patches || budget == 0 || i == kTries) return size;
+        budget = std::min(budget - 1, budget * settings_.patches / count);
+    }
+}
+
+void Room::lookAround(std::size_t patch) {
+    const std::uint32_t object = faceOf(patches_[patch]).object;
+    const bool isCoarse = !simple_->cornersOfObject[object].empty();
+    const Seen seen =
+        radiosity::lookAround(tracer_, *bodies_, patches_[patch], object, isCoarse ? kFold * simple_->cellMetres : 0);
+    surroundings_[patch] = seen.nothing;
+    inBodies_[patch] = seen.inBodies;
+    folded_[patch] = seen.folds;
+}
+
+std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements) {
+    Refined cut = refined(patches_, refinements, levels_);
+    const std::vector<double> before = std::move(surroundings_);
+    patches_ = std::move(cut.patches);
+    levels_ = std::move(cut.level);
+    surroundings_.assign(patches_.size(), 0.0);
+    inBodies_.assign(patches_.size(), 0.0);
+    folded_.assign(patches_.size(), 0.0);
+    trace::parallelFor(patches_.size(), [&](std::size_t i) {
+        if (cut.from[i] == Refined::kNew)
+            lookAround(i);
+        else
+            surroundings_[i] = before[cut.from[i]];
+    });
+    allPatches_.erase(allPatches_.begin(), allPatches_.end() - static_cast<std::ptrdiff_t>(loosePatches_));
+    allPatches_.insert(allPatches_.begin(), patches_.begin(), patches_.end());
+    return std::move(cut.from);
+}
+
+void Room::leaveOutCovered() {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+        if (inBodies_[i] > kCovered) {
+            ++coveredPatches_;
+            continue;
+        }
+        if (settings_.leavesOutFolds && surroundings_[i] == 0 && folded_[i] > kNothingElse) {
+            ++foldedPatches_;
+            continue;
+        }
+        patches_[kept] = patches_[i];
+        surroundings_[kept] = surroundings_[i];
+        ++kept;
+    }
+    patches_.resize(kept);
+    surroundings_.resize(kept);
+    loosePatches_ = allPatches_.size();
+    allPatches_.insert(allPatches_.begin(), patches_.begin(), patches_.end());
+    levels_.assign(patches_.size(), 0);
+}
+
+} // namespace shadowlab::radiosity

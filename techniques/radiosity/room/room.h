@@ -1,0 +1,97 @@
+// A scene made ready for radiosity: its sides cut into patches, and how much of the surroundings each of them sees.
+// Nothing in here depends on how bright anything is: while only lights change, all of it stays.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <chrono>
+#include <optional>
+#include <span>
+
+#include "techniques/foundation/trace/scene_tracer.h"
+#include "techniques/radiosity/form_factors/occlusion.h"
+#include "techniques/radiosity/patches/patches.h"
+#include "techniques/radiosity/patches/refinement.h"
+#include "techniques/radiosity/room/closed_bodies.h"
+#include "techniques/radiosity/room/sides.h"
+#include "techniques/radiosity/room/simplified_scene.h"
+
+namespace shadowlab::radiosity {
+
+struct RoomSettings {
+    std::size_t patches = 0;       ///< the budget; scenes of more faces have more patches, too
+    bool cutsAtContacts = true;    ///< false: light leaks under what stands on a patch (teaching)
+    std::vector<bool> lightWithin; ///< of each object: is there a light within its box?
+    bool leavesOutFolds = true;    ///< false: patches in folds of coarser meshes stay, and stay dark (tests)
+    friend bool operator==(const RoomSettings&, const RoomSettings&) = default;
+};
+
+class Room {
+public:
+    /// `scene` must live until advance() has returned true.
+    Room(const scene::Scene& scene, RoomSettings settings);
+    Room(const Room&) = delete; // what is made of it points into it
+    Room& operator=(const Room&) = delete;
+
+    /// Goes on until all is done (true) or the time has come, but always a bit.
+    bool advance(std::chrono::steady_clock::time_point deadline);
+
+    // From here on: after advance() has returned true.
+
+    [[nodiscard]] const SimplifiedScene& simple() const { return *simple_; }
+    /// Of the simplified scene; has the origin of centred space.
+    [[nodiscard]] const trace::WorldTriangles& world() const { return world_; }
+    [[nodiscard]] const Sides& sides() const { return sides_; }
+    /// The sides that exchange light alone.
+    [[nodiscard]] const Faces& exchangingFaces() const { return exchangingFaces_; }
+    /// Of those, in the order of their faces.
+    [[nodiscard]] const std::vector<Patch>& patches() const { return patches_; }
+    /// The same, and after them those of the other sides. The numbers of their faces are those in sides().
+    [[nodiscard]] const std::vector<Patch>& allPatches() const { return allPatches_; }
+    /// The share of what each of patches() sees that is no surface: 0..1.
+    [[nodiscard]] const std::vector<double>& surroundings() const { return surroundings_; }
+    /// How many patches were left out because something stands on them.
+    [[nodiscard]] std::size_t coveredPatches() const { return coveredPatches_; }
+    /// And how many because they lie in a fold that a mesh got when it was made coarser.
+    [[nodiscard]] std::size_t foldedPatches() const { return foldedPatches_; }
+    /// Of each of patches(), how often it was cut in refinement.
+    [[nodiscard]] const std::vector<std::uint8_t>& levels() const { return levels_; }
+    /// Cuts some of the patches finer; the others stay. Returns of each patch its number before, or Refined::kNew.
+    std::vector<std::uint32_t> refine(std::span<const Refinement> refinements);
+
+    [[nodiscard]] const Occlusion& occlusion() const { return *occlusion_; }
+
+    [[nodiscard]] const Face& faceOf(const Patch& patch) const { return sides_.faces.all[patch.face]; }
+    [[nodiscard]] const scene::Material& materialOf(const Patch& patch) const {
+        return simple_->scene->materials[faceOf(patch).material];
+    }
+    [[nodiscard]] const scene::Object& objectOf(const Patch& patch) const {
+        return simple_->scene->objects[faceOf(patch).object];
+    }
+
+private:
+    void lookAround(std::size_t patch);
+    enum class Phase { simplify, cut, lookAround, done };
+    void simplify();
+    void cut();
+    double cutWithinBudget();
+    void leaveOutCovered();
+
+    const scene::Scene& scene_;
+    RoomSettings settings_;
+    Phase phase_ = Phase::simplify;
+    std::optional<SimplifiedScene> simple_;
+    trace::WorldTriangles world_;
+    Faces plain_; ///< as they block light
+    Sides sides_;
+    Faces exchangingFaces_;
+    std::vector<Patch> patches_, allPatches_;
+    std::optional<trace::Bvh> bvh_;
+    std::optional<Occlusion> occlusion_;
+    std::optional<ClosedBodies> bodies_;
+    trace::SceneTracer tracer_;
+    std::size_t nextPatch_ = 0;
+    std::vector<double> surroundings_, inBodies_, folded_; ///< of each patch, shares of what leaves it
+    std::size_t coveredPatches_ = 0, foldedPatches_ = 0, loosePatches_ = 0;
+    std::vector<std::uint8_t> levels_;
+};
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/ray_tracing/probe/probe_samples.h"
+
+#include "techniques/foundation/trace/area/area_visibility.h"
+#include "techniques/ray_tracing/probe/ray_ends.h"
+
+namespace shadowlab::ray_tracing {
+
+namespace {
+
+// More than that no drawing shows, and trees of glass take milliseconds.
+constexpr int kMostListed = 256;
+constexpr int kMostLines = 16; ///< that are told in words
+
+/// Where the shadow ray ends: at the place on the light, or at the first thing before it that casts a shadow.
+dvec3 shadowEnd(const SamplesQuestion& asked, const TreeNode& node, const dvec3& toPlace, double time) {
+    const trace::SceneTracer& tracer = asked.surfaces.tracer();
+    trace::Ray ray;
+    ray.originCentred = node.positionCentred;
+    ray.directionCentred = toPlace;
+    ray.nearest = trace::kContact;
+    ray.farthest = 1.0;
+    std::uint32_t leftOut = node.point.primitive;
+    for (;;) {
+        const trace::SurfacePoint met = asked.scene.met(ray, leftOut, time);
+        if (!met) return node.positionCentred + toPlace;
+        const dvec3 at = asked.scene.positionCentred(met, time);
+        if (tracer.objectOf(met).castsShadow) return at;
+        // What casts no shadow is passed: on from there.
+        ray.nearest = glm::length(at - ray.originCentred) / glm::length(toPlace) + trace::kContact;
+        leftOut = met.primitive;
+    }
+}
+
+void tellSurface(const SamplesQuestion& asked, const RayTree& tree, double time, RaysProbe::Sample& sample) {
+    const TreeNode& root = tree.root();
+    const dvec3& originWorld = asked.surfaces.tracer().world().originWorld;
+    const auto wayOf = [&](int child) -> std::optional<dvec3> {
+        if (child < 0 || tree.nodes()[static_cast<std::size_t>(child)].u == dvec3(0)) return std::nullopt;
+        return tree.nodes()[static_cast<std::size_t>(child)].u;
+    };
+    sample.reflectedWorld = wayOf(root.reflection);
+    sample.refractedWorld = wayOf(root.refraction);
+    if (asked.light < 0 || !scene::hasArea(asked.surfaces.scene().lights[static_cast<std::size_t>(asked.light)]))
+        return;
+    const LightAtNode& at = tree.lightsOf(root)[static_cast<std::size_t>(asked.light)];
+    if (at.toPlace == dvec3(0) || at.visibility < trace::Visibility::shadowed) return;
+    sample.onLightWorld = originWorld + root.positionCentred + at.toPlace;
+    sample.arrives = at.visibility == trace::Visibility::lit;
+    sample.shadowEndWorld =
+        sample.arrives ? *sample.onLightWorld : originWorld + shadowEnd(asked, root, at.toPlace, time);
+    sample.areaWeight = at.areaWeight;
+}
+
+std::string pairText(dvec2 pair) { return probeText(pair.x) + ", " + probeText(pair.y); }
+
+void tellInWords(const RaysProbe& rays, Probe& probe) {
+    probe.facts.push_back(probeCount("samples of the pixel", static_cast<std::uint64_t>(rays.count)));
+    probe.facts.push_back(probeFact("mean of their intensities", rays.mean()));
+    if (const auto share = rays.sampledShare())
+        probe.facts.push_back(probeFact("share of the light's area by their shadow rays", *share));
+    for (int i = 0; i < std::min<int>(kMostLines, static_cast<int>(rays.samples.size())); ++i) {
+        const RaysProbe::Sample& sample = rays.samples[static_cast<std::size_t>(i)];
+        std::string text = "at (" + pairText(sample.place) + ") of the pixel";
+        if (rays.shutter > 0) text += ", time " + probeText(sample.time);
+        text += sample.meets ? ", meets " + sample.object : ", meets nothing";
+        if (sample.onLightWorld) text += sample.arrives ? ", sees the light" : ", does not see the light";
+        text += ", I = " + probeText(sample.intensity.r) + " " + probeText(sample.intensity.g) + " " +
+                probeText(sample.intensity.b);
+        probe.facts.push_back({"sample " + std::to_string(i + 1), text, ""});
+    }
+}
+
+} // namespace
+
+void describeSamples(const SamplesQuestion& asked, const SampledSettings& settings, const trace::SurfacePoint& first,
+                     Probe& probe) {
+    const trace::SceneTracer& tracer = asked.surfaces.tracer();
+    const dvec3& originWorld = tracer.world().originWorld;
+    const trace::EyeRays eyeRays = tracer.eyeRays(asked.camera, asked.size);
+    const DielectricStack aroundEye = asked.surfaces.mediaAround(eyeRays.eyeCentred());
+    const scene::Bounds bounds = boundsOf(asked.surfaces.scene());
+    RaysProbe& rays = probe.rays.emplace();
+    rays.count = settings.pattern.count;
+    rays.aperture = settings.aperture;
+    rays.focus = settings.focus;
+    rays.shutter = settings.shutter;
+    for (const scene::Object& object : asked.surfaces.scene().objects)
+        if (object.velocityWorld != dvec3(0) && settings.shutter > 0)
+            rays.movers.push_back({object.name, object.velocityWorld});
+    if (first) {
+        const scene::Material& material = asked.surfaces.materialOf(first);
+        rays.glossDegrees = settings.tree.gloss ? material.glossDegrees : 0;
+        rays.translucencyDegrees = settings.tree.translucency ? material.translucencyDegrees : 0;
+        if (asked.light >= 0 && settings.tree.areaLights == AreaLights::sampled &&
+            scene::hasArea(asked.surfaces.scene().lights[static_cast<std::size_t>(asked.light)]))
+            rays.exactShare = trace::AreaVisibility(tracer, asked.light).share(first);
+    }
+    RayTree tree;
+    for (int i = 0; i < std::min(settings.pattern.count, kMostListed); ++i) {
+        const SampleNumbers numbers(settings.pattern, asked.pixel, static_cast<std::uint32_t>(i));
+        const EyeSample eye = eyeSample(eyeRays, settings, asked.pixel, numbers);
+        const dvec3 u = glm::normalize(eye.ray.directionCentred);
+        RaysProbe::Sample& sample = rays.samples.emplace_back();
+        sample.place = eye.place - dvec2(asked.pixel);
+        if (settings.antialias) sample.subpixel = numbers.cell(Purpose::pixel);
+        sample.time = eye.time;
+        sample.fromWorld = originWorld + eye.ray.originCentred;
+        const trace::SurfacePoint met = asked.scene.met(eye.ray, trace::kNoPrimitive, eye.time);
+        sample.meets = static_cast<bool>(met);
+        if (!met) {
+            sample.toWorld = endBeyond(bounds, sample.fromWorld, u);
+            sample.intensity = dvec3(asked.surfaces.scene().background);
+            continue;
+        }
+        sample.object = tracer.objectOf(met).name;
+        sample.toWorld = originWorld + asked.scene.positionCentred(met, eye.time);
+        tree.trace({asked.surfaces, asked.scene, eye.time, &numbers, asked.analytic}, settings.tree,
+                   eye.ray.originCentred, u, met, aroundEye);
+        sample.intensity = tree.root().intensity;
+        tellSurface(asked, tree, eye.time, sample);
+    }
+    tellInWords(rays, probe);
+}
+
+} // namespace shadowlab::ray_tracing

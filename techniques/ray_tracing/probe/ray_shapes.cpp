@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/ray_tracing/probe/ray_shapes.h"
+
+#include "techniques/foundation/base/look.h"
+#include "techniques/ray_tracing/probe/ray_ends.h"
+
+namespace shadowlab::ray_tracing {
+
+namespace {
+
+// Few enough to follow each ray by eye, enough to meet every larger thing in the view.
+constexpr int kColumns = 6, kRows = 4;
+
+// Points of a cell that are looked at, on a side: small shadows lie between the middles of the cells.
+constexpr int kTriedPixels = 8;
+
+/// Where the rays of one pixel go.
+struct RayPath {
+    dvec3 pointWorld;
+    bool isSent = false; ///< a ray to the light
+    std::optional<dvec3> blockerWorld;
+};
+
+/// Of a cell of the picture, the point in shadow whose blocker is farthest away, not one in a corner; else the middle.
+std::optional<RayPath> pathIn(const trace::SceneTracer& tracer, const trace::EyeRays& rays, dvec2 corner, dvec2 size,
+                              int light) {
+    const auto pathAt = [&](dvec2 pixel) -> std::optional<RayPath> {
+        const trace::SurfacePoint point = tracer.eyePoint(rays, pixel);
+        if (!point) return std::nullopt;
+        RayPath path{tracer.positionWorld(point), false, {}};
+        path.isSent = tracer.facesLight(point, light) && tracer.objectOf(point).receivesShadow;
+        if (path.isSent) path.blockerWorld = tracer.blockedAtWorld(point, light);
+        return path;
+    };
+    std::optional<RayPath> best = pathAt(corner + 0.5 * size);
+    double longest = 0;
+    for (int y = 0; y < kTriedPixels; ++y)
+        for (int x = 0; x < kTriedPixels; ++x) {
+            const auto path = pathAt(corner + (dvec2(x, y) + 0.5) / static_cast<double>(kTriedPixels) * size);
+            if (!path || !path->blockerWorld) continue;
+            const double length = glm::length(*path->blockerWorld - path->pointWorld);
+            if (length <= longest) continue;
+            best = path;
+            longest = length;
+        }
+    return best;
+}
+
+} // namespace
+
+std::vector<SceneShape> rayShapes(const trace::SceneTracer& tracer, const View& view, int light) {
+    using enum SceneShape::Kind;
+    SceneShape eyeRays{"eye rays, to what a pixel shows", look::kEyeRay, lines, {}};
+    SceneShape arriving{"shadow rays that arrive: lit", look::kEqualDepth, lines, {}};
+    SceneShape blocked{"shadow rays up to what blocks them: in shadow", look::kOccluded, lines, {}};
+    const scene::Light& source = tracer.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Bounds bounds = boundsOf(tracer.scene());
+
+    const trace::EyeRays rays = tracer.eyeRays(view.camera, view.size);
+    const dvec2 cell = dvec2(view.size) / dvec2(kColumns, kRows);
+    for (int row = 0; row < kRows; ++row)
+        for (int column = 0; column < kColumns; ++column) {
+            const auto path = pathIn(tracer, rays, dvec2(column, row) * cell, cell, light);
+            if (!path) continue;
+            eyeRays.pointsWorld.insert(eyeRays.pointsWorld.end(), {view.camera.positionWorld, path->pointWorld});
+            if (!path->isSent) continue;
+            const dvec3 endWorld = path->blockerWorld ? *path->blockerWorld
+                                   : source.type == scene::LightType::directional
+                                       ? endBeyond(bounds, path->pointWorld, -source.directionWorld)
+                                       : source.positionWorld;
+            std::vector<dvec3>& points = (path->blockerWorld ? blocked : arriving).pointsWorld;
+            points.insert(points.end(), {path->pointWorld, endWorld});
+        }
+    return {eyeRays, arriving, blocked};
+}
+
+} // namespace shadowlab::ray_tracing

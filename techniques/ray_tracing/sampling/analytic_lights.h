@@ -1,0 +1,34 @@
+// The lights of a scene that have an area, ready to be asked in closed form how much of them a point sees, and what it receives.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "techniques/foundation/trace/area/area_visibility.h"
+
+namespace shadowlab::ray_tracing {
+
+class AnalyticLights {
+public:
+    /// The tracer must live as long, with the scene that it has.
+    explicit AnalyticLights(const trace::SceneTracer& tracer) {
+        for (int light = 0; light < static_cast<int>(tracer.scene().lights.size()); ++light)
+            areas_.push_back(scene::hasArea(tracer.scene().lights[static_cast<std::size_t>(light)])
+                                 ? std::make_unique<trace::AreaVisibility>(tracer, light)
+                                 : nullptr);
+    }
+    /// nullptr: the light has no area.
+    [[nodiscard]] const trace::AreaVisibility* area(int light) const {
+        return areas_[static_cast<std::size_t>(light)].get();
+    }
+
+private:
+    std::vector<std::unique_ptr<trace::AreaVisibility>> areas_; ///< per light
+};
+
+/// What a surface sends toward the viewer of a light that brings it that irradiance (trace::AreaIrradiance, in parts of pi times
+/// the light's radiance). Exact for what is diffuse. Simplified: a highlight is that of the light's centre.
+dvec3 reflectedOf(const scene::Light& light, double irradiance, const scene::Material& material,
+                  const dvec3& positionWorld, const dvec3& normalWorld, const dvec3& toViewerWorld);
+
+} // namespace shadowlab::ray_tracing

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/ray_tracing/sampling/sampling_scene.h"
+
+#include <algorithm>
+
+namespace shadowlab::ray_tracing {
+
+namespace {
+
+/// Lights may differ, and they are what moves most.
+bool sameMotion(const scene::Snapshot& a, const scene::Snapshot& b) {
+    return a && b && a->revisions.geometry == b->revisions.geometry &&
+           a->revisions.transforms == b->revisions.transforms &&
+           std::ranges::equal(a->objects, b->objects, {}, &scene::Object::velocityWorld, &scene::Object::velocityWorld);
+}
+
+} // namespace
+
+Progress SamplingScene::prepare(const scene::Snapshot& snapshot, trace::Structure structure,
+                                const SamplingParams& params, Deadline deadline) {
+    if (!params.isAnalytic())
+        analytic_.reset();
+    else if (!analytic_ || analyticOf_ != snapshot)
+        analytic_.emplace(tracer_);
+    analyticOf_ = snapshot;
+
+    if (!params.areMany() || params.shutter == 0) {
+        moving_.reset();
+        return {};
+    }
+    if (!moving_ || movingIn_ != structure || !sameMotion(movingOf_, snapshot)) moving_.emplace(tracer_, structure);
+    movingOf_ = snapshot;
+    movingIn_ = structure;
+    if (moving_->advance(deadline)) return {};
+    return {moving_->done(), false};
+}
+
+} // namespace shadowlab::ray_tracing

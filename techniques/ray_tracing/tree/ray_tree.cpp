@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/ray_tracing/tree/ray_tree.h"
+
+#include <algorithm>
+
+#include "techniques/ray_tracing/sampling/lobe.h"
+#include "techniques/ray_tracing/tree/node_lights.h"
+
+namespace shadowlab::ray_tracing {
+
+namespace {
+
+/// What a ray finds where it ended. A sheet has its own medium within, too thin to bend a ray that comes out behind it.
+Crossing crossingAt(const Surfaces& surfaces, const TreeNode& node) {
+    if (surfaces.isSolid(node.point))
+        return node.media.crossing(surfaces.mediumOf(node.point), surfaces.isEntered(node.point));
+    return {node.media.ior(), surfaces.materialOf(node.point).ior, true};
+}
+
+/// Reflection and refraction at a surface: the two directions, and their weights.
+struct Optics {
+    dvec3 reflectedWorld{0.0};
+    std::optional<dvec3> refractedWorld;
+    Weights weights;
+};
+
+Optics opticsWith(const dvec3& normalWorld, const Surfaces& surfaces, const TreeNode& node, Fresnel fresnel) {
+    const scene::Material& material = surfaces.materialOf(node.point);
+    const double ratio = node.iorHere / node.iorBeyond;
+    const double cosIncident = -glm::dot(node.u, normalWorld);
+    Optics optics;
+    optics.weights = weightsOf(material.reflectivity, material.transparency, cosIncident, ratio, fresnel);
+    optics.reflectedWorld = reflected(node.u, normalWorld);
+    if (material.transparency > 0 && !optics.weights.isTotal)
+        optics.refractedWorld = surfaces.isSolid(node.point) ? refracted(node.u, normalWorld, ratio) : node.u;
+    return optics;
+}
+
+/// With the shading normal, so that a ball made of triangles mirrors like a ball; but where that would send a ray to the
+/// wrong side of the triangle, with the triangle's own.
+Optics opticsAt(const Surfaces& surfaces, const TreeNode& node, Fresnel fresnel) {
+    const Optics smooth = opticsWith(node.normalWorld, surfaces, node, fresnel);
+    const dvec3 flatWorld = surfaces.geometricNormalWorld(node.point);
+    const bool fits = glm::dot(smooth.reflectedWorld, flatWorld) > 0 &&
+                      !(smooth.refractedWorld && glm::dot(*smooth.refractedWorld, flatWorld) >= 0);
+    return fits ? smooth : opticsWith(flatWorld, surfaces, node, fresnel);
+}
+
+/// Free tries for a direction on the right side of the surface. Of a lobe about an axis on that side at least half is there, so
+/// that all of them fail once in 2^32 rays; the axis itself is taken then.
+constexpr std::uint32_t kTries = 32;
+
+/// A direction of the lobe on the same side of the surface as `sideWorld`; nothing where lobes are cut and it fell below.
+std::optional<dvec3> spread(const RayWorld& world, const TreeSettings& settings, const dvec3& axisWorld, double power,
+                            const dvec3& sideWorld, Purpose purpose, std::uint64_t path) {
+    for (std::uint32_t attempt = 0; attempt < (settings.wholeLobes ? kTries : 1); ++attempt) {
+        const dvec3 direction = lobeDirection(axisWorld, power, world.numbers->pair(purpose, path, attempt));
+        if (glm::dot(direction, sideWorld) > 0) return direction;
+    }
+    if (settings.wholeLobes) return axisWorld;
+    return std::nullopt;
+}
+
+// Trees of glass have some dozens of rays; the vector grows where one has more.
+constexpr std::size_t kUsualNodes = 64;
+
+// Lambert's law: what a diffuse surface receives counts with the cosine to its normal.
+constexpr double kLambertPower = 1;
+
+} // namespace
+
+void RayTree::trace(const RayWorld& world, const TreeSettings& settings, const dvec3& eyeCentred, const dvec3& u,
+                    const trace::SurfacePoint& first, const DielectricStack& aroundEye) {
+    nodes_.clear();
+    lights_.clear();
+    lightCount_ = world.surfaces.scene().lights.size();
+    nodes_.reserve(kUsualNodes);
+    TreeNode& eye = nodes_.emplace_back();
+    eye.fromCentred = eyeCentred;
+    eye.u = u;
+    eye.media = aroundEye;
+    eye.point = first;
+    // Going down: the list grows while it is gone through.
+    // [anchor: tree-grows]
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        if (nodes_[i].end == RayEnd::noTransmission || nodes_[i].end == RayEnd::depth ||
+            nodes_[i].end == RayEnd::cutoff)
+            continue;
+        find(world, settings, nodes_[i]);
+        if (!nodes_[i].point) {
+            nodes_[i].end = RayEnd::nothingHit;
+            continue;
+        }
+        nodes_[i].attenuation = settings.left(nodes_[i].distance);
+        light(world, settings, nodes_[i]);
+        split(world, settings, i);
+    }
+    evaluate(world.surfaces);
+}
+
+/// The first surface on the ray's way that is really there. Without any splitting all of them are, as in other techniques.
+void RayTree::find(const RayWorld& world, const TreeSettings& settings, TreeNode& node) const {
+    const Surfaces& surfaces = world.surfaces;
+    const auto next = [&](const dvec3& fromCentred, std::uint32_t leftOut) {
+        trace::Ray ray;
+        ray.originCentred = fromCentred;
+        ray.directionCentred = node.u;
+        ray.nearest = trace::kContactPerMetre * (1.0 + glm::length(fromCentred));
+        return world.scene.met(ray, leftOut, world.time);
+    };
+    if (node.parent >= 0)
+        node.point = next(node.fromCentred, nodes_[static_cast<std::size_t>(node.parent)].point.primitive);
+    while (settings.depth > 0 && node.point && surfaces.isSolid(node.point)) {
+        const Medium medium = surfaces.mediumOf(node.point);
+        const bool entered = surfaces.isEntered(node.point);
+        if (node.media.crossing(medium, entered).isReal) break;
+        node.media.cross(medium, entered);
+        node.point = next(world.scene.positionCentred(node.point, world.time), node.point.primitive);
+    }
+    if (!node.point) return;
+    node.positionCentred = world.scene.positionCentred(node.point, world.time);
+    node.distance = glm::length(node.positionCentred - node.fromCentred);
+}
+
+/// The surface's own light: as in every other technique. Between diffuse surfaces ambient light stands for what they send each
+/// other, so it is left out where rays are sent for that; and of lights what was asked of them at the surface before.
+void RayTree::light(const RayWorld& world, const TreeSettings& settings, TreeNode& node) {
+    const Surfaces& surfaces = world.surfaces;
+    node.normalWorld = surfaces.normalWorld(node.point, -node.u);
+    const bool counted = node.branch == Branch::diffuse && surfaces.tracer().objectOf(node.point).emitterOfLight >= 0;
+    if (!settings.interreflection)
+        node.local = dvec3(surfaces.lightsOff(node.point));
+    else if (!counted)
+        node.local = dvec3(surfaces.emitted(node.point));
+    node.firstLight = lights_.size();
+    for (int l = 0; l < static_cast<int>(lightCount_); ++l) {
+        lights_.push_back(lightAt(world, settings, node, l));
+        node.local += lights_.back().intensity;
+    }
+}
+
+void RayTree::split(const RayWorld& world, const TreeSettings& settings, std::size_t index) {
+    TreeNode& node = nodes_[index];
+    const Surfaces& surfaces = world.surfaces;
+    const dvec3 diffuse(surfaces.materialOf(node.point).diffuse);
+    const bool spreads = settings.interreflection && world.numbers && diffuse != dvec3(0.0);
+    if (!surfaces.splits(node.point) && !spreads) {
+        const bool shines = surfaces.materialOf(node.point).emission != vec3(0) && surfaces.emitsHere(node.point);
+        node.end = shines ? RayEnd::lightSource : RayEnd::opaque;
+        return;
+    }
+    if (settings.depth == 0) {
+        node.end = RayEnd::depth;
+        return;
+    }
+    node.end = RayEnd::splits;
+    if (spreads) {
+        const auto direction = spread(world, settings, node.normalWorld, kLambertPower,
+                                      surfaces.geometricNormalWorld(node.point), Purpose::diffuse, node.path);
+        if (direction) {
+            node.diffuseWeight = diffuse;
+            add(settings, index, Branch::diffuse, *direction,
+                node.contribution * node.attenuation * std::max({diffuse.x, diffuse.y, diffuse.z}));
+        }
+    }
+    if (surfaces.splits(nodes_[index].point)) splitByOptics(world, settings, index);
+}
+
+void RayTree::splitByOptics(const RayWorld& world, const TreeSettings& settings, std::size_t index) {
+    const Surfaces& surfaces = world.surfaces;
+    TreeNode& node = nodes_[index];
+    const trace::SurfacePoint point = node.point;
+    const std::uint64_t path = node.path;
+    const scene::Material& material = surfaces.materialOf(point);
+    const Crossing crossing = crossingAt(surfaces, node);
+    node.iorHere = crossing.iorHere;
+    node.iorBeyond = crossing.iorBeyond;
+    // [anchor: tree-splits]
+    const Optics optics = opticsAt(surfaces, node, settings.fresnel);
+    const Weights& weights = optics.weights;
+    const bool letsThrough = optics.refractedWorld && weights.transmitted > 0;
+    node.weights = weights;
+    if (weights.reflected > 0) node.reflectedWorld = optics.reflectedWorld;
+    if (letsThrough) node.refractedWorld = *optics.refractedWorld;
+    const double arriving = node.contribution * node.attenuation;
+    // `node` may move from here on.
+    if (weights.reflected > 0) {
+        std::optional<dvec3> direction = optics.reflectedWorld;
+        if (settings.gloss && world.numbers && material.glossDegrees > 0)
+            direction = spread(world, settings, *direction, lobePower(material.glossDegrees),
+                               surfaces.geometricNormalWorld(point), Purpose::reflection, path);
+        if (direction) add(settings, index, Branch::reflection, *direction, arriving * weights.reflected);
+    }
+    if (weights.isTotal) {
+        add(settings, index, Branch::refraction, dvec3(0.0), 0).end = RayEnd::noTransmission;
+    } else if (letsThrough) {
+        std::optional<dvec3> direction = optics.refractedWorld;
+        if (settings.translucency && world.numbers && material.translucencyDegrees > 0)
+            direction = spread(world, settings, *direction, lobePower(material.translucencyDegrees),
+                               -surfaces.geometricNormalWorld(point), Purpose::refraction, path);
+        if (!direction) return;
+        TreeNode& child = add(settings, index, Branch::refraction, *direction, arriving * weights.transmitted);
+        if (surfaces.isSolid(point)) child.media.cross(surfaces.mediumOf(point), surfaces.isEntered(point));
+    }
+}
+
+TreeNode& RayTree::add(const TreeSettings& settings, std::size_t parent, Branch branch, const dvec3& u,
+                       double contribution) {
+    const int number = static_cast<int>(nodes_.size());
+    TreeNode& child = nodes_.emplace_back();
+    TreeNode& from = nodes_[parent];
+    (branch == Branch::reflection   ? from.reflection
+     : branch == Branch::refraction ? from.refraction
+                                    : from.diffuse) = number;
+    child.parent = static_cast<int>(parent);
+    child.level = from.level + 1;
+    child.path = 4 * from.path + static_cast<std::uint64_t>(branch);
+    child.branch = branch;
+    child.fromCentred = from.positionCentred;
+    child.u = u;
+    child.contribution = contribution;
+    child.media = from.media;
+    if (child.level > settings.depth)
+        child.end = RayEnd::depth;
+    else if (contribution < settings.cutoff)
+        child.end = RayEnd::cutoff;
+    return child;
+}
+
+/// Coming up: every node has its children behind it.
+void RayTree::evaluate(const Surfaces& surfaces) {
+    // [anchor: tree-evaluates]
+    for (std::size_t i = nodes_.size(); i-- > 0;) {
+        TreeNode& node = nodes_[i];
+        if (node.point)
+            node.intensity = node.attenuation * (node.local + node.weights.reflected * node.reflectedIntensity +
+                                                 node.weights.transmitted * node.refractedIntensity +
+                                                 node.diffuseWeight * node.diffuseIntensity);
+        else if (node.end != RayEnd::noTransmission)
+            node.intensity = dvec3(surfaces.scene().background);
+        if (node.parent < 0) continue;
+        TreeNode& parent = nodes_[static_cast<std::size_t>(node.parent)];
+        (node.branch == Branch::reflection   ? parent.reflectedIntensity
+         : node.branch == Branch::refraction ? parent.refractedIntensity
+                                             : parent.diffuseIntensity) = node.intensity;
+    }
+}
+
+int RayTree::levels() const {
+    int levels = 0;
+    for (const TreeNode& node : nodes_)
+        if (node.isFollowed()) levels = std::max(levels, node.level + 1);
+    return levels;
+}
+
+} // namespace shadowlab::ray_tracing

@@ -1,0 +1,85 @@
+// The shadow map that is never wrong: what a map cannot be certain of is decided by rays.
+//
+// Beside each depth the map keeps which triangle was seen. A second map holds all edges at which a surface ends, begins or
+// passes through another, as wide as it takes to mark every texel they touch. In a texel without such an edge the map
+// knows which sheet is the first, not only at its centre but everywhere (loose_edges.h); shaders/shadow_map/decide.frag
+// asks whether the visible point lies on it. For the other pixels the tracer does.
+// After Hertel, Hormann and Westermann, "A Hybrid GPU Rendering Pipeline for Alias-Free Hard Shadows", Eurographics 2009.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <optional>
+
+#include "techniques/foundation/trace/scene_tracer.h"
+#include "techniques/frame.h"
+#include "techniques/shadow_map/exact/surface_crossings.h"
+#include "techniques/shadow_map/exact/walk_buffers.h"
+#include "techniques/shadow_map/fit/light_maps.h"
+
+namespace shadowlab::shadow_map {
+
+/// Edges of one light's casters, relative to the light: two points each.
+struct LooseEdges {
+    gl::VertexArrayHandle vertexArray;
+    gl::BufferHandle points;
+    int count = 0;
+};
+
+/// Which pixels the map decided, and what the rays said of the others; rows from below, as GL counts them.
+struct Decisions {
+    std::vector<std::uint8_t> byMap; ///< 0 in shadow, 255 lit, else undecided
+    std::size_t traced = 0;
+    gl::Texture2D visibility; ///< of every pixel
+};
+
+class ExactPass {
+public:
+    /// Makes ready for a scene: the tracer, and where surfaces pass through each other. False when the time came first.
+    bool prepare(const scene::Snapshot& snapshot, Deadline deadline);
+    void beginFrame() { decisions_.clear(); }
+
+    /// Finds the edges of these casters (numbers of objects), if they are not those of the last time.
+    void findEdges(const scene::Scene& scene, int light, const LightMaps& maps, std::span<const std::size_t> casters);
+    /// Draws into each texel that they touch how near to the light they come there; 1 elsewhere.
+    void drawEdges(const Frame& frame, const LightMaps& maps, int light, int layer,
+                   std::span<const std::size_t> casters, const gl::DepthTextureArray& edgeDepths) const;
+
+    /// Decides every pixel, once in a frame. `draw(program)` draws the receivers with it, the map's textures bound.
+    const Decisions& decide(Frame& frame, int light, const std::function<void()>& draw);
+    /// Of the scene that it was prepared for.
+    [[nodiscard]] const trace::SceneTracer& tracer() const { return tracer_; }
+    [[nodiscard]] bool isDecided(int light) const { return decisions_.contains(light); }
+    [[nodiscard]] const Decisions& decisions(int light) const { return decisions_.at(light); }
+    void publishTraced(Frame& frame, int light) const;
+
+    /// For the shader that walks over a light's casters; findEdges has been called for it.
+    void bindWalk(const gl::Program& program, int light, int positionUnit, int triangleUnit) const;
+
+private:
+    /// What a light's edges depend on.
+    struct EdgesOrigin {
+        std::uint64_t geometry = 0, transforms = 0, materials = 0;
+        scene::Light light;
+        dvec3 originWorld{0.0};
+        std::vector<std::size_t> casters;
+        friend bool operator==(const EdgesOrigin&, const EdgesOrigin&) = default;
+    };
+    struct KeptEdges {
+        std::optional<EdgesOrigin> foundFrom;
+        LooseEdges edges;
+        gl::TableTexture positions;
+    };
+
+    trace::SceneTracer tracer_;
+    Topologies topologies_;
+    std::pair<std::uint64_t, std::uint64_t> walkedRevisions_{0, 0};
+    gl::TableTexture triangles_;
+    std::pair<std::uint64_t, std::uint64_t> crossedRevisions_{0, 0};
+    std::vector<Crossing> crossings_;
+    std::map<int, KeptEdges> edges_; ///< per light
+    std::map<int, Decisions> decisions_;
+    gl::Program whole_{"position.vert", "nothing.frag"};
+    gl::Program looseEdge_{"shadow_map/loose_edge.vert", "nothing.frag"};
+};
+
+} // namespace shadowlab::shadow_map

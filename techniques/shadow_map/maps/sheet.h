@@ -1,0 +1,30 @@
+// How the layers of a map lie beside each other in a picture of it.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <algorithm>
+
+#include "techniques/shadow_map/fit/light_maps.h"
+
+namespace shadowlab::shadow_map {
+
+/// The six maps around a light are shown as a 3 x 2 sheet: +x +y +z above -x -y -z; cascades side by side, the nearest first.
+struct Sheet {
+    bool cube;
+    ivec2 cells;
+    int cellSize;
+    Sheet(const LightMaps& maps, ivec2 within)
+        : cube(maps.layout == Layout::cube), cells(cube ? ivec2(3, 2) : cellsOf(maps.layers())),
+          cellSize(std::max(1, std::min(within.x / cells.x, within.y / cells.y))) {}
+    /// Wide pictures have room for two maps beside each other, and below them for two more.
+    static ivec2 cellsOf(int layers) { return layers < 2 ? ivec2(1) : layers == 2 ? ivec2(2, 1) : ivec2(2, 2); }
+    [[nodiscard]] ivec2 size() const { return cells * cellSize; }
+    void setViewport(int layer) const {
+        const int column = cube ? layer / 2 : layer % cells.x, rowFromTop = cube ? layer % 2 : layer / cells.x;
+        const int x = column * cellSize, y = (cells.y - 1 - rowFromTop) * cellSize;
+        glViewport(x, y, cellSize, cellSize);
+        glScissor(x, y, cellSize, cellSize);
+        glEnable(GL_SCISSOR_TEST);
+    }
+};
+
+} // namespace shadowlab::shadow_map

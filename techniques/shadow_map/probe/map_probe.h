@@ -1,0 +1,76 @@
+// The comparison of one point with its map, step by step, and what of the map the plane of a drawing passes through.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+
+#include "techniques/probe.h"
+#include "techniques/shadow_map/probe/compared_depth.h"
+#include "techniques/shadow_map/probe/texel_depths.h"
+
+namespace shadowlab::shadow_map {
+
+/// A point that is compared, and with what.
+struct ComparedPoint {
+    const scene::Scene& scene;
+    const LightMaps& maps;
+    int layer = 0;
+    const ShadowMapParams& params;
+    const FilterParams& filter;
+    const TexelDepths& depths;
+    const scene::Light& light;
+    dvec3 pointWorld{0.0};
+    std::array<dvec3, 3> cornersWorld{}; ///< of the triangle that the point lies on
+    ivec2 fragment{0};                   ///< the pixel, rows counted from below: it may turn the samples
+    double leastReference = 0;           ///< of the object that the point is on (near_plane.h)
+};
+
+/// What a filter reads for the point, and what it makes of that.
+struct FilterAnswer {
+    std::vector<MapProbe::Tap> taps;
+    std::optional<MapProbe::BlockerSearch> search{};
+    std::optional<MapProbe::Moments> moments{};
+    double visibility = 1;
+};
+FilterAnswer answerOf(const ComparedPoint& point);
+
+/// Of the filters hard, hw2x2, pcf and disc: the comparisons, with their shares.
+std::vector<MapProbe::Tap> tapsOf(const ComparedPoint& point);
+
+/// Of the filter pcss: the search, and the comparisons that follow from it (none where it finds no blocker).
+FilterAnswer softShadowOf(const ComparedPoint& point);
+
+/// Of the filters vsm to msm, without coarser moments than the finest.
+MapProbe::Moments momentsOf(const ComparedPoint& point);
+
+/// All but what the filter reads and the drawing's cells. Nothing where the point is behind the light's camera.
+std::optional<MapProbe> probeMap(const ComparedPoint& point);
+
+/// The texels on both sides of the point that the plane passes through, and some of all that it does.
+void addCells(MapProbe& probe, const ComparedPoint& point, const LightSection& section);
+
+/// Metres along the light's axis that a depth at a place of the map stands for.
+double metresOf(const LightMaps& maps, int layer, const dvec2& uv, double depth);
+
+/// One layer of a point's map, and its comparison.
+class AskedMap {
+public:
+    explicit AskedMap(const ComparedPoint& point);
+    /// A comparison there; the share is left to who asks.
+    [[nodiscard]] MapProbe::Tap tap(const dvec2& offsetUv) const { return tap(offsetUv, depthAt(offsetUv)); }
+    [[nodiscard]] MapProbe::Tap tap(const dvec2& offsetUv, double compared) const;
+    /// What a comparison at that offset from the point's place compares.
+    [[nodiscard]] double depthAt(const dvec2& offsetUv) const { return comparison_.referenceDepth(place_, offsetUv); }
+    [[nodiscard]] const ComparedPlace& place() const { return place_; }
+    [[nodiscard]] const dmat4& lightRelativeFromClip() const { return lightRelativeFromClip_; }
+    [[nodiscard]] const dmat4& clipFromLightRelative() const { return comparison_.lightClipFromLightRelative(); }
+    [[nodiscard]] double resolution() const { return point_.params.resolution; }
+    [[nodiscard]] ivec2 texelOf(const dvec2& uv) const { return ivec2(glm::floor(uv * resolution())); }
+
+private:
+    const ComparedPoint& point_;
+    DepthComparison comparison_;
+    dmat4 lightRelativeFromClip_;
+    ComparedPlace place_;
+};
+
+} // namespace shadowlab::shadow_map

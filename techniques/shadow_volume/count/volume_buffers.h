@@ -1,0 +1,52 @@
+// A caster's volume on the graphics card, drawn part by part.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+
+#include "techniques/foundation/gl/scene_buffers.h"
+#include "techniques/shadow_volume/count/volume.h"
+
+namespace shadowlab::shadow_volume {
+
+/// The vertices of a mesh twice: as they are (extrudable = 0) and to be pushed to the volume's end (extrudable = 1).
+/// One per mesh, whatever the number of lights.
+class ExtrusionVertices {
+public:
+    explicit ExtrusionVertices(const scene::Mesh& mesh);
+    void bindAttributes() const;
+
+private:
+    gl::BufferHandle vertices_;
+};
+
+class VolumeBuffers {
+public:
+    /// `bindAttributes` binds the vertices that the volume's indices count in.
+    VolumeBuffers(const Volume& volume, std::span<const SilhouetteEdge> silhouette,
+                  const std::function<void()>& bindAttributes);
+    // The triangles turned toward the light as they are, and those that have to be read clockwise.
+    void drawTopCap() const { topCap_.draw(GL_TRIANGLES); }
+    void drawTopCapReversed() const { topCapReversed_.draw(GL_TRIANGLES); }
+    /// `toOnePoint`: all far vertices are the same one, and half of the triangles are nothing.
+    void drawSides(bool toOnePoint = false) const { sides_.draw(GL_TRIANGLES, toOnePoint ? 2 : 1); }
+    void drawBottomCap() const { bottomCap_.draw(GL_TRIANGLES); }
+    // Silhouette edges as lines, by how many triangles meet there.
+    void drawSilhouette() const { silhouette_.draw(GL_LINES); }
+    void drawBoundary() const { boundary_.draw(GL_LINES); }
+    void drawMultiple() const { multiple_.draw(GL_LINES); }
+
+private:
+    struct Run {
+        gl::VertexArrayHandle vertexArray;
+        gl::BufferHandle indices;
+        GLsizei count = 0;
+        void fill(const std::function<void()>& bindAttributes, const std::vector<std::uint32_t>& data);
+        void draw(GLenum mode, GLsizei firstShare = 1) const; ///< the first 1 / `firstShare` of it
+    };
+    Run topCap_, topCapReversed_, sides_, bottomCap_, silhouette_, boundary_, multiple_;
+};
+
+/// Orders a caster's front faces: a mirrored object turns its winding over.
+void setFrontFace(const scene::Object& object, bool clockwise);
+
+} // namespace shadowlab::shadow_volume

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_volume/cull/volume_in_view.h"
+
+#include <algorithm>
+#include <array>
+
+namespace shadowlab::shadow_volume {
+
+namespace {
+
+/// The volume lies in the convex hull of the box's corners and their images at the end: the top cap among the former, the
+/// bottom cap among the latter. A vertex pushed by a distance goes where its direction points, whatever the distance.
+std::array<dvec4, 16> hullWorld(const scene::Bounds& box, const scene::Light& light, const VolumeEnd& end) {
+    const VolumeEnd straight{.planeWorld = end.planeWorld, .distance = std::nullopt};
+    std::array<dvec4, 16> points;
+    for (int i = 0; i < 8; ++i) {
+        points[static_cast<std::size_t>(i)] = dvec4(box.corner(i), 1.0);
+        points[static_cast<std::size_t>(8 + i)] = pushedWorld(box.corner(i), light, straight);
+    }
+    return points;
+}
+
+/// Around points of which some may be directions: then without end where they point.
+scene::Bounds boundsOf(std::span<const dvec4> points) {
+    constexpr double kFarAway = 1e300;
+    scene::Bounds box;
+    for (const dvec4& point : points)
+        if (point.w != 0) box.include(dvec3(point));
+    for (const dvec4& point : points)
+        for (int axis = 0; axis < 3 && point.w == 0; ++axis) {
+            if (point[axis] < 0) box.lowerWorld[axis] = -kFarAway;
+            if (point[axis] > 0) box.upperWorld[axis] = kFarAway;
+        }
+    return box;
+}
+
+scene::Bounds intersection(const scene::Bounds& a, const scene::Bounds& b) {
+    return {glm::max(a.lowerWorld, b.lowerWorld), glm::min(a.upperWorld, b.upperWorld)};
+}
+
+bool hasPoints(const scene::Bounds& box) { return glm::all(glm::lessThanEqual(box.lowerWorld, box.upperWorld)); }
+
+/// Where a box is in the picture; none where part of it is beside or behind the eye.
+std::optional<scene::PicturePart> partOf(const scene::Bounds& box, const dmat4& clipFromWorld) {
+    scene::PicturePart part{dvec2(1e300), dvec2(-1e300)};
+    for (int i = 0; i < 8; ++i) {
+        const dvec4 clip = clipFromWorld * dvec4(box.corner(i), 1.0);
+        if (clip.z <= -clip.w) return std::nullopt;
+        part.lower = glm::min(part.lower, dvec2(clip) / clip.w);
+        part.upper = glm::max(part.upper, dvec2(clip) / clip.w);
+    }
+    return part;
+}
+
+// Boxes are made larger by this share of their size: rounding must not cut. Frame::scissorTo adds a pixel in the picture.
+constexpr double kAroundBox = 1e-6;
+
+} // namespace
+
+VolumeInView volumeInView(const CasterVolume& caster, const scene::Light& light, const VolumeEnd& end,
+                          const gl::EyeMatrices& eye) {
+    const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
+    std::array<dvec4, 16> points = hullWorld(caster.bounds, light, end);
+    for (dvec4& point : points)
+        point = clipFromWorld * point;
+    const scene::PicturePart part = eye.part.value_or(scene::PicturePart{});
+    const std::span<const dvec4> all(points);
+    const bool any = scene::mayTouch(all, part);
+    return {.caster = &caster,
+            .end = end,
+            .any = any,
+            .topCap = scene::mayTouch(all.first(8), part),
+            .bottomCap = end.distance ? any : scene::mayTouch(all.last(8), part)};
+}
+
+void keepToReceivers(VolumeInView& volume, const scene::Light& light, std::span<const scene::Bounds> receivers,
+                     const gl::EyeMatrices& eye) {
+    const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
+    const scene::Bounds hull = boundsOf(hullWorld(volume.caster->bounds, light, volume.end));
+    scene::PicturePart all{dvec2(1e300), dvec2(-1e300)};
+    bool meets = false, known = true;
+    for (const scene::Bounds& receiver : receivers) {
+        const dvec3 around(kAroundBox * glm::length(receiver.upperWorld - receiver.lowerWorld));
+        scene::Bounds common = intersection({receiver.lowerWorld - around, receiver.upperWorld + around}, hull);
+        if (!hasPoints(common)) continue;
+        meets = true;
+        const std::optional<scene::PicturePart> part = partOf(common, clipFromWorld);
+        known = known && part;
+        if (!known) break;
+        all.lower = glm::min(all.lower, part->lower);
+        all.upper = glm::max(all.upper, part->upper);
+    }
+    if (!meets) volume.any = false;
+    if (meets && known) volume.part = all;
+}
+
+} // namespace shadowlab::shadow_volume

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shadow_volume/probe/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <glm/gtc/constants.hpp>
+
+#include "techniques/foundation/base/look.h"
+#include "techniques/foundation/scene/query/facing.h"
+#include "techniques/shadow_volume/count/lecture_volume.h"
+
+namespace shadowlab::shadow_volume {
+
+namespace {
+
+// How far beyond the scene things end that have no end, as a share of the scene's size: enough to be seen to go on.
+constexpr double kBeyondScene = 0.02;
+
+scene::Bounds somewhatLarger(scene::Bounds bounds) {
+    const double more = kBeyondScene * glm::length(bounds.upperWorld - bounds.lowerWorld);
+    bounds.lowerWorld -= more;
+    bounds.upperWorld += more;
+    return bounds;
+}
+
+/// Where the way from a point inside a box leaves it.
+dvec3 leaving(const scene::Bounds& box, const dvec3& pointWorld, const dvec3& directionWorld) {
+    double stretch = std::numeric_limits<double>::infinity();
+    for (int axis = 0; axis < 3; ++axis) {
+        const double wall = directionWorld[axis] > 0 ? box.upperWorld[axis] : box.lowerWorld[axis];
+        if (directionWorld[axis] != 0) stretch = std::min(stretch, (wall - pointWorld[axis]) / directionWorld[axis]);
+    }
+    return std::isfinite(stretch) ? pointWorld + stretch * directionWorld : pointWorld;
+}
+
+} // namespace
+
+Volume buildShown(const scene::Object& object, const scene::Light& light, const CasterVolume& caster,
+                  const ShownVolume& shown, std::vector<SilhouetteEdge>& silhouette) {
+    std::vector<std::int8_t> facing = scene::facingSigns(object, light);
+    Volume volume;
+    if (shown.construction == Construction::lecture) {
+        buildLectureVolume(*object.mesh, caster.mesh->edges, facing, silhouette, volume);
+        return volume;
+    }
+    if (caster.report.isClosed()) std::ranges::replace(facing, std::int8_t{-1}, std::int8_t{0});
+    buildVolume(*object.mesh, caster.mesh->edges, facing, silhouette, volume);
+    return volume;
+}
+
+std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view, int light,
+                                     std::span<const CasterVolume* const> casters, bool withCaps,
+                                     const ShownVolume& shown) {
+    SceneShape edges{"silhouette edges", look::kSilhouette, SceneShape::Kind::lines, {}};
+    SceneShape sides{"volume: sides", look::kVolumeSide, SceneShape::Kind::faces, {}};
+    SceneShape top{"volume: top cap", look::kTopCap, SceneShape::Kind::faces, {}};
+    SceneShape bottom{"volume: bottom cap", look::kBottomCap, SceneShape::Kind::faces, {}};
+    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+    const dvec4 lightWorld = scene::homogeneousPositionWorld(source);
+    scene::Bounds all;
+    for (const scene::Bounds& box : scene::objectBounds(scene))
+        all.include(box);
+    const scene::Bounds end = somewhatLarger(all);
+
+    for (const CasterVolume* caster : casters) {
+        const scene::Object& object = scene.objects[caster->object];
+        const scene::Mesh& mesh = *object.mesh;
+        std::vector<SilhouetteEdge> silhouette;
+        const Volume volume = buildShown(object, source, *caster, shown, silhouette);
+        // Vertices twice, as they are and at the end of the scene: the numbering of Volume.
+        const dmat4 worldFromMesh = scene::worldFromMesh(object);
+        const std::size_t n = mesh.positionsMesh.size();
+        std::vector<dvec3> pointsWorld(2 * n);
+        for (std::size_t v = 0; v < n; ++v) {
+            pointsWorld[v] = transformPoint(worldFromMesh, dvec3(mesh.positionsMesh[v]));
+            pointsWorld[n + v] =
+                shown.distance
+                    ? dvec3(pushedWorld(pointsWorld[v], source, {.planeWorld = {}, .distance = shown.distance}))
+                    : leaving(end, pointsWorld[v], pointsWorld[v] * lightWorld.w - dvec3(lightWorld));
+        }
+        const auto add = [&](SceneShape& shape, const std::vector<std::uint32_t>& indices) {
+            for (const std::uint32_t index : indices)
+                shape.pointsWorld.push_back(pointsWorld[index]);
+        };
+        for (const SilhouetteEdge& edge : silhouette)
+            add(edges, {edge.a, edge.b});
+        add(sides, volume.sides);
+        add(top, volume.topCap);
+        add(top, volume.topCapReversed);
+        add(bottom, volume.bottomCap);
+    }
+    std::vector<SceneShape> shapes;
+    shapes.push_back(std::move(sides));
+    if (withCaps) {
+        shapes.push_back(std::move(top));
+        shapes.push_back(std::move(bottom));
+    }
+    shapes.push_back(std::move(edges));
+    shapes.push_back(nearClipPyramid(scene, view, light));
+    return shapes;
+}
+
+std::vector<SceneShape> crossedShapes(const scene::Scene& scene, const VolumeProbe& probe) {
+    SceneShape enters{"faces that count +1: the line enters", look::diverging()[6], SceneShape::Kind::faces, {}};
+    SceneShape leaves{"faces that count -1: the line leaves", look::diverging()[2], SceneShape::Kind::faces, {}};
+    SceneShape entersRim{enters.label, enters.colorLinear, SceneShape::Kind::lines, {}};
+    SceneShape leavesRim{leaves.label, leaves.colorLinear, SceneShape::Kind::lines, {}};
+    scene::Bounds all;
+    for (const scene::Bounds& box : scene::objectBounds(scene))
+        all.include(box);
+    all.include(scene.camera.positionWorld);
+    const scene::Bounds end = somewhatLarger(all);
+    for (const VolumeProbe::Crossing& crossing : probe.crossings) {
+        dvec3 finite(0.0);
+        bool any = false;
+        for (const dvec4& corner : crossing.cornersWorld)
+            if (corner.w != 0) {
+                finite = dvec3(corner);
+                any = true;
+            }
+        if (!any) continue; // all of it is at infinity
+        std::vector<dvec3> corners;
+        for (const dvec4& corner : crossing.cornersWorld)
+            corners.push_back(corner.w != 0 ? dvec3(corner) : leaving(end, finite, dvec3(corner)));
+        SceneShape &face = crossing.sign > 0 ? enters : leaves, &rim = crossing.sign > 0 ? entersRim : leavesRim;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            face.pointsWorld.push_back(corners[i]);
+            rim.pointsWorld.insert(rim.pointsWorld.end(), {corners[i], corners[(i + 1) % corners.size()]});
+        }
+    }
+    return {std::move(enters), std::move(leaves), std::move(entersRim), std::move(leavesRim)};
+}
+
+void addWays(std::vector<SceneShape>& shapes, std::span<const CasterVolume* const> casters,
+             const std::function<Way(const CasterVolume&)>& wayOf) {
+    SceneShape passing{"counted with depth pass", look::kDepthPass, SceneShape::Kind::lines, {}};
+    SceneShape failing{"counted with depth fail", look::kDepthFail, SceneShape::Kind::lines, {}};
+    for (const CasterVolume* caster : casters) {
+        SceneShape& shape = wayOf(*caster) == Way::pass ? passing : failing;
+        for (int corner = 0; corner < 8; ++corner)
+            for (const int axis : {1, 2, 4})
+                if (!(corner & axis))
+                    shape.pointsWorld.insert(shape.pointsWorld.end(),
+                                             {caster->bounds.corner(corner), caster->bounds.corner(corner | axis)});
+    }
+    for (SceneShape* shape : {&passing, &failing})
+        if (!shape->pointsWorld.empty()) shapes.push_back(std::move(*shape));
+}
+
+SceneShape nearClipPyramid(const scene::Scene& scene, const View& view, int light) {
+    const scene::Camera& camera = view.camera;
+    const dmat4 worldFromView = glm::inverse(scene::viewFromWorld(camera));
+    const double halfHeight = camera.near * std::tan(camera.fovYDegrees * glm::pi<double>() / 360.0);
+    const double halfWidth = halfHeight * view.size.x / view.size.y;
+    scene::Bounds all;
+    for (const scene::Bounds& box : scene::objectBounds(scene))
+        all.include(box);
+    all.include(camera.positionWorld);
+    const scene::Bounds end = somewhatLarger(all);
+    const dvec4 lightWorld = scene::homogeneousPositionWorld(scene.lights[static_cast<std::size_t>(light)]);
+
+    SceneShape pyramid{"near-clip pyramid", look::kBoundaryEdge, SceneShape::Kind::lines, {}};
+    constexpr int kAround[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    const auto corner = [&](int i) {
+        return transformPoint(worldFromView,
+                              dvec3(kAround[i % 4][0] * halfWidth, kAround[i % 4][1] * halfHeight, -camera.near));
+    };
+    for (int i = 0; i < 4; ++i) {
+        const dvec3 apexWorld = lightWorld.w == 0 ? leaving(end, corner(i), dvec3(lightWorld)) : dvec3(lightWorld);
+        pyramid.pointsWorld.insert(pyramid.pointsWorld.end(), {corner(i), corner(i + 1), corner(i), apexWorld});
+    }
+    return pyramid;
+}
+
+} // namespace shadowlab::shadow_volume

@@ -1,0 +1,41 @@
+// What there is of the shadow volumes in the scene, for a camera that looks on from outside.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <span>
+
+#include "techniques/shadow_volume/count/face_counter.h"
+#include "techniques/technique.h"
+
+namespace shadowlab::shadow_volume {
+
+/// How volumes are pictured: as they are counted, or where that is too far away to be seen, shorter.
+struct ShownVolume {
+    Construction construction = Construction::general;
+    std::optional<double> distance; ///< that vertices are pushed, metres; none: as far as the picture likes
+};
+
+/// The volume to be shown: of closed meshes only the lit half, as the lecture draws it; the other would double every face.
+Volume buildShown(const scene::Object& object, const scene::Light& light, const CasterVolume& caster,
+                  const ShownVolume& shown, std::vector<SilhouetteEdge>& silhouette);
+
+/// Silhouette edges, sides and, `withCaps`, the caps of the volumes of these casters, at the distance
+/// where they end or else cut off a little beyond the scene. And the near-clip pyramid.
+std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view, int light,
+                                     std::span<const CasterVolume* const> casters, bool withCaps,
+                                     const ShownVolume& shown);
+
+/// The faces that a picked pixel's line crosses, those that it enters and those that it leaves a volume by. What reaches infinity
+/// is cut off a little beyond the scene.
+std::vector<SceneShape> crossedShapes(const scene::Scene& scene, const VolumeProbe& probe);
+
+/// Boxes around the casters, by the way in which their volumes are counted.
+void addWays(std::vector<SceneShape>& shapes, std::span<const CasterVolume* const> casters,
+             const std::function<Way(const CasterVolume&)>& wayOf);
+
+/// The near rectangle of the view joined to the light, as lines: what stands in it casts its shadow on the near plane, and
+/// there depth pass starts counting from a wrong number. Everitt and Kilgard 2002; Hornus, Hoberock, Lefebvre and Hart,
+/// "ZP+: Correct Z-pass Stencil Shadows", 2005.
+SceneShape nearClipPyramid(const scene::Scene& scene, const View& view, int light);
+
+} // namespace shadowlab::shadow_volume

@@ -1,0 +1,202 @@
+// The window's picture without a window: keys, layouts, sizes and faults, and never a GL object lost.
+// SPDX-License-Identifier: MIT
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <set>
+#include <thread>
+#include <tuple>
+
+#include "app/context/assets.h"
+#include "app/window/actions.h"
+#include "app/window/screen.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "tests/support/gl_fixture.h"
+
+namespace shadowlab {
+namespace {
+
+using window::Desk;
+using window::Screen;
+
+class ScreenTest : public testing::GlTest {
+protected:
+    static scene::Snapshot scene(const std::string& name) {
+        return scene::loadScene(name, {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
+    }
+    static void settle(Screen& screen) {
+        for (int settled = 0, frames = 0; settled < 3 && frames < 4000; ++frames) {
+            screen.frame(1.0 / 30);
+            settled = screen.isSettled() ? settled + 1 : 0;
+            if (settled == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        EXPECT_TRUE(screen.isSettled());
+    }
+    static std::vector<std::uint8_t> pixels(const Screen& screen) {
+        return picture::PictureEncoder::read(screen.picture()).rgba;
+    }
+};
+
+/// A desk and its screen, at which nobody sits: exact errors come at once.
+struct Lab {
+    Lab(const scene::Snapshot& scene, ivec2 size)
+        : desk(lab::newDocument(scene, scene->name)), screen(calm(desk), font()) {
+        screen.setPatience(std::chrono::hours(1));
+        screen.fit(size, 1);
+    }
+    static std::filesystem::path font() { return context::assetsRoot() / "fonts" / "DejaVuSans.ttf"; }
+    static Desk& calm(Desk& desk) {
+        desk.live = false;
+        desk.bench.allowDraft(false);
+        return desk;
+    }
+    Desk desk;
+    Screen screen;
+};
+
+TEST_F(ScreenTest, EveryLayoutAndPartDrawsSomethingElseAndNothingFails) {
+    Lab lab(scene("three-lights"), {640, 400});
+    settle(lab.screen);
+    std::vector<std::vector<std::uint8_t>> seen{pixels(lab.screen)};
+    const auto expectNew = [&](const char* what) {
+        settle(lab.screen);
+        const std::vector<std::uint8_t> now = pixels(lab.screen);
+        EXPECT_EQ(std::ranges::find(seen, now), seen.end()) << what;
+        seen.push_back(now);
+        for (int i = 0; i < lab::kPanes; ++i)
+            EXPECT_EQ(lab.desk.bench.pane(i).failure(), "") << what;
+        EXPECT_TRUE(lab.screen.messages().empty()) << what;
+    };
+    lab.desk.shown.panel = false;
+    expectNew("without settings");
+    for (const picture::Layout layout : {picture::Layout::single, picture::Layout::side, picture::Layout::grid,
+                                         picture::Layout::diff, picture::Layout::split}) {
+        chooseLayout(lab.desk, layout);
+        if (layout == picture::Layout::split) lab.desk.shown.strip = true;
+        expectNew("layout");
+    }
+    lab.desk.shown.strip = false;
+    for (const char* stage :
+         {"error", "truth", "scanline", "shadow-outline", "outside", "mesh-edges", "visibility", "pass:light"}) {
+        chooseStage(lab.desk, stage);
+        expectNew(stage);
+    }
+    chooseStage(lab.desk, "");
+    lab.desk.shown.magnifier = true;
+    expectNew("magnifier");
+    lab.desk.shown.magnifier = false;
+    lab.desk.shown.keys = true;
+    expectNew("keys");
+    lab.desk.shown.keys = false;
+    togglePresenter(lab.desk);
+    lab.screen.fit({640, 400}, 1);
+    expectNew("presenter");
+    EXPECT_GE(seen.size(), 15u);
+}
+
+TEST_F(ScreenTest, SizesFromNothingToLargeKeepEveryObject) {
+    Lab lab(scene("sphere-on-plane"), {320, 200});
+    settle(lab.screen);
+    const int before = gl::liveObjects;
+    const std::vector<std::uint8_t> picture = pixels(lab.screen);
+    int drawn = 0;
+    for (const ivec2 size : {ivec2(0, 0), ivec2(1, 1), ivec2(3, 200), ivec2(640, 2), ivec2(80, 60), ivec2(1024, 768),
+                             ivec2(2000, 40), ivec2(0, 300), ivec2(320, 200)}) {
+        lab.screen.fit(size, 1);
+        drawn += lab.screen.frame(0.03) ? 1 : 0;
+        lab.screen.frame(0.03);
+        gl::check("resize");
+    }
+    EXPECT_EQ(drawn, 7) << "all but those of no size";
+    // To a screen of other density and back, as a window does that is dragged from one to the other.
+    for (const float scale : {2.0f, 1.5f, 0.75f, 3.0f, 1.0f}) {
+        lab.screen.fit({320, 200}, scale);
+        EXPECT_TRUE(lab.screen.frame(0.03));
+        gl::check("another density");
+    }
+    // Larger than any texture: as much as there can be is drawn.
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    lab.screen.fit({most + 100, 40}, 1);
+    EXPECT_TRUE(lab.screen.frame(0.03));
+    EXPECT_EQ(lab.screen.framebuffer().size(), ivec2(most, 40));
+    lab.screen.fit({320, 200}, 1);
+    settle(lab.screen);
+    EXPECT_EQ(gl::liveObjects, before);
+    EXPECT_EQ(pixels(lab.screen).size(), picture.size());
+}
+
+TEST_F(ScreenTest, EveryKeyHasOneMeaningAndRunsWithoutAFault) {
+    std::set<std::tuple<int, bool, bool>> keys;
+    std::set<std::string> ids;
+    for (const window::Action& action : window::actions()) {
+        EXPECT_TRUE(keys.insert({action.key, action.ctrl, action.shift}).second) << action.keys << " has two meanings";
+        EXPECT_TRUE(ids.insert(action.id).second) << action.id;
+    }
+    EXPECT_GE(keys.size(), 55u);
+    Lab lab(scene("sphere-on-plane"), {400, 260});
+    settle(lab.screen);
+    for (const window::Action& action : window::actions()) {
+        lab.desk.keys.push_back({action.key, action.ctrl, action.shift, false, false});
+        lab.screen.frame(0.03);
+        const std::vector<std::string>& ran = lab.screen.ran();
+        EXPECT_NE(std::ranges::find(ran, action.id), ran.end()) << action.keys << " did nothing";
+        lab.desk.panelHasKeys = false;
+    }
+    lab.desk.bench.play(false);
+    EXPECT_TRUE(lab.desk.requests.quit && lab.desk.requests.screenshot && lab.desk.requests.saveScene);
+}
+
+TEST_F(ScreenTest, AWrongSettingLeavesTheLastPictureAndSaysWhy) {
+    Lab lab(scene("sphere-on-plane"), {400, 260});
+    settle(lab.screen);
+    const GLuint picture = lab.desk.bench.pane(0).picture().texture.id();
+    lab.desk.bench.change("", [](lab::Document& d) { d.panes[0].settings["shadow-map"]["resolution"] = "7"; });
+    lab.screen.frame(0.03);
+    EXPECT_NE(lab.desk.bench.pane(0).failure().find("64..32768"), std::string::npos)
+        << lab.desk.bench.pane(0).failure();
+    EXPECT_EQ(lab.desk.bench.pane(0).picture().texture.id(), picture);
+    lab.desk.bench.undo();
+    settle(lab.screen);
+    EXPECT_EQ(lab.desk.bench.pane(0).failure(), "");
+}
+
+TEST_F(ScreenTest, LiveErrorsAreThoseOfTheTechniques) {
+    Lab lab(scene("eye-in-shadow"), {640, 400});
+    lab.desk.bench.change("", [](lab::Document& d) {
+        d.panes[0].technique = "shadow-volume-zpass";
+        d.layout = picture::Layout::side;
+    });
+    settle(lab.screen);
+    const lab::PaneErrors *zpass = lab.screen.errors().errors(0), *zfail = lab.screen.errors().errors(1);
+    ASSERT_TRUE(zpass && zfail);
+    EXPECT_TRUE(zpass->exact && zfail->exact);
+    EXPECT_GT(zpass->counts.wrong(), 1000) << "the eye stands in a shadow: the textbook algorithm fails";
+    EXPECT_LE(zfail->counts.wrong(), 1) << "and depth fail holds, but for a crack";
+    EXPECT_GT(zfail->counts.lit, 5000);
+    EXPECT_GT(zfail->counts.shadowed, 5000);
+}
+
+// One lamp, a sharp map beside many points of it: each is judged by what it answers to.
+TEST_F(ScreenTest, LiveErrorsOfAnAreaComeAtRest) {
+    Lab lab(scene("cornell-room"), {640, 400});
+    lab.desk.bench.change("", [](lab::Document& d) {
+        for (lab::PaneState& pane : d.panes)
+            pane.technique = "shadow-map";
+        d.panes[1].settings["shadow-map"]["light-samples"] = "64";
+        d.panes[1].stage = "error";
+        d.layout = picture::Layout::side;
+    });
+    settle(lab.screen);
+    const auto rmse = [&](int pane) {
+        const lab::PaneErrors* const known = lab.screen.errors().errors(pane);
+        return known && known->exact ? known->counts.rmse : 1.0;
+    };
+    EXPECT_LT(rmse(0), 0.03) << "a sharp border is right for a point";
+    EXPECT_LT(rmse(1), 0.03) << "and a penumbra for its area";
+    EXPECT_TRUE(lab.screen.errors().picture(1));
+    EXPECT_NE(lab.screen.errors().errors(0)->counts.lit, lab.screen.errors().errors(1)->counts.lit);
+}
+
+} // namespace
+} // namespace shadowlab

@@ -1,0 +1,171 @@
+// Slides in the window: every picture of every built-in deck, forward and back; what the window shows is what the slide has;
+// and what is seen becomes a slide with one key.
+// SPDX-License-Identifier: MIT
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "app/context/assets.h"
+#include "app/course/state_picture.h"
+#include "app/window/screen.h"
+#include "tests/foundation/scene/scene_files.h"
+#include "tests/support/gl_fixture.h"
+
+namespace shadowlab {
+namespace {
+
+class SlideDeskTest : public testing::GlTest {
+protected:
+    static scene::LoadOptions loading() { return {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}}; }
+    static lab::Document beginning() {
+        return lab::newDocument(scene::loadScene("sphere-on-plane", loading()), "sphere-on-plane");
+    }
+    struct Lab {
+        Lab() : desk(beginning()) {
+            desk.slides.decks = course::builtInDecks(context::assetsRoot());
+            desk.slides.loading = loading();
+            desk.lesson.loading = loading();
+        }
+        void press(int key, bool shift = false) {
+            desk.keys.push_back({key, false, shift, false, false});
+            screen.frame(0.03);
+        }
+        window::Desk desk;
+        window::Screen screen{desk, context::assetsRoot() / "fonts" / "DejaVuSans.ttf"};
+    };
+};
+
+TEST_F(SlideDeskTest, EveryDeckGoesToItsEndAndBack) {
+    Lab lab;
+    window::Desk& desk = lab.desk;
+    const lab::Document before = desk.bench.document();
+    int pictures = 0;
+    for (const std::string& name : desk.slides.decks) {
+        window::openDeck(desk, name);
+        std::vector<std::pair<std::string, std::size_t>> way;
+        do {
+            ASSERT_LT(way.size(), 500u);
+            ASSERT_TRUE(desk.messages.empty()) << desk.messages.front().text;
+            way.emplace_back(desk.slides.slide.name, desk.slides.stop);
+            if (!desk.slides.stops.empty()) {
+                ++pictures;
+                EXPECT_EQ(desk.bench.document(), desk.slides.stops[desk.slides.stop].document);
+            }
+            window::stepSlides(desk, 1);
+        } while (desk.requests.news.empty());
+        desk.requests.news.clear();
+        EXPECT_EQ(way.back().first, desk.slides.deck->slides().back());
+        for (auto stop = way.rbegin() + 1; stop != way.rend(); ++stop) {
+            window::stepSlides(desk, -1);
+            EXPECT_EQ(std::pair(desk.slides.slide.name, desk.slides.stop), *stop);
+        }
+    }
+    EXPECT_GE(pictures, 56) << "slides of both lectures";
+    window::leaveSlides(desk);
+    EXPECT_EQ(desk.bench.document(), before);
+}
+
+TEST_F(SlideDeskTest, KeysGoOnAndBackAndOut) {
+    Lab lab;
+    lab.screen.fit({640, 400}, 1);
+    const lab::Document before = lab.desk.bench.document();
+    window::openDeck(lab.desk, "shadows", "from-the-light");
+    ASSERT_EQ(lab.desk.slides.stops.size(), 3u);
+    lab.press(GLFW_KEY_S);
+    EXPECT_EQ(lab.desk.slides.stop, 1u);
+    EXPECT_EQ(lab.desk.bench.document().panes[0].stage, "light-view");
+    lab.press(GLFW_KEY_S, true);
+    lab.press(GLFW_KEY_S, true);
+    EXPECT_EQ(lab.desk.slides.slide.name, "algorithm");
+    window::openLesson(lab.desk, "acne");
+    EXPECT_FALSE(lab.desk.slides.isOn()) << "a lesson takes the place of slides";
+    window::openDeck(lab.desk, "shadows");
+    EXPECT_FALSE(lab.desk.lesson.isOn()) << "and the other way round";
+    lab.press(GLFW_KEY_ESCAPE);
+    EXPECT_FALSE(lab.desk.slides.isOn());
+    EXPECT_EQ(lab.desk.bench.document(), before);
+}
+
+TEST_F(SlideDeskTest, WhatIsNotThereIsSaidAndNothingChanges) {
+    Lab lab;
+    const lab::Document before = lab.desk.bench.document();
+    window::openDeck(lab.desk, "shadows", "silhouetes");
+    ASSERT_EQ(lab.desk.messages.size(), 1u);
+    EXPECT_NE(lab.desk.messages[0].text.find("silhouettes"), std::string::npos);
+    EXPECT_FALSE(lab.desk.slides.isOn());
+    EXPECT_EQ(lab.desk.bench.document(), before);
+}
+
+// The pane's picture and the slide's are made by different code (Workbench, StatePicture): they agree in every byte.
+// Stages with a legend are left to the eye; it stands in the slide's picture and beside the window's.
+TEST_F(SlideDeskTest, TheWindowShowsWhatTheSlideHas) {
+    constexpr ivec2 kSize{320, 180};
+    const image::Font font(context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+    Lab lab;
+    int compared = 0;
+    course::Deck deck("shadow-rendering-techniques", loading());
+    for (std::size_t i = 0; i < deck.slides().size() && compared < 6; ++i) {
+        const course::Slide slide = deck.read(i);
+        for (const course::SlidePicture& picture : slide.pictures) {
+            const course::ShownState& state = picture.state;
+            if (state.slots.size() != 1 || !state.slots[0].stage.empty() || !picture.figure.empty() ||
+                state.slots[0].technique == "ray-traced" || state.slots[0].technique == "radiosity")
+                continue;
+            lab.desk.bench.showDocument(course::documentOf(state));
+            lab.desk.bench.update(kSize, Deadline::max());
+            const image::Image window = picture::PictureEncoder::read(lab.desk.bench.pane(0).picture().texture);
+            EXPECT_EQ(window.rgba, course::drawState(state, {.size = kSize}, font).rgba) << slide.name;
+            ++compared;
+        }
+    }
+    EXPECT_GE(compared, 3);
+}
+
+TEST_F(SlideDeskTest, OneKeyMakesASlideOfWhatIsSeen) {
+    const scene::TempFolder folder;
+    const std::filesystem::path home = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path());
+    Lab lab;
+    lab.screen.fit({640, 400}, 1);
+    lab.press(GLFW_KEY_E);
+    lab.press(GLFW_KEY_W);
+    EXPECT_TRUE(lab.desk.requests.saveSlide);
+    window::saveAsSlide(lab.desk); // as the window does when it is asked to
+    window::saveAsSlide(lab.desk);
+    std::filesystem::current_path(home);
+    course::Deck deck((folder.path() / "slides.json").string(), loading());
+    ASSERT_EQ(deck.slides().size(), 2u);
+    const std::vector<course::SlideStop> stops = course::stopsOf(deck.read(1));
+    ASSERT_EQ(stops.size(), 1u);
+    EXPECT_EQ(stops[0].document.panes[0].stage, "error");
+    EXPECT_EQ(stops[0].document.layout, picture::Layout::split);
+}
+
+// Somebody may write the deck anew while it is shown: there is no slide any more where the window was.
+TEST_F(SlideDeskTest, ADeckMayBecomeShorter) {
+    const scene::TempFolder folder;
+    const std::filesystem::path home = std::filesystem::current_path();
+    std::filesystem::current_path(folder.path());
+    Lab lab;
+    lab.screen.fit({640, 400}, 1);
+    window::saveAsSlide(lab.desk);
+    const std::filesystem::path file = folder.path() / "slides.json";
+    const std::filesystem::path shorter = folder.path() / "shorter.json";
+    std::filesystem::copy_file(file, shorter);
+    for (int i = 0; i < 4; ++i)
+        window::saveAsSlide(lab.desk);
+    window::openDeck(lab.desk, file.string());
+    while (lab.desk.slides.at < 4)
+        window::stepSlides(lab.desk, 1);
+    std::filesystem::rename(shorter, file);
+    window::saveAsSlide(lab.desk);
+    ASSERT_TRUE(lab.desk.slides.deck);
+    ASSERT_EQ(lab.desk.slides.deck->slides().size(), 2u);
+    EXPECT_EQ(lab.desk.slides.at, 1u);
+    window::stepSlides(lab.desk, -1);
+    EXPECT_EQ(lab.desk.slides.at, 0u);
+    EXPECT_TRUE(lab.screen.messages().empty());
+    std::filesystem::current_path(home);
+}
+
+} // namespace
+} // namespace shadowlab

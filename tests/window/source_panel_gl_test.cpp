@@ -1,0 +1,192 @@
+// The text of a step beside its picture: it is there, it is that of the step, and it follows shaders that are saved.
+// SPDX-License-Identifier: MIT
+#include <cstdlib>
+#include <fstream>
+
+#include "app/context/assets.h"
+#include "app/picture/limits.h"
+#include "app/picture/steps/stepping.h"
+#include "app/window/screen.h"
+#include "techniques/foundation/gl/program.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/registry.h"
+#include "tests/foundation/scene/scene_files.h"
+#include "tests/support/gl_fixture.h"
+
+namespace shadowlab {
+namespace {
+
+class SourcePanelTest : public testing::GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        const scene::Snapshot scene =
+            scene::loadScene("three-lights", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
+        desk.emplace(lab::newDocument(scene, scene->name));
+        desk->live = false;
+        desk->bench.allowDraft(false);
+        window::chooseLayout(*desk, picture::Layout::single);
+        screen.emplace(*desk, context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+        screen->setPatience(std::chrono::hours(1));
+        screen->fit({960, 540}, 1);
+    }
+    void TearDown() override {
+        screen.reset();
+        desk.reset();
+        GlTest::TearDown();
+    }
+    void show(const std::string& technique, const std::string& stage) {
+        window::chooseTechnique(*desk, technique);
+        window::chooseStage(*desk, stage);
+        drawn();
+    }
+    std::vector<std::uint8_t> drawn() {
+        for (int frame = 0; frame < 4; ++frame)
+            screen->frame(1.0 / 30);
+        return picture::PictureEncoder::read(screen->picture()).rgba;
+    }
+    std::optional<window::Desk> desk;
+    std::optional<window::Screen> screen;
+};
+
+TEST_F(SourcePanelTest, EveryStepOfEveryTechniqueShowsItsLines) {
+    window::toggleSource(*desk);
+    std::size_t steps = 0;
+    for (const RegisteredTechnique& technique : registeredTechniques()) {
+        if (technique.info->id == "radiosity") continue; // its form factors take long, and it draws no other panel
+        show(std::string(technique.info->id), "");
+        for (const StageKey& pass :
+             std::vector(desk->bench.pane(0).passesOf(technique.info->id, *desk->bench.shownScene()))) {
+            show(std::string(technique.info->id), picture::passStage(pass, *desk->bench.shownScene()));
+            const picture::StepSource& step = screen->stepSource();
+            EXPECT_FALSE(step.pieces.empty()) << technique.info->id << " " << pass.id;
+            EXPECT_TRUE(step.faults.empty()) << step.faults.front();
+            EXPECT_TRUE(screen->messages().empty());
+            ++steps;
+        }
+    }
+    EXPECT_GE(steps, 40u);
+}
+
+// Until a picture of the new technique is there, the passes that are known are the old one's.
+TEST_F(SourcePanelTest, NoStepOfOneTechniqueIsTakenForOneOfAnother) {
+    const auto hasPass = [](std::string_view technique, std::string_view id) {
+        return std::ranges::find(findTechnique(technique).passes, id, &PassInfo::id) !=
+               findTechnique(technique).passes.end();
+    };
+    ASSERT_TRUE(hasPass("shadow-map", "lights-off"));
+    ASSERT_FALSE(hasPass("radiosity", "lights-off"));
+    window::toggleSource(*desk);
+    show("shadow-map", "pass:lights-off");
+    EXPECT_FALSE(screen->stepSource().pieces.empty());
+    window::chooseTechnique(*desk, "radiosity");
+    EXPECT_TRUE(desk->bench.pane(0).passesOf("radiosity", *desk->bench.shownScene()).empty());
+    window::step(*desk, 1);
+    EXPECT_EQ(desk->bench.document().panes[0].stage, "");
+    show("radiosity", "pass:lights-off"); // which nothing in the window asks for any more
+    EXPECT_TRUE(screen->stepSource().pieces.empty());
+    show("planar", "");
+    window::step(*desk, 1);
+    EXPECT_EQ(desk->bench.document().panes[0].stage, "pass:lights-off");
+    drawn();
+    EXPECT_FALSE(screen->stepSource().pieces.empty());
+}
+
+// Passes name lights by number. From outside, and in a window without room for a picture, none run for a new scene.
+TEST_F(SourcePanelTest, NoStepOfASceneWithMoreLightsIsTaken) {
+    const auto scene = [](const std::string& name) {
+        return scene::loadScene(name,
+                                {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = picture::limits()});
+    };
+    desk->bench.showScene(scene("three-lights"), "three-lights");
+    show("shadow-map", "");
+    const std::vector<StageKey> passes = desk->bench.pane(0).passesOf("shadow-map", *desk->bench.shownScene());
+    ASSERT_TRUE(std::ranges::any_of(passes, [](const StageKey& pass) { return pass.light == 2; }));
+    window::toggleSource(*desk);
+    show("shadow-map", "outside");
+    desk->bench.showScene(scene("still-life"), "still-life");
+    ASSERT_LT(desk->bench.shownScene()->lights.size(), 3u);
+    EXPECT_TRUE(desk->bench.pane(0).passesOf("shadow-map", *desk->bench.shownScene()).empty());
+    window::step(*desk, 1);
+    drawn();
+    EXPECT_TRUE(screen->messages().empty());
+}
+
+TEST_F(SourcePanelTest, ThePictureMakesRoomForItAndTheSettingsToo) {
+    show("planar", "pass:shadows");
+    const int before = screen->pictureSize().x;
+    EXPECT_TRUE(desk->shown.panel);
+    window::toggleSource(*desk);
+    const std::vector<std::uint8_t> withSource = drawn();
+    EXPECT_FALSE(desk->shown.panel);
+    EXPECT_GE(screen->pictureSize().x, 960 / 2) << "the picture keeps half of the window";
+    desk->requests.scrollSource = 1;
+    EXPECT_NE(drawn(), withSource) << "the text goes on";
+    window::toggleSource(*desk);
+    drawn();
+    EXPECT_TRUE(desk->shown.panel);
+    EXPECT_EQ(screen->pictureSize().x, before);
+    // In presenter mode settings are away, and stay away when the source goes.
+    window::togglePresenter(*desk);
+    window::toggleSource(*desk);
+    window::toggleSource(*desk);
+    EXPECT_FALSE(desk->shown.panel);
+    window::togglePresenter(*desk);
+    EXPECT_TRUE(desk->shown.panel);
+}
+
+TEST_F(SourcePanelTest, AShaderThatIsSavedIsShownAsItIsNow) {
+    window::toggleSource(*desk);
+    show("planar", "pass:shadows");
+    const auto line = [&](const std::string& text) {
+        for (const picture::SourcePiece& piece : screen->stepSource().pieces)
+            for (const picture::StepLine& one : piece.lines)
+                if (one.isCurrent && one.text.find(text) != std::string::npos) return true;
+        return false;
+    };
+    ASSERT_TRUE(line("void main()"));
+    const scene::TempFolder folder;
+    const auto save = [&](const std::string& text) {
+        folder.write("planar/flatten.vert", text);
+        ::setenv("SHADOWLAB_SHADERS", folder.path().c_str(), 1);
+        gl::reloadShaders(); // as the window does when it notices a saved file
+        desk->bench.drawAnew();
+        drawn();
+    };
+    std::ifstream file(std::filesystem::path(SHADOWLAB_SOURCE_DIR) / "shaders/planar/flatten.vert");
+    const std::string real{std::istreambuf_iterator<char>(file), {}};
+    std::string changed = real;
+    changed.insert(changed.find("    passTexcoord();"), "    // a line that somebody has just written\n");
+    save(changed);
+    EXPECT_TRUE(line("a line that somebody has just written"));
+    EXPECT_TRUE(screen->stepSource().faults.empty());
+    changed.erase(changed.find("// [anchor: flatten]"), 20);
+    save(changed);
+    ASSERT_EQ(screen->stepSource().faults.size(), 1u) << "said in the panel; nothing else stops";
+    EXPECT_TRUE(desk->bench.pane(0).failure().empty());
+    ::unsetenv("SHADOWLAB_SHADERS");
+    gl::reloadShaders();
+    drawn();
+    EXPECT_FALSE(line("a line that somebody has just written"));
+}
+
+TEST_F(SourcePanelTest, ValuesOfThePickedPixelStandBesideTheirNames) {
+    window::toggleSource(*desk);
+    show("shadow-map", "pass:light");
+    const auto values = [&] {
+        std::string all;
+        for (const picture::StepLine& line : screen->stepSource().formula)
+            all += line.values;
+        return all;
+    };
+    EXPECT_EQ(values(), "");
+    desk->bench.pick({0.5, 0.75}); // the floor
+    drawn();
+    EXPECT_NE(values().find("z(u,v) = "), std::string::npos) << values();
+    desk->bench.unpick();
+    drawn();
+    EXPECT_EQ(values(), "");
+}
+
+} // namespace
+} // namespace shadowlab
