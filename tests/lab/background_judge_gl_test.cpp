@@ -59,7 +59,7 @@ protected:
         return judge.newest();
     }
     /// With a coarse map, so that there are errors to be found.
-    static std::vector<picture::Slot> course::slotsOf(const std::vector<std::string>& ids) {
+    static std::vector<picture::Slot> slotsOf(const std::vector<std::string>& ids) {
         std::vector<picture::Slot> slots;
         for (const std::string& id : ids)
             slots.push_back(picture::Session::makeSlot(id));
@@ -75,7 +75,7 @@ TEST_F(BackgroundJudgeTest, FindsWhatMeasureFinds) {
                               testing::hardScene(testing::HardClass::torus, 3, true)}) {
         const auto snapshot = testing::snapshot(scene);
         picture::Session session(snapshot);
-        std::vector<picture::Slot> slots = course::slotsOf({"shadow-map", "shadow-volume-zfail"});
+        std::vector<picture::Slot> slots = slotsOf({"shadow-map", "shadow-volume-zfail"});
         report::Measurement measurement(session, slots, 0, kSize);
         measurement.addFrame({snapshot, snapshot->camera});
         const std::vector<report::TechniqueErrors> measured = measurement.results();
@@ -112,7 +112,7 @@ TEST_F(BackgroundJudgeTest, HalvesOfASplitPictureAreThoseOfTheWhole) {
     View view;
     view.camera = snapshot->camera;
     view.size = kSize;
-    std::vector<picture::Slot> slots = course::slotsOf({"shadow-map", "shadow-map", "shadow-map"});
+    std::vector<picture::Slot> slots = slotsOf({"shadow-map", "shadow-map", "shadow-map"});
     BackgroundJudge judge;
     judge.submit(taskFor(session, slots, {{}, {{0, 0}, {130, 240}}, {{130, 0}, {190, 240}}}, view, true));
     const auto answer = whenDone(judge);
@@ -132,7 +132,7 @@ TEST_F(BackgroundJudgeTest, DrawsWhatTheDerivedStageShows) {
     View view;
     view.camera = snapshot->camera;
     view.size = kSize;
-    std::vector<picture::Slot> slots = course::slotsOf({"shadow-map"});
+    std::vector<picture::Slot> slots = slotsOf({"shadow-map"});
     BackgroundJudge judge;
     JudgeTask task = taskFor(session, slots, {{}}, view, true);
     task.wantsTruthPanel = true;

@@ -142,7 +142,7 @@ TEST_F(OutsideViewTest, TheEyesViewLiesWhereItsCornersAre) {
     int looked = 0;
     for (const dvec3& corner : {corners[0], corners[1]})
         for (int i = 4; i <= 30; ++i) {
-            const ivec2 pixel(lab::pixelOf(glm::mix(eye.camera.positionWorld, corner, i / 40.0)));
+            const ivec2 pixel(pixelOf(glm::mix(eye.camera.positionWorld, corner, i / 40.0)));
             if (!image.contains(pixel.x - 1, pixel.y - 1) || !image.contains(pixel.x + 1, pixel.y + 1)) continue;
             ++looked;
             int colored = 0; // the border is smoothed: of these nine a line two pixels wide covers three whole

@@ -78,7 +78,7 @@ std::string unescaped(std::string text) {
 /// No two texts share a place, and none leaves the sheet. Returns how many there are.
 std::size_t expectReadable(const Group& group) {
     const Chart chart = chartOf(group, kSize);
-    std::vector<figures::Written> all = diagram::written(chart.drawing.document("chart"));
+    std::vector<figures::Written> all = figures::written(chart.drawing.document("chart"));
     for (std::size_t i = 0; i < all.size(); ++i) {
         // An entity is one sign: the box was that of the text as it is written in the file. Such texts begin at their place.
         if (const std::string read = unescaped(all[i].text); read != all[i].text)
