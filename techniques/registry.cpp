@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/added_techniques.h"
 
-#include "techniques/foundation/base/error.h"
-#include "techniques/foundation/base/nearest_names.h"
+#include <algorithm>
+#include <iterator>
+
+#include "techniques/foundation/error.h"
+#include "techniques/foundation/nearest_names.h"
 
 namespace shadowlab {
 
@@ -16,6 +19,15 @@ std::vector<RegisteredTechnique>& all() {
 } // namespace
 
 std::span<const RegisteredTechnique> registeredTechniques() { return all(); }
+
+std::vector<RegisteredTechnique> techniquesOf(TechniqueGroup group) {
+    std::vector<RegisteredTechnique> some;
+    std::ranges::copy_if(all(), std::back_inserter(some),
+                         [&](const RegisteredTechnique& technique) { return technique.info->group == group; });
+    return some;
+}
+
+std::string_view toText(TechniqueGroup group) { return group == TechniqueGroup::lecture ? "lecture" : "production"; }
 
 void addTechniques(std::string_view folder, std::span<const TechniqueInfo> infos) {
     for (const TechniqueInfo& info : infos)

@@ -3,6 +3,7 @@
 #pragma once
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "techniques/technique.h"
 
@@ -14,6 +15,9 @@ struct RegisteredTechnique {
 };
 
 std::span<const RegisteredTechnique> registeredTechniques();
+
+/// Those of one group, in the same order. What is said of "all techniques" means the production ones.
+std::vector<RegisteredTechnique> techniquesOf(TechniqueGroup group);
 
 /// The technique of that id. Throws Error (usage) naming the nearest ids.
 const TechniqueInfo& findTechnique(std::string_view id);

@@ -153,12 +153,19 @@ public:
     virtual std::string remark(const scene::MeshReport&, const scene::Mesh&) const { return {}; }
 };
 
+/// The lecture's own algorithms (techniques/lecture) are short and get wrong what the lecture says they get wrong; a
+/// production technique refines one of them.
+enum class TechniqueGroup { production, lecture };
+std::string_view toText(TechniqueGroup group);
+
 /// What is known about a technique without making one, and without a GL context.
 struct TechniqueInfo {
     std::string_view id, title;
     std::string_view paper;                   ///< author, year, title
     std::string_view getsWrong;               ///< one line for the README table
     int order = 0;                            ///< didactic order of lists
+    TechniqueGroup group = TechniqueGroup::production;
+    std::string_view sister = {};             ///< of the lecture's: the id of the production technique that refines it
     std::vector<scene::LightType> lightTypes; ///< served (area lights may be served as points)
     std::vector<PassInfo> passes;
     std::vector<StageInfo> stages;

@@ -109,7 +109,7 @@ TEST_F(HolesTest, EveryTechniqueShowsWhatIsBehindThem) {
         object.castsShadow = false;
     const auto snapshot = testing::snapshot(scene);
     int techniques = 0;
-    for (const RegisteredTechnique& registered : registeredTechniques()) {
+    for (const RegisteredTechnique& registered : techniquesOf(TechniqueGroup::production)) {
         const TechniqueInfo& info = *registered.info;
         if (std::ranges::find(info.stages, "visibility", &StageInfo::id) == info.stages.end()) continue;
         const TruthComparison sum =

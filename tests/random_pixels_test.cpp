@@ -69,7 +69,7 @@ bool isClosed(const scene::Object& object) {
 TEST(RandomPixelsTest, EveryTechniqueNamesTheSurfaceAndWhatIsTrueOfIt) {
     int compared = 0, lit = 0, shadowed = 0, turned = 0, doubtful = 0, leftOut = 0;
     Deviation distance;
-    for (const RegisteredTechnique& technique : registeredTechniques()) {
+    for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::production)) {
         if (technique.info->id == "radiosity") continue; // solves a room for each scene; see below
         leftOut += testing::forRandomPixels(
             {.technique = std::string(technique.info->id), .values = {}, .pixels = 12, .seed = 17},

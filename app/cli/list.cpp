@@ -41,11 +41,12 @@ std::string placeOf(const RegisteredTechnique& technique) {
 }
 
 Table techniquesTable() {
-    Table table{{"id", "title", "paper", "getsWrong", "folder"}, {}};
+    Table table{{"id", "title", "paper", "getsWrong", "folder", "group", "sister"}, {}};
     for (const RegisteredTechnique& technique : registeredTechniques()) {
         const TechniqueInfo& info = *technique.info;
         table.rows.push_back({std::string(info.id), std::string(info.title), std::string(info.paper),
-                              std::string(info.getsWrong), placeOf(technique)});
+                              std::string(info.getsWrong), placeOf(technique), std::string(toText(info.group)),
+                              std::string(info.sister)});
     }
     return table;
 }

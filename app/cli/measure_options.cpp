@@ -2,6 +2,7 @@
 #include "app/cli/measure_options.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 
@@ -13,9 +14,12 @@ namespace shadowlab::cli {
 
 std::vector<std::string> measuredTechniquesFrom(const std::vector<std::string>& texts) {
     std::vector<std::string> ids = splitAtCommas(texts);
-    if (ids != std::vector<std::string>{"all"}) return ids;
+    std::optional<TechniqueGroup> group;
+    if (ids == std::vector<std::string>{"all"}) group = TechniqueGroup::production;
+    if (ids == std::vector<std::string>{"lecture"}) group = TechniqueGroup::lecture;
+    if (!group) return ids;
     ids.clear();
-    for (const RegisteredTechnique& technique : registeredTechniques())
+    for (const RegisteredTechnique& technique : techniquesOf(*group))
         if (std::ranges::find(technique.info->stages, "visibility", &StageInfo::id) != technique.info->stages.end())
             ids.emplace_back(technique.info->id);
     return ids;
@@ -26,7 +30,8 @@ void describeMeasure(CLI::App& command) {
         addOption(command, names, value, help);
     };
     add("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh");
-    add("-t,--technique", "ID[,ID...]", "techniques (`list techniques`; default shadow-volume-zfail), or all");
+    add("-t,--technique", "ID[,ID...]",
+        "techniques (`list techniques`; default shadow-volume-zfail), all, or lecture for the lecture's own");
     add("--size", "WxH", "width and height in pixels (default 1280x720)");
     add("--set", "[SLOT:]ID.PARAM=VALUE", "a parameter (`list parameters`), of all slots or of one; may be repeated");
     add("--light", "NAME", "the light whose shadows are judged (default: the first)");

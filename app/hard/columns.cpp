@@ -38,7 +38,7 @@ std::string Column::title() const {
 
 std::vector<Column> columns() {
     std::vector<Column> columns;
-    for (const RegisteredTechnique& registered : registeredTechniques()) {
+    for (const RegisteredTechnique& registered : techniquesOf(TechniqueGroup::production)) {
         const TechniqueInfo& info = *registered.info;
         if (std::ranges::find(info.stages, "visibility", &StageInfo::id) == info.stages.end()) continue;
         columns.push_back({std::string(info.id), {}, false});

@@ -25,7 +25,7 @@ constexpr double kTurnDegrees = 3, kPanShare = 0.04, kZoomFactor = 0.92, kFlySha
 
 void technique(Desk& desk, std::size_t number) {
     if (desk.lesson.asksChoice()) return answer(desk, static_cast<int>(number));
-    const auto all = registeredTechniques();
+    const auto all = techniquesOf(TechniqueGroup::production);
     if (number < all.size()) chooseTechnique(desk, all[number].info->id);
 }
 

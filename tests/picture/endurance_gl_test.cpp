@@ -48,7 +48,7 @@ int round(const std::vector<scene::Snapshot>& scenes, std::size_t& bytes) {
     PictureEncoder encoder;
     for (const scene::Snapshot& scene : scenes) {
         Session session(scene);
-        for (const RegisteredTechnique& technique : registeredTechniques()) {
+        for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::production)) {
             Slot slot = Session::makeSlot(std::string(technique.info->id));
             View view;
             view.camera = scene->camera;

@@ -105,7 +105,7 @@ protected:
 };
 
 TEST_F(OutsideViewTest, EveryTechniqueHasItAndShowsEyeAndLight) {
-    for (const RegisteredTechnique& technique : registeredTechniques()) {
+    for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::production)) {
         const std::string id(technique.info->id);
         const std::vector<StageInfo> stages = stagesOf(*technique.info);
         ASSERT_EQ(std::ranges::count(stages, "outside", &StageInfo::id), 1) << id;
@@ -299,7 +299,7 @@ TEST_F(OutsideViewTest, OfAPickedPixelTheRaysAreShownInPlaceOfAFewOfAll) {
 
 TEST_F(OutsideViewTest, EveryTechniqueShowsAPickedPixel) {
     int shown = 0;
-    for (const RegisteredTechnique& technique : registeredTechniques()) {
+    for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::production)) {
         Slot slot = Session::makeSlot(technique.info->id);
         OutsideView view;
         eye.picked.reset();

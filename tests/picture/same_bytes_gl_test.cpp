@@ -21,8 +21,8 @@ std::vector<image::Image> picturesOn(context::Backend backend) {
     view.camera = scene.camera;
     view.size = {400, 300};
     std::vector<image::Image> pictures;
-    for (const RegisteredTechnique& technique : registeredTechniques()) {
-        picture::Slot slot = picture::Session::makeSlot(technique.info->id);
+    for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::production)) {
+        session::Slot slot = session::Session::makeSlot(technique.info->id);
         session.render(slot, view);
         pictures.push_back(encoder.encode(slot.target.color, scene.exposure));
     }
@@ -47,7 +47,7 @@ TEST(SameBytes, OnEglAndOsMesa) {
     ASSERT_GE(egl.size(), 3u);
     EXPECT_NE(egl[0], egl[1]) << "with and without shadows must differ";
     for (std::size_t i = 0; i < egl.size(); ++i)
-        EXPECT_TRUE(egl[i] == osmesa[i]) << registeredTechniques()[i].info->id;
+        EXPECT_TRUE(egl[i] == osmesa[i]) << techniquesOf(TechniqueGroup::production)[i].info->id;
     EXPECT_TRUE(outlineOn(context::Backend::egl) == outlineOn(context::Backend::osmesa));
 }
 
@@ -55,7 +55,7 @@ TEST(SameBytes, OnAHiddenWindow) {
     if (!std::getenv("DISPLAY")) GTEST_SKIP() << "no display for a window; ./check runs this under Xvfb";
     const auto egl = picturesOn(context::Backend::egl), window = picturesOn(context::Backend::window);
     for (std::size_t i = 0; i < egl.size(); ++i)
-        EXPECT_TRUE(egl[i] == window[i]) << registeredTechniques()[i].info->id;
+        EXPECT_TRUE(egl[i] == window[i]) << techniquesOf(TechniqueGroup::production)[i].info->id;
     EXPECT_TRUE(outlineOn(context::Backend::egl) == outlineOn(context::Backend::window));
 }
 

@@ -160,7 +160,7 @@ Traits Painter::findTraits() {
 
 std::vector<std::string> registeredIds() {
     std::vector<std::string> ids;
-    for (const RegisteredTechnique& technique : registeredTechniques())
+    for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::production))
         ids.emplace_back(technique.info->id);
     return ids;
 }

@@ -215,7 +215,8 @@ def main():
                 print(f"{driver.name}: not tried: {trial.reason}", flush=True)
                 continue
             if not techniques:
-                techniques = [entry["id"] for entry in json.loads(trial.shadowlab("list", "techniques", "--json").stdout)["techniques"]]
+                listed = json.loads(trial.shadowlab("list", "techniques", "--json").stdout)["techniques"]
+                techniques = [entry["id"] for entry in listed if entry["group"] == "production"]
             if trials[0] is not trial or not short:  # the first one's tests are a part of gl_tests
                 trial.contract()
             for scene in SCENES:

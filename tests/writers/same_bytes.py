@@ -116,7 +116,7 @@ def variations(runner, display):
 def commands(program):
     """Names, and words; all that draw take --backend."""
     listed = subprocess.run([program, "list", "techniques", "--json"], capture_output=True, check=True).stdout
-    techniques = [row["id"] for row in json.loads(listed)["techniques"]]
+    techniques = [row["id"] for row in json.loads(listed)["techniques"] if row["group"] == "production"]
     for technique in techniques:
         words = ["capture", "IN/scene.json", "-t", technique, "--size", "64x48"]
         yield f"picture by {technique}", [*words, "-o", "OUT/x.png"]

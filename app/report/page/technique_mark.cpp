@@ -54,7 +54,7 @@ std::vector<dvec2> plus(dvec2 place, double radius) {
 
 std::map<std::string, TechniqueMark> marksOf(const Group& group) {
     std::map<std::string, int> places;
-    for (const RegisteredTechnique& technique : registeredTechniques())
+    for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::production))
         places.emplace(technique.info->id, static_cast<int>(places.size()));
     std::map<std::string, TechniqueMark> marks;
     for (const Point& point : group.points) {

@@ -129,11 +129,16 @@ void techniquePart(Desk& desk) {
     const TechniqueInfo& info = findTechnique(state.technique);
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (ImGui::BeginCombo("##technique", std::string(info.title).c_str(), ImGuiComboFlags_HeightLargest)) {
-        int number = 0;
-        for (const RegisteredTechnique& technique : registeredTechniques()) {
-            const std::string label = std::to_string(++number) + "  " + std::string(technique.info->title);
+        const auto entry = [&](const RegisteredTechnique& technique, const std::string& key) {
+            const std::string label = key + "  " + std::string(technique.info->title);
             if (ImGui::Selectable(label.c_str(), technique.info == &info)) chooseTechnique(desk, technique.info->id);
-        }
+        };
+        int number = 0;
+        for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::production))
+            entry(technique, std::to_string(++number));
+        ImGui::Separator();
+        for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::lecture))
+            entry(technique, " ");
         ImGui::EndCombo();
     }
     hint("technique of the active pane (number keys)");
