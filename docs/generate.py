@@ -37,7 +37,7 @@ IMAGES = DOCS / "images"
 PAGES = {
     "To use it": ["packages", "window", "measuring", "report", "performance", "pixel", "outside", "source", "sequences", "errors",
                   "shadow-map-filters"],
-    "To teach with it": ["teaching", "exercises", "decks", "lessons", "hard-cases"],
+    "To teach with it": ["teaching", "lecture", "exercises", "decks", "lessons", "hard-cases"],
     "To build on": ["tour", "conventions", "scene_format", "adding_a_technique", "plugins", "relations", "systems"],
 }
 LARGEST_PICTURE = 150_000  # bytes: a clone stays small, a page loads at once
@@ -91,6 +91,8 @@ class Program:
     def __init__(self, path):
         self.path = path
         self.techniques = [t for t in self.list("techniques") if (ROOT / t["folder"] / "technique.cpp").is_file()]
+        self.lecture = [t for t in self.techniques if t["group"] == "lecture"]  # one page for all of them, and no pictures
+        self.techniques = [t for t in self.techniques if t["group"] != "lecture"]
         self.parameters = self.list("parameters")
         self.stages = self.list("stages")
         self.source = self.list("source")  # fails where an anchor is missing or stands in two places
@@ -180,6 +182,11 @@ def techniques_table(program, folder):
     return table(("technique", "paper", "folder", "what it gets wrong"), rows)
 
 
+def lecture_table(program):
+    rows = [(code(t["id"]), t["title"], t["paper"], f"[{t['sister']}]({t['sister']}.md)", t["getsWrong"]) for t in program.lecture]
+    return table(("id", "technique", "paper", "its refined sister", "what it gets wrong"), rows)
+
+
 def keys_table(program):
     rows = []
     for key in program.list("keys"):
@@ -230,7 +237,8 @@ def page_line(name):
 def regenerated(program, path, text):
     def block(match):
         name, technique = match.group(2), path.stem
-        makers = {"techniques": lambda: techniques_table(program, path.parent), "pages": lambda: pages_list(program),
+        makers = {"techniques": lambda: techniques_table(program, path.parent), "lecture": lambda: lecture_table(program),
+                  "pages": lambda: pages_list(program),
                   "parameters": lambda: parameters_table(program, technique), "passes": lambda: passes_table(program, technique),
                   "stages": lambda: stages_table(program, technique), "keys": lambda: keys_table(program),
                   "artefacts": lambda: artefacts_table(program, technique), "lessons": lambda: lessons_table(program), "quantities": lambda: quantities_table(program)}

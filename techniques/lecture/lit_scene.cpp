@@ -28,6 +28,7 @@ void LitScene::lightOn(const Frame& frame, int light) const {
 void LitScene::publishVisibility(Frame& frame, int light, const std::function<void()>& mark) const {
     if (!frame.wants("visibility", light)) return;
     frame.drawStage("visibility", light, GL_RG32F, [&] {
+        glClear(GL_STENCIL_BUFFER_BIT);
         mark();
         drawWhere(frame, GL_ALWAYS, 0, {0, 1, 0, 1}); // every surface first, as if no light reached it
         gl::setVisibilityState();
@@ -35,11 +36,13 @@ void LitScene::publishVisibility(Frame& frame, int light, const std::function<vo
     });
 }
 
-void LitScene::publishStencil(Frame& frame, int light, const std::function<void()>& mark) const {
-    if (!frame.wants("stencil", light)) return;
+void LitScene::publishStencil(Frame& frame, std::string_view stage, int light,
+                              const std::function<void()>& mark) const {
+    if (!frame.wants(stage, light)) return;
     constexpr int kMost = 8, kShown = 4; // in one picture no more than nine colours can be told apart
-    frame.drawStage("stencil", light, GL_RG32F,
+    frame.drawStage(stage, light, GL_RG32F,
                     [&] {
+                        glClear(GL_STENCIL_BUFFER_BIT);
                         mark();
                         for (int value = -kMost; value <= kMost; ++value)
                             drawWhere(frame, GL_EQUAL, value, {value, 1, 0, 1});

@@ -12,10 +12,10 @@ public:
     /// Adds what the light gives to every visible point whose stencil is zero, and to what receives no shadows.
     void lightOn(const Frame& frame, int light) const;
 
-    /// The stage "visibility". `mark` leaves in the stencil what the algorithm does.
+    /// The stage "visibility". `mark` does in a cleared stencil what the algorithm does.
     void publishVisibility(Frame& frame, int light, const std::function<void()>& mark) const;
-    /// The stage "stencil": the values that `mark` leaves, from -8 to 8.
-    void publishStencil(Frame& frame, int light, const std::function<void()>& mark) const;
+    /// A stage of the values that `mark` leaves in a cleared stencil, from -8 to 8.
+    void publishStencil(Frame& frame, std::string_view stage, int light, const std::function<void()>& mark) const;
 
 private:
     void drawWhere(const Frame& frame, GLenum comparison, int value, const vec4& color) const;

@@ -122,9 +122,10 @@ private:
         const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
         const std::vector<std::size_t> casters = scene::usefulCasters(scene, source);
         map.lightClipFromWorld = lightClipFromWorld(source, ballAround(scene, casters));
-        // The bias. A point lies up to half a texel beside the texel's centre, in both directions. glPolygonOffset's factor counts
-        // how much depth changes from one texel to the next, in the direction in which it changes more: with 1 it covers both halves.
-        // Two units more, the smallest steps of depth, for rounding.
+        // The bias. A point lies up to half a texel beside the texel's centre, in both directions. The factor of glPolygonOffset
+        // counts how much depth changes from one texel to the next, in the direction in which it changes more: 1 covers both
+        // halves on a plane; 2 also where a texel covers two facets of a curved surface, of which one is steeper. Its second
+        // number counts the smallest steps of depth: two for rounding.
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(static_cast<float>(bias_), bias_ > 0 ? 2.0f : 0.0f);
         for (const std::size_t caster : casters)
@@ -193,7 +194,7 @@ private:
     }
 
     int resolution_ = 2048;
-    double bias_ = 1;
+    double bias_ = 2;
     std::vector<DepthMap> maps_; // one for each light
     const std::vector<gl::Substitution> map_{{"shadow_visibility.glsl", "lecture/shadow_map.glsl"}};
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};

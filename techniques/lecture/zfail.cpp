@@ -189,13 +189,14 @@ private:
     // --- The pictures of the lecture ---
 
     void publishStages(Frame& frame, const std::vector<Volume>& volumes, int light) const {
-        const auto count = [&] {
-            glClear(GL_STENCIL_BUFFER_BIT);
-            countFacesAway(frame, volumes);
+        const auto countAway = [&] { countFacesAway(frame, volumes); };
+        const auto countBoth = [&] {
+            countAway();
             countFacesToward(frame, volumes);
         };
-        scene_.publishStencil(frame, light, count);
-        scene_.publishVisibility(frame, light, count);
+        scene_.publishStencil(frame, "stencil-back", light, countAway);
+        scene_.publishStencil(frame, "stencil", light, countBoth);
+        scene_.publishVisibility(frame, light, countBoth);
         if (!frame.wants("volume-parts", light)) return;
         const auto draw = [&] {
             setTransparentState();

@@ -40,7 +40,7 @@ inline constexpr PassInfo kPasses[] = {
             "the ray from the point to infinity leaves a volume there.",
      .glState = "colour and depth writes off, cull FRONT, depth LESS, depth clamp, stencil depth-fail INCR_WRAP",
      .perLight = true,
-     .shownBy = "stencil",
+     .shownBy = "stencil-back",
      .pseudocodeLines = {3, 4},
      .formula = "stencil = stencil + 1 where a face that faces away fails the depth test: n_b",
      .anchors = "zfail-count zfail-draw"},
@@ -66,6 +66,7 @@ inline constexpr PassInfo kPasses[] = {
 
 inline constexpr StageInfo kStages[] = {
     {"volume-parts", "Shadow volume: top cap, sides, bottom cap", StageKind::radiance, true},
+    {"stencil-back", "Stencil after the faces that face away: n_b behind the point", StageKind::count, true},
     {"stencil", "Stencil: n_b - n_f behind the point; zero is illuminated", StageKind::count, true},
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };

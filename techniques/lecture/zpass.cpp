@@ -166,13 +166,14 @@ private:
     // --- The pictures of the lecture ---
 
     void publishStages(Frame& frame, const std::vector<Volume>& volumes, int light) const {
-        const auto count = [&] {
-            glClear(GL_STENCIL_BUFFER_BIT);
-            countFrontFaces(frame, volumes);
+        const auto countFront = [&] { countFrontFaces(frame, volumes); };
+        const auto countBoth = [&] {
+            countFront();
             countBackFaces(frame, volumes);
         };
-        scene_.publishStencil(frame, light, count);
-        scene_.publishVisibility(frame, light, count);
+        scene_.publishStencil(frame, "stencil-front", light, countFront);
+        scene_.publishStencil(frame, "stencil", light, countBoth);
+        scene_.publishVisibility(frame, light, countBoth);
         const auto setColor = [&](const vec3& color, float alpha) {
             shownVolume_.set("color", vec4(color / frame.scene().exposure, alpha));
         };

@@ -33,7 +33,7 @@ inline constexpr PassInfo kPasses[] = {
             "segment enters a shadow volume: +1.",
      .glState = "colour and depth writes off, cull BACK, depth LESS, stencil depth-pass INCR_WRAP",
      .perLight = true,
-     .shownBy = "stencil",
+     .shownBy = "stencil-front",
      .pseudocodeLines = {2, 2},
      .formula = "stencil = stencil + 1 where a front face passes the depth test: n_f",
      .anchors = "zpass-count zpass-draw"},
@@ -59,6 +59,7 @@ inline constexpr PassInfo kPasses[] = {
 inline constexpr StageInfo kStages[] = {
     {"silhouettes", "Silhouettes seen from the light", StageKind::radiance, true},
     {"volume-signs", "Shadow volume: front faces +1, back faces -1", StageKind::radiance, true},
+    {"stencil-front", "Stencil after the front faces: n_f before the point", StageKind::count, true},
     {"stencil", "Stencil: n_f - n_b before the point; zero is illuminated", StageKind::count, true},
     {"visibility", "Visibility of the light", StageKind::visibility, true},
 };
