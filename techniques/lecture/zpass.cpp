@@ -5,7 +5,7 @@
 // faces of such volumes. Each front face leads into shadow, each back face out of it; if n_f = n_b the point is illuminated.
 //
 // The count starts at zero, as if the view point were outside of every volume. Where the view point is itself in shadow, the face by
-// which its volume was entered is never crossed, and the result is wrong, often reversed: lit where it is dark. Z-fail mends that.
+// which its volume was entered is never crossed, and the result is wrong, often reversed: lit where it is dark. Z-fail corrects that.
 //
 // Lecture: "Z-Pass Shadow Volume Algorithm", "Shadow Volume Algorithm", "Silhouettes". Sources: Crow, "Shadow Algorithms for Computer
 // Graphics", 1977; Heidmann, "Real Shadows, Real Time", 1991. Simplified: holes of casters are filled; a light with an area is its

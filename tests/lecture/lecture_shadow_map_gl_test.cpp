@@ -96,5 +96,21 @@ TEST_F(LectureShadowMapTest, WithoutABiasLitSurfacesShadowThemselves) {
     EXPECT_GT(without.falseShadow, 3000) << without;
 }
 
+// Depths that are pushed away by more than a thin caster's distance to its receiver let the light through where they touch.
+TEST_F(LectureShadowMapTest, WithTooMuchBiasShadowsBeginBehindTheirCasters) {
+    scene::Scene scene = testing::floorScene();
+    testing::addObject(scene, scene::makeBox({3, 1, 0.02}), testing::translation({0, 0.5, 0})); // stands on the floor
+    scene.lights.push_back(testing::directionalLight({0.25, -1, 0.5}));
+    const scene::Snapshot snapshot = testing::snapshot(scene);
+    const auto with = [&](const char* bias) {
+        return compareWithTruth(snapshot, "lecture-shadow-map", {"resolution=256", bias}, kSize, 0, testing::kTiePx);
+    };
+    const TruthComparison little = with("bias=2"), much = with("bias=16");
+    EXPECT_GT(little.lit, 10000);
+    EXPECT_GT(little.shadowed, 500);
+    EXPECT_GT(much.falseLit, 100) << much;
+    EXPECT_LT(little.falseLit * 4, much.falseLit) << little;
+}
+
 } // namespace
 } // namespace shadowlab

@@ -90,5 +90,19 @@ TEST_F(LectureVolumesTest, AShortExtrusionEndsBeforeTheReceiver) {
     EXPECT_EQ(near.falseShadow, 0) << near;
 }
 
+// With the lamp behind the eye, rays from shadowed points run on within the volume: they leave it through its bottom cap alone.
+TEST_F(LectureVolumesTest, ZFailIsRightWhereRaysLeaveThroughTheBottomCap) {
+    scene::Scene scene = testing::floorScene();
+    scene.camera.targetWorld = {0, 0.5, 0};
+    testing::addObject(scene, scene::makeSphere(0.8, 32), testing::translation({0, 1.2, 2}));
+    scene.lights.push_back(testing::pointLight({3, 4, 7})); // to the right of the eye, so that not all shadow is hidden
+    for (const char* extrusion : {"extrusion=0", "extrusion=50"}) {
+        const auto zfail = compareWithTruth(testing::snapshot(scene), kZFail, {extrusion}, kSize, 0, kTiePx);
+        EXPECT_GT(zfail.lit, 10000);
+        EXPECT_GT(zfail.shadowed, 500);
+        EXPECT_LE(zfail.wrong(), 1) << zfail;
+    }
+}
+
 } // namespace
 } // namespace shadowlab
