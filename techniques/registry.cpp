@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "techniques/foundation/error.h"
-#include "techniques/foundation/nearest_names.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/base/nearest_names.h"
 
 namespace shadowlab {
 

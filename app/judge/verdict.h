@@ -36,7 +36,7 @@ struct Judgement {
     Counts counts;
 };
 
-/// `greyAlpha` is a visibility image (session::VisibilityImage): two bytes a pixel. More than half visible is lit. A
+/// `greyAlpha` is a visibility image (picture::VisibilityImage): two bytes a pixel. More than half visible is lit. A
 /// pixel that the technique left without a surface, where there is one, is wrong whatever the truth: false shadow where
 /// it is lit, else false lit. With a region, the image has the region's pixels only, and nothing else is judged or
 /// counted.

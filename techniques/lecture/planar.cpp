@@ -9,8 +9,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "techniques/foundation/look.h"
-#include "techniques/foundation/scene/casters.h"
+#include "techniques/foundation/base/look.h"
+#include "techniques/foundation/scene/query/casters.h"
 #include "techniques/lecture/lecture.h"
 #include "techniques/lecture/lit_scene.h"
 #include "techniques/lecture/planar_passes.h"

@@ -14,8 +14,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "techniques/foundation/gl/baseline.h"
-#include "techniques/foundation/look.h"
-#include "techniques/foundation/scene/casters.h"
+#include "techniques/foundation/base/look.h"
+#include "techniques/foundation/scene/query/casters.h"
 #include "techniques/frame.h"
 #include "techniques/lecture/lecture.h"
 #include "techniques/lecture/shadow_map_passes.h"

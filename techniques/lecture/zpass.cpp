@@ -13,8 +13,8 @@
 // SPDX-License-Identifier: MIT
 #include <map>
 
-#include "techniques/foundation/look.h"
-#include "techniques/foundation/scene/facing.h"
+#include "techniques/foundation/base/look.h"
+#include "techniques/foundation/scene/query/facing.h"
 #include "techniques/lecture/lecture.h"
 #include "techniques/lecture/lit_scene.h"
 #include "techniques/lecture/zpass_passes.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/commands/measure_options.h"
+#include "app/cli/measure_options.h"
 #include "techniques/registry.h"
 
 namespace shadowlab {

@@ -1,6 +1,6 @@
 // The lecture's direct projection against the truth: exact on flat sides, and no shadow anywhere else.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 #include "tests/support/truth_comparison.h"

@@ -1,8 +1,8 @@
 // The lecture's shadow volumes against the truth: right where the lecture says so, and wrong where it says so.
 // SPDX-License-Identifier: MIT
-#include "app/session/assets.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "app/context/assets.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 #include "tests/support/truth_comparison.h"
@@ -22,7 +22,7 @@ constexpr ivec2 kSize{320, 180};
 constexpr double kCrackShare = 3e-5;
 
 scene::Snapshot builtIn(const std::string& name) {
-    return scene::loadScene(name, {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+    return scene::loadScene(name, {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
 }
 
 // Casters there are closed, and the eye is in the light.

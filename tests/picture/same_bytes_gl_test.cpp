@@ -22,7 +22,7 @@ std::vector<image::Image> picturesOn(context::Backend backend) {
     view.size = {400, 300};
     std::vector<image::Image> pictures;
     for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::production)) {
-        session::Slot slot = session::Session::makeSlot(technique.info->id);
+        picture::Slot slot = picture::Session::makeSlot(technique.info->id);
         session.render(slot, view);
         pictures.push_back(encoder.encode(slot.target.color, scene.exposure));
     }
