@@ -5,13 +5,8 @@
 namespace shadowlab::lecture {
 
 std::span<const TechniqueInfo> techniques() {
-    static const TechniqueInfo info[] = {
-        planar(),
-        shadowMap(),
-        zPass(),
-        zFail(),
-    };
-    return info;
+    static const TechniqueInfo infos[] = {planar(), shadowMap(), zPass(), zFail(), rayTracing(), radiosity()};
+    return infos;
 }
 
 } // namespace shadowlab::lecture

@@ -1,0 +1,37 @@
+// Surface patches: what a scene is divided into for radiosity.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "techniques/lecture/rays.h"
+
+namespace shadowlab::lecture {
+
+/// A small piece dA of a surface, and where it is.
+struct SurfacePoint {
+    dvec3 positionWorld, N; ///< N: unit normal of the front
+    double area;            ///< m^2
+    const Triangle* triangle = nullptr;
+};
+
+/// A piece of a surface that has one radiosity on each of its two sides.
+struct Patch {
+    std::vector<SurfacePoint> points; ///< evenly on it; their areas add up to the patch's
+    double area = 0;                  ///< m^2
+    const scene::Material* material = nullptr;
+};
+
+/// Where the patches of a triangle are: m x m of equal size from number `first` on, or all of it in patch `first` (m = 1). m = 0: it
+/// has none.
+struct Division {
+    std::size_t first = 0;
+    int m = 0;
+};
+
+struct DividedSurfaces {
+    std::vector<Patch> patches;
+    std::vector<Division> divisions; ///< of each triangle of the scene
+};
+
+/// Patches of one size, as small as a number of at most `most` allows. Throws Error (overLimit) where no size does.
+DividedSurfaces divideSurfaces(const RayScene& rays, std::size_t most);
+
+} // namespace shadowlab::lecture
