@@ -3,7 +3,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
+#include <span>
 
+#include "techniques/lecture/patches.h"
 #include "techniques/technique.h"
 
 namespace shadowlab::lecture {
@@ -24,10 +26,7 @@ std::optional<dvec3> refracted(const dvec3& u, const dvec3& N, double eta);
 
 // --- radiosity.cpp, likewise
 
-struct SurfacePoint; // parts/patches.h
-
-/// cos(phi_j) cos(phi_k) / (pi r^2) dA_j dA_k of two pieces with nothing in between, of the sides that see each other: the sum over all
-/// pieces of two surfaces, divided by A_j, is the form factor F_jk.
-double exchange(const SurfacePoint& j, const SurfacePoint& k);
+/// Fills in what patch j and all patches after it send each other.
+void addFormFactors(const RayScene& rays, const std::vector<Patch>& patches, std::size_t j, FormFactors& F);
 
 } // namespace shadowlab::lecture

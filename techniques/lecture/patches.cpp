@@ -23,6 +23,17 @@ std::size_t placeOfPatch(double b, double c, int m) {
     return static_cast<std::size_t>(i * (2 * m - i) + 2 * j + upper);
 }
 
+// Of the many points of joined triangles, every so-manieth stands for all.
+void thinOut(Patch& patch) {
+    if (patch.points.size() <= kPoints) return;
+    std::vector<SurfacePoint> kept;
+    for (std::size_t p = 0; p < kPoints; ++p) {
+        kept.push_back(patch.points[(2 * p + 1) * patch.points.size() / (2 * kPoints)]);
+        kept.back().area = patch.area / kPoints;
+    }
+    patch.points = std::move(kept);
+}
+
 // "Divide each surface into small surface polygons (surface patches)", none longer than `size` metres. Triangles that are smaller
 // are joined with those of the same object that face the same way, within cubes of that size.
 // [anchor: lecture-patches]
@@ -62,15 +73,8 @@ DividedSurfaces divide(const RayScene& rays, double size) {
                 if (i + j + 1 < pieces) add((i + 2 / 3.0) / pieces, (j + 2 / 3.0) / pieces);
             }
     }
-    for (Patch& patch : patches) { // of many points every so-manieth stands for all
-        const std::vector<SurfacePoint> all = patch.points;
-        if (all.size() <= kPoints) continue;
-        patch.points.clear();
-        for (std::size_t p = 0; p < kPoints; ++p)
-            patch.points.push_back(all[(2 * p + 1) * all.size() / (2 * kPoints)]);
-        for (SurfacePoint& point : patch.points)
-            point.area = patch.area / kPoints;
-    }
+    for (Patch& patch : patches)
+        thinOut(patch);
     return divided;
 }
 

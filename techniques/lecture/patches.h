@@ -31,6 +31,14 @@ struct DividedSurfaces {
     std::vector<Division> divisions; ///< of each triangle of the scene
 };
 
+/// F_ik: which share of what side i sends reaches side k. Sides of patch p are 2 p, its front, and 2 p + 1, its back.
+struct FormFactors {
+    std::size_t n = 0;      ///< sides
+    std::vector<float> all; ///< row after row
+    [[nodiscard]] float& at(std::size_t i, std::size_t k) { return all[i * n + k]; }
+    [[nodiscard]] float at(std::size_t i, std::size_t k) const { return all[i * n + k]; }
+};
+
 /// Patches of one size, as small as a number of at most `most` allows. Throws Error (overLimit) where no size does.
 DividedSurfaces divideSurfaces(const RayScene& rays, std::size_t most);
 

@@ -21,6 +21,8 @@
 
 namespace shadowlab::lecture {
 
+namespace {
+
 // --- Form Factor -----------------------------------------------------------------------------------------------------
 
 // The lecture's integrand. Where two pieces touch, r is no measure of their distance any more: neither sends more than all it has.
@@ -28,19 +30,12 @@ namespace shadowlab::lecture {
 double exchange(const SurfacePoint& j, const SurfacePoint& k) {
     const dvec3 way = k.positionWorld - j.positionWorld;
     const double r = glm::length(way);
+    if (r == 0) return 0; // one surface lies on the other
     const double cosJ = std::abs(glm::dot(j.N, way)) / r, cosK = std::abs(glm::dot(k.N, way)) / r;
     return std::min({cosJ * cosK / (glm::pi<double>() * r * r) * j.area * k.area, j.area, k.area});
 }
 
-namespace {
-
-/// F_ik of all sides of all patches; a row is what side i sends.
-struct FormFactors {
-    std::size_t n = 0;
-    std::vector<float> all;
-    float& at(std::size_t i, std::size_t k) { return all[i * n + k]; }
-    [[nodiscard]] float at(std::size_t i, std::size_t k) const { return all[i * n + k]; }
-};
+} // namespace
 
 // F_jk = V / A_j * sum over both patches of cos phi_j cos phi_k / (pi r^2) dA_j dA_k, V being the share of lines between them that
 // are free; and its first property, A_j F_jk = A_k F_kj.
@@ -70,6 +65,8 @@ void addFormFactors(const RayScene& rays, const std::vector<Patch>& patches, std
         }
     }
 }
+
+namespace {
 
 // The second property: in an enclosed space the sum over k of F_jk is 1. More than 1 would make light out of nothing; it comes from
 // sums that stand for integrals, and is divided by. Less than 1: the rest sees no surface.
