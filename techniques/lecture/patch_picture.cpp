@@ -2,6 +2,7 @@
 #include "techniques/lecture/patch_picture.h"
 
 #include <cmath>
+#include <utility>
 
 #include <glm/gtc/constants.hpp>
 
@@ -35,7 +36,14 @@ std::vector<vec4> divisionTable(const RayScene& rays, const DividedSurfaces& sur
 } // namespace
 
 void PatchPicture::begin(const Frame& frame, const RayScene& rays, const DividedSurfaces& surfaces) {
-    gl::drawLightsOff(lightsOff_, frame.scene(), frame.buffers(), frame.eye());
+    const vec3& background = frame.scene().background;
+    glClearColor(background.r, background.g, background.b, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    for (const gl::Program* program : {&lightsOff_.cutting(), &std::as_const(lightsOff_)}) {
+        program->use();
+        program->set("ambient", vec3(0.0f)); // it stands for what is computed here
+    }
+    gl::drawSurfacesWithHoles(lightsOff_, frame.scene(), frame.buffers(), frame.eye());
     divisions_ = gl::TableTexture(divisionTable(rays, surfaces, frame.eye().viewFromWorld), "lecture: divisions");
     sides_ = 2 * surfaces.patches.size();
 }
