@@ -105,7 +105,7 @@ Arriving arriving(const RayScene& rays, const Patch& patch, bool onBack, int lig
         if (scene::lightShinesTo(source, place))
             sum.irradiance += point.area / patch.area * scene::irradiance(source, place, onBack ? -point.N : point.N);
     }
-    sum.seen = facing > 0 ? sum.seen / facing : 1; // of what faces it elsewhere, on a curved patch, nothing is known to stand before it
+    sum.seen = facing > 0 ? sum.seen / facing : 1; // no point of a curved patch faces it: nothing is known to hide it
     return sum;
 }
 

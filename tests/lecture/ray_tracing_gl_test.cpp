@@ -59,6 +59,17 @@ TEST_F(LectureRayTracingTest, VisibilityIsExactInHardScenes) {
     EXPECT_EQ(all.wrong(), 0);
 }
 
+// Far from the origin the place where a ray starts is rounded to some 1e-10 m: under a low sun it would meet its own triangle on the
+// way out, if that were not left out by name.
+TEST_F(LectureRayTracingTest, FarFromTheOriginNoSurfaceShadowsItself) {
+    scene::Scene scene = testing::simpleScene();
+    scene.lights = {testing::directionalLight({1, -0.05, 0.3})};
+    const TruthComparison sum = compare(testing::snapshot(testing::moved(scene, {1e6, -1e6, 1e6})), {240, 160}, 0);
+    EXPECT_GT(sum.lit, 5000);
+    EXPECT_GT(sum.shadowed, 500);
+    EXPECT_EQ(sum.wrong(), 0) << sum;
+}
+
 /// The middle of a picture of three by three pixels.
 vec4 middleOf(scene::Scene scene, const std::vector<std::string>& settings, std::string_view stage = {}) {
     scene.revisions = {};
@@ -153,6 +164,34 @@ TEST_F(LectureRayTracingTest, APlateOfGlassShiftsTheRayAsSnellSays) {
     EXPECT_GT(seen(-shift - 0.001), 0.99f);
     EXPECT_LT(seen(-shift + 0.001), 0.01f);
     EXPECT_LT(seen(0), 0.01f) << "without glass this is where it would end";
+}
+
+// A prism of 45 degrees turns the ray by a right angle: it meets the long side at 45 degrees, beyond the critical angle of glass
+// (41.8), and all that would be let through is reflected.
+TEST_F(LectureRayTracingTest, APrismReflectsTotally) {
+    scene::Scene scene = darkScene();
+    scene.background = vec3(0.0f);
+    const dvec3 front{0, 0, -2}; // the leg that the ray enters spans x = -1 ... 1; the other leg looks toward +x
+    const dvec3 a = front + dvec3(-1, -1, 0), b = front + dvec3(1, -1, 0), c = front + dvec3(1, -1, -2);
+    const dvec3 up(0, 2, 0);
+    scene::Material glass;
+    glass.diffuse = vec3(0.0f);
+    glass.transparency = 1;
+    glass.ior = 1.5;
+    scene.materials.push_back(glass);
+    testing::addObject(scene, testing::triangleSoup({a, b, b + up, a,      b + up, a + up,   // toward the eye
+                                                     b, c, c + up, b,      c + up, b + up,   // toward +x
+                                                     c, a, a + up, c,      a + up, c + up,   // the long side
+                                                     a, c, b,      a + up, b + up, c + up})) // below and above
+        .partMaterials = {1};
+    scene::Material lamp;
+    lamp.emission = vec3(0.75f);
+    scene.materials.push_back(lamp);
+    const dmat4 turn = glm::rotate(dmat4(1), glm::radians(90.0), dvec3(0, 0, 1)); // it stands at x = 4
+    testing::addObject(scene, scene::makeQuad({4, 4}), testing::translation({4, 0, -3}) * turn).partMaterials = {2};
+    EXPECT_NEAR(middleOf(scene, {}).g, 0.75, 1e-3);
+    scene.materials[1].ior = 1.2; // critical angle 56.4: the ray goes on through the long side
+    EXPECT_NEAR(middleOf(scene, {}).g, 0, 1e-3);
 }
 
 // The production technique with the lecture's constant coefficients draws the same picture, where nothing transparent lies in
