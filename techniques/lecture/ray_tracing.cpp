@@ -217,7 +217,7 @@ private:
     }
 
     using Asked = std::tuple<scene::Snapshot, scene::Camera, ivec2, int, dvec2, std::optional<StageKey>>;
-    int depth_ = 5; // up to 2^6 rays for a pixel of glass
+    int depth_ = 4; // up to 2^5 rays for a pixel of glass, and each level doubles them
     dvec2 attenuation_{0.0};
     scene::Snapshot snapshot_;
     RayScene rays_;
