@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "techniques/lecture/patches.h"
+#include "techniques/lecture/parts/patches.h"
 #include "techniques/technique.h"
 
 namespace shadowlab::lecture {

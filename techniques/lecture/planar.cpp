@@ -12,8 +12,8 @@
 #include "techniques/foundation/base/look.h"
 #include "techniques/foundation/scene/query/casters.h"
 #include "techniques/lecture/lecture.h"
-#include "techniques/lecture/lit_scene.h"
-#include "techniques/lecture/planar_passes.h"
+#include "techniques/lecture/parts/lit_scene.h"
+#include "techniques/lecture/words/planar.h"
 
 namespace shadowlab::lecture::direct_projection {
 

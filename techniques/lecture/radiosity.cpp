@@ -12,12 +12,12 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/scene/shading.h"
+#include "techniques/foundation/scene/query/shading.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/frame.h"
 #include "techniques/lecture/lecture.h"
-#include "techniques/lecture/patch_picture.h"
-#include "techniques/lecture/radiosity_words.h"
+#include "techniques/lecture/parts/patch_picture.h"
+#include "techniques/lecture/words/radiosity.h"
 
 namespace shadowlab::lecture {
 
@@ -230,11 +230,13 @@ const TechniqueInfo& radiosity() {
     using enum scene::LightType;
     static const TechniqueInfo info{
         .id = "lecture-radiosity",
-        .title = "Radiosity, as in the lecture",
+        .title = "Lecture: radiosity",
         .paper =
             "Goral, Torrance, Greenberg and Battaile 1984, Modeling the Interaction of Light Between Diffuse Surfaces",
         .getsWrong = "shadows are as coarse as patches; mirrors, glass and highlights are dull",
-        .order = 170,
+        .order = 160,
+        .group = TechniqueGroup::lecture,
+        .sister = "radiosity",
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kRadiosityPasses), std::end(kRadiosityPasses)},
         .stages = {std::begin(kRadiosityStages), std::end(kRadiosityStages)},

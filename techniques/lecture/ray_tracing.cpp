@@ -1,5 +1,5 @@
 // Ray tracing in the order of the lecture's pages: the ray casting procedure with its binary tree, then the pixel intensity. The
-// passes at the end carry it out for each pixel. What a ray meets is found by rays.cpp (the lecture's bounding volumes).
+// passes at the end carry it out for each pixel. What a ray meets: parts/rays.cpp, with bounding volumes.
 //
 // A. Appel, "Some Techniques for Shading Machine Renderings of Solids", 1968: rays from the eye, and from there to lights.
 // T. Whitted, "An Improved Illumination Model for Shaded Display", 1980: the tree of reflection and refraction rays.
@@ -7,17 +7,16 @@
 // is closed, and has air around it; no light is thrown by mirrors and glass on other surfaces (caustics).
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 #include <tuple>
 #include <utility>
 
-#include <glm/gtc/constants.hpp>
-
-#include "techniques/foundation/scene/shading.h"
+#include "techniques/foundation/scene/query/shading.h"
 #include "techniques/frame.h"
 #include "techniques/lecture/lecture.h"
-#include "techniques/lecture/pixel_rows.h"
-#include "techniques/lecture/ray_tracing_words.h"
-#include "techniques/lecture/rays.h"
+#include "techniques/lecture/parts/pixel_rows.h"
+#include "techniques/lecture/parts/rays.h"
+#include "techniques/lecture/words/ray_tracing.h"
 
 namespace shadowlab::lecture {
 
@@ -233,11 +232,12 @@ const TechniqueInfo& rayTracing() {
     using enum scene::LightType;
     static const TechniqueInfo info{
         .id = "lecture-ray-tracing",
-        .title = "Ray tracing, as in the lecture",
-        .paper = "Appel 1968, Some Techniques for Shading Machine Renderings of Solids; Whitted 1980, An Improved "
-                 "Illumination Model for Shaded Display",
+        .title = "Lecture: ray tracing",
+        .paper = "Appel 1968; Whitted 1980, An Improved Illumination Model for Shaded Display",
         .getsWrong = "soft shadows and jagged edges (one ray each); glass reflects alike at every angle; caustics",
-        .order = 160,
+        .order = 150,
+        .group = TechniqueGroup::lecture,
+        .sister = "ray-traced",
         .lightTypes = {point, directional, spot, rect, sphere},
         .passes = {std::begin(kRayPasses), std::end(kRayPasses)},
         .stages = {std::begin(kRayStages), std::end(kRayStages)},

@@ -13,12 +13,12 @@
 // SPDX-License-Identifier: MIT
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/scene/query/casters.h"
 #include "techniques/frame.h"
 #include "techniques/lecture/lecture.h"
-#include "techniques/lecture/shadow_map_passes.h"
+#include "techniques/lecture/words/shadow_map.h"
 
 namespace shadowlab::lecture::shadow_map {
 

@@ -16,8 +16,8 @@
 #include "techniques/foundation/scene/query/casters.h"
 #include "techniques/foundation/scene/query/facing.h"
 #include "techniques/lecture/lecture.h"
-#include "techniques/lecture/lit_scene.h"
-#include "techniques/lecture/zfail_passes.h"
+#include "techniques/lecture/parts/lit_scene.h"
+#include "techniques/lecture/words/zfail.h"
 
 namespace shadowlab::lecture::zfail {
 

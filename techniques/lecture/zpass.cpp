@@ -16,8 +16,8 @@
 #include "techniques/foundation/base/look.h"
 #include "techniques/foundation/scene/query/facing.h"
 #include "techniques/lecture/lecture.h"
-#include "techniques/lecture/lit_scene.h"
-#include "techniques/lecture/zpass_passes.h"
+#include "techniques/lecture/parts/lit_scene.h"
+#include "techniques/lecture/words/zpass.h"
 
 namespace shadowlab::lecture::zpass {
 

@@ -1,9 +1,9 @@
 // The lecture's radiosity as it is drawn: rooms whose radiosity is known, and how coarse its shadows are.
 // SPDX-License-Identifier: MIT
-#include "app/session/assets.h"
-#include "app/session/settings.h"
+#include "app/context/assets.h"
+#include "app/lab/settings.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/scene/load.h"
+#include "techniques/foundation/scene/load/load.h"
 #include "tests/radiosity/scene_room.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/truth_comparison.h"
@@ -15,9 +15,9 @@ using LectureRadiosityTest = testing::GlTest;
 
 std::vector<vec4> texelsOf(const scene::Snapshot& snapshot, const std::vector<std::string>& settings,
                            const std::string& technique = "lecture-radiosity", ivec2 size = {64, 48}) {
-    session::Session session(snapshot);
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot(technique));
+    picture::Session session(snapshot);
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot(technique));
     std::vector<std::string> full;
     for (const std::string& setting : settings)
         full.push_back(technique + "." + setting);
@@ -84,7 +84,7 @@ TEST_F(LectureRadiosityTest, WhatSeesNoSurfaceSeesTheBackground) {
 TEST_F(LectureRadiosityTest, TheRoomIsAsBrightAsByTheProductionTechnique) {
     for (const char* name : {"cornell-room", "room-with-lamps"}) {
         const scene::Snapshot room =
-            scene::loadScene(name, {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+            scene::loadScene(name, {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
         const auto mine = texelsOf(room, {}, "lecture-radiosity", {320, 180});
         const auto theirs = texelsOf(room, {"patches=1200", "display=flat"}, "radiosity", {320, 180});
         double difference = 0;
@@ -102,7 +102,7 @@ TEST_F(LectureRadiosityTest, TheRoomIsAsBrightAsByTheProductionTechnique) {
 // Its shadows are as coarse as its patches: with smaller ones they are wrong in fewer pixels.
 TEST_F(LectureRadiosityTest, ShadowsAreAsCoarseAsPatches) {
     const scene::Snapshot room =
-        scene::loadScene("cornell-room", {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+        scene::loadScene("cornell-room", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
     const testing::JudgedPicture truth(room, {320, 180}, 0, testing::kTiePx);
     std::vector<int> wrong;
     for (const char* patches : {"patches=100", "patches=400", "patches=1600"})

@@ -1,7 +1,7 @@
 // The lecture's form factors against closed forms, and their two properties: reciprocity, and rows that sum to 1.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/error.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/lecture/lecture.h"
 #include "tests/radiosity/scene_room.h"
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/session/assets.h"
-#include "app/session/settings.h"
+#include "app/context/assets.h"
+#include "app/lab/settings.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/scene/load.h"
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/scenes.h"
@@ -32,7 +32,7 @@ TEST_F(LectureRayTracingTest, VisibilityIsExactInEveryBuiltInScene) {
          {"billiards", "candle", "colonnade", "cornell-room", "eye-in-shadow", "hung-ring", "lattice", "leafy",
           "mirror-and-glass", "room-with-lamps", "sphere-on-plane", "still-life", "three-lights"}) {
         const scene::Snapshot scene =
-            scene::loadScene(name, {.assetsRoot = session::assetsRoot(), .allowed = {}, .limits = {}});
+            scene::loadScene(name, {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
         for (int light = 0; light < static_cast<int>(scene->lights.size()); ++light) {
             const TruthComparison sum = compare(scene, {160, 90}, light);
             EXPECT_EQ(sum.wrong(), 0) << name << ", light " << light << ": " << sum;
@@ -73,9 +73,9 @@ TEST_F(LectureRayTracingTest, FarFromTheOriginNoSurfaceShadowsItself) {
 /// The middle of a picture of three by three pixels.
 vec4 middleOf(scene::Scene scene, const std::vector<std::string>& settings, std::string_view stage = {}) {
     scene.revisions = {};
-    session::Session session(testing::snapshot(std::move(scene)));
-    std::vector<session::Slot> slots;
-    slots.push_back(session::Session::makeSlot(kTechnique));
+    picture::Session session(testing::snapshot(std::move(scene)));
+    std::vector<picture::Slot> slots;
+    slots.push_back(picture::Session::makeSlot(kTechnique));
     std::vector<std::string> full;
     for (const std::string& setting : settings)
         full.push_back(std::string(kTechnique) + "." + setting);
@@ -85,9 +85,9 @@ vec4 middleOf(scene::Scene scene, const std::vector<std::string>& settings, std:
     view.size = {3, 3};
     FrameRequest request;
     if (!stage.empty()) request.stages = {{std::string(stage), kNoLight}};
-    const session::RenderedFrame frame = session.render(slots[0], view, request);
+    const picture::RenderedFrame frame = session.render(slots[0], view, request);
     return gl::readTexels(stage.empty() ? slots[0].target.color
-                                        : session::findStage(frame, request.stages[0]).texture)[4];
+                                        : picture::findStage(frame, request.stages[0]).texture)[4];
 }
 
 /// A quad of 4 x 4 m that stands at x, y, z and looks along +z or -z, of a material of its own that emits.
@@ -211,9 +211,9 @@ TEST_F(LectureRayTracingTest, MirrorsAndGlassAreThoseOfTheProductionTechnique) {
     scene.objects[2].partMaterials = {2};
     const scene::Snapshot snapshot = testing::snapshot(scene);
     const auto texels = [&](const char* technique, const std::vector<std::string>& settings) {
-        session::Session session(snapshot);
-        std::vector<session::Slot> slots;
-        slots.push_back(session::Session::makeSlot(technique));
+        picture::Session session(snapshot);
+        std::vector<picture::Slot> slots;
+        slots.push_back(picture::Session::makeSlot(technique));
         session::applySettings(slots, settings);
         View view;
         view.camera = snapshot->camera;

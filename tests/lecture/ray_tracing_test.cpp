@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "techniques/foundation/scene/shapes.h"
+#include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/lecture/lecture.h"
 #include "tests/support/scenes.h"
 

@@ -1,7 +1,7 @@
 // Surface patches: what a scene is divided into for radiosity.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/lecture/rays.h"
+#include "techniques/lecture/parts/rays.h"
 
 namespace shadowlab::lecture {
 

@@ -1,13 +1,13 @@
 // Triangles that are longer than a patch are cut; smaller ones are joined, or a fine mesh would make more patches than there is time
 // for. Simplified: patches do not end where other things stand on them, and are no smaller where light changes fast.
 // SPDX-License-Identifier: MIT
-#include "techniques/lecture/patches.h"
+#include "techniques/lecture/parts/patches.h"
 
 #include <cmath>
 #include <map>
 #include <tuple>
 
-#include "techniques/foundation/error.h"
+#include "techniques/foundation/base/error.h"
 
 namespace shadowlab::lecture {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/lecture/lit_scene.h"
+#include "techniques/lecture/parts/lit_scene.h"
 
 namespace shadowlab::lecture {
 

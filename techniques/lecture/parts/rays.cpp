@@ -5,12 +5,12 @@
 // Representation for Fast Rendering of Complex Scenes", 1980: trees of boxes. Simplified: triangles are halved by their number; a
 // tree that weighs the boxes' areas is up to twice as fast.
 // SPDX-License-Identifier: MIT
-#include "techniques/lecture/rays.h"
+#include "techniques/lecture/parts/rays.h"
 
 #include <algorithm>
 
-#include "techniques/foundation/scene/facing.h"
-#include "techniques/foundation/scene/holes.h"
+#include "techniques/foundation/scene/model/holes.h"
+#include "techniques/foundation/scene/query/facing.h"
 
 namespace shadowlab::lecture {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/frame.h"
-#include "techniques/lecture/patches.h"
+#include "techniques/lecture/parts/patches.h"
 
 namespace shadowlab::lecture {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/lecture/patch_picture.h"
+#include "techniques/lecture/parts/patch_picture.h"
 
 #include <cmath>
 #include <utility>
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/look.h"
+#include "techniques/foundation/base/look.h"
 
 namespace shadowlab::lecture {
 
