@@ -29,6 +29,17 @@ std::vector<RegisteredTechnique> techniquesOf(TechniqueGroup group) {
 
 std::string_view toText(TechniqueGroup group) { return group == TechniqueGroup::lecture ? "lecture" : "production"; }
 
+const TechniqueInfo* sisterOf(const TechniqueInfo& info) {
+    if (info.group == TechniqueGroup::lecture) return &findTechnique(info.sister);
+    const auto folderOf = [](const TechniqueInfo& of) { return std::ranges::find(all(), &of, &RegisteredTechnique::info)->folder; };
+    const TechniqueInfo* ofFolder = nullptr;
+    for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::lecture)) {
+        if (technique.info->sister == info.id) return technique.info;
+        if (folderOf(findTechnique(technique.info->sister)) == folderOf(info)) ofFolder = technique.info;
+    }
+    return ofFolder;
+}
+
 void addTechniques(std::string_view folder, std::span<const TechniqueInfo> infos) {
     for (const TechniqueInfo& info : infos)
         all().push_back({folder, &info});

@@ -149,6 +149,8 @@ const Action kActions[] = {
     techniqueKey<7>("technique-7", "7"),
     techniqueKey<8>("technique-8", "8"),
     techniqueKey<9>("technique-9", "9"),
+    {"sister", "Techniques and layout", "Shift+L", "the lecture's version of the technique, and back", GLFW_KEY_L, false, true,
+     false, [](Desk& d) { chooseSister(d); }},
     {"next-pane", "Techniques and layout", "Tab", "the next pane is the active one", GLFW_KEY_TAB, false, false, false,
      [](Desk& d) {
          const int count = std::max(2, lab::shownPanes(d.bench.document().layout));

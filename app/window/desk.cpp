@@ -24,6 +24,14 @@ void chooseTechnique(Desk& desk, std::string_view id) {
     });
 }
 
+void chooseSister(Desk& desk) {
+    const TechniqueInfo& shown = findTechnique(desk.bench.activeState().technique);
+    if (const TechniqueInfo* sister = sisterOf(shown))
+        chooseTechnique(desk, sister->id);
+    else
+        complain(desk, "the lecture has no version of '" + std::string(shown.title) + "'");
+}
+
 void chooseStage(Desk& desk, const std::string& stage) {
     desk.bench.change("stage", [&](lab::Document& document) {
         document.panes[static_cast<std::size_t>(document.active)].stage = stage;

@@ -89,6 +89,8 @@ struct Desk {
 
 /// The technique of the active pane. Its settings are those it had there before.
 void chooseTechnique(Desk& desk, std::string_view id);
+/// The lecture's version of the active pane's technique, or back from it to the one that refines it.
+void chooseSister(Desk& desk);
 /// What the active pane shows of its technique; empty: the finished picture.
 void chooseStage(Desk& desk, const std::string& stage);
 void chooseLayout(Desk& desk, picture::Layout layout);

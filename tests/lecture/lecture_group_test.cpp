@@ -21,7 +21,7 @@ std::vector<std::string> idsOf(TechniqueGroup group) {
 
 TEST(LectureGroupTest, EachHasASisterInProduction) {
     const std::vector<RegisteredTechnique> lecture = techniquesOf(TechniqueGroup::lecture);
-    EXPECT_GE(lecture.size(), 4u);
+    EXPECT_EQ(lecture.size(), 6u);
     for (const RegisteredTechnique& technique : lecture) {
         EXPECT_EQ(technique.folder, "lecture");
         EXPECT_TRUE(technique.info->id.starts_with("lecture-")) << technique.info->id;
@@ -32,9 +32,24 @@ TEST(LectureGroupTest, EachHasASisterInProduction) {
         EXPECT_TRUE(technique.info->sister.empty()) << technique.info->id;
 }
 
+// One key leads from each to the other.
+TEST(LectureGroupTest, SistersFindEachOther) {
+    int pairs = 0;
+    for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::lecture)) {
+        const TechniqueInfo* sister = sisterOf(*technique.info);
+        ASSERT_NE(sister, nullptr) << technique.info->id;
+        EXPECT_EQ(sister->id, technique.info->sister);
+        EXPECT_EQ(sisterOf(*sister), technique.info);
+        ++pairs;
+    }
+    EXPECT_EQ(pairs, 6);
+    EXPECT_EQ(sisterOf(findTechnique("shadow-volume"))->id, "lecture-zfail") << "it is counted both ways; its folder's last is z-fail";
+    EXPECT_EQ(sisterOf(findTechnique("unshadowed")), nullptr);
+}
+
 TEST(LectureGroupTest, AllMeansTheProductionTechniques) {
-    EXPECT_EQ(commands::measuredTechniquesFrom({"lecture"}), idsOf(TechniqueGroup::lecture));
-    const std::vector<std::string> all = commands::measuredTechniquesFrom({"all"});
+    EXPECT_EQ(cli::measuredTechniquesFrom({"lecture"}), idsOf(TechniqueGroup::lecture));
+    const std::vector<std::string> all = cli::measuredTechniquesFrom({"all"});
     EXPECT_GE(all.size(), 7u);
     for (const std::string& id : all)
         EXPECT_EQ(findTechnique(id).group, TechniqueGroup::production) << id;
@@ -54,7 +69,8 @@ TEST(LectureGroupTest, TheyStandLastInTheList) {
 TEST(LectureGroupTest, NoFileHasMoreThan250Lines) {
     int files = 0;
     for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(SHADOWLAB_SOURCE_DIR) / "techniques/lecture")) {
+         std::filesystem::recursive_directory_iterator(std::filesystem::path(SHADOWLAB_SOURCE_DIR) / "techniques/lecture")) {
+        if (!entry.is_regular_file()) continue;
         std::ifstream file(entry.path());
         const auto lines = std::count(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>(), '\n');
         EXPECT_GT(lines, 5) << entry.path();

@@ -81,6 +81,8 @@ def every_key(window, program):
         check(pane(after)["technique"] == expected, f"key {number} shows {pane(after)['technique']}, not {expected}")
     press("undo", lambda b, a: check(pane(b)["technique"] != pane(a)["technique"], "nothing was taken back"))
     press("redo", lambda b, a: check(pane(b)["technique"] != pane(a)["technique"], "nothing was made again"))
+    for _ in range(2):  # to the lecture's version, and back
+        press("sister", lambda b, a: check(pane(b)["technique"] != pane(a)["technique"], "the sister is not shown"))
     press("next-pane", state_only("active"))
     press("next-pane", state_only("active"))
     press("split-left", changed("split"))

@@ -142,6 +142,11 @@ void techniquePart(Desk& desk) {
         ImGui::EndCombo();
     }
     hint("technique of the active pane (number keys)");
+    if (sisterOf(info)) {
+        const bool isLecture = info.group == TechniqueGroup::lecture;
+        if (ImGui::Button(isLecture ? "The refined version" : "The lecture's version")) chooseSister(desk);
+        hint("the algorithm as the lecture has it, and back (Shift+L)");
+    }
     ImGui::PushTextWrapPos();
     ImGui::TextDisabled("%s", std::string(info.paper).c_str());
     ImGui::TextDisabled("gets wrong: %s", std::string(info.getsWrong).c_str());
