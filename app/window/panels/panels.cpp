@@ -143,8 +143,7 @@ void techniquePart(Desk& desk) {
     }
     hint("technique of the active pane (number keys)");
     if (sisterOf(info)) {
-        const bool isLecture = info.group == TechniqueGroup::lecture;
-        if (ImGui::Button(isLecture ? "The refined version" : "The lecture's version")) chooseSister(desk);
+        if (ImGui::Button(info.sister.empty() ? "The lecture's version" : "The refined version")) chooseSister(desk);
         hint("the algorithm as the lecture has it, and back (Shift+L)");
     }
     ImGui::PushTextWrapPos();
