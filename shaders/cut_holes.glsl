@@ -1,6 +1,6 @@
 // Leaves out the fragments that lie in a hole of an alpha mask, so that they leave no depth. Only the variant of a program
 // that draws surfaces with holes does so (Program::cutting): a program that may discard costs the early depth test.
-// The C++ twin is techniques/foundation/scene/model/alpha_mask.h.
+// The C++ twin is techniques/foundation/scene/model/holes.h.
 #ifdef CUT_HOLES
 in vec2 texcoord;
 uniform sampler2D alphaMask; // 1 where there is surface, rows from the bottom

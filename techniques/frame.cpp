@@ -7,7 +7,7 @@
 
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/debug.h"
-#include "techniques/foundation/scene/query/depth_fit.h"
+#include "techniques/foundation/scene/query/view/depth_fit.h"
 
 namespace shadowlab {
 

@@ -8,8 +8,8 @@
 
 #include "techniques/foundation/gl/framebuffer.h"
 #include "techniques/foundation/gl/pass_timer.h"
-#include "techniques/foundation/gl/scene_buffers.h"
-#include "techniques/foundation/gl/surfaces.h"
+#include "techniques/foundation/gl/scene/scene_buffers.h"
+#include "techniques/foundation/gl/scene/surfaces.h"
 #include "techniques/technique.h"
 
 namespace shadowlab {
@@ -60,7 +60,7 @@ public:
     [[nodiscard]] const scene::Scene& scene() const { return *snapshot_; }
     [[nodiscard]] const scene::Snapshot& snapshot() const { return snapshot_; }
     [[nodiscard]] const View& view() const { return view_; }
-    /// The view's camera, its near plane moved out as far as what is in view allows (scene/query/depth_fit.h): draw with
+    /// The view's camera, its near plane moved out as far as what is in view allows (scene/query/view/depth_fit.h): draw with
     /// this.
     [[nodiscard]] const scene::Camera& camera() const { return camera_; }
     /// From here on camera() and eye() have the near plane of the view itself: for an algorithm in which it cuts.

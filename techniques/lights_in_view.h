@@ -1,7 +1,7 @@
 // A light that shines elsewhere need not be drawn: for all techniques that add one light after the other.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/foundation/scene/query/light_reach.h"
+#include "techniques/foundation/scene/query/view/light_reach.h"
 #include "techniques/frame.h"
 
 namespace shadowlab {

@@ -8,9 +8,7 @@
 #include "techniques/added_techniques.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
-#include "techniques/foundation/gl/added_shaders.h"
 #include "techniques/foundation/gl/shader_source.h"
-#include "techniques/foundation/gl/shader_text.h"
 
 namespace shadowlab {
 

@@ -20,7 +20,7 @@
 #include "techniques/foundation/math/types.h"
 #include "techniques/foundation/params/param.h"
 #include "techniques/foundation/scene/model/scene.h"
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 #include "techniques/probe.h"
 #include "techniques/scene_shape.h"
 

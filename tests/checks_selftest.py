@@ -55,7 +55,7 @@ BROKEN = [
     ("include", "techniques/foundation/scene/model/light.h", 2, SPDX + '#include "techniques/technique.h"\n'),
     ("include", "techniques/foundation/trace/bvh.cpp", 2, SPDX + '#include "techniques/planar/matrix.h"\n'),
     ("include", "techniques/foundation/trace/ray.cpp", 2, SPDX + '#include "app/window/panel.h"\n'),
-    ("include", "techniques/foundation/image/png.cpp", 2, SPDX + "#include <glad/gl.h>\n"),
+    ("include", "techniques/foundation/image/png/png.cpp", 2, SPDX + "#include <glad/gl.h>\n"),
     ("include", "techniques/foundation/image/jpg.cpp", 2, SPDX + '#include "techniques/foundation/gl/program.h"\n'),
     ("include", "techniques/foundation/image/gif.cpp", 2, SPDX + '#include "../gl/program.h"\n'),
     ("include", "techniques/foundation/gl/window.cpp", 3, SPDX + "\n# include <GLFW/glfw3.h>\n"),

@@ -22,7 +22,7 @@
 #include "app/picture/steps/stepping.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/query/outside_camera.h"
 

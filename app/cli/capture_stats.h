@@ -7,7 +7,7 @@
 #include "app/cli/capture_options.h"
 #include "app/judge/metrics/frame_times.h"
 #include "app/picture/session.h"
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 #include "techniques/foundation/params/param_json.h"
 
 namespace shadowlab::cli {

@@ -14,7 +14,7 @@
 #include "app/window/screen.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 #include "techniques/foundation/scene/load/load.h"
 
 namespace shadowlab::cli {

@@ -13,7 +13,7 @@
 #include "techniques/foundation/base/nearest_names.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 
 namespace shadowlab::cli {
 

@@ -8,7 +8,7 @@
 #include "app/picture/limits.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/model/holes.h"
-#include "techniques/foundation/scene/query/outward_parts.h"
+#include "techniques/foundation/scene/query/topology/outward_parts.h"
 #include "techniques/registry.h"
 
 namespace shadowlab::cli {

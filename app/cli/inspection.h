@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/cli/command_line.h"
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::cli {
 
@@ -20,7 +20,7 @@ struct InspectedMesh {
     std::vector<std::string> objects; ///< those that show it, by name
     std::shared_ptr<const scene::Mesh> mesh;
     scene::MeshReport report;
-    bool outward = false;          ///< as scene/query/outward_parts.h has it
+    bool outward = false;          ///< as scene/query/topology/outward_parts.h has it
     dvec3 sizeMetres{0.0};         ///< extent along x, y and z, as the file has it
     dvec3 originOffset{0.0};       ///< what its coordinates are kept relative to (scene/model/mesh.h)
     double largestInWorld = 0.0;   ///< largest extent, in metres, of the largest object that shows it

@@ -16,7 +16,7 @@
 #include "app/report/lesson_measure.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::cli {

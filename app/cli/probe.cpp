@@ -12,7 +12,7 @@
 #include "app/picture/session.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 #include "techniques/foundation/scene/load/load.h"
 
 namespace shadowlab::cli {

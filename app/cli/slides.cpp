@@ -21,7 +21,7 @@
 #include "techniques/foundation/base/nearest_names.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::cli {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "techniques/foundation/image/animated_png.h"
+#include "techniques/foundation/image/png/animated_png.h"
 
 namespace shadowlab::film {
 

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "techniques/foundation/image/animated_png.h"
+#include "techniques/foundation/image/png/animated_png.h"
 
 namespace shadowlab::film {
 

@@ -11,7 +11,7 @@
 #include "app/report/judge.h"
 #include "app/report/store.h"
 #include "techniques/foundation/base/error.h"
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 
 namespace shadowlab::hard {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/context/assets.h"
-#include "techniques/foundation/gl/added_shaders.h"
+#include "techniques/foundation/gl/shader_source.h"
 
 namespace shadowlab::lab {
 

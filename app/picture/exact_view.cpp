@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/picture/exact_view.h"
 
-#include "techniques/foundation/scene/query/depth_fit.h"
+#include "techniques/foundation/scene/query/view/depth_fit.h"
 
 namespace shadowlab::picture {
 

@@ -6,7 +6,7 @@
 
 #include "app/judge/outline.h"
 #include "app/judge/truth.h"
-#include "techniques/foundation/gl/id_buffer.h"
+#include "techniques/foundation/gl/scene/id_buffer.h"
 #include "techniques/technique.h"
 
 namespace shadowlab::picture {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "techniques/foundation/gl/handle.h"
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 
 namespace shadowlab::report {
 

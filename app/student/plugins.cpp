@@ -15,7 +15,7 @@
 #include "app/student/plugin_trial.h"
 #include "techniques/added_techniques.h"
 #include "techniques/foundation/base/error.h"
-#include "techniques/foundation/gl/added_shaders.h"
+#include "techniques/foundation/gl/shader_source.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::student {

@@ -11,8 +11,7 @@
 #include "app/context/assets.h"
 #include "app/picture/digest.h"
 #include "app/student/plugins.h"
-#include "techniques/foundation/gl/added_shaders.h"
-#include "techniques/foundation/gl/shader_text.h"
+#include "techniques/foundation/gl/shader_source.h"
 #include "techniques/foundation/scene/load/file_access.h"
 
 namespace shadowlab::student {

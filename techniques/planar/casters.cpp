@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "techniques/foundation/gl/scene/scene_buffers.h"
 #include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/query/casters.h"
 #include "techniques/foundation/scene/query/facing.h"
@@ -125,6 +126,47 @@ void Casters::add(const scene::Object& object, Caster& caster) {
     farthestInList_ = glm::max(farthestInList_, caster.farthestCaster);
     for (const uvec3& t : mesh.triangles)
         triangles_.push_back(firstVertex + (caster.mirrored ? uvec3(t.x, t.z, t.y) : t));
+}
+
+namespace {
+
+const void* byteOffset(std::uint32_t triangle) {
+    return reinterpret_cast<const void*>(std::uintptr_t{triangle} * sizeof(uvec3)); // GL takes offsets as pointers
+}
+
+} // namespace
+
+void DrawList::add(const Caster& caster) {
+    const auto count = static_cast<GLsizei>(3 * caster.triangleCount);
+    if (!counts.empty()) {
+        const auto end = reinterpret_cast<std::uintptr_t>(offsets.back()) +
+                         static_cast<std::uintptr_t>(counts.back()) * sizeof(std::uint32_t);
+        if (end == reinterpret_cast<std::uintptr_t>(byteOffset(caster.firstTriangle))) {
+            counts.back() += count;
+            return;
+        }
+    }
+    counts.push_back(count);
+    offsets.push_back(byteOffset(caster.firstTriangle));
+}
+
+void CasterBuffers::update(const Casters& casters) {
+    if (listRevision_ == casters.listRevision()) return;
+    listRevision_ = casters.listRevision();
+    vertexArray_ = gl::VertexArrayHandle::create();
+    glBindVertexArray(vertexArray_.id());
+    positions_ = gl::uploadBuffer(GL_ARRAY_BUFFER, casters.positionsCaster());
+    glVertexAttribPointer(gl::kPositionMesh, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glEnableVertexAttribArray(gl::kPositionMesh);
+    indices_ = gl::uploadBuffer(GL_ELEMENT_ARRAY_BUFFER, casters.triangles());
+    glBindVertexArray(0);
+}
+
+void CasterBuffers::draw(const DrawList& list) const {
+    glBindVertexArray(vertexArray_.id());
+    glMultiDrawElements(GL_TRIANGLES, list.counts.data(), GL_UNSIGNED_INT, list.offsets.data(),
+                        static_cast<GLsizei>(list.counts.size()));
+    glBindVertexArray(0);
 }
 
 } // namespace shadowlab::planar

@@ -7,6 +7,7 @@
 #pragma once
 #include <vector>
 
+#include "techniques/foundation/gl/handle.h"
 #include "techniques/foundation/scene/model/scene.h"
 #include "techniques/planar/receivers/flat_faces.h"
 
@@ -22,7 +23,7 @@ struct Caster {
     std::uint32_t firstTriangle = 0, triangleCount = 0; ///< in the list
     dmat4 worldFromMesh{1.0};
     dvec3 farthestCaster{0.0}, farthestMesh{0.0}; ///< largest absolute coordinates in either space, per axis
-    /// Behind each of its back faces there is a front face (scene/query/outward_parts.h), as seen from any point out of its box.
+    /// Behind each of its back faces there is a front face (scene/query/topology/outward_parts.h), as seen from any point out of its box.
     bool outward = false;
     scene::Bounds boundsWorld;
 };
@@ -70,6 +71,27 @@ private:
     dvec3 farthestInList_{0.0};
     std::vector<vec3> positionsCaster_;
     std::vector<uvec3> triangles_;
+};
+
+/// Some of the casters in the list: the arguments of glMultiDrawElements.
+struct DrawList {
+    std::vector<GLsizei> counts;
+    std::vector<const void*> offsets;
+    /// Casters are to be added in their order: neighbours become one run.
+    void add(const Caster& caster);
+    [[nodiscard]] bool empty() const { return counts.empty(); }
+};
+
+class CasterBuffers {
+public:
+    /// Uploads what is new.
+    void update(const Casters& casters);
+    void draw(const DrawList& list) const;
+
+private:
+    std::uint64_t listRevision_ = 0;
+    gl::BufferHandle positions_, indices_;
+    gl::VertexArrayHandle vertexArray_;
 };
 
 } // namespace shadowlab::planar

@@ -1,7 +1,7 @@
 // What one point of light flattens onto which planes: the lists that are drawn, and where in the picture it can fall.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/planar/caster_buffers.h"
+#include "techniques/planar/casters.h"
 #include "techniques/planar/params.h"
 #include "techniques/planar/receivers/receivers.h"
 

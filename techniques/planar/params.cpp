@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "techniques/foundation/scene/query/light_point_params.h"
+#include "techniques/foundation/scene/query/light_points.h"
 
 namespace shadowlab::planar {
 

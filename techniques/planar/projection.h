@@ -15,7 +15,7 @@
 #include <array>
 #include <optional>
 
-#include "techniques/foundation/gl/surfaces.h"
+#include "techniques/foundation/gl/scene/surfaces.h"
 #include "techniques/planar/receivers/flat_faces.h"
 
 namespace shadowlab::planar {

@@ -10,7 +10,7 @@
 // holes of alpha maps let no light through; meshes of many triangles exchange light as coarser ones.
 // SPDX-License-Identifier: MIT
 #include "techniques/exact_judge.h"
-#include "techniques/foundation/gl/surfaces.h"
+#include "techniques/foundation/gl/scene/surfaces.h"
 #include "techniques/frame.h"
 #include "techniques/radiosity/described.h"
 #include "techniques/radiosity/display/stages.h"

@@ -13,7 +13,7 @@
 #include <map>
 
 #include "techniques/foundation/gl/baseline.h"
-#include "techniques/foundation/gl/id_buffer.h"
+#include "techniques/foundation/gl/scene/id_buffer.h"
 #include "techniques/frame.h"
 #include "techniques/ray_tracing/described.h"
 #include "techniques/ray_tracing/params.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/params.h"
 
-#include "techniques/foundation/scene/query/light_point_params.h"
+#include "techniques/foundation/scene/query/light_points.h"
 
 namespace shadowlab::shadow_map {
 

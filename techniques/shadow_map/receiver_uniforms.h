@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/gl/program.h"
-#include "techniques/foundation/gl/surfaces.h"
+#include "techniques/foundation/gl/scene/surfaces.h"
 #include "techniques/shadow_map/fit/light_maps.h"
 #include "techniques/shadow_map/params.h"
 

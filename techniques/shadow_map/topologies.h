@@ -4,7 +4,7 @@
 #include <map>
 #include <memory>
 
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::shadow_map {
 

@@ -5,6 +5,11 @@
 
 namespace shadowlab::shadow_volume {
 
+// The three techniques, each in the file of its name.
+TechniqueInfo zpassInfo();
+TechniqueInfo zfailInfo();
+TechniqueInfo automaticInfo();
+
 inline constexpr PassInfo kLightsOffPass = {
     .id = "lights-off",
     .title = "Render the scene with all light sources turned off",

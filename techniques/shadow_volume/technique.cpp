@@ -1,8 +1,6 @@
 // The techniques of this folder: the two ways to count the faces of a shadow volume, and the choice between them.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_volume/automatic.h"
-#include "techniques/shadow_volume/zfail.h"
-#include "techniques/shadow_volume/zpass.h"
+#include "techniques/shadow_volume/shared_info.h"
 
 namespace shadowlab::shadow_volume {
 

@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "techniques/foundation/gl/baseline.h"
-#include "techniques/foundation/scene/query/visible_receivers.h"
+#include "techniques/foundation/scene/query/view/visible_receivers.h"
 #include "techniques/lights_in_view.h"
 #include "techniques/shadow_volume/cull/eye_line.h"
 #include "techniques/shadow_volume/probe/shapes.h"

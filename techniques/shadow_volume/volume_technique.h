@@ -1,6 +1,6 @@
 // What the two ways of counting share: the passes around the count, the stages, what there is to say about a pixel.
 //
-// Depth pass (zpass.h) walks from the eye to the visible point, depth fail (zfail.h) from the point on to infinity. Both
+// Depth pass (zpass.cpp) walks from the eye to the visible point, depth fail (zfail.cpp) from the point on to infinity. Both
 // count the faces of the same volumes into the stencil and light what counts zero.
 // SPDX-License-Identifier: MIT
 #pragma once

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 #include "tests/foundation/scene/scene_files.h"
 #include "tests/support/run_program.h"
 

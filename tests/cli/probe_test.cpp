@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 #include "techniques/registry.h"
 #include "tests/cli/command_fixture.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 
-#include "techniques/foundation/scene/query/outward_parts.h"
+#include "techniques/foundation/scene/query/topology/outward_parts.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/use_scene.h"
 

@@ -5,8 +5,7 @@
 
 #include "techniques/foundation/scene/query/facing.h"
 #include "techniques/foundation/scene/query/facing_planes.h"
-#include "techniques/foundation/scene/query/outward_parts.h"
-#include "techniques/shadow_volume/count/lecture_volume.h"
+#include "techniques/foundation/scene/query/topology/outward_parts.h"
 #include "techniques/shadow_volume/count/volume.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/use_scene.h"

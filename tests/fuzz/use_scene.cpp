@@ -6,12 +6,12 @@
 #include <set>
 
 #include "techniques/foundation/scene/query/casters.h"
-#include "techniques/foundation/scene/query/clip_polygon.h"
-#include "techniques/foundation/scene/query/depth_fit.h"
 #include "techniques/foundation/scene/query/facing.h"
-#include "techniques/foundation/scene/query/light_reach.h"
-#include "techniques/foundation/scene/query/view_planes.h"
-#include "techniques/foundation/scene/query/visible_receivers.h"
+#include "techniques/foundation/scene/query/view/clip_polygon.h"
+#include "techniques/foundation/scene/query/view/depth_fit.h"
+#include "techniques/foundation/scene/query/view/light_reach.h"
+#include "techniques/foundation/scene/query/view/picture_part.h"
+#include "techniques/foundation/scene/query/view/visible_receivers.h"
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "tests/fuzz/target.h"
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <set>
 
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 
 namespace shadowlab::picture {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "techniques/foundation/base/look.h"
 #include "techniques/foundation/scene/load/load.h"
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 

@@ -7,9 +7,9 @@
 #include <cmath>
 
 #include "app/judge/truth.h"
-#include "techniques/foundation/gl/id_buffer.h"
+#include "techniques/foundation/gl/scene/id_buffer.h"
 #include "techniques/foundation/scene/model/shapes.h"
-#include "techniques/foundation/scene/query/depth_fit.h"
+#include "techniques/foundation/scene/query/view/depth_fit.h"
 #include "techniques/planar/receivers/receivers.h"
 #include "tests/support/scenes.h"
 #include "tests/support/truth_comparison.h"

@@ -13,7 +13,7 @@
 
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/model/shapes.h"
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 #include "techniques/foundation/trace/world_triangles.h"
 #include "techniques/radiosity/patches/faces.h"
 #include "tests/support/scenes.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "techniques/foundation/scene/model/shapes.h"
-#include "techniques/foundation/scene/query/outward_parts.h"
+#include "techniques/foundation/scene/query/topology/outward_parts.h"
 #include "tests/relations/relation.h"
 #include "tests/support/scenes.h"
 

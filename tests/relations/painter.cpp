@@ -7,7 +7,7 @@
 #include "app/lab/settings.h"
 #include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/scene/model/shapes.h"
-#include "techniques/foundation/scene/query/outward_parts.h"
+#include "techniques/foundation/scene/query/topology/outward_parts.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::relations {

@@ -7,7 +7,7 @@
 
 #include "techniques/foundation/scene/json/write_scene.h"
 #include "techniques/foundation/scene/model/shapes.h"
-#include "techniques/foundation/scene/query/outward_parts.h"
+#include "techniques/foundation/scene/query/topology/outward_parts.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::relations {

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 #include "tests/relations/random_recipes.h"
 #include "tests/support/scenes.h"
 

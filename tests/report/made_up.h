@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/report/results.h"
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 
 namespace shadowlab::report {
 

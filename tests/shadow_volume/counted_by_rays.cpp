@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "techniques/foundation/scene/query/facing.h"
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 #include "techniques/foundation/trace/parallel.h"
 
 namespace shadowlab::testing {

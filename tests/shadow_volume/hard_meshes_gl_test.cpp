@@ -5,7 +5,7 @@
 #include <random>
 
 #include "techniques/foundation/scene/model/shapes.h"
-#include "techniques/foundation/scene/query/outward_parts.h"
+#include "techniques/foundation/scene/query/topology/outward_parts.h"
 #include "tests/shadow_volume/counted_by_rays.h"
 #include "tests/shadow_volume/volume_case.h"
 #include "tests/support/hard_scenes.h"

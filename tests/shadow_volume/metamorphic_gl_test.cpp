@@ -8,7 +8,7 @@
 
 #include "app/context/assets.h"
 #include "techniques/foundation/scene/load/load.h"
-#include "techniques/foundation/scene/query/outward_parts.h"
+#include "techniques/foundation/scene/query/topology/outward_parts.h"
 #include "tests/shadow_volume/volume_case.h"
 #include "tests/support/hard_scenes.h"
 

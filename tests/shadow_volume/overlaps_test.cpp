@@ -1,6 +1,6 @@
 // The bound on overlapping volumes is one, and a close one.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_volume/count/overlaps.h"
+#include "techniques/shadow_volume/cull/overlaps.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "techniques/foundation/image/animated_png.h"
+#include "techniques/foundation/image/png/animated_png.h"
 
 namespace shadowlab::testing {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 #include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/scenes.h"

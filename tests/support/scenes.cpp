@@ -2,7 +2,7 @@
 #include "tests/support/scenes.h"
 
 #include "techniques/foundation/scene/model/shapes.h"
-#include "techniques/foundation/scene/query/outward_parts.h"
+#include "techniques/foundation/scene/query/topology/outward_parts.h"
 
 namespace shadowlab::testing {
 

@@ -3,7 +3,7 @@
 #pragma once
 #include "app/figures/figures.h"
 #include "app/figures/space_view.h"
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::figures {
 

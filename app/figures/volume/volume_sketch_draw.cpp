@@ -5,7 +5,7 @@
 #include "app/figures/panels.h"
 #include "app/figures/volume/volume_sketch.h"
 #include "techniques/foundation/base/look.h"
-#include "techniques/foundation/scene/query/clip_polygon.h"
+#include "techniques/foundation/scene/query/view/clip_polygon.h"
 
 namespace shadowlab::figures {
 

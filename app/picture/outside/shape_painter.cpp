@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "techniques/foundation/base/look.h"
-#include "techniques/foundation/gl/scene_buffers.h"
-#include "techniques/foundation/gl/surfaces.h"
+#include "techniques/foundation/gl/scene/scene_buffers.h"
+#include "techniques/foundation/gl/scene/surfaces.h"
 
 namespace shadowlab::picture {
 

@@ -9,9 +9,9 @@
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/debug.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/foundation/gl/surfaces.h"
-#include "techniques/foundation/scene/query/depth_fit.h"
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/gl/scene/surfaces.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
+#include "techniques/foundation/scene/query/view/depth_fit.h"
 
 namespace shadowlab::picture {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "app/picture/figure.h"
-#include "techniques/foundation/gl/scene_buffers.h"
+#include "techniques/foundation/gl/scene/scene_buffers.h"
 
 namespace shadowlab::picture {
 

@@ -15,7 +15,7 @@
 #include "app/picture/session.h"
 #include "app/student/grading/score_picture.h"
 #include "techniques/foundation/base/error.h"
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 #include "techniques/foundation/scene/load/load.h"
 
 namespace shadowlab::student {

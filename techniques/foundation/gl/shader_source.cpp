@@ -10,8 +10,6 @@
 
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
-#include "techniques/foundation/gl/added_shaders.h"
-#include "techniques/foundation/gl/shader_text.h"
 #include "techniques/foundation/scene/load/file_access.h"
 #include "techniques/foundation/scene/load/message_text.h"
 

@@ -1,6 +1,7 @@
 // Shader text: embedded at build time, #include resolved here, so that a compile error names the true file and line.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,5 +42,21 @@ ShaderSource shaderSource(std::string_view name, std::span<const std::string> de
 /// A compiler's log with `0:12(5): error` (Mesa), `0(12) : error` (NVIDIA) and `ERROR: 0:12:` (others) rewritten to
 /// `FILE:12: ...`.
 std::string withFileNames(std::string_view log, const ShaderSource& source);
+
+/// Adds the shaders of a plug-in, whose texts must outlive the program. They were read from `folder`.
+void addShaders(std::span<const EmbeddedShader> shaders, std::string folder);
+
+/// Every shader: the program's own, and after them those that were added.
+std::vector<EmbeddedShader> allShaders();
+
+/// The folders that added shaders were read from.
+const std::vector<std::string>& addedShaderFolders();
+
+/// From now on an added shader is read from there where it still is there: while it is being edited.
+void readAddedShadersFromFolders();
+
+/// One file as programs are compiled from it now: from the folder that the environment variable SHADOWLAB_SHADERS names,
+/// where it is there, else as it was embedded. Nothing where there is no such file.
+std::optional<std::string> shaderText(std::string_view name);
 
 } // namespace shadowlab::gl

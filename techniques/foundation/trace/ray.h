@@ -36,4 +36,26 @@ inline bool isUsable(const Ray& ray) {
     return finite && (d.x != 0 || d.y != 0 || d.z != 0) && ray.nearest < ray.farthest;
 }
 
+struct RayTests {
+    std::uint64_t volumes = 0;   ///< bounding volumes
+    std::uint64_t triangles = 0; ///< a triangle tried twice counts twice
+    std::uint64_t steps = 0;     ///< nodes or cells looked into
+    [[nodiscard]] std::uint64_t all() const { return volumes + triangles; }
+};
+
+struct CountNothing {
+    void volumes(std::uint64_t) const {}
+    void triangles(std::uint64_t) const {}
+    void steps(std::uint64_t) const {}
+    void step() const {}
+};
+
+struct CountTests {
+    RayTests& tests;
+    void volumes(std::uint64_t count) const { tests.volumes += count; }
+    void triangles(std::uint64_t count) const { tests.triangles += count; }
+    void steps(std::uint64_t count) const { tests.steps += count; }
+    void step() const { ++tests.steps; }
+};
+
 } // namespace shadowlab::trace

@@ -8,7 +8,7 @@
 #pragma once
 #include <vector>
 
-#include "techniques/foundation/trace/ray_tests.h"
+#include "techniques/foundation/trace/ray.h"
 #include "techniques/foundation/trace/structures/engine.h"
 
 namespace shadowlab::trace {

@@ -13,10 +13,10 @@
 
 #include "techniques/foundation/trace/bvh/bvh_build.h"
 #include "techniques/foundation/trace/eye_rays.h"
-#include "techniques/foundation/trace/holes.h"
 #include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "techniques/foundation/trace/structures/engine.h"
 #include "techniques/foundation/trace/traced_geometry.h"
+#include "techniques/foundation/trace/world_triangles.h"
 
 namespace shadowlab::trace {
 

@@ -6,7 +6,7 @@
 #include <map>
 #include <numeric>
 
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::planar {
 

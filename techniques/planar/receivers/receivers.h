@@ -6,8 +6,8 @@
 #include <set>
 #include <span>
 
-#include "techniques/foundation/gl/surfaces.h"
-#include "techniques/foundation/scene/query/picture_part.h"
+#include "techniques/foundation/gl/scene/surfaces.h"
+#include "techniques/foundation/scene/query/view/picture_part.h"
 #include "techniques/planar/projection.h"
 
 namespace shadowlab::planar {

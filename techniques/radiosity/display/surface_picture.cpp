@@ -2,7 +2,7 @@
 #include "techniques/radiosity/display/surface_picture.h"
 
 #include "techniques/foundation/base/look.h"
-#include "techniques/foundation/gl/surfaces.h"
+#include "techniques/foundation/gl/scene/surfaces.h"
 
 namespace shadowlab::radiosity {
 

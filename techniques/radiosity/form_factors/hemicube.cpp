@@ -8,7 +8,7 @@
 
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/debug.h"
-#include "techniques/foundation/gl/scene_buffers.h"
+#include "techniques/foundation/gl/scene/scene_buffers.h"
 
 namespace shadowlab::radiosity {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "techniques/foundation/base/error.h"
+#include "techniques/foundation/scene/load/memory_estimate.h"
 #include "techniques/foundation/scene/load/message_text.h"
-#include "techniques/foundation/scene/query/memory_estimate.h"
 
 namespace shadowlab::radiosity {
 

@@ -8,7 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::radiosity {
 

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "techniques/foundation/trace/ray_tests.h"
+#include "techniques/foundation/trace/ray.h"
 #include "techniques/foundation/trace/structures/ray_volumes.h"
 
 namespace shadowlab::ray_tracing {

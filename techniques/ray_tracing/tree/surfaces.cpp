@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "techniques/foundation/scene/query/mesh_topology.h"
 #include "techniques/foundation/scene/query/shading.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::ray_tracing {
 

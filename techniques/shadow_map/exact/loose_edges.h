@@ -11,7 +11,7 @@
 #include <functional>
 #include <span>
 
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::shadow_map {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "techniques/foundation/scene/query/clip_polygon.h"
+#include "techniques/foundation/scene/query/view/clip_polygon.h"
 
 namespace shadowlab::shadow_map {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "techniques/foundation/scene/query/picture_part.h"
+#include "techniques/foundation/scene/query/view/picture_part.h"
 #include "techniques/shadow_map/fit/light_maps.h"
 
 namespace shadowlab::shadow_map {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "techniques/foundation/scene/query/clip_polygon.h"
+#include "techniques/foundation/scene/query/view/clip_polygon.h"
 
 namespace shadowlab::shadow_map {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "techniques/foundation/scene/query/casters.h"
-#include "techniques/foundation/scene/query/depth_fit.h"
-#include "techniques/foundation/scene/query/visible_receivers.h"
+#include "techniques/foundation/scene/query/view/depth_fit.h"
+#include "techniques/foundation/scene/query/view/visible_receivers.h"
 #include "techniques/lights_in_view.h"
 #include "techniques/shadow_map/filters/filter_uniforms.h"
 #include "techniques/shadow_map/fit/seen_depth.h"

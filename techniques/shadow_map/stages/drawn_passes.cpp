@@ -1,7 +1,7 @@
 // How many polygons the passes of a frame draw: "every polygon is rendered N + 1 times".
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/query/casters.h"
-#include "techniques/foundation/scene/query/picture_part.h"
+#include "techniques/foundation/scene/query/view/picture_part.h"
 #include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {

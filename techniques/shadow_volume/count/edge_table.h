@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::shadow_volume {
 

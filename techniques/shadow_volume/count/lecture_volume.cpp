@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_volume/count/lecture_volume.h"
+#include "techniques/shadow_volume/count/volume.h"
 
 namespace shadowlab::shadow_volume {
 

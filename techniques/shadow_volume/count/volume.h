@@ -42,4 +42,8 @@ struct Volume {
 void buildVolume(const scene::Mesh& mesh, const EdgeTable& edges, std::span<const std::int8_t> facing,
                  std::vector<SilhouetteEdge>& silhouette, Volume& volume);
 
+/// In place of buildVolume() (volume.h). A triangle with sign 0 counts as facing away: N.L > 0 it has not.
+void buildLectureVolume(const scene::Mesh& mesh, const EdgeTable& edges, std::span<const std::int8_t> facing,
+                        std::vector<SilhouetteEdge>& silhouette, Volume& volume);
+
 } // namespace shadowlab::shadow_volume

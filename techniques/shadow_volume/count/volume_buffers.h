@@ -3,7 +3,7 @@
 #pragma once
 #include <functional>
 
-#include "techniques/foundation/gl/scene_buffers.h"
+#include "techniques/foundation/gl/scene/scene_buffers.h"
 #include "techniques/shadow_volume/count/volume.h"
 
 namespace shadowlab::shadow_volume {

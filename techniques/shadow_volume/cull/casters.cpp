@@ -5,8 +5,8 @@
 
 #include "techniques/foundation/scene/query/casters.h"
 #include "techniques/foundation/scene/query/facing.h"
-#include "techniques/shadow_volume/count/lecture_volume.h"
-#include "techniques/shadow_volume/count/overlaps.h"
+#include "techniques/shadow_volume/count/volume.h"
+#include "techniques/shadow_volume/cull/overlaps.h"
 
 namespace shadowlab::shadow_volume {
 

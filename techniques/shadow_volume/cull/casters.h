@@ -7,16 +7,16 @@
 #include <unordered_map>
 #include <utility>
 
-#include "techniques/foundation/gl/surfaces.h"
+#include "techniques/foundation/gl/scene/surfaces.h"
 #include "techniques/foundation/scene/query/facing_planes.h"
-#include "techniques/foundation/scene/query/outward_parts.h"
+#include "techniques/foundation/scene/query/topology/outward_parts.h"
 #include "techniques/shadow_volume/count/extrusion.h"
 #include "techniques/shadow_volume/count/volume.h"
 #include "techniques/shadow_volume/count/volume_buffers.h"
 
 namespace shadowlab::shadow_volume {
 
-/// Whatever its triangles, by signed counts at the edges (volume.h); or as the lecture has it (lecture_volume.h).
+/// Whatever its triangles, by signed counts at the edges (volume.h); or as the lecture has it (lecture_volume.cpp).
 enum class Construction { general, lecture };
 
 /// A volume whose vertices the processor has pushed, on the card.

@@ -3,7 +3,9 @@
 #pragma once
 #include <functional>
 #include <span>
+#include <string>
 
+#include "techniques/shadow_probe.h"
 #include "techniques/shadow_volume/count/face_counter.h"
 #include "techniques/technique.h"
 
@@ -37,5 +39,12 @@ void addWays(std::vector<SceneShape>& shapes, std::span<const CasterVolume* cons
 /// there depth pass starts counting from a wrong number. Everitt and Kilgard 2002; Hornus, Hoberock, Lefebvre and Hart,
 /// "ZP+: Correct Z-pass Stencil Shadows", 2005.
 SceneShape nearClipPyramid(const scene::Scene& scene, const View& view, int light);
+
+/// The volume as stages show it (of a closed mesh the lit half), and `end` as it is drawn. Whose it is stays to be said.
+VolumeProbe::Caster describedCaster(const scene::Scene& scene, const scene::Light& light, const CasterVolume& caster,
+                                    const ShownVolume& shown, const VolumeEnd& end);
+
+/// "ball: 112 of 224 triangles face the light, 32 outline edges, extruded by 2 m"
+std::string casterText(const scene::Scene& scene, const VolumeProbe::Caster& caster);
 
 } // namespace shadowlab::shadow_volume

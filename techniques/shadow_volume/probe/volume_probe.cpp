@@ -5,11 +5,10 @@
 
 #include "techniques/exact_judge.h"
 #include "techniques/foundation/base/look.h"
-#include "techniques/foundation/scene/query/depth_fit.h"
+#include "techniques/foundation/scene/query/view/depth_fit.h"
 #include "techniques/probe_decision.h"
-#include "techniques/shadow_volume/count/crossed_faces.h"
 #include "techniques/shadow_volume/cull/eye_line.h"
-#include "techniques/shadow_volume/probe/described_caster.h"
+#include "techniques/shadow_volume/probe/crossed_faces.h"
 #include "techniques/shadow_volume/probe/shapes.h"
 #include "techniques/shadow_volume/volume_technique.h"
 

@@ -1,7 +1,7 @@
 // The rasteriser's triangles against those of the exact judge: the same numbers, but for pixels whose centre an edge
 // passes too closely.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/gl/id_buffer.h"
+#include "techniques/foundation/gl/scene/id_buffer.h"
 
 #include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/foundation/trace/judge/exact_visibility.h"

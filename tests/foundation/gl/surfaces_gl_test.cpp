@@ -1,10 +1,10 @@
 // Back faces that front faces hide are not drawn, and nobody can tell from the picture.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/gl/surfaces.h"
+#include "techniques/foundation/gl/scene/surfaces.h"
 
 #include <algorithm>
 
-#include "techniques/foundation/gl/id_buffer.h"
+#include "techniques/foundation/gl/scene/id_buffer.h"
 #include "techniques/foundation/scene/model/shapes.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"

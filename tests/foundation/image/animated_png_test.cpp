@@ -1,6 +1,6 @@
 // Animated PNGs, read by a small reader of its own: chunks, check sums, numbers, times, and every frame as it is seen.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/image/animated_png.h"
+#include "techniques/foundation/image/png/animated_png.h"
 
 #include <gtest/gtest.h>
 

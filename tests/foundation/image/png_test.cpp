@@ -1,6 +1,6 @@
 // PNG: what goes in comes out, the same bytes every time, and broken files are refused with a reason.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,8 @@
 // Which texel a texture coordinate falls into, what is a hole, and what becomes of images that are none.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/model/alpha_mask.h"
-
-#include "techniques/foundation/image/png.h"
 #include "techniques/foundation/scene/model/holes.h"
+
+#include "techniques/foundation/image/png/png.h"
 #include "tests/foundation/scene/scene_files.h"
 #include "tests/support/perforated.h"
 

@@ -1,6 +1,6 @@
 // The near plane moves out as far as what is in view allows, and never cuts anything off.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/query/depth_fit.h"
+#include "techniques/foundation/scene/query/view/depth_fit.h"
 
 #include <gtest/gtest.h>
 

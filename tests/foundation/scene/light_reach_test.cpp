@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/query/light_reach.h"
+#include "techniques/foundation/scene/query/view/light_reach.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The report on meshes made by hand, whose numbers can be counted, and on shapes, whose numbers follow from Euler.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <sys/stat.h>
 
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 #include "tests/foundation/scene/scene_files.h"
 
 namespace shadowlab::scene {

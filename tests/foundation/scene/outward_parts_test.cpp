@@ -1,6 +1,6 @@
 // Which parts of a mesh are never inside out, and what would be wrong if a weaker test let others pass.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/query/outward_parts.h"
+#include "techniques/foundation/scene/query/topology/outward_parts.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What is left out of a picture lies outside it, and what may touch it is never left out.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/query/picture_part.h"
+#include "techniques/foundation/scene/query/view/picture_part.h"
 
 #include <gtest/gtest.h>
 

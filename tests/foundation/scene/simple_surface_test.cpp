@@ -1,6 +1,6 @@
 // Surfaces that meet themselves are never taken for simple ones, and ordinary ones are seen to be simple.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/scene/query/simple_surface.h"
+#include "techniques/foundation/scene/query/topology/simple_surface.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A scene written down and read again is the same scene, number by number.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 #include "techniques/foundation/scene/json/write_scene.h"
 #include "techniques/foundation/scene/model/edit_scene.h"
 #include "techniques/foundation/scene/model/holes.h"

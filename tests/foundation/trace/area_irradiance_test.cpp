@@ -1,6 +1,6 @@
 // What an area light adds behind an edge, against closed forms, in which the share of its area would be the wrong answer.
 // SPDX-License-Identifier: MIT
-#include "techniques/foundation/trace/area/area_irradiance.h"
+#include "techniques/foundation/trace/area/area_visibility.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include <cmath>
 #include <random>
 
-#include "techniques/foundation/trace/area/area_visibility.h"
 #include "tests/support/area_lights.h"
 #include "tests/support/scenes.h"
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include <benchmark/benchmark.h>
 
-#include "techniques/foundation/gl/surfaces.h"
+#include "techniques/foundation/gl/scene/surfaces.h"
 #include "techniques/foundation/scene/query/casters.h"
-#include "techniques/foundation/scene/query/depth_fit.h"
-#include "techniques/foundation/scene/query/light_reach.h"
-#include "techniques/foundation/scene/query/visible_receivers.h"
+#include "techniques/foundation/scene/query/view/depth_fit.h"
+#include "techniques/foundation/scene/query/view/light_reach.h"
+#include "techniques/foundation/scene/query/view/visible_receivers.h"
 #include "techniques/planar/casters.h"
 #include "techniques/planar/flattening.h"
 #include "techniques/planar/receivers/receivers.h"

@@ -4,7 +4,7 @@
 
 #include "app/judge/metrics/flip.h"
 #include "app/judge/metrics/image_metrics.h"
-#include "techniques/foundation/image/png.h"
+#include "techniques/foundation/image/png/png.h"
 
 namespace shadowlab {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "techniques/foundation/scene/query/facing.h"
 #include "techniques/foundation/scene/query/facing_planes.h"
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 #include "techniques/shadow_volume/count/edge_table.h"
 #include "techniques/shadow_volume/count/volume.h"
 #include "tests/speed/hot_paths/meshes.h"

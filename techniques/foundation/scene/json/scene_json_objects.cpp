@@ -9,7 +9,7 @@
 #include "techniques/foundation/scene/json/scene_json.h"
 #include "techniques/foundation/scene/load/message_text.h"
 #include "techniques/foundation/scene/model/holes.h"
-#include "techniques/foundation/scene/query/outward_parts.h"
+#include "techniques/foundation/scene/query/topology/outward_parts.h"
 
 namespace shadowlab::scene {
 

@@ -9,9 +9,9 @@
 #include <unordered_map>
 #include <vector>
 
+#include "techniques/foundation/scene/load/memory_estimate.h"
 #include "techniques/foundation/scene/model/scene.h"
 #include "techniques/foundation/scene/model/shapes.h"
-#include "techniques/foundation/scene/query/memory_estimate.h"
 
 namespace shadowlab::scene {
 

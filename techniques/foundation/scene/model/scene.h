@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "techniques/foundation/math/types.h"
-#include "techniques/foundation/scene/model/alpha_mask.h"
 #include "techniques/foundation/scene/model/camera.h"
+#include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/model/light.h"
 #include "techniques/foundation/scene/model/mesh.h"
 

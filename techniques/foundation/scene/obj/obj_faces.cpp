@@ -17,7 +17,7 @@
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/scene/load/file_access.h"
 #include "techniques/foundation/scene/load/message_text.h"
-#include "techniques/foundation/scene/model/alpha_mask.h"
+#include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/obj/mtl_clean.h"
 
 namespace shadowlab::scene {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include <glm/gtc/constants.hpp>
 
@@ -80,6 +81,19 @@ std::vector<dvec3> pointsOfLight(const Light& light, int lightNumber, const Ligh
         points.push_back(light.positionWorld + light.radius * unit);
     }
     return points;
+}
+
+params::ParamList describe(LightPointParams& points, std::string unit, std::string help) {
+    using params::onlyIf, params::integer, params::choice;
+    const auto areMany = [&points] { return points.count > 1; };
+    return {
+        integer("light-samples", points.count, 1, 1024, std::move(unit), std::move(help)),
+        onlyIf(areMany, choice("light-points", points.spread, {"jittered", "random"},
+                               "Where they are: one by chance in each of as many equal parts; random: anywhere, which "
+                               "takes far more of them (teaching).")),
+        onlyIf(areMany,
+               integer("light-seed", points.seed, 0, 1000000, "", "Another number, another choice by chance.")),
+    };
 }
 
 } // namespace shadowlab::scene

@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "techniques/foundation/params/param.h"
 #include "techniques/foundation/scene/model/light.h"
 
 namespace shadowlab::scene {
@@ -18,5 +19,8 @@ struct LightPointParams {
 /// and number of the light. Of a rectangle they are on its surface. Of a ball they lie within it, so that from every
 /// direction they fill its disc evenly.
 std::vector<dvec3> pointsOfLight(const Light& light, int lightNumber, const LightPointParams& params);
+
+/// How many (`unit`, and what that means in this technique: `help`), and how they are chosen.
+params::ParamList describe(LightPointParams& points, std::string unit, std::string help);
 
 } // namespace shadowlab::scene

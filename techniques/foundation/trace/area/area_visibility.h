@@ -14,12 +14,20 @@
 #include <span>
 #include <vector>
 
-#include "techniques/foundation/trace/area/area_irradiance.h"
 #include "techniques/foundation/trace/area/shaft.h"
 #include "techniques/foundation/trace/area/surface_edges.h"
 #include "techniques/foundation/trace/scene_tracer.h"
 
 namespace shadowlab::trace {
+
+/// Irradiance is divided by pi times the light's radiance: 1 under a light that fills all of the hemisphere.
+struct AreaIrradiance {
+    double visible = 0;    ///< 0..1 of the light's area, the same as AreaShare::visible
+    double irradiance = 0; ///< of what is seen of the light, at a surface with the normal that was given
+    /// Of all of the light in front of the surface, without shadows. What lies behind the surface, by that normal or by the
+    /// triangle's own, counts for neither.
+    double unshadowed = 0;
+};
 
 /// What a point sees of the light.
 struct AreaShare {

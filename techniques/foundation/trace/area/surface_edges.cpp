@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/trace/area/surface_edges.h"
 
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::trace {
 

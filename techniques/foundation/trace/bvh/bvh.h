@@ -13,7 +13,7 @@
 
 #include "techniques/foundation/trace/bvh/big_memory.h"
 #include "techniques/foundation/trace/bvh/bvh_walk.h"
-#include "techniques/foundation/trace/ray_tests.h"
+#include "techniques/foundation/trace/ray.h"
 #include "techniques/foundation/trace/ray_triangle.h"
 
 namespace shadowlab::trace {
@@ -60,7 +60,7 @@ struct Bvh {
 
     /// The nearest hit; of equally near ones that of the lowest primitive, so that no answer depends on how the tree
     /// was built. `accept(primitive)`: may this one be hit? `inHole(primitive, weights of the corners)`: does the ray go
-    /// on, although it hits the triangle? `count` is told what is tried (ray_tests.h).
+    /// on, although it hits the triangle? `count` is told what is tried (ray.h).
     template <typename Accept, typename InHole = NoHoles, typename Count = CountNothing>
     [[nodiscard]] RayHit closest(const Ray& ray, const Accept& accept, const InHole& inHole = {},
                                  Count count = {}) const;

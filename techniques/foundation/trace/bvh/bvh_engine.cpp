@@ -92,18 +92,4 @@ std::vector<StructurePart> BvhEngine::parts(std::size_t most) const {
 std::unique_ptr<Engine> makeBvhEngine(const Bvh& bvh) { return std::make_unique<BvhEngine>(bvh); }
 std::unique_ptr<Engine> makeBvhEngine(const EngineInput& input) { return std::make_unique<BvhEngine>(input); }
 
-std::unique_ptr<Engine> makeEngine(Structure structure, const EngineInput& input) {
-    switch (structure) {
-    case Structure::none: return makeUnstructured(input);
-    case Structure::objectSpheres: return makeObjectSpheres(input);
-    case Structure::objectBoxes: return makeObjectBoxes(input);
-    case Structure::groups: return makeGroups(input);
-    case Structure::sphereTree: return makeSphereTree(input);
-    case Structure::bvh: return makeBvhEngine(input);
-    case Structure::grid: return makeGrid(input);
-    case Structure::embree: return makeEmbreeEngine(input.triangles, true);
-    }
-    return nullptr;
-}
-
 } // namespace shadowlab::trace

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "techniques/foundation/trace/bvh/bvh.h"
-#include "techniques/foundation/trace/holes.h"
+#include "techniques/foundation/trace/world_triangles.h"
 
 namespace shadowlab::trace {
 

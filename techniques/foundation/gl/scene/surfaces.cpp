@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/foundation/gl/scene/surfaces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <glm/gtc/constants.hpp>
+
+namespace shadowlab::gl {
+
+namespace {
+
+/// Numbers of shaders/light.glsl.
+int lightKind(scene::LightType type) {
+    switch (type) {
+    case scene::LightType::directional: return 1;
+    case scene::LightType::spot: return 2;
+    case scene::LightType::rect: return 3;
+    default: return 0; // a sphere shines like a point at its centre
+    }
+}
+
+/// What a program need not ask for each pixel: the kind of light, and whether anything has highlights. A processor that stands in
+/// for a graphics card would compute all cases of all pixels (a fifth to a third of a frame's time).
+std::vector<std::string> knownBefore(const scene::Scene& scene, const scene::Light& light) {
+    std::vector<std::string> defines{"LIGHT_KIND " + std::to_string(lightKind(light.type))};
+    const auto isDull = [](const scene::Material& material) { return material.specular == vec3(0); };
+    if (std::ranges::all_of(scene.materials, isDull)) defines.emplace_back("DULL");
+    return defines;
+}
+
+/// What shaders/surface.vert and shaders/lights_off.frag ask of an object.
+void setObject(const Program& program, const scene::Scene& scene, const EyeMatrices& eye, const scene::Object& object) {
+    const dmat4 viewFromMesh = eye.viewFromWorld * scene::worldFromMesh(object);
+    const bool rectSurface =
+        object.emitterOfLight >= 0 &&
+        scene.lights[static_cast<std::size_t>(object.emitterOfLight)].type == scene::LightType::rect;
+    program.set("clipFromMesh", mat4(eye.clipFromView * viewFromMesh));
+    program.set("viewFromMesh", mat4(viewFromMesh));
+    program.set("normalViewFromMesh", mat3(glm::transpose(glm::inverse(dmat3(viewFromMesh)))));
+    program.set("mirrored", scene::isMirrored(object) ? 1 : 0);
+    program.set("receivesShadow", object.receivesShadow ? 1 : 0);
+    program.set("emitsFromFrontOnly", rectSurface ? 1 : 0);
+}
+
+void drawRun(const Program& program, const SceneBuffers& buffers, std::size_t index, std::uint32_t first,
+             std::uint32_t count) {
+    if (!program.reads("triangleBase")) return buffers.mesh(index).draw(first, count);
+    program.set("triangleBase", buffers.triangleBase(index));
+    buffers.mesh(index).drawNumbered(first, count);
+}
+
+void drawPart(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t index,
+              std::size_t partIndex) {
+    const scene::Object& object = scene.objects[index];
+    const scene::MeshPart& part = object.mesh->parts[partIndex];
+    const scene::Material& material = scene.materials[object.partMaterials[partIndex]];
+    program.set("diffuse", material.diffuse);
+    program.set("specular", material.specular);
+    program.set("shininess", material.shininess);
+    program.set("emission", material.emission);
+    drawRun(program, buffers, index, part.firstTriangle, part.triangleCount);
+}
+
+/// The variant of a program that cuts holes, in use, with this mask.
+const Program& useCutting(const Program& program, const Texture2D& mask) {
+    const Program& cutting = program.cutting();
+    cutting.use();
+    mask.bind(kAlphaMaskUnit);
+    cutting.set("alphaMask", kAlphaMaskUnit);
+    return cutting;
+}
+
+/// `drawObject()` if the object may be seen.
+template <typename DrawObject>
+void drawIfSeen(const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye, std::size_t index,
+                const ObjectSetup& setup, const DrawObject& drawObject) {
+    const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
+    const scene::Object& object = scene.objects[index];
+    if (eye.part && !scene::mayTouch(buffers.bounds()[index], clipFromWorld, *eye.part)) return;
+    if (setup && !setup(object)) return;
+    // Back faces that front faces hide are left out: half of the triangles of most objects. Through holes they are seen.
+    if (object.mesh->outward && !buffers.hasHoles(index) &&
+        scene::isBeyondNearPlane(buffers.bounds()[index], clipFromWorld)) {
+        glEnable(GL_CULL_FACE);
+        glCullFace(scene::isMirrored(object) ? GL_FRONT : GL_BACK);
+    }
+    drawObject();
+    glDisable(GL_CULL_FACE);
+}
+
+} // namespace
+
+EyeMatrices eyeMatrices(const scene::Camera& camera, ivec2 size) {
+    return {scene::viewFromWorld(camera), scene::clipFromView(camera, static_cast<double>(size.x) / size.y),
+            std::nullopt};
+}
+
+void drawSurfaces(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
+                  const EyeMatrices& eye, const ObjectSetup& setup) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        drawSurface(program, scene, buffers, eye, i, setup);
+}
+
+void drawSurface(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
+                 std::size_t object, const ObjectSetup& setup) {
+    drawIfSeen(scene, buffers, eye, object, setup, [&] {
+        setObject(program, scene, eye, scene.objects[object]);
+        for (std::size_t part = 0; part < scene.objects[object].mesh->parts.size(); ++part)
+            drawPart(program, scene, buffers, object, part);
+    });
+}
+
+void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
+                           const EyeMatrices& eye, const ObjectSetup& setup) {
+    // Object by object and part by part, as drawSurfaces does: of two surfaces at one depth the first drawn is the visible
+    // one, in every pass.
+    const auto drawObject = [&](std::size_t i) {
+        setObject(program, scene, eye, scene.objects[i]);
+        for (std::size_t part = 0; part < scene.objects[i].mesh->parts.size(); ++part) {
+            const Texture2D* mask = buffers.mask(i, part);
+            if (!mask) {
+                drawPart(program, scene, buffers, i, part);
+                continue;
+            }
+            const Program& cutting = useCutting(program, *mask);
+            setObject(cutting, scene, eye, scene.objects[i]);
+            drawPart(cutting, scene, buffers, i, part);
+            program.use();
+        }
+    };
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        drawIfSeen(scene, buffers, eye, i, setup, [&] { drawObject(i); });
+}
+
+void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t object,
+               const dmat4& clipFromMesh) {
+    const scene::Mesh& mesh = *scene.objects[object].mesh;
+    program.use();
+    program.set("clipFromMesh", mat4(clipFromMesh));
+    if (!buffers.hasHoles(object))
+        return drawRun(program, buffers, object, 0, static_cast<std::uint32_t>(mesh.triangles.size()));
+    for (std::size_t part = 0; part < mesh.parts.size(); ++part) {
+        const Texture2D* mask = buffers.mask(object, part);
+        const Program& chosen = mask ? useCutting(program, *mask) : program;
+        chosen.use();
+        chosen.set("clipFromMesh", mat4(clipFromMesh));
+        drawRun(chosen, buffers, object, mesh.parts[part].firstTriangle, mesh.parts[part].triangleCount);
+    }
+}
+
+void useForLight(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
+                 int light) {
+    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+    // Of a visibility there is too little to save: one program for all kinds.
+    program.useWith(program.isMadeWith("VISIBILITY_ONLY") ? std::vector<std::string>{} : knownBefore(scene, source));
+    program.set("lightKind", lightKind(source.type)); // where the program was not made for it
+    const dvec3 directionWorld =
+        source.type == scene::LightType::rect ? scene::rectNormalWorld(source) : source.directionWorld;
+    const double halfConeRadians = source.coneDegrees * glm::pi<double>() / 360.0;
+    program.set("lightPositionView", vec3(transformPoint(eye.viewFromWorld, source.positionWorld)));
+    program.set("lightDirectionView", vec3(transformDirection(eye.viewFromWorld, directionWorld)));
+    program.set("lightIntensity", vec3(dvec3(source.color) * scene::pointIntensity(source)));
+    program.set("lightHalfCone", static_cast<float>(halfConeRadians));
+    program.set("lightCosHalfCone", static_cast<float>(std::cos(halfConeRadians)));
+    program.set("lightEdge", static_cast<float>(source.edgeDegrees * glm::pi<double>() / 180.0));
+    buffers.facing(light).bind(kFacingUnit);
+    program.set("lightFacing", kFacingUnit);
+}
+
+void drawLightsOff(const Program& lightsOff, const scene::Scene& scene, const SceneBuffers& buffers,
+                   const EyeMatrices& eye, const ObjectSetup& setup) {
+    glClearColor(scene.background.r, scene.background.g, scene.background.b, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    if (buffers.anyHoles()) {
+        lightsOff.cutting().use();
+        lightsOff.cutting().set("ambient", scene.ambient);
+    }
+    lightsOff.use();
+    lightsOff.set("ambient", scene.ambient);
+    drawSurfacesWithHoles(lightsOff, scene, buffers, eye, setup);
+}
+
+void setAddLightState() {
+    setVisibilityState();
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+}
+
+void setVisibilityState() {
+    glDepthFunc(GL_EQUAL);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_EQUAL, 0, 0xff);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+}
+
+} // namespace shadowlab::gl

@@ -1,0 +1,73 @@
+// Drawing the scene's surfaces as the eye sees them: the matrices, the lights-off pass, and one light at a time.
+//
+// Every technique shades through these functions and the same GLSL (shaders/shade_light.frag), so that the images of
+// two techniques differ in their shadows alone. A technique's own part is one GLSL function, shadowVisibility().
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <functional>
+#include <optional>
+
+#include "techniques/foundation/gl/program.h"
+#include "techniques/foundation/gl/scene/scene_buffers.h"
+#include "techniques/foundation/scene/model/scene.h"
+#include "techniques/foundation/scene/query/view/picture_part.h"
+
+namespace shadowlab::gl {
+
+/// Double, so that what is composed with them loses nothing far from the world's origin; cast to float last.
+struct EyeMatrices {
+    dmat4 viewFromWorld{1.0}, clipFromView{1.0};
+    /// The part of the picture that is drawn. Objects that cannot touch it are left out; none: all are drawn.
+    std::optional<scene::PicturePart> part = std::nullopt;
+    [[nodiscard]] dmat4 clipFromMesh(const scene::Object& object) const {
+        return clipFromView * (viewFromWorld * scene::worldFromMesh(object));
+    }
+};
+EyeMatrices eyeMatrices(const scene::Camera& camera, ivec2 size);
+
+/// Texture units of the facing signs and of alpha masks; a technique's own textures use the units after them.
+constexpr int kFacingUnit = 0;
+constexpr int kAlphaMaskUnit = 1;
+constexpr int kFirstFreeUnit = 2;
+
+/// Called for each object with the program in use, before its parts are drawn; false leaves the object out.
+using ObjectSetup = std::function<bool(const scene::Object&)>;
+
+/// Draws all objects that may be seen in their order, setting the uniforms that shaders/surface.vert and shaders/material.glsl name.
+/// The program must be in use. Holes are not looked at: for passes with depth test EQUAL, which draw no more than what the
+/// depth buffer has.
+void drawSurfaces(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
+                  const EyeMatrices& eye, const ObjectSetup& setup = {});
+
+/// The same for one object, for a technique that draws them in different ways.
+void drawSurface(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
+                 std::size_t object, const ObjectSetup& setup = {});
+
+/// The same for passes that write depth: in holes nothing is drawn. Parts that have any are drawn by program.cutting(), which
+/// the fragment shader must know of (shaders/cut_holes.glsl); uniforms of the pass have to be set for both.
+void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
+                           const EyeMatrices& eye, const ObjectSetup& setup = {});
+
+/// Draws one object, its holes left out, as a camera of any kind sees it (a light's, for a shadow map): for a program that
+/// needs clipFromMesh alone, of "position.vert" and "nothing.frag". Puts the program to use.
+void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t object,
+               const dmat4& clipFromMesh);
+
+/// Puts the program to use, as it is made for lights of this kind and the materials of this scene, sets the uniforms of
+/// shaders/light.glsl and binds the facing signs. Set other uniforms after it, and follow with drawSurfaces.
+void useForLight(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
+                 int light);
+
+/// Clears colour to the background, depth and stencil, and draws emission + ambient with depth: all lights off.
+void drawLightsOff(const Program& lightsOff, const scene::Scene& scene, const SceneBuffers& buffers,
+                   const EyeMatrices& eye, const ObjectSetup& setup = {});
+
+/// GL state for adding one light to what drawLightsOff has drawn: depth GL_EQUAL, no depth writes, additive blending,
+/// and a stencil that lets each pixel be lit once (of two surfaces at one depth the first drawn is the visible one).
+/// Where the stencil is not zero nothing is lit: a shadow volume's count goes there.
+void setAddLightState();
+
+/// The same, but writing instead of adding: for a visibility picture.
+void setVisibilityState();
+
+} // namespace shadowlab::gl
