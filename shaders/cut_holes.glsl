@@ -1,5 +1,5 @@
 // Leaves out the fragments that lie in a hole of an alpha mask, so that they leave no depth. Only the variant of a program
-// that draws surfaces with holes does so (Program::cutting): a program that may discard costs the early depth test.
+// that draws surfaces with holes does so (Program::alphaTested): a program that may discard costs the early depth test.
 // The C++ twin is techniques/foundation/scene/model/holes.h.
 #ifdef CUT_HOLES
 in vec2 texcoord;

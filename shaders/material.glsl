@@ -1,6 +1,6 @@
 // The material of what is being drawn, and its reflection. The C++ twin is techniques/foundation/scene/query/shading.h.
 uniform vec3 diffuse;
-#ifdef DULL // nothing in the scene has highlights: gl::useForLight
+#ifdef NO_SPECULAR // nothing in the scene has highlights: gl::useForLight
 const vec3 specular = vec3(0.0);
 #else
 uniform vec3 specular;

@@ -111,7 +111,7 @@ gl::Texture2D Frame::copyOfTarget(std::string_view name) const {
 gl::Texture2D Frame::greyedTarget(std::string_view name) const {
     gl::Texture2D grey(target_.color.internalFormat(), target_.size(), name);
     const gl::Framebuffer destination(&grey, nullptr, name);
-    const gl::Program program("fullscreen.vert", "greyed.frag");
+    const gl::Program& program = buffers_.greyed();
     gl::setBaselineState();
     glDisable(GL_DEPTH_TEST);
     destination.bind();

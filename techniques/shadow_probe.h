@@ -37,10 +37,12 @@ LightSection lightSection(const dvec3& eyeWorld, const dvec3& pointWorld, const 
 /// it, so that what two triangles share is cut alike.
 std::optional<std::array<dvec2, 2>> cutBy(const LightSection& section, const std::array<dvec3, 3>& cornersWorld);
 
+/// How the faces of a shadow volume are counted: those before the visible point (depth pass), or those behind it (depth fail).
+enum class CountMethod { zPass, zFail };
+
 /// The line from the eye through the point, and beyond, through the faces of shadow volumes.
 struct VolumeProbe {
     enum class Part { side, topCap, bottomCap };
-    enum class Way { pass, fail };
     struct Crossing {
         std::string object; ///< the caster
         Part part = Part::side;
@@ -49,7 +51,7 @@ struct VolumeProbe {
         double distance = 0;               ///< metres along the line from the eye; infinite: at infinity
         int sign = 0;                      ///< +1: it faces the viewer, the line enters; -1: it leaves
         bool beyond = false;               ///< the point, or at it
-        Way way = Way::fail;               ///< in which the technique counts this caster's volume
+        CountMethod method = CountMethod::zFail; ///< in which the technique counts this caster's volume
         int counted = 0;                   ///< what the technique adds to the stencil for it: +1, -1, or 0
         std::string uncounted{};           ///< why it does not count where its way would lead one to think so
         std::vector<dvec4> cornersWorld{}; ///< of the face: homogeneous, w = 0 at infinity
@@ -65,11 +67,11 @@ struct VolumeProbe {
         bool isPicked = false;           ///< it is what the pixel shows
         bool holdsThePoint = false;      ///< the point is in its volume
         std::vector<std::int8_t> facing; ///< sign of N.L of each triangle: +1, -1, or 0 for edge-on
-        struct OutlineEdge {
+        struct SilhouetteEdge {
             std::uint32_t a = 0, b = 0;  ///< vertices
             std::uint32_t triangles = 2; ///< that meet there: 1 is a boundary
         };
-        std::vector<OutlineEdge> outline;
+        std::vector<SilhouetteEdge> outline;
         /// Three for each triangle; of n vertices number v + n is vertex v extruded.
         std::vector<std::uint32_t> topCap, sides, bottomCap;
         std::vector<dvec4> extrudedWorld; ///< P' of each vertex, homogeneous: w = 0 at infinity

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/picture/digest.h"
 
+#include "techniques/foundation/scene/model/holes.h"
+
 #include <array>
 #include <cstdio>
 #include <type_traits>

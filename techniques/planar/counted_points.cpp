@@ -38,7 +38,7 @@ bool Planar::isSampled(const scene::Light& light) const {
 bool Planar::countPoints(const Frame& frame, int light) {
     CountedPoints& counted = counted_[light];
     if (counted.key != key_) {
-        const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
+        const scene::Light& source = frame.scene().light(light);
         counted.key = key_;
         counted.pointsWorld = scattered(scene::pointsOfLight(source, light, params_.lightPoints));
         counted.drawn = 0;

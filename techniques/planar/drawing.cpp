@@ -154,7 +154,7 @@ void Planar::drawFlattened(const Frame& frame, const gl::Program& program, const
     if (!plane.bothSides.empty()) buffers_.draw(plane.bothSides);
     for (const SingleCaster& single : plane.singles) {
         const Caster& caster = casters_.all()[single.caster];
-        if (caster.hasHoles) setProjection(program.cutting(), caster.worldFromMesh, single.contact);
+        if (caster.hasHoles) setProjection(program.alphaTested(), caster.worldFromMesh, single.contact);
         setProjection(program, caster.worldFromMesh, single.contact);
         drawSingle(frame, program, single);
     }
@@ -172,7 +172,7 @@ void Planar::drawSingle(const Frame& frame, const gl::Program& program, const Si
     const std::vector<scene::MeshPart>& parts = frame.scene().objects[caster.object].mesh->parts;
     for (std::size_t p = 0; p < parts.size(); ++p) {
         const gl::Texture2D* mask = frame.buffers().mask(caster.object, p);
-        const gl::Program& used = mask ? program.cutting() : program;
+        const gl::Program& used = mask ? program.alphaTested() : program;
         used.use();
         if (mask) {
             mask->bind(gl::kAlphaMaskUnit);
@@ -193,8 +193,8 @@ void Planar::setColor(const gl::Program& program, const LitPlane& plane, const v
     program.use();
     program.set("color", color);
     if (plane.singles.empty()) return; // only of these may one have holes
-    program.cutting().use();
-    program.cutting().set("color", color);
+    program.alphaTested().use();
+    program.alphaTested().set("color", color);
 }
 
 // [anchor: clear-marks]

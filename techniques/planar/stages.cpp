@@ -91,7 +91,7 @@ void Planar::countLists(Frame& frame) const {
 }
 
 void Planar::publishVisibility(Frame& frame, int light) const {
-    const bool sampled = isSampled(frame.scene().lights[static_cast<std::size_t>(light)]);
+    const bool sampled = isSampled(frame.scene().light(light));
     const gl::Program& program = sampled ? visibilityCounted_ : visibility_;
     frame.drawStage("visibility", light, GL_RG32F, [&] {
         // Every surface first, as if in shadow; then those without a mark.
@@ -243,7 +243,7 @@ void Planar::publishFlattened(Frame& frame, int light, int tag) const {
     const vec3 between = look::kOccluded, beyond = look::kMultipleEdge, behind = look::kAwayFromLight;
     PlanarParams all = params_;
     all.clip = all.cull = false;
-    const dvec4 lightWorld = scene::homogeneousPositionWorld(frame.scene().lights[static_cast<std::size_t>(light)]);
+    const dvec4 lightWorld = scene::homogeneousPositionWorld(frame.scene().light(light));
     const std::vector<LitPlane> planes =
         litPlanes(frame.scene(), chosen_, casters_, frame.eye(), lightWorld, all, false);
     const auto shown = std::ranges::find(planes, tag, [](const LitPlane& plane) { return plane.receiver->tag; });

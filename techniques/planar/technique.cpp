@@ -37,7 +37,7 @@ Progress Planar::render(Frame& frame) {
     Progress progress;
     std::map<int, int> mostShadowed; // per light: the number of the plane whose flattened geometry is shown
     for (int light = 0; light < lights; ++light) {
-        const bool sampled = isSampled(scene.lights[static_cast<std::size_t>(light)]);
+        const bool sampled = isSampled(scene.light(light));
         if (!sampled) counted_.erase(light);
         const bool isNeeded = !params_.cull || mayLight(frame, light);
         const bool looksAtMarks = frame.wants("shadow-marks", light) || frame.wants("flattened", light);
@@ -92,9 +92,9 @@ void Planar::chooseFor(const Frame& frame) {
     const scene::Scene& scene = frame.scene();
     const Region& region = frame.view().region;
     const scene::Revisions& now = scene.revisions;
-    const ViewKey view{now.geometry,      now.transforms, now.materials, frame.camera(),
-                       frame.view().size, region.corner,  region.size,   gl::shaderReloads()};
-    PictureKey key{view, now.lights, params_};
+    const ViewCacheKey view{now.geometry,      now.transforms, now.materials, frame.camera(),
+                            frame.view().size, region.corner,  region.size,   gl::shaderReloads()};
+    PictureCacheKey key{view, now.lights, params_};
     if (key == key_) return;
     key_ = std::move(key);
     inView_ = receivers_.inView(scene, frame.eye(), frame.buffers().bounds());

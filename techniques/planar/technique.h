@@ -19,20 +19,20 @@ constexpr unsigned kTagBits = 0x3f, kLitBit = 0x40, kMarkBit = 0x80;
 static_assert(kNumbers == static_cast<int>(kTagBits));
 
 /// What the eye sees, and by what shaders: while nothing of it changes, it is known which planes are hidden.
-struct ViewKey {
+struct ViewCacheKey {
     std::uint64_t geometry = 0, transforms = 0, materials = 0; ///< revisions; no scene has these
     scene::Camera camera;
     ivec2 size{0}, corner{0}, regionSize{0};
     int shaderReloads = 0;
-    friend bool operator==(const ViewKey&, const ViewKey&) = default;
+    friend bool operator==(const ViewCacheKey&, const ViewCacheKey&) = default;
 };
 
 /// What lists and counts depend on besides.
-struct PictureKey {
-    ViewKey view;
+struct PictureCacheKey {
+    ViewCacheKey view;
     std::uint64_t lights = 0;
     PlanarParams params;
-    friend bool operator==(const PictureKey&, const PictureKey&) = default;
+    friend bool operator==(const PictureCacheKey&, const PictureCacheKey&) = default;
 };
 
 class Planar final : public Technique {
@@ -42,9 +42,7 @@ public:
     Progress render(Frame& frame) override;
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::vector<SceneShape> shapes(const scene::Snapshot& snapshot, const View& view, int light) override;
-    bool samplesArea(const scene::Scene& scene, int light) const override {
-        return isSampled(scene.lights[static_cast<std::size_t>(light)]);
-    }
+    bool samplesArea(const scene::Scene& scene, int light) const override { return isSampled(scene.light(light)); }
     std::string remark(const scene::MeshReport& report, const scene::Mesh& mesh) const override;
 
 private:
@@ -54,7 +52,7 @@ private:
 
     /// Of one light with an area: how many of its points do not see a pixel.
     struct CountedPoints {
-        PictureKey key;
+        PictureCacheKey key;
         std::vector<dvec3> pointsWorld; ///< in the order they are drawn
         std::size_t drawn = 0;
         gl::Texture2D counts;
@@ -102,13 +100,13 @@ private:
     Receivers receivers_;
     Casters casters_;
     CasterBuffers buffers_;
-    PictureKey key_;                                ///< of what follows
+    PictureCacheKey key_;                           ///< of what follows
     std::vector<ChosenReceiver> inView_, chosen_;   ///< all; lit ones first, then by their size in the picture
     bool leftOut_ = false;                          ///< there were more to choose from
     std::vector<std::vector<LitPlane>> lit_;        ///< per light: by its centre
     std::vector<scene::PicturePart> shadowedParts_; ///< per chosen receiver: where shadows can fall on it
     std::map<int, CountedPoints> counted_;          ///< of lights that are sampled
-    ViewKey hiddenIn_;                              ///< the view that hidden_ is of
+    ViewCacheKey hiddenIn_;                         ///< the view that hidden_ is of
     HiddenFaces hidden_;                            ///< of all in view, those that no pixel shows
     gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
     gl::Program shade_{"surface.vert", "shade_light.frag"};

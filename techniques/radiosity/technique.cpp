@@ -146,7 +146,7 @@ private:
     }
     void drawEmission(const Frame& frame) const {
         clear(frame);
-        for (const gl::Program* program : {&lightsOff_.cutting(), &lightsOff_}) {
+        for (const gl::Program* program : {&lightsOff_.alphaTested(), &lightsOff_}) {
             program->use();
             program->set("ambient", vec3(0.0f)); // what it stands for is computed here
         }

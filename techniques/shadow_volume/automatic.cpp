@@ -95,9 +95,9 @@ public:
     params::ParamList params() override { return sharedParams(); }
 
 private:
-    [[nodiscard]] Way wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster,
-                            int light) const override;
-    [[nodiscard]] bool showsWays() const override { return true; }
+    [[nodiscard]] CountMethod countMethodOf(const scene::Scene& scene, const dvec3& eyeWorld,
+                                            const CasterVolume& caster, int light) const override;
+    [[nodiscard]] bool showsCountMethods() const override { return true; }
     [[nodiscard]] bool keepsToReceiversInView() const override { return true; }
     [[nodiscard]] PassRule passRule() const override { return {.corrected = true}; }
 };
@@ -111,11 +111,12 @@ Automatic::Automatic()
                       repaired()) {}
 
 // [anchor: way-of-a-caster]
-Way Automatic::wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster, int light) const {
-    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+CountMethod Automatic::countMethodOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster,
+                                     int light) const {
+    const scene::Light& source = scene.light(light);
     const bool unsure = eyeLineMayTouch(caster.bounds, eyeWorld, scene::homogeneousPositionWorld(source)) ||
                         eyeMaySeeThrough(scene, caster);
-    return unsure ? Way::fail : Way::pass;
+    return unsure ? CountMethod::zFail : CountMethod::zPass;
 }
 
 TechniqueInfo automaticInfo() {

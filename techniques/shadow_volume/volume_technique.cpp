@@ -70,12 +70,12 @@ Progress VolumeTechnique::render(Frame& frame) {
 void VolumeTechnique::keepWhatRests(const Frame& frame) {
     const View& view = frame.view();
     const auto [corner, size] = drawnRegion(view);
-    CountedFor now{frame.snapshot(), view.camera,         view.size,          corner, size, params_,
-                   rules(),          casters_.revision(), gl::shaderReloads()};
-    const bool rests = now == countedFor_;
+    CountCacheKey now{frame.snapshot(), view.camera,         view.size,          corner, size, params_,
+                      rules(),          casters_.revision(), gl::shaderReloads()};
+    const bool rests = now == countCacheKey_;
     repair_.beginFrame(rests);
     if (rests) return;
-    countedFor_ = std::move(now);
+    countCacheKey_ = std::move(now);
     kept_.clear();
     findReceivers(frame.scene(), frame.eye());
 }
@@ -116,24 +116,24 @@ VolumeInView VolumeTechnique::inView(const gl::EyeMatrices& eye, const CasterVol
 }
 
 /// What shadows nothing may be left out, but from the textbook's depth pass: the eye may be in that volume.
-bool VolumeTechnique::counts(const CasterVolume& caster, Way way) const {
-    return caster.useful || !params_.cull || (way == Way::pass && !passRule().corrected);
+bool VolumeTechnique::counts(const CasterVolume& caster, CountMethod method) const {
+    return caster.useful || !params_.cull || (method == CountMethod::zPass && !passRule().corrected);
 }
 
 VolumeTechnique::ChosenVolumes VolumeTechnique::chosen(const Frame& frame, int light) {
     const std::vector<CasterVolume>& casters = casters_.upload(light);
-    const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = frame.scene().light(light);
     ChosenVolumes chosen;
     for (std::size_t i = 0; i < casters.size(); ++i) {
         const CasterVolume& caster = casters[i];
-        const Way way = wayOf(frame.scene(), frame.camera().positionWorld, caster, light);
+        const CountMethod method = countMethodOf(frame.scene(), frame.camera().positionWorld, caster, light);
         const VolumeInView seen = inView(frame.eye(), caster, source);
-        if (!seen.any || !counts(caster, way)) continue;
-        chosen.volumes.push_back({.seen = seen, .way = way});
+        if (!seen.any || !counts(caster, method)) continue;
+        chosen.volumes.push_back({.seen = seen, .method = method});
         if (params_.extrudeOn == VolumeParams::ExtrudeOn::cpu)
             chosen.volumes.back().extruded =
                 &casters_.extrude(light, i, extrusionOf(frame.scene().objects[caster.object], source, seen.end));
-        if (way == Way::pass && passRule().corrected)
+        if (method == CountMethod::zPass && passRule().corrected)
             chosen.startCount += eyeCount(frame.scene(), caster, seen.end, source, frame.camera().positionWorld);
     }
     return chosen;
@@ -147,7 +147,7 @@ void VolumeTechnique::chooseVolumes(Frame& frame, int light) {
     startCount_ = chosen.startCount;
     frame.count("volumes", static_cast<double>(drawn_.size()), static_cast<double>(casters_.of(light).size()),
                 "casters");
-    const auto passing = std::ranges::count(drawn_, Way::pass, &CountedVolume::way);
+    const auto passing = std::ranges::count(drawn_, CountMethod::zPass, &CountedVolume::method);
     frame.count("depth-pass", static_cast<double>(passing), static_cast<double>(drawn_.size()), "volumes");
 }
 
@@ -213,7 +213,7 @@ void VolumeTechnique::publishCount(Frame& frame, std::string_view stage, int lig
 void VolumeTechnique::repair(Frame& frame, int light) {
     if (!params_.repair) return;
     frame.pass(
-        passInfo(counting_.passes, kRepairPass.id), [&] { repair_.mend(frame, light, drawn_, params_.stencil); },
+        passInfo(counting_.passes, kRepairPass.id), [&] { repair_.apply(frame, light, drawn_, params_.stencil); },
         light);
 }
 
@@ -272,8 +272,8 @@ void VolumeTechnique::publishOverPicture(Frame& frame, int light) {
     const std::vector<const CasterVolume*> casters = usefulCasters(light);
     if (frame.wants("facing", light)) pictures_.publishFacing(frame, light);
     if (frame.wants("ways", light))
-        pictures_.publishWays(frame, light, casters, [&](const CasterVolume& caster) {
-            return wayOf(frame.scene(), frame.camera().positionWorld, caster, light);
+        pictures_.publishCountMethods(frame, light, casters, [&](const CasterVolume& caster) {
+            return countMethodOf(frame.scene(), frame.camera().positionWorld, caster, light);
         });
     if (frame.wants("silhouettes", light)) pictures_.publishSilhouettes(frame, light, casters);
     const ShownVolume shown = shownVolume();
@@ -301,9 +301,10 @@ std::vector<SceneShape> VolumeTechnique::shapes(const scene::Snapshot& snapshot,
     // Of a picked pixel the faces that its line crosses are told by the probe; all others would hide them.
     if (view.picked)
         std::erase_if(shapes, [](const SceneShape& shape) { return shape.kind == SceneShape::Kind::faces; });
-    if (showsWays())
-        addWays(shapes, casters,
-                [&](const CasterVolume& caster) { return wayOf(*snapshot, view.camera.positionWorld, caster, light); });
+    if (showsCountMethods())
+        addCountMethods(shapes, casters, [&](const CasterVolume& caster) {
+            return countMethodOf(*snapshot, view.camera.positionWorld, caster, light);
+        });
     return shapes;
 }
 

@@ -40,8 +40,8 @@ protected:
         : counting_(counting), params_(defaults) {}
 
     /// How a caster's volume is counted.
-    [[nodiscard]] virtual Way wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster,
-                                    int light) const = 0;
+    [[nodiscard]] virtual CountMethod countMethodOf(const scene::Scene& scene, const dvec3& eyeWorld,
+                                                    const CasterVolume& caster, int light) const = 0;
     [[nodiscard]] CountRules rules() const { return {passRule(), failRule()}; }
     [[nodiscard]] virtual PassRule passRule() const { return {}; }
     [[nodiscard]] virtual FailRule failRule() const { return {}; }
@@ -51,7 +51,7 @@ protected:
     /// Draws with the near plane of the view itself, which cuts; else it is moved out to the nearest surface.
     [[nodiscard]] virtual bool usesNearPlaneOfView() const { return false; }
     /// Do volumes go different ways, so that it is worth a look which?
-    [[nodiscard]] virtual bool showsWays() const { return false; }
+    [[nodiscard]] virtual bool showsCountMethods() const { return false; }
     /// Are caps part of what it draws?
     [[nodiscard]] virtual bool showsCaps() const { return true; }
 
@@ -67,7 +67,7 @@ private:
     [[nodiscard]] VolumeEnd endOf(const CasterVolume& caster, const scene::Light& light) const;
     [[nodiscard]] VolumeInView inView(const gl::EyeMatrices& eye, const CasterVolume& caster,
                                       const scene::Light& light) const;
-    [[nodiscard]] bool counts(const CasterVolume& caster, Way way) const;
+    [[nodiscard]] bool counts(const CasterVolume& caster, CountMethod method) const;
     /// Volumes of a light that can change a pixel.
     struct ChosenVolumes {
         std::vector<CountedVolume> volumes;
@@ -106,7 +106,7 @@ private:
     StagePictures pictures_;
     RepairPass repair_;
     /// All that a frame's counts depend on.
-    struct CountedFor {
+    struct CountCacheKey {
         scene::Snapshot snapshot;
         scene::Camera camera;
         ivec2 size{0}, regionCorner{0}, regionSize{0};
@@ -114,9 +114,9 @@ private:
         CountRules rules;
         std::uint64_t castersRevision = 0;
         int shaderReloads = 0;
-        friend bool operator==(const CountedFor&, const CountedFor&) = default;
+        friend bool operator==(const CountCacheKey&, const CountCacheKey&) = default;
     };
-    CountedFor countedFor_;             ///< for this are:
+    CountCacheKey countCacheKey_;       ///< for this are:
     std::map<int, ChosenVolumes> kept_; ///< per light
 };
 

@@ -86,8 +86,9 @@ public:
     params::ParamList params() override;
 
 private:
-    [[nodiscard]] Way wayOf(const scene::Scene&, const dvec3&, const CasterVolume&, int) const override {
-        return Way::fail;
+    [[nodiscard]] CountMethod countMethodOf(const scene::Scene&, const dvec3&, const CasterVolume&,
+                                            int) const override {
+        return CountMethod::zFail;
     }
     [[nodiscard]] FailRule failRule() const override {
         using enum ZFailParams::FarPlane;

@@ -96,8 +96,8 @@ public:
     std::string remark(const scene::MeshReport& report, const scene::Mesh& mesh) const override;
 
 private:
-    [[nodiscard]] Way wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster,
-                            int light) const override;
+    [[nodiscard]] CountMethod countMethodOf(const scene::Scene& scene, const dvec3& eyeWorld,
+                                            const CasterVolume& caster, int light) const override;
     [[nodiscard]] PassRule passRule() const override { return {.corrected = params_.eyeCorrection}; }
     [[nodiscard]] bool showsCaps() const override { return false; }
     /// Moved out to the nearest surface the near plane would cut far more volumes.
@@ -123,15 +123,16 @@ params::ParamList ZPass::params() {
 }
 
 // [anchor: way-by-z-pass]
-Way ZPass::wayOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster, int light) const {
-    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+CountMethod ZPass::countMethodOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster,
+                                 int light) const {
+    const scene::Light& source = scene.light(light);
     // The eye's own count is known for volumes that end at a plane or nowhere.
     const bool unsure =
         params_.eyeCorrection &&
         (eyeMaySeeThrough(scene, caster) ||
          (endsAtDistance() ? eyeLineMayTouch(caster.bounds, eyeWorld, scene::homogeneousPositionWorld(source))
                            : eyeLineGrazes(scene, caster, source, eyeWorld)));
-    return unsure ? Way::fail : Way::pass;
+    return unsure ? CountMethod::zFail : CountMethod::zPass;
 }
 
 std::string ZPass::remark(const scene::MeshReport& report, const scene::Mesh& mesh) const {

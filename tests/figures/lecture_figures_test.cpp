@@ -248,7 +248,7 @@ TEST(VolumeFigureTest, TheCurveIsWhereTheVolumeCutsTheReceivers) {
     std::map<std::array<long, 3>, int> ends;
     for (const dvec3& place : curve) {
         double least = 1e300; // from the outline to the line between light and place
-        for (const VolumeProbe::Caster::OutlineEdge& edge : solid.caster->outline) {
+        for (const VolumeProbe::Caster::SilhouetteEdge& edge : solid.caster->outline) {
             const dvec3 &a = solid.verticesWorld[edge.a], b = solid.verticesWorld[edge.b];
             const dvec3 normal = glm::normalize(glm::cross(a - light, b - light));
             const dvec3 inPlane = glm::cross(normal, glm::normalize(place - light));

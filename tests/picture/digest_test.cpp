@@ -8,6 +8,7 @@
 #include <set>
 
 #include "techniques/foundation/image/png/png.h"
+#include "techniques/foundation/scene/model/holes.h"
 
 namespace shadowlab::picture {
 namespace {

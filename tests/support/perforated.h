@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/model/scene.h"
 
 namespace shadowlab::testing {

@@ -87,7 +87,7 @@ Json volumeJson(const Probe& probe) {
                          {"distance", numberJson(crossing.distance)},
                          {"sign", crossing.sign},
                          {"beyond", crossing.beyond},
-                         {"way", crossing.way == VolumeProbe::Way::pass ? "z-pass" : "z-fail"},
+                         {"way", crossing.method == CountMethod::zPass ? "z-pass" : "z-fail"},
                          {"counted", crossing.counted},
                          {"uncounted", textJson(crossing.uncounted)}});
     }

@@ -29,7 +29,7 @@ struct Counts {
 Counts countsOf(const FigureSource& source) {
     const VolumeProbe& volume = *source.probe.volume;
     const bool passes = std::ranges::all_of(
-        volume.crossings, [](const Crossing& crossing) { return crossing.way == VolumeProbe::Way::pass; });
+        volume.crossings, [](const Crossing& crossing) { return crossing.method == CountMethod::zPass; });
     if (source.technique != "shadow-volume-zfail" && passes) return {true, volume.frontsBefore, volume.backsBefore};
     return {false, volume.frontsBeyond, volume.backsBeyond};
 }

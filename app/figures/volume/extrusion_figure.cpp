@@ -21,7 +21,7 @@ constexpr double kExtrusionLines = 110 + 2 * kExtrusionRow; ///< pixels of formu
 std::uint32_t chosenVertex(const CasterSolid& solid, const dvec3& pointWorld) {
     std::uint32_t best = 0;
     double least = std::numeric_limits<double>::infinity();
-    for (const VolumeProbe::Caster::OutlineEdge& edge : solid.caster->outline)
+    for (const VolumeProbe::Caster::SilhouetteEdge& edge : solid.caster->outline)
         for (const std::uint32_t vertex : {edge.a, edge.b}) {
             const dvec3& from = solid.verticesWorld[vertex];
             const dvec4& end = solid.caster->extrudedWorld[vertex];

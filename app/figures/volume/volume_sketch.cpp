@@ -81,7 +81,7 @@ double VolumeSketch::lengthOf(std::uint32_t vertex) const {
 
 /// One strip where both its ends fall on one plane: what is between them does, too, along a line. Else it is halved, so that the
 /// curve bends where the surface does.
-void VolumeSketch::addStrips(const VolumeProbe::Caster::OutlineEdge& edge, double from, double to, int depth) {
+void VolumeSketch::addStrips(const VolumeProbe::Caster::SilhouetteEdge& edge, double from, double to, int depth) {
     Strip strip;
     strip.isBorder = from == 0;
     const std::array shares{from, to};
@@ -131,7 +131,7 @@ void VolumeSketch::findStrips() {
     size_ = glm::length(box.upperWorld - box.lowerWorld);
     double longest = 0, farthest = 0;
     std::map<std::size_t, int> met;
-    for (const VolumeProbe::Caster::OutlineEdge& edge : caster.outline) {
+    for (const VolumeProbe::Caster::SilhouetteEdge& edge : caster.outline) {
         const dvec3& from = solid_.verticesWorld[edge.a];
         longest = std::max({longest, lengthOf(edge.a), lengthOf(edge.b)});
         if (const auto hit = firstHit(from, away(from), lengthOf(edge.a))) {
@@ -147,7 +147,7 @@ void VolumeSketch::findStrips() {
             scene_.objects[std::ranges::max_element(met, {}, [](const auto& one) { return one.second; })->first].name;
 
     const bool isCoarse = caster.outline.size() <= kFewEdges;
-    for (const VolumeProbe::Caster::OutlineEdge& edge : caster.outline)
+    for (const VolumeProbe::Caster::SilhouetteEdge& edge : caster.outline)
         for (int i = 0; i < (isCoarse ? kEdgePieces : 1); ++i)
             addStrips(edge, isCoarse ? static_cast<double>(i) / kEdgePieces : 0,
                       isCoarse ? static_cast<double>(i + 1) / kEdgePieces : 1, isCoarse ? 8 : 3);

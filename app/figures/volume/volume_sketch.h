@@ -51,7 +51,7 @@ private:
     [[nodiscard]] bool onOnePlane(const std::optional<Hit>& a, const std::optional<Hit>& b) const;
     void findReceivers();
     void findStrips();
-    void addStrips(const VolumeProbe::Caster::OutlineEdge& edge, double from, double to, int depth);
+    void addStrips(const VolumeProbe::Caster::SilhouetteEdge& edge, double from, double to, int depth);
     void addShadow(const std::array<dvec3, 3>& cornersWorld, int depth);
     [[nodiscard]] double lengthOf(std::uint32_t vertex) const; ///< metres from P to P'; infinite: no end
     void chooseView(const dvec3& eyeWorld);

@@ -110,13 +110,13 @@ void Program::useWith(const std::vector<std::string>& moreDefines) const {
     glUseProgram(linked.handle.id());
 }
 
-const Program& Program::cutting() const {
-    if (!cutting_) {
+const Program& Program::alphaTested() const {
+    if (!alphaTested_) {
         std::vector<std::string> defines = defines_;
         defines.emplace_back("CUT_HOLES");
-        cutting_ = std::make_unique<const Program>(vertexFile_, fragmentFile_, std::move(defines), substitutions_);
+        alphaTested_ = std::make_unique<const Program>(vertexFile_, fragmentFile_, std::move(defines), substitutions_);
     }
-    return *cutting_;
+    return *alphaTested_;
 }
 
 void Program::relink(Linked& linked, const std::vector<std::string>& moreDefines) const {

@@ -30,7 +30,7 @@ public:
     void useWith(const std::vector<std::string>& moreDefines) const;
 
     /// The same program, made with CUT_HOLES: for surfaces with holes, in passes that write depth (shaders/cut_holes.glsl).
-    [[nodiscard]] const Program& cutting() const;
+    [[nodiscard]] const Program& alphaTested() const;
 
     /// Does the program in use read this uniform? Those that the linker removed it does not.
     [[nodiscard]] bool reads(std::string_view name) const { return location(name) >= 0; }
@@ -71,7 +71,7 @@ private:
     std::string vertexFile_, fragmentFile_;
     std::vector<std::string> defines_;
     std::vector<Substitution> substitutions_;
-    mutable std::unique_ptr<const Program> cutting_; ///< made when first asked for
+    mutable std::unique_ptr<const Program> alphaTested_; ///< made when first asked for
     mutable std::map<std::vector<std::string>, Linked> linked_;
     mutable std::vector<std::string> chosen_; ///< the key of what use() puts to use
     mutable Linked* inUse_ = nullptr;

@@ -144,7 +144,7 @@ bool SceneTracer::facesLight(const SurfacePoint& point, int light) const {
 }
 
 Ray SceneTracer::shadowRay(const SurfacePoint& point, int light, ShadowStart start) const {
-    const scene::Light& source = snapshot_->lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = snapshot_->light(light);
     Ray ray;
     ray.originCentred = positionCentred(point);
     if (start == ShadowStart::naive) ray.originCentred = dvec3(vec3(ray.originCentred));

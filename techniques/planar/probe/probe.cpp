@@ -64,7 +64,7 @@ std::vector<SceneShape> coverShapes(const PlaneProbe& plane, const dvec3& pointW
 PlaneProbe withoutReceiver(const scene::Scene& scene, const Choice& choice, int light) {
     PlaneProbe probe;
     probe.receives = false;
-    probe.lightWorld = scene::homogeneousPositionWorld(scene.lights[static_cast<std::size_t>(light)]);
+    probe.lightWorld = scene::homogeneousPositionWorld(scene.light(light));
     for (const ChosenReceiver& one : choice.receivers) {
         const scene::Object& object = scene.objects[one.receiver.object];
         probe.others.push_back({object.name, planeOf(*one.receiver.face, scene::worldFromMesh(object))});
@@ -102,7 +102,7 @@ Probe Planar::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pix
         probe.facts.push_back({"receiver plane", equation(planeOf(*one.receiver.face, worldFromMesh)), ""});
         probe.facts.push_back({"stencil number", std::to_string(one.tag), ""});
         if (!asked) return probe;
-        const scene::Light& source = snapshot->lights[static_cast<std::size_t>(light)];
+        const scene::Light& source = snapshot->light(light);
         const dvec4 lightWorld = scene::homogeneousPositionWorld(source);
         if (glm::dot(planeOf(*one.receiver.face, worldFromMesh), lightWorld) == 0) {
             probe.facts.push_back({"projection", "none: the light lies in the plane", ""});

@@ -71,7 +71,7 @@ std::vector<SceneShape> Planar::shapes(const scene::Snapshot& snapshot, const Vi
     if (view.picked) return shapes; // the probe tells of the one ray that matters
 
     // Rays onto one plane only, or nothing could be told apart: the one that the eye sees lit and most rays end on.
-    const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->lights[static_cast<std::size_t>(light)]);
+    const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->light(light));
     SceneShape rays{"ray from the light to the plane", look::kSilhouette, SceneShape::Kind::lines, {}};
     for (const ChosenReceiver& one : chosen) {
         const auto projection = projectOnto(one.planeView, eye.viewFromWorld * lightWorld,

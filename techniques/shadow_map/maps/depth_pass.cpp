@@ -105,7 +105,7 @@ void DepthPass::drawDual(const Frame& frame, const LightMaps& maps, int layer, s
     drawInto(pushed, 0, depth_);
     glDisable(GL_POLYGON_OFFSET_FILL);
     first.bind(kFirstUnit);
-    for (const gl::Program* program : {&secondDepth_, &secondDepth_.cutting()}) {
+    for (const gl::Program* program : {&secondDepth_, &secondDepth_.alphaTested()}) {
         program->use();
         program->set("firstDepth", kFirstUnit);
         program->set("apart", depthEpsilon(format));

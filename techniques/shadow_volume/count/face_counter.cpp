@@ -63,7 +63,7 @@ void FaceCounter::drawPassing(const Frame& frame, int light, std::span<const Cou
     if (rule.corrected) glEnable(GL_DEPTH_CLAMP); // before the near plane is before every visible point
     const dvec4 eyeWorld(frame.camera().positionWorld, 1.0);
     for (const CountedVolume& volume : volumes) {
-        if (volume.way != Way::pass) continue;
+        if (volume.method != CountMethod::zPass) continue;
         // From beyond its end one looks into a volume through the bottom; an end that is no plane is seen from anywhere.
         const VolumeEnd& end = volume.seen.end;
         drawExtruded(frame, volume, light, end.distance || (end.planeWorld && glm::dot(*end.planeWorld, eyeWorld) > 0),
@@ -75,7 +75,8 @@ void FaceCounter::drawPassing(const Frame& frame, int light, std::span<const Cou
         glEnable(GL_CLIP_DISTANCE0);
         programs.nearCap.use();
         for (const CountedVolume& volume : volumes)
-            if (volume.way == Way::pass && !scene::isBeyondNearPlane(volume.seen.caster->bounds, clipFromWorld)) {
+            if (volume.method == CountMethod::zPass &&
+                !scene::isBeyondNearPlane(volume.seen.caster->bounds, clipFromWorld)) {
                 frame.scissorTo(volume.seen.part);
                 drawTopCap(frame, programs.nearCap, *volume.seen.caster);
             }
@@ -89,14 +90,15 @@ void FaceCounter::drawFailing(const Frame& frame, int light, std::span<const Cou
     // Sides and bottom caps may reach infinity: nothing may clip them there, so their depth is clamped.
     if (rule.clamp) glEnable(GL_DEPTH_CLAMP);
     for (const CountedVolume& volume : volumes)
-        if (volume.way == Way::fail) drawExtruded(frame, volume, light, rule.caps && volume.seen.bottomCap, programs);
+        if (volume.method == CountMethod::zFail)
+            drawExtruded(frame, volume, light, rule.caps && volume.seen.bottomCap, programs);
     // Top caps lie on the casters' surfaces and must get the very depths the surfaces got: same vertices, same order,
     // same program text, and no clamp, because the surfaces themselves were clipped at the near plane.
     glDisable(GL_DEPTH_CLAMP);
     if (!rule.caps) return;
     programs.cap.use();
     for (const CountedVolume& volume : volumes)
-        if (volume.way == Way::fail && volume.seen.topCap) {
+        if (volume.method == CountMethod::zFail && volume.seen.topCap) {
             frame.scissorTo(volume.seen.part);
             drawTopCap(frame, programs.cap, *volume.seen.caster);
         }
@@ -109,7 +111,7 @@ void FaceCounter::drawExtruded(const Frame& frame, const CountedVolume& volume, 
     const gl::Program& program = volume.extruded ? programs.extruded : programs.extrude;
     program.use();
     program.set("clipFromMesh", mat4(frame.eye().clipFromMesh(object)));
-    const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = frame.scene().light(light);
     if (!volume.extruded) setExtrusion(program, extrusionOf(object, source, volume.seen.end));
     setFrontFace(object, false);
     frame.scissorTo(volume.seen.part);

@@ -5,16 +5,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/frame.h"
+#include "techniques/shadow_probe.h"
 #include "techniques/shadow_volume/cull/volume_in_view.h"
 
 namespace shadowlab::shadow_volume {
 
-enum class Way { pass, fail };
-
 /// A volume that is drawn, and how it is counted.
 struct CountedVolume {
     VolumeInView seen;
-    Way way = Way::fail;
+    CountMethod method = CountMethod::zFail;
     const VolumeBuffers* extruded = nullptr; ///< what the processor has extruded; null: the vertex shader does
 };
 

@@ -58,7 +58,7 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
     SceneShape sides{"volume: sides", look::kVolumeSide, SceneShape::Kind::faces, {}};
     SceneShape top{"volume: top cap", look::kTopCap, SceneShape::Kind::faces, {}};
     SceneShape bottom{"volume: bottom cap", look::kBottomCap, SceneShape::Kind::faces, {}};
-    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = scene.light(light);
     const dvec4 lightWorld = scene::homogeneousPositionWorld(source);
     scene::Bounds all;
     for (const scene::Bounds& box : scene::objectBounds(scene))
@@ -134,12 +134,12 @@ std::vector<SceneShape> crossedShapes(const scene::Scene& scene, const VolumePro
     return {std::move(enters), std::move(leaves), std::move(entersRim), std::move(leavesRim)};
 }
 
-void addWays(std::vector<SceneShape>& shapes, std::span<const CasterVolume* const> casters,
-             const std::function<Way(const CasterVolume&)>& wayOf) {
+void addCountMethods(std::vector<SceneShape>& shapes, std::span<const CasterVolume* const> casters,
+                     const std::function<CountMethod(const CasterVolume&)>& countMethodOf) {
     SceneShape passing{"counted with depth pass", look::kDepthPass, SceneShape::Kind::lines, {}};
     SceneShape failing{"counted with depth fail", look::kDepthFail, SceneShape::Kind::lines, {}};
     for (const CasterVolume* caster : casters) {
-        SceneShape& shape = wayOf(*caster) == Way::pass ? passing : failing;
+        SceneShape& shape = countMethodOf(*caster) == CountMethod::zPass ? passing : failing;
         for (int corner = 0; corner < 8; ++corner)
             for (const int axis : {1, 2, 4})
                 if (!(corner & axis))
@@ -160,7 +160,7 @@ SceneShape nearClipPyramid(const scene::Scene& scene, const View& view, int ligh
         all.include(box);
     all.include(camera.positionWorld);
     const scene::Bounds end = somewhatLarger(all);
-    const dvec4 lightWorld = scene::homogeneousPositionWorld(scene.lights[static_cast<std::size_t>(light)]);
+    const dvec4 lightWorld = scene::homogeneousPositionWorld(scene.light(light));
 
     SceneShape pyramid{"near-clip pyramid", look::kBoundaryEdge, SceneShape::Kind::lines, {}};
     constexpr int kAround[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};

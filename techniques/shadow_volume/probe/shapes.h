@@ -32,8 +32,8 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
 std::vector<SceneShape> crossedShapes(const scene::Scene& scene, const VolumeProbe& probe);
 
 /// Boxes around the casters, by the way in which their volumes are counted.
-void addWays(std::vector<SceneShape>& shapes, std::span<const CasterVolume* const> casters,
-             const std::function<Way(const CasterVolume&)>& wayOf);
+void addCountMethods(std::vector<SceneShape>& shapes, std::span<const CasterVolume* const> casters,
+                     const std::function<CountMethod(const CasterVolume&)>& countMethodOf);
 
 /// The near rectangle of the view joined to the light, as lines: what stands in it casts its shadow on the near plane, and
 /// there depth pass starts counting from a wrong number. Everitt and Kilgard 2002; Hornus, Hoberock, Lefebvre and Hart,

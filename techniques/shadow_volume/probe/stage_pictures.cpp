@@ -58,12 +58,12 @@ void StagePictures::publishFacing(Frame& frame, int light) const {
          .key = {{look::kTowardLight, "N·L > 0: faces the light"}, {look::kAwayFromLight, "N·L ≤ 0: faces away"}}});
 }
 
-void StagePictures::publishWays(Frame& frame, int light, std::span<const CasterVolume* const> casters,
-                                const std::function<Way(const CasterVolume&)>& wayOf) const {
+void StagePictures::publishCountMethods(Frame& frame, int light, std::span<const CasterVolume* const> casters,
+                                        const std::function<CountMethod(const CasterVolume&)>& countMethodOf) const {
     const auto colorOf = [&](const scene::Object& object) -> const vec3* {
         for (const CasterVolume* caster : casters)
             if (&frame.scene().objects[caster->object] == &object)
-                return wayOf(*caster) == Way::pass ? &look::kDepthPass : &look::kDepthFail;
+                return countMethodOf(*caster) == CountMethod::zPass ? &look::kDepthPass : &look::kDepthFail;
         return nullptr;
     };
     frame.drawOverTarget("ways", light, true,
@@ -133,7 +133,7 @@ void StagePictures::publishFaces(Frame& frame, int light, std::span<const Caster
 
     const auto drawCaster = [&](const CasterVolume& caster, float share) {
         const scene::Object& object = frame.scene().objects[caster.object];
-        const scene::Light& source = frame.scene().lights[static_cast<std::size_t>(light)];
+        const scene::Light& source = frame.scene().light(light);
         // The volume that is counted ends far away, with a cap of another cut; the one shown is the lecture's.
         std::vector<SilhouetteEdge> silhouette;
         const Volume volume = buildShown(object, source, caster, shown, silhouette);

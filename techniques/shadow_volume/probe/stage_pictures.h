@@ -12,8 +12,8 @@ public:
     /// Every triangle in the colour of its sign of N.L.
     void publishFacing(Frame& frame, int light) const;
     /// Casters in the colour of the way their volumes are counted.
-    void publishWays(Frame& frame, int light, std::span<const CasterVolume* const> casters,
-                     const std::function<Way(const CasterVolume&)>& wayOf) const;
+    void publishCountMethods(Frame& frame, int light, std::span<const CasterVolume* const> casters,
+                             const std::function<CountMethod(const CasterVolume&)>& countMethodOf) const;
     /// Silhouette, boundary and non-manifold edges over the picture.
     void publishSilhouettes(Frame& frame, int light, std::span<const CasterVolume* const> casters) const;
     /// The faces, translucent, over the picture: by the side they turn to the viewer, or by the part they belong to.

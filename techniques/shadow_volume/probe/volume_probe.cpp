@@ -42,7 +42,7 @@ struct Rules {
         const double depth = crossing.distance * axisShare;
         const bool isTop = crossing.part == VolumeProbe::Part::topCap,
                    isBottom = crossing.part == VolumeProbe::Part::bottomCap;
-        if (crossing.way == VolumeProbe::Way::pass) {
+        if (crossing.method == CountMethod::zPass) {
             if (crossing.beyond) return;
             if (isBottom && !eyeIsBeyondEnd) return;
             if (isTop && !(rules.pass.corrected && depth < near)) return;
@@ -134,7 +134,7 @@ std::string sumText(int more, int less, const char* first, const char* second) {
 
 VolumeProbe VolumeTechnique::probeVolumes(const scene::Scene& scene, const View& view, const trace::EyeHit& hit,
                                           int light) {
-    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = scene.light(light);
     const dvec3& eyeWorld = view.camera.positionWorld;
     const EyeLine line{eyeWorld, glm::normalize(hit.positionWorld - eyeWorld)};
     // The matrices that a frame draws with: see Frame.
@@ -153,7 +153,7 @@ VolumeProbe VolumeTechnique::probeVolumes(const scene::Scene& scene, const View&
 
     VolumeProbe probe;
     for (const CasterVolume& caster : casters_.of(light)) {
-        const Way way = wayOf(scene, eyeWorld, caster, light);
+        const CountMethod method = countMethodOf(scene, eyeWorld, caster, light);
         const VolumeInView seen = inView(eye, caster, source);
         const bool isPicked = caster.object == hit.object;
         if (isPicked && (caster.useful || !params_.cull)) {
@@ -161,8 +161,8 @@ VolumeProbe VolumeTechnique::probeVolumes(const scene::Scene& scene, const View&
             probe.casters.back().isPicked = true;
         }
         probe.eyeCount += eyeCount(scene, caster, seen.end, source, eyeWorld);
-        if (!seen.any || !counts(caster, way)) continue;
-        if (way == Way::pass && passRule().corrected)
+        if (!seen.any || !counts(caster, method)) continue;
+        if (method == CountMethod::zPass && passRule().corrected)
             probe.start += eyeCount(scene, caster, seen.end, source, eyeWorld);
         addCaps(probe, section, scene, caster, seen.end, source);
         rules.eyeIsBeyondEnd =
@@ -185,7 +185,7 @@ VolumeProbe VolumeTechnique::probeVolumes(const scene::Scene& scene, const View&
             crossing.distance = face.distance;
             crossing.sign = face.facesEye ? 1 : -1;
             crossing.beyond = own || face.distance >= hit.distance * (1 - kSamePlace);
-            crossing.way = way == Way::pass ? VolumeProbe::Way::pass : VolumeProbe::Way::fail;
+            crossing.method = method;
             crossing.cornersWorld.assign(face.cornersWorld.begin(), face.cornersWorld.end());
             rules.count(crossing, own);
             if (!crossing.beyond) holding += crossing.sign;
@@ -200,7 +200,7 @@ VolumeProbe VolumeTechnique::probeVolumes(const scene::Scene& scene, const View&
     // In the order in which they are drawn (FaceCounter): first what depth pass counts, then the others, and of either the top
     // caps of all volumes at the end. A stencil that sticks at its ends asks for the order.
     std::ranges::stable_sort(probe.crossings, {}, [](const Crossing& c) {
-        return std::pair(c.way == VolumeProbe::Way::fail, c.part == VolumeProbe::Part::topCap);
+        return std::pair(c.method == CountMethod::zFail, c.part == VolumeProbe::Part::topCap);
     });
     probe.count = probe.start;
     for (const Crossing& crossing : probe.crossings) {
@@ -232,7 +232,7 @@ std::string VolumeTechnique::whyWrong(const VolumeProbe& volume, bool isLit) con
             return std::to_string(faces) + (faces == 1 ? " face is" : " faces are") + " missing from the count (" +
                    why + ")";
     const bool passes =
-        std::ranges::any_of(volume.crossings, [](const Crossing& c) { return c.way == VolumeProbe::Way::pass; }) ||
+        std::ranges::any_of(volume.crossings, [](const Crossing& c) { return c.method == CountMethod::zPass; }) ||
         volume.crossings.empty();
     if (passes && !passRule().corrected && volume.eyeCount != volume.start)
         return "the eye is in " + std::to_string(volume.eyeCount) + (volume.eyeCount == 1 ? " volume" : " volumes") +

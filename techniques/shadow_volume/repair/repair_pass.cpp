@@ -43,7 +43,7 @@ CountedPart readCount(const Frame& frame, const StencilRule& stencil) {
 
 } // namespace
 
-void RepairPass::mend(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil) {
+void RepairPass::apply(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil) {
     const Repair& repair = decided(frame, light, volumes, stencil);
     if (told_.insert(light).second) {
         frame.count("repaired-pixels", static_cast<double>(repair.lookedAt), static_cast<double>(repair.pixels.size()),

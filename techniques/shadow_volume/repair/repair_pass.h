@@ -45,7 +45,7 @@ public:
 
     /// Mends the count that the target's stencil holds for a light. `volumes` are those that were counted. A second time only
     /// writes what the first one found: the same volumes give the same count.
-    void mend(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil);
+    void apply(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil);
 
     /// The same count, and what mending it does, as a stage; the stencil stays as it is.
     void publish(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil);

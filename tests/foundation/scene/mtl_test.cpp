@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include "techniques/foundation/image/png/png.h"
+#include "techniques/foundation/scene/model/holes.h"
 #include "tests/foundation/scene/scene_files.h"
 
 namespace shadowlab::scene {

@@ -1,5 +1,6 @@
 // Rays through holes: by a formula, by the judge, by the tracer, and by trying every triangle with arithmetic of its own.
 // SPDX-License-Identifier: MIT
+#include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/trace/world_triangles.h"
 
 #include <random>

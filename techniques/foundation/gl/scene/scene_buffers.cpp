@@ -155,9 +155,7 @@ const Texture2D* SceneBuffers::mask(std::size_t object, std::size_t part) const 
 const ByteBufferTexture& SceneBuffers::facing(int light) const {
     const auto found = facing_.find(light);
     if (found != facing_.end()) return found->second;
-    return facing_
-        .emplace(light, ByteBufferTexture(facingSigns(*snapshot_, snapshot_->lights[static_cast<std::size_t>(light)]),
-                                          "facing signs"))
+    return facing_.emplace(light, ByteBufferTexture(facingSigns(*snapshot_, snapshot_->light(light)), "facing signs"))
         .first->second;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "techniques/foundation/gl/handle.h"
+#include "techniques/foundation/gl/program.h"
 #include "techniques/foundation/gl/texture.h"
 #include "techniques/foundation/scene/model/scene.h"
 
@@ -50,6 +51,9 @@ public:
     [[nodiscard]] const std::vector<scene::Bounds>& bounds() const { return bounds_; }
     /// The stored facing signs (scene/query/facing.h) of all triangles for one light; made when first asked for.
     [[nodiscard]] const ByteBufferTexture& facing(int light) const;
+    /// Copies a picture without its colours ("source": the picture's unit). Compiled once, at its first use: it is kept here because
+    /// these buffers live as long as the context does.
+    [[nodiscard]] const Program& greyed() const { return greyed_; }
 
 private:
     void updateMasks();
@@ -62,6 +66,7 @@ private:
     std::vector<int> triangleBases_;
     std::vector<scene::Bounds> bounds_;
     mutable std::map<int, ByteBufferTexture> facing_;
+    Program greyed_{"fullscreen.vert", "greyed.frag"};
 };
 
 /// A static buffer holding `data`.

@@ -26,8 +26,8 @@ int lightKind(scene::LightType type) {
 /// for a graphics card would compute all cases of all pixels (a fifth to a third of a frame's time).
 std::vector<std::string> knownBefore(const scene::Scene& scene, const scene::Light& light) {
     std::vector<std::string> defines{"LIGHT_KIND " + std::to_string(lightKind(light.type))};
-    const auto isDull = [](const scene::Material& material) { return material.specular == vec3(0); };
-    if (std::ranges::all_of(scene.materials, isDull)) defines.emplace_back("DULL");
+    const auto hasNoSpecular = [](const scene::Material& material) { return material.specular == vec3(0); };
+    if (std::ranges::all_of(scene.materials, hasNoSpecular)) defines.emplace_back("NO_SPECULAR");
     return defines;
 }
 
@@ -35,8 +35,7 @@ std::vector<std::string> knownBefore(const scene::Scene& scene, const scene::Lig
 void setObject(const Program& program, const scene::Scene& scene, const EyeMatrices& eye, const scene::Object& object) {
     const dmat4 viewFromMesh = eye.viewFromWorld * scene::worldFromMesh(object);
     const bool rectSurface =
-        object.emitterOfLight >= 0 &&
-        scene.lights[static_cast<std::size_t>(object.emitterOfLight)].type == scene::LightType::rect;
+        object.emitterOfLight >= 0 && scene.light(object.emitterOfLight).type == scene::LightType::rect;
     program.set("clipFromMesh", mat4(eye.clipFromView * viewFromMesh));
     program.set("viewFromMesh", mat4(viewFromMesh));
     program.set("normalViewFromMesh", mat3(glm::transpose(glm::inverse(dmat3(viewFromMesh)))));
@@ -65,12 +64,12 @@ void drawPart(const Program& program, const scene::Scene& scene, const SceneBuff
 }
 
 /// The variant of a program that cuts holes, in use, with this mask.
-const Program& useCutting(const Program& program, const Texture2D& mask) {
-    const Program& cutting = program.cutting();
-    cutting.use();
+const Program& useAlphaTested(const Program& program, const Texture2D& mask) {
+    const Program& alphaTested = program.alphaTested();
+    alphaTested.use();
     mask.bind(kAlphaMaskUnit);
-    cutting.set("alphaMask", kAlphaMaskUnit);
-    return cutting;
+    alphaTested.set("alphaMask", kAlphaMaskUnit);
+    return alphaTested;
 }
 
 /// `drawObject()` if the object may be seen.
@@ -125,9 +124,9 @@ void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, co
                 drawPart(program, scene, buffers, i, part);
                 continue;
             }
-            const Program& cutting = useCutting(program, *mask);
-            setObject(cutting, scene, eye, scene.objects[i]);
-            drawPart(cutting, scene, buffers, i, part);
+            const Program& alphaTested = useAlphaTested(program, *mask);
+            setObject(alphaTested, scene, eye, scene.objects[i]);
+            drawPart(alphaTested, scene, buffers, i, part);
             program.use();
         }
     };
@@ -144,7 +143,7 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
         return drawRun(program, buffers, object, 0, static_cast<std::uint32_t>(mesh.triangles.size()));
     for (std::size_t part = 0; part < mesh.parts.size(); ++part) {
         const Texture2D* mask = buffers.mask(object, part);
-        const Program& chosen = mask ? useCutting(program, *mask) : program;
+        const Program& chosen = mask ? useAlphaTested(program, *mask) : program;
         chosen.use();
         chosen.set("clipFromMesh", mat4(clipFromMesh));
         drawRun(chosen, buffers, object, mesh.parts[part].firstTriangle, mesh.parts[part].triangleCount);
@@ -153,7 +152,7 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
 
 void useForLight(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
                  int light) {
-    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = scene.light(light);
     // Of a visibility there is too little to save: one program for all kinds.
     program.useWith(program.isMadeWith("VISIBILITY_ONLY") ? std::vector<std::string>{} : knownBefore(scene, source));
     program.set("lightKind", lightKind(source.type)); // where the program was not made for it
@@ -175,8 +174,8 @@ void drawLightsOff(const Program& lightsOff, const scene::Scene& scene, const Sc
     glClearColor(scene.background.r, scene.background.g, scene.background.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     if (buffers.anyHoles()) {
-        lightsOff.cutting().use();
-        lightsOff.cutting().set("ambient", scene.ambient);
+        lightsOff.alphaTested().use();
+        lightsOff.alphaTested().set("ambient", scene.ambient);
     }
     lightsOff.use();
     lightsOff.set("ambient", scene.ambient);

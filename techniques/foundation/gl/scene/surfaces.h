@@ -43,7 +43,7 @@ void drawSurfaces(const Program& program, const scene::Scene& scene, const Scene
 void drawSurface(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
                  std::size_t object, const ObjectSetup& setup = {});
 
-/// The same for passes that write depth: in holes nothing is drawn. Parts that have any are drawn by program.cutting(), which
+/// The same for passes that write depth: in holes nothing is drawn. Parts that have any are drawn by program.alphaTested(), which
 /// the fragment shader must know of (shaders/cut_holes.glsl); uniforms of the pass have to be set for both.
 void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
                            const EyeMatrices& eye, const ObjectSetup& setup = {});

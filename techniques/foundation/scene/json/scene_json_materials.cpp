@@ -4,6 +4,7 @@
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/json/scene_json.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/foundation/scene/model/holes.h"
 
 namespace shadowlab::scene {
 

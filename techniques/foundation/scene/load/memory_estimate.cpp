@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "techniques/foundation/scene/load/load.h"
+#include "techniques/foundation/scene/model/holes.h"
 
 namespace shadowlab::scene {
 

@@ -1,6 +1,7 @@
 // The scene: what there is to see and what lights it. Immutable, in double precision, free of any graphics API.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <cassert>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -9,11 +10,12 @@
 
 #include "techniques/foundation/math/types.h"
 #include "techniques/foundation/scene/model/camera.h"
-#include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/model/light.h"
 #include "techniques/foundation/scene/model/mesh.h"
 
 namespace shadowlab::scene {
+
+class AlphaMask;
 
 /// Colours are linear RGB. The lower half only matters to ray tracing and radiosity.
 struct Material {
@@ -118,6 +120,12 @@ struct Scene {
     std::vector<std::string> notes; ///< one-line remarks for stderr (missing .mtl, dropped triangles ...)
     MemoryBudget memory;
     Revisions revisions;
+
+    /// The light of that index, as techniques and stages count lights.
+    [[nodiscard]] const Light& light(int index) const {
+        assert(index >= 0 && static_cast<std::size_t>(index) < lights.size());
+        return lights[static_cast<std::size_t>(index)];
+    }
 };
 
 /// Number of triangles of all objects together.

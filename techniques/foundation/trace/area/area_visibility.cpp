@@ -56,7 +56,7 @@ struct AreaVisibility::Group {
 };
 
 AreaVisibility::AreaVisibility(const SceneTracer& tracer, int light)
-    : tracer_(tracer), light_(tracer.scene().lights[static_cast<std::size_t>(light)]), number_(light),
+    : tracer_(tracer), light_(tracer.scene().light(light)), number_(light),
       centreCentred_(light_.positionWorld - tracer.world().originWorld), box_(boxOfLight(light_, centreCentred_)),
       edges_(tracer.scene(), tracer.world()) {
     if (!scene::hasArea(light_)) throw std::logic_error("the visible area of a light that has none");

@@ -120,7 +120,7 @@ std::optional<EyeHit> ExactVisibility::eyeHit(const scene::Camera& camera, dvec2
 }
 
 Visibility ExactVisibility::visibility(const EyeHit& hit, const scene::Camera& camera, int light) const {
-    const scene::Light& source = snapshot_->lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = snapshot_->light(light);
     const scene::Object& object = snapshot_->objects[hit.object];
     const std::uint32_t index = firstTriangle_[hit.object] + hit.triangle;
     const Triangle& t = triangles_[index];
@@ -162,7 +162,7 @@ int ExactVisibility::crossings(const EyeHit& hit, int light) const {
 
 template <typename OnBlocker>
 void ExactVisibility::forEachBlocker(const EyeHit& hit, int light, const OnBlocker& onBlocker) const {
-    const scene::Light& source = snapshot_->lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = snapshot_->light(light);
     const std::vector<std::int8_t>& facing = facing_[static_cast<std::size_t>(light)];
     const bool directional = source.type == scene::LightType::directional;
     const dvec3 offset = source.positionWorld - hit.positionWorld;

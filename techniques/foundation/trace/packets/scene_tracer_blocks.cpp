@@ -195,7 +195,7 @@ void SceneTracer::visibilities(std::span<const SurfacePoint> points, int light, 
 }
 
 void SceneTracer::shadowBlock(std::span<const SurfacePoint> points, int light, std::span<Visibility> answers) const {
-    const scene::Light& source = snapshot_->lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = snapshot_->light(light);
     const LightView& view = lights_[static_cast<std::size_t>(light)];
     const bool everywhere = scene::shinesEverywhere(source);
     std::uint64_t wanted = 0;
@@ -217,7 +217,7 @@ void SceneTracer::shadowBlock(std::span<const SurfacePoint> points, int light, s
 
 void SceneTracer::traceShadowRays(std::span<const SurfacePoint> points, std::uint64_t wanted, int light,
                                   std::span<Visibility> answers) const {
-    const scene::Light& source = snapshot_->lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = snapshot_->light(light);
     const std::vector<std::uint8_t>& blocks = lights_[static_cast<std::size_t>(light)].blocks;
     BlockPoints starts;
     for (std::size_t i = 0; i < kBlockRays; ++i) {
