@@ -1,13 +1,13 @@
 // Leaves out the fragments that lie in a hole of an alpha mask, so that they leave no depth. Only the variant of a program
-// that draws surfaces with holes does so (Program::alphaTested): a program that may discard costs the early depth test.
-// The C++ twin is techniques/foundation/scene/model/holes.h.
+// that draws surfaces with holes does so (Program::alphaTested): a fragment shader with `discard` disables the early depth
+// test. The C++ twin is techniques/foundation/scene/model/holes.h.
 #ifdef CUT_HOLES
 in vec2 texcoord;
 uniform sampler2D alphaMask; // 1 where there is surface, rows from the bottom
 
 void cutHoles() {
     ivec2 size = textureSize(alphaMask, 0);
-    // Just below a whole number fract() rounds up to 1, which is the last texel and not the first.
+    // Just below a whole number fract() rounds up to 1; that is the last texel, not the first.
     ivec2 texel = min(ivec2(fract(texcoord) * vec2(size)), size - 1);
     if (texelFetch(alphaMask, texel, 0).r < 0.5) discard;
 }

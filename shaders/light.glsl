@@ -1,6 +1,6 @@
 // One light: the irradiance it would give without shadows, and the gates that belong to visibility in every technique.
 // The C++ twin is techniques/foundation/scene/query/shading.h.
-#ifdef LIGHT_KIND // known when the program is made: gl::useForLight
+#ifdef LIGHT_KIND // a constant of the program: gl::useForLight
 const int lightKind = LIGHT_KIND; // 0 point (and sphere), 1 directional, 2 spot, 3 rect
 #else
 uniform int lightKind;
@@ -21,7 +21,7 @@ vec3 towardLight(vec3 positionView, out float distanceSquared) {
     return offsetView * inversesqrt(distanceSquared);
 }
 
-// Outside a spot's cone and behind a rect nothing is lit, whatever casts shadows.
+// Nothing is lit outside of a spot's cone or behind a rect, with or without shadows.
 bool lightShinesTo(vec3 toLightView) {
     if (lightKind == 2) return dot(-toLightView, lightDirectionView) > lightCosHalfCone;
     if (lightKind == 3) return dot(-toLightView, lightDirectionView) > 0.0;

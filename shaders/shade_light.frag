@@ -22,7 +22,8 @@ void main() {
     vec3 shadingNormalView = normalize(normalView);
     if (dot(shadingNormalView, toEyeView) < 0.0) shadingNormalView = -shadingNormalView;
     vec3 lightView = visibility * irradiance(shadingNormalView, toLightView, distanceSquared);
-    // Exactly before the light, or at it, there is no direction to reflect in, and nought times no number is none.
+    // In a degenerate direction the reflectance is NaN, and 0 * NaN is NaN: so it is not multiplied where nothing is
+    // visible.
     result = visibility > 0.0 ? vec4(lightView * reflectance(shadingNormalView, toLightView, toEyeView), 0.0) : vec4(0.0);
 #endif
 }

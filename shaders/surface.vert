@@ -1,8 +1,8 @@
 #version 330 core
 // A surface as the eye sees it: position for the rasteriser, position and normal in view space for shading, and position
-// relative to the light (world axes, origin at the light) and in the clip space of a camera there, for techniques that ask the
-// light's own picture; and in world space, whose floats are too coarse far from its origin, to show just that. What a fragment
-// shader does not read costs nothing: the linker leaves it out.
+// relative to the light (world axes, origin at the light) and in the clip space of a camera there, for shadow maps; and in
+// world space, whose floats are too coarse far from the origin, so that this error can be shown. The linker removes outputs
+// that the fragment shader does not read.
 #include "attributes.glsl"
 #include "clip_position.glsl"
 #include "texcoord.glsl"

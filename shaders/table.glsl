@@ -1,5 +1,5 @@
-// Numbers that are read by index (gl::TableTexture) lie in the rows of a texture. A buffer texture would need none of this, but
-// OpenGL 3.3 promises only 65,536 texels of one, and the tables of a room are larger.
+// Numbers that are read by index (gl::TableTexture) are stored in the rows of a texture. A buffer texture would be simpler,
+// but OpenGL 3.3 guarantees only 65,536 texels, and the tables of radiosity are larger.
 const int kTableWidth = 4096; // gl::kTableWidth
 
 ivec2 tableTexel(int index) { return ivec2(index & (kTableWidth - 1), index / kTableWidth); }

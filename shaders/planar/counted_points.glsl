@@ -1,5 +1,5 @@
-// The share of the light that a pixel sees: of so many points of it, those whose shadows do not fall there.
-uniform sampler2D shadowsOfPoints; // how many do
+// The share of the light that a pixel sees: of the sampled points, those whose shadows do not fall there.
+uniform sampler2D shadowsOfPoints; // number of shadows per pixel
 uniform float lightPoints;
 
 // [anchor: share-of-points]

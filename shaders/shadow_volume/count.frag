@@ -1,5 +1,5 @@
 #version 330 core
-// What a face of a shadow volume adds to a count that is kept as a number in a texture.
+// The number that a face of a shadow volume adds to a count in a float texture.
 uniform float front, back;
 out vec4 result;
 

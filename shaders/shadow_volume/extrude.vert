@@ -1,7 +1,7 @@
 #version 330 core
-// A vertex of a shadow volume: where it is, or pushed away from the light: up to a plane, by a distance, or to infinity
-// (w = 0). v * l.w - l.xyz points from the light through v, for a point light (l.w = 1) and a directional one (l.w = 0)
-// alike. The same, step by step, is extrudedMesh() in techniques/shadow_volume/count/extrusion.cpp.
+// A vertex of a shadow volume: where it is, or pushed away from the light: up to a plane, by a distance, or to infinity (w
+// = 0). v * l.w - l.xyz points from the light through v, for a point light (l.w = 1) and a directional one (l.w = 0) alike.
+// extrudedMesh() in techniques/shadow_volume/count/extrusion.cpp computes the same on the processor.
 #include "attributes.glsl"
 #include "clip_position.glsl"
 layout(location = 2) in float extrudable;

@@ -1,5 +1,6 @@
 #version 330 core
-// A face of a shadow volume, by the side it turns to the viewer: what the stencil adds for one and takes for the other.
+// A face of a shadow volume, coloured by the side that faces the viewer, since the stencil adds one for a front and
+// subtracts one for a back.
 uniform vec4 frontColor;
 uniform vec4 backColor;
 out vec4 result;

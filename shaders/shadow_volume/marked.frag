@@ -1,5 +1,5 @@
 #version 330 core
-// Nothing but the pixels that a mask marks: for what is written to the stencil there.
+// Keeps only the pixels that a mask marks, for a pass that writes the stencil there.
 uniform sampler2D flips; // red: 1 where the pixel is marked; rows from the top
 uniform vec2 upperLeft;  // of the mask, in pixels from the lower left corner of the target
 

@@ -1,5 +1,5 @@
 #version 330 core
-// Only the pixels whose count is not zero: for what is written to the stencil there.
+// Keeps only the pixels whose count is not zero, for a pass that writes the stencil there.
 uniform sampler2D counts;
 
 void main() {

@@ -14,7 +14,7 @@ namespace shadowlab::planar {
 bool isWithin(const dvec4& lightWorld, const Caster& caster) {
     if (lightWorld.w <= 0) return false;
     const dvec3 lower = caster.boundsWorld.lowerWorld, upper = caster.boundsWorld.upperWorld;
-    // Far more than double rounding, and than that of vertices, which are floats.
+    // Far more than the rounding of double, and of vertices, which are floats.
     const dvec3 margin = 1e-6 * (upper - lower + glm::max(glm::abs(lower), glm::abs(upper)));
     return glm::all(glm::lessThanEqual(lower - margin, dvec3(lightWorld))) &&
            glm::all(glm::lessThanEqual(dvec3(lightWorld), upper + margin));
@@ -82,7 +82,7 @@ void Casters::update(const scene::Snapshot& snapshot) {
         add(snapshot->objects[caster.object], caster);
 }
 
-/// What is far from the middle is left out, until everything in the list is near it, measured by the size of a usual caster.
+/// Leaves out casters far from the middle until all in the list are near it; the unit is the size of a typical caster.
 void Casters::chooseList() {
     std::vector<double> sizes;
     for (Caster& caster : casters_) {

@@ -1,8 +1,8 @@
-// What is flattened: the triangles of most casting objects in one list, so that one call draws the shadows of all of them.
+// The casters, with the triangles of most of them in one list, so that one draw call flattens all of these.
 //
-// Positions in the list are in caster space: world axes, the origin in the middle of its casters. So they are nearly as exact
-// as in mesh space, wherever the scene lies. Not in the list, and drawn one by one, are objects with holes (each has its mask),
-// and what is so large or so far away that the others would suffer from it: a sky, a mountain on the horizon.
+// Positions in the list are in caster space: world axes, the origin in the middle of its casters. So floats are nearly as
+// exact as in mesh space, wherever the scene lies. Drawn one by one are objects with holes (each has its own mask), and
+// objects so large or so far away that they would cost the others precision: a sky, a mountain on the horizon.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>
@@ -13,8 +13,8 @@
 
 namespace shadowlab::planar {
 
-// A caster may be so many times its own size away from the middle of the list: then its vertices are rounded to a 65,000th of
-// its size, a hundredth of a pixel where it fills a picture.
+// A caster in the list is at most this many times its own size away from the middle of the list. Its vertices are then
+// rounded to a 65,000th of its size, a hundredth of a pixel where it fills the picture.
 constexpr double kFarthestInSizes = 256;
 
 struct Caster {
@@ -28,15 +28,15 @@ struct Caster {
     scene::Bounds boundsWorld;
 };
 
-/// Is the light, homogeneous, in the caster's box, or so near that rounding may have put it out?
+/// True if the light (homogeneous) is in the caster's box, or outside by no more than rounding.
 bool isWithin(const dvec4& lightWorld, const Caster& caster);
 
-/// A triangle whose plane passes through a light, or by it so closely that floats cannot tell. Flattened it is a line, or nothing
-/// but rounding; so it is not flattened.
+/// A triangle whose plane contains a light to within the precision of floats. Flattened it would be a line or rounding
+/// noise, so it is not flattened.
 struct NearTriangle {
     std::uint32_t triangle = 0;
-    /// The light lies on it, but for a hair on one side: then everything behind the plane is in its shadow, and this is the
-    /// plane in world space, positive where the light is. Else it shadows nothing that could be seen.
+    /// True if the light lies on the triangle itself, a rounding error to one side: then everything behind its plane is in
+    /// shadow, and `planeWorld` is that plane, positive on the side of the light. Otherwise it casts no visible shadow.
     bool holdsLight = false;
     dvec4 planeWorld{0.0};
 };
@@ -44,7 +44,7 @@ struct NearTriangle {
 /// Those of one caster, in ascending order.
 std::vector<NearTriangle> trianglesNear(const dvec4& lightWorld, const Caster& caster, const scene::Object& object);
 
-/// Made anew when geometry, places or holes change. Outward casters come first.
+/// Rebuilt when geometry, transforms or holes change. Outward casters come first.
 class Casters {
 public:
     void update(const scene::Snapshot& snapshot);
@@ -64,7 +64,7 @@ private:
     void chooseList();
     void add(const scene::Object& object, Caster& caster);
 
-    scene::Revisions made_{0, 0, 0, 0}; ///< for these; no scene has them
+    scene::Revisions made_{0, 0, 0, 0}; ///< the cache key; no scene has these numbers
     std::uint64_t listRevision_ = 0;
     std::vector<Caster> casters_;
     dmat4 worldFromCaster_{1.0};

@@ -1,8 +1,8 @@
-// A light with an area: the shadows of many of its points, counted. The share of them that falls on a pixel is the share of the
-// light that it does not see, and as many points as levels of grey make a soft shadow.
+// Soft shadows: the shadows of many points of an area light are counted in each pixel. The share of points in shadow is the
+// share of the light that the pixel does not see.
 //
-// Heckbert and Herf add up pictures; added up here are shadows alone, one more in each pixel that a point does not see, in
-// floats, which count to 16 million without rounding. So nothing is shaded more than once.
+// Heckbert and Herf average shaded pictures. Here only the shadows are added, one for each point that a pixel does not see,
+// in floats, which count to 16 million without rounding. So every pixel is shaded only once.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <chrono>
@@ -15,8 +15,8 @@ namespace shadowlab::planar {
 
 namespace {
 
-/// The points in an order in which the first few already lie all over the light: multiples of the golden section jump about as
-/// evenly as can be (Weyl 1916). Whoever cannot wait for all of them sees a fair picture.
+/// The points in an order in which any first few are spread over the whole light, by multiples of the golden section (Weyl
+/// 1916). So a picture drawn from the first few is already a fair approximation.
 std::vector<dvec3> scattered(const std::vector<dvec3>& points) {
     constexpr double kGolden = 0.6180339887498949;
     std::vector<std::size_t> order(points.size());
@@ -51,8 +51,8 @@ bool Planar::countPoints(const Frame& frame, int light) {
         glClearColor(0, 0, 0, 0);
         glClear(GL_COLOR_BUFFER_BIT);
     }
-    // Whoever draws against a deadline gets a few points at a time, and looks at the clock when they are there: GL itself is in no
-    // hurry.
+    // With a deadline the points are drawn a few at a time, and the clock is read after glFinish: GL commands return before
+    // they are executed.
     constexpr std::size_t kAtATime = 4;
     while (counted.drawn < counted.pointsWorld.size()) {
         countOnePoint(frame, counted.pointsWorld[counted.drawn++], counting);
@@ -72,7 +72,7 @@ void Planar::countOnePoint(const Frame& frame, const dvec3& pointWorld, const gl
     frame.scissorTo(std::nullopt);
     markShadows(frame, planes);
 
-    // One more in each marked pixel, and the marks are gone.
+    // Adds one in each marked pixel, and clears the marks.
     scene::PicturePart part = planes.front().part;
     for (const LitPlane& plane : planes)
         part = around(part, plane.part);

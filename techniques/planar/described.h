@@ -1,4 +1,5 @@
-// The passes and stages of planar shadows, and its steps in the order of the program: the lecture has a figure and a formula.
+// The passes and stages of planar shadows, and the algorithm as numbered steps. The lecture gives only a figure and a
+// formula, so the steps are those of this program.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/technique.h"

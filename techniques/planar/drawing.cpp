@@ -17,10 +17,10 @@ bool isSomewhere(const scene::PicturePart& part) { return part.lower.x < part.up
 
 } // namespace
 
-/// Draws all planes in view, and asks of each whether any pixel shows it: once for a view.
+/// Finds the planes that no pixel shows, with one occlusion query for each plane in view; once per view.
 void Planar::findHidden(const Frame& frame) {
     if (hiddenIn_ == key_.view) return;
-    // To wait for the answers costs about as much as flattening everything onto some more planes.
+    // Waiting for the query results costs about as much as flattening everything onto this many more planes.
     constexpr std::ptrdiff_t kFew = 4;
     const auto mayBeShadowed = std::ranges::count_if(shadowedParts_, isSomewhere);
     if (!leftOut_ && !(params_.cull && (showsTags(frame) || mayBeShadowed > kFew))) return;
@@ -54,10 +54,10 @@ void Planar::tagReceivers(const Frame& frame, bool everywhere) const {
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     tag_.use();
     for (std::size_t i = 0; i < chosen_.size(); ++i) {
-        // Where no shadow can fall no number is asked for.
+        // A plane on which no shadow can fall needs no number.
         if (!everywhere && !isSomewhere(shadowedParts_[i])) continue;
         frame.scissorTo(everywhere ? scene::PicturePart{} : shadowedParts_[i]);
-        // Of two planes at one depth the one drawn first is the visible one, and its number is the larger.
+        // Of two planes at one depth the first drawn is visible; it has the larger number.
         glStencilFunc(GL_GREATER, chosen_[i].tag, kTagBits);
         drawReceiver(frame, tag_, chosen_[i]);
     }
@@ -113,7 +113,7 @@ void Planar::hideBehind(const Frame& frame, const LitPlane& plane) const {
     glDisable(GL_CLIP_DISTANCE0);
 }
 
-/// What lies between plane and light, or all of it.
+/// Draws the casters between plane and light, or whole, as the parameters say.
 void Planar::drawAsAsked(const Frame& frame, const gl::Program& program, const LitPlane& plane) const {
     drawFlattened(frame, program, plane, params_.clip ? Part::between : Part::wherever);
     if (!params_.clip && !params_.divide) drawFlattened(frame, program, plane, Part::whereverTurnedOver);
@@ -123,7 +123,8 @@ void Planar::drawFlattened(const Frame& frame, const gl::Program& program, const
     glEnable(GL_CLIP_DISTANCE0);
     glEnable(GL_CLIP_DISTANCE1);
     const bool clipped = part != Part::wherever && part != Part::whereverTurnedOver;
-    // The weight is negative beyond the light. With all signs turned over the same homogeneous points have a positive one.
+    // Beyond the light the weight w is negative. Inverting all four signs gives the same homogeneous point with a positive
+    // w.
     const bool beyond = part == Part::beyondLight || part == Part::whereverTurnedOver;
     const auto setProjection = [&](const gl::Program& used, const dmat4& worldFromCaster, double contact) {
         const dmat4 viewFromCaster = frame.eye().viewFromWorld * worldFromCaster;
@@ -133,7 +134,7 @@ void Planar::drawFlattened(const Frame& frame, const gl::Program& program, const
         if (part == Part::beyondLight) weightRow = -weightRow;
         if (part == Part::behindPlane) heightRow = -heightRow;
         heightRow.w -= contact;
-        // What is to be clipped by nothing gets a distance of 1 everywhere: Mesa also clips where that is not enabled.
+        // Without clipping the clip distance is 1 everywhere, because Mesa clips even where GL_CLIP_DISTANCE is disabled.
         const dvec4 always(0, 0, 0, 1);
         used.use();
         used.set("sheet", beyond ? -1.0f : 1.0f);

@@ -8,14 +8,14 @@ namespace shadowlab::planar {
 
 namespace {
 
-/// The part of the picture in which the shadow of a box can fall; all of it, where the shadow reaches to infinity or behind
-/// the eye.
+/// The part of the picture in which the shadow of a box can fall; the whole picture if the shadow reaches infinity or
+/// behind the eye.
 scene::PicturePart partOfShadow(const scene::Bounds& box, const gl::EyeMatrices& eye, const Projection& projection) {
     scene::PicturePart part = kNowhere;
     for (int i = 0; i < 8; ++i) {
         const dvec4 flattened = projection.flattenedFromView * (eye.viewFromWorld * dvec4(box.corner(i), 1.0));
         const dvec4 clip = eye.clipFromView * flattened;
-        // Less than a thousandth of the weight of what it is made of: as good as infinitely far away.
+        // A weight of less than a thousandth of the terms it is computed from: treated as infinitely far away.
         if (flattened.w < 1e-3 || clip.w < 1e-3 * std::abs(clip.z)) return {};
         part.lower = glm::min(part.lower, dvec2(clip) / clip.w);
         part.upper = glm::max(part.upper, dvec2(clip) / clip.w);
@@ -27,8 +27,8 @@ scene::PicturePart common(const scene::PicturePart& a, const scene::PicturePart&
     return {glm::max(a.lower, b.lower), glm::min(a.upper, b.upper)};
 }
 
-/// Do light and receiver lie on one side of a face of the box, and the box on the other? Then nothing in it is between them.
-/// So a floor casts nothing on what stands on it, and not even rounding can put a shadow where they touch.
+/// True if light and receiver lie on one side of a face of the box and the box on the other, so that nothing in it is
+/// between them. So a floor casts no shadow on what stands on it, and rounding cannot draw one where they touch.
 bool isApart(const scene::Bounds& box, const std::array<dvec3, 4>& frameWorld, const dvec4& lightWorld,
              double contact) {
     for (int axis = 0; axis < 3; ++axis)
@@ -68,7 +68,8 @@ std::vector<TriangleRun> without(const std::vector<NearTriangle>& left, std::siz
     return runs;
 }
 
-/// Hides the light from all that is behind the triangles it lies on, where the receiver reaches there.
+/// Adds the half spaces behind the triangles that the light lies on, as far as the receiver reaches into them: they are in
+/// shadow.
 void addHiddenBehind(LitPlane& plane, const std::vector<NearTriangle>& near) {
     for (const NearTriangle& triangle : near)
         if (triangle.holdsLight && std::ranges::any_of(plane.receiver->frameWorld, [&](const dvec3& corner) {
@@ -88,8 +89,8 @@ struct FlattenedScene {
 
 void addCasters(LitPlane& plane, const FlattenedScene& all) {
     const auto& [scene, casters, eye, lightWorld, params, nearTriangles] = all;
-    // In the list a caster is as exact as its distance from the middle allows. Where that is not enough, for its vertices or for
-    // the height at which it is clipped, it is drawn from its own mesh.
+    // The precision of a caster in the list depends on its distance from the middle. If that is not enough for its
+    // vertices, or for the height at which it is clipped, it is drawn from its own mesh.
     constexpr double kExactEnough = 1.0 / (1 << 13);
     const bool cull = params.cull && !params.mayBeAnywhere();
     plane.contact = contactHeight(plane.projection, eye, eye.viewFromWorld * casters.worldFromCaster(),
@@ -97,7 +98,7 @@ void addCasters(LitPlane& plane, const FlattenedScene& all) {
     scene::PicturePart part = kNowhere;
     for (std::size_t i = 0; i < casters.all().size(); ++i) {
         const Caster& caster = casters.all()[i];
-        // Most of the plane's own object lies in the plane or behind it, and unclipped it would cover all of the plane.
+        // Most of the plane's own object lies in the plane or behind it; without clipping its shadow would cover the plane.
         if (!params.clip && caster.object == plane.receiver->receiver.object) continue;
         const double contact = contactHeight(plane.projection, eye, eye.viewFromWorld * caster.worldFromMesh,
                                              caster.farthestMesh, plane.receiver->unevenness);

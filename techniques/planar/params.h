@@ -1,4 +1,4 @@
-// The knobs of planar shadows: what receives, how a light with an area is sampled, and each safeguard, to be left out.
+// The parameters of planar shadows: what receives, how an area light is sampled, and a switch for each safeguard.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/params/param.h"
@@ -6,7 +6,7 @@
 
 namespace shadowlab::planar {
 
-/// Stencil numbers of planes: six bits; two are for other things (technique.h).
+/// Stencil numbers of planes: six bits; the other two have other uses (technique.h).
 constexpr int kNumbers = 63;
 
 /// More planes than a teacher would want to draw everything onto.
@@ -23,7 +23,7 @@ struct PlanarParams {
     bool cull = true;
     friend bool operator==(const PlanarParams&, const PlanarParams&) = default;
 
-    /// Faces that are drawn as lectures and papers first have it: they may fall outside their plane's pixels.
+    /// True if a safeguard is off: flattened faces may then fall outside of the pixels of their plane.
     [[nodiscard]] bool mayBeAnywhere() const { return !clip || !stencil || divide; }
 };
 

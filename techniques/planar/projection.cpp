@@ -8,8 +8,8 @@ namespace shadowlab::planar {
 
 namespace {
 
-// Below this share of the light's distance from the far end of the plane it has no height: it grazes the plane at a three
-// hundredth of a second of arc, and gives it a hundred millionth of its light.
+// A light lower than this share of its distance from the far end of the plane counts as in the plane: it would graze it at
+// a three hundredth of a second of arc, and light it with a hundred millionth of its intensity.
 constexpr double kGrazing = 1.0 / (1 << 26);
 
 } // namespace
@@ -57,7 +57,7 @@ double contactHeight(const Projection& projection, const gl::EyeMatrices& eye, c
 
 bool mayShadow(const scene::Bounds& box, const gl::EyeMatrices& eye, const Projection& projection, double contact,
                const std::array<dvec3, 4>& frameView) {
-    // Whatever is linear and negative at all eight corners is negative in the box, also where points are homogeneous.
+    // A linear function that is negative at all eight corners is negative in the whole box, also for homogeneous points.
     dvec4 flattened[8];
     double highest = -1e300;
     for (int i = 0; i < 8; ++i) {
@@ -66,7 +66,7 @@ bool mayShadow(const scene::Bounds& box, const gl::EyeMatrices& eye, const Proje
         flattened[i] = projection.flattenedFromView * corner;
     }
     if (highest <= contact) return false; // below the plane, or part of it
-    constexpr double kMargin = 1e-6;      // rounding must not skip what grazes a border
+    constexpr double kMargin = 1e-6;      // so that rounding does not cull what grazes a border
     const auto allOutside = [&](const dvec4& border) {
         return std::ranges::all_of(flattened, [&](const dvec4& point) {
             const dvec4 terms = glm::abs(border * point);
@@ -80,7 +80,7 @@ bool mayShadow(const scene::Bounds& box, const gl::EyeMatrices& eye, const Proje
         if (allOutside(border * eye.clipFromView)) return false;
     // The four edges of the frame: half spaces through them, their inside where the opposite corner is.
     for (std::size_t i = 0; i < 4; ++i) {
-        // Of an object that is stretched askew the frame is no rectangle: inward is at right angles to the edge.
+        // With a sheared object the frame is no rectangle, so the inward direction is made perpendicular to the edge.
         const dvec3 along = glm::normalize(frameView[(i + 1) % 4] - frameView[i]);
         const dvec3 across = frameView[(i + 3) % 4] - frameView[i];
         const dvec3 inward = glm::normalize(across - along * glm::dot(across, along));

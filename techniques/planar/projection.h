@@ -8,8 +8,8 @@
 //
 //     v'.w = 1 - l.w (p.v) / (p.l)
 //
-// 1 on the plane, 0 at the light's height, negative beyond. There the line meets the plane on the wrong side of the light,
-// and the image would be an anti-shadow; and what lies below the plane (p.v < 0) shadows nothing on it either.
+// 1 on the plane, 0 at the light's height, negative beyond. There the line meets the plane on the far side of the light,
+// and the image would be a false shadow (an anti-shadow). Points below the plane (p.v < 0) cast no shadow on it either.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -39,17 +39,16 @@ dvec4 planeOf(const FlatFace& face, const dmat4& spaceFromMesh);
 /// The distance of a light from the farthest corner of a frame; of a direction, whose height is that of a unit vector, 1.
 double reachOf(const dvec4& lightView, const std::array<dvec3, 4>& frameView);
 
-/// Nothing where the light lies in the plane, or so near to it for its reach that it only grazes it: it does not shine on it.
+/// Nothing if the light lies in the plane, or so low for its reach that it only grazes it.
 std::optional<Projection> projectOnto(const dvec4& planeView, const dvec4& lightView, double reach = 0);
 
-/// Below this height what is there belongs to the plane itself: its own triangles, and what lies on it. In metres: what the
-/// face is uneven by, and the rounding of heights.
-/// `farthestMesh`: largest absolute coordinates of what is flattened.
+/// Geometry below this height counts as part of the plane: its own triangles, and what lies on it. In metres: the
+/// unevenness of the face plus the rounding of heights. `farthestMesh`: largest absolute coordinates of what is flattened.
 double contactHeight(const Projection& projection, const gl::EyeMatrices& eye, const dmat4& viewFromMesh,
                      const dvec3& farthestMesh, double unevenness);
 
-/// Can anything in the box, and higher than `contact`, cast a visible shadow within the frame of the face? Errs on the side
-/// of yes.
+/// True if something in the box, higher than `contact`, may cast a visible shadow within the frame of the face.
+/// Conservative.
 bool mayShadow(const scene::Bounds& box, const gl::EyeMatrices& eye, const Projection& projection, double contact,
                const std::array<dvec3, 4>& frameView);
 

@@ -68,7 +68,7 @@ std::string equation(const dvec4& plane) {
            (distance < 0 ? "- " : "+ ") + shortNumber(distance, 5) + " = 0";
 }
 
-/// Does anybody look at the plane's numbers where no shadow can fall?
+/// True if a stage shows the numbers of planes also where no shadow can fall.
 bool Planar::showsTags(const Frame& frame) const {
     bool shows = frame.wants("stencil-tags") || frame.wants("receiver-planes");
     for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
@@ -77,7 +77,7 @@ bool Planar::showsTags(const Frame& frame) const {
     return shows;
 }
 
-/// How much was left out.
+/// Publishes how many casters and planes were left out.
 void Planar::countLists(Frame& frame) const {
     frame.count("receivers", static_cast<double>(chosen_.size()), static_cast<double>(receivers_.all().size()),
                 "planes");
@@ -110,7 +110,8 @@ void Planar::publishVisibility(Frame& frame, int light) const {
     });
 }
 
-/// How much of the picture can be right: asked for when somebody measures, which is when visibility is wanted.
+/// Publishes the share of the picture in which planar shadows can be right. Only for measurements, which is when the
+/// visibility stage is wanted.
 void Planar::countServed(Frame& frame) const {
     bool wanted = false;
     for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light)
@@ -129,8 +130,8 @@ void Planar::countServed(Frame& frame) const {
     frame.count("served", served, surface, "pixels");
 }
 
-// The same plane keeps its colour wherever the camera goes, and the largest have the clearest: Okabe and Ito's colours, then
-// lighter, then darker ones.
+// The colour of a plane does not depend on the camera. The largest planes get the colours of Okabe and Ito, the others
+// lighter and then darker ones.
 vec3 Planar::colorOf(const ChosenReceiver& receiver) {
     static const std::array<vec3, 7> colors = {
         look::linearFromSrgb8(0x56, 0xB4, 0xE9), look::linearFromSrgb8(0xE6, 0x9F, 0x00),

@@ -87,7 +87,7 @@ Progress Planar::render(Frame& frame) {
     return progress;
 }
 
-/// Which planes receive and what falls on them; the same as before unless something has changed.
+/// Chooses the receivers and lists their casters; keeps the former choice if the key is the same.
 void Planar::chooseFor(const Frame& frame) {
     const scene::Scene& scene = frame.scene();
     const Region& region = frame.view().region;
@@ -119,7 +119,7 @@ void Planar::listFor(const Frame& frame) {
             part = around(part, plane.part);
         }
         if (!isSampled(light)) continue;
-        for (std::size_t i = 0; i < chosen_.size(); ++i) // shadows from other points of it fall elsewhere
+        for (std::size_t i = 0; i < chosen_.size(); ++i) // shadows of other points of the light fall elsewhere
             if (chosen_[i].lit) shadowedParts_[i] = around(shadowedParts_[i], chosen_[i].part);
     }
 }

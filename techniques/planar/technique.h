@@ -18,7 +18,7 @@ namespace shadowlab::planar {
 constexpr unsigned kTagBits = 0x3f, kLitBit = 0x40, kMarkBit = 0x80;
 static_assert(kNumbers == static_cast<int>(kTagBits));
 
-/// What the eye sees, and by what shaders: while nothing of it changes, it is known which planes are hidden.
+/// The view and the shaders: while this key is the same, the set of hidden planes stays valid.
 struct ViewCacheKey {
     std::uint64_t geometry = 0, transforms = 0, materials = 0; ///< revisions; no scene has these
     scene::Camera camera;
@@ -27,7 +27,7 @@ struct ViewCacheKey {
     friend bool operator==(const ViewCacheKey&, const ViewCacheKey&) = default;
 };
 
-/// What lists and counts depend on besides.
+/// What the lists and counts depend on besides the view.
 struct PictureCacheKey {
     ViewCacheKey view;
     std::uint64_t lights = 0;
@@ -46,8 +46,8 @@ public:
     std::string remark(const scene::MeshReport& report, const scene::Mesh& mesh) const override;
 
 private:
-    /// Which part of the casters is drawn, by where it is; `wherever`: all of it, clipped by nothing. Beyond the light
-    /// points have a negative weight: the card shows them only with all signs turned over.
+    /// Which part of the casters is drawn, by where it is; `wherever`: all of it, clipped by nothing. Points beyond the
+    /// light have a negative weight: GL draws them only with all signs inverted.
     enum class Part { between, beyondLight, behindPlane, wherever, whereverTurnedOver };
 
     /// Of one light with an area: how many of its points do not see a pixel.

@@ -1,11 +1,11 @@
-// Stencil shadow volumes, each counted in the cheaper way that is certainly right.
+// Stencil shadow volumes: for each caster the cheaper of z-pass and z-fail that is certain to be right.
 //
-// Depth pass needs no caps but has to know which volumes the eye is in. Most it is certainly not in: their casters lie off
-// the line from the eye to the light. Those are counted with depth pass, the others with depth fail, into one stencil.
-// The literature asks the near-clip pyramid, from the near rectangle to the light, to be free of the caster (Everitt and
-// Kilgard 2002; Hornus, Hoberock, Lefebvre and Hart, "ZP+", 2005). Here depth is clamped, the near plane cuts nothing
-// off, and the pyramid shrinks to that line. A side that the eye sees edge-on needs no second look: it belongs to a caster
-// on the line.
+// Depth pass needs no caps, but it is right only for volumes that the eye is outside of. The eye is certainly outside of a
+// volume whose caster lies off the line from the eye to the light. Those volumes are counted with depth pass, the others
+// with depth fail, into one stencil. In the literature the test is that the caster does not reach into the near-clip
+// pyramid, from the near rectangle to the light (Everitt and Kilgard 2002; Hornus, Hoberock, Lefebvre and Hart, "ZP+",
+// 2005). Here depth is clamped, so the near plane cuts nothing off, and the pyramid shrinks to the line from the eye to the
+// light. A side that the eye sees edge-on needs no test of its own: its caster lies on the line.
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_volume/cull/eye_line.h"
 #include "techniques/shadow_volume/shared_info.h"

@@ -1,4 +1,4 @@
-// What the techniques of this folder say alike of their passes and stages.
+// The passes and stages that the three techniques of this folder have in common.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/technique.h"
@@ -19,7 +19,7 @@ inline constexpr PassInfo kLightsOffPass = {
     .formula = "L = emission + ambient * diffuse",
     .anchors = "lights-off"};
 
-/// Of the steps after which the stencil does not hold its last value yet.
+/// What the stencil holds after the steps before the last one.
 inline constexpr NamedValue kCleared[] = {{"stencil", "stencil, cleared"}};
 inline constexpr NamedValue kAfterBacks[] = {{"stencil", "stencil after the back faces"}};
 inline constexpr NamedValue kAfterFronts[] = {{"stencil", "stencil after the front faces"}};

@@ -1,4 +1,4 @@
-// The techniques of this folder: the two ways to count the faces of a shadow volume, and the choice between them.
+// The techniques of this folder: z-pass and z-fail, and the one that chooses between them for each caster.
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_volume/shared_info.h"
 

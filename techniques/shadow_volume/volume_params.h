@@ -1,4 +1,4 @@
-// The knobs that all techniques with shadow volumes have.
+// The parameters that all techniques with shadow volumes have.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/params/param.h"

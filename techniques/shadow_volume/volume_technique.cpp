@@ -14,7 +14,8 @@ namespace shadowlab::shadow_volume {
 
 namespace {
 
-// Receivers in view. Every caster is held against each of them: more would cost more than they save.
+// Boxes around receivers in view. Every caster is tested against each of them, so more boxes would cost more than they
+// save.
 constexpr std::size_t kMostReceivers = 64;
 
 } // namespace
@@ -65,8 +66,8 @@ Progress VolumeTechnique::render(Frame& frame) {
     return {};
 }
 
-/// To choose volumes, to read their count back and to look at all their edges again costs more than all else in a frame in which
-/// nothing has moved.
+/// While nothing moves, the chosen volumes and the pixels decided by rays stay valid, so they are kept: finding them again
+/// would cost more than the rest of the frame.
 void VolumeTechnique::keepWhatRests(const Frame& frame) {
     const View& view = frame.view();
     const auto [corner, size] = drawnRegion(view);
@@ -93,8 +94,8 @@ void VolumeTechnique::findReceivers(const scene::Scene& scene, const gl::EyeMatr
 VolumeEnd VolumeTechnique::endOf(const CasterVolume& caster, const scene::Light& light) const {
     VolumeEnd end;
     if (endsAtDistance()) end.distance = params_.extrusion;
-    // In the volume of what shadows nothing all ends lie in one plane with its top cap, nearer than the depth buffer can tell
-    // apart: where such volumes are drawn, they end nowhere.
+    // A caster that shadows nothing (a floor) lies in the end plane itself. Top cap and bottom cap would then be too close
+    // for the depth buffer to separate, so such a volume ends at infinity.
     if (params_.end != VolumeParams::End::receivers || !caster.useful) return end;
     if (!allReceiversInView_.isEmpty()) end.planeWorld = endPlaneWorld(caster.bounds, light, allReceiversInView_);
     if (!end.planeWorld) end.planeWorld = caster.endWorld;
@@ -115,7 +116,7 @@ VolumeInView VolumeTechnique::inView(const gl::EyeMatrices& eye, const CasterVol
     return volume;
 }
 
-/// What shadows nothing may be left out, but from the textbook's depth pass: the eye may be in that volume.
+/// A volume that shadows nothing may be left out, except in textbook depth pass: the eye may be in that volume.
 bool VolumeTechnique::counts(const CasterVolume& caster, CountMethod method) const {
     return caster.useful || !params_.cull || (method == CountMethod::zPass && !passRule().corrected);
 }
@@ -176,7 +177,7 @@ void VolumeTechnique::clearCount(Frame& frame, int light) {
 bool VolumeTechnique::countsInFloats(int light) const {
     using enum VolumeParams::Counter;
     if (params_.counter != automatic) return params_.counter == floats;
-    // What a smaller stencil, or one that sticks at its ends, gets wrong is to be seen.
+    // A smaller stencil, and one that saturates, are there to show their errors: floats must not replace them.
     constexpr int kMost = 255;
     return params_.stencil.wrap && params_.stencil.bits == 8 && casters_.overlaps(light) > kMost;
 }
@@ -221,7 +222,7 @@ void VolumeTechnique::repair(Frame& frame, int light) {
 void VolumeTechnique::drawLit(Frame& frame, const gl::Program& program, int light) const {
     gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
-        // What receives no shadow ignores the count.
+        // Objects that receive no shadow ignore the count.
         glStencilFunc(object.receivesShadow ? GL_EQUAL : GL_ALWAYS, 0, params_.stencil.mask());
         return true;
     });
@@ -232,7 +233,7 @@ void VolumeTechnique::publishVisibility(Frame& frame, int light) {
     clearAndCount(frame, light);
     repair(frame, light);
     frame.drawStage("visibility", light, GL_RG32F, [&] {
-        // Every surface first, as if in shadow; then those the light reaches.
+        // First every surface as if it were in shadow, then those that the light reaches.
         glDepthFunc(GL_EQUAL);
         glDepthMask(GL_FALSE);
         glColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_FALSE);
@@ -298,7 +299,7 @@ std::vector<SceneShape> VolumeTechnique::shapes(const scene::Snapshot& snapshot,
     const std::vector<const CasterVolume*> casters = usefulCasters(light);
     std::vector<SceneShape> shapes =
         volumeShapes(*snapshot, view, light, casters, failRule().caps && showsCaps(), shownVolume());
-    // Of a picked pixel the faces that its line crosses are told by the probe; all others would hide them.
+    // With a pixel picked, the probe shows the faces that its line crosses; all other faces would hide them.
     if (view.picked)
         std::erase_if(shapes, [](const SceneShape& shape) { return shape.kind == SceneShape::Kind::faces; });
     if (showsCountMethods())
@@ -309,7 +310,7 @@ std::vector<SceneShape> VolumeTechnique::shapes(const scene::Snapshot& snapshot,
 }
 
 std::string VolumeTechnique::remark(const scene::MeshReport& report, const scene::Mesh&) const {
-    // A volume is bounded by edges of the mesh, and the border of a hole is none.
+    // A volume is bounded by edges of the mesh. The border of a hole is no edge, so holes cast as solid.
     const std::string holes = report.hasHoles ? "; holes cut by its alpha map are cast as solid" : "";
     if (report.isClosed()) return "closed: every silhouette edge separates two faces" + holes;
     return "not closed (" + std::to_string(report.boundaryEdges) + " boundary, " +

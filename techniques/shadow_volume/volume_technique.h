@@ -1,7 +1,7 @@
-// What the two ways of counting share: the passes around the count, the stages, what there is to say about a pixel.
+// What z-pass and z-fail share: the passes around the count, the stages, and the probe of a pixel.
 //
-// Depth pass (zpass.cpp) walks from the eye to the visible point, depth fail (zfail.cpp) from the point on to infinity. Both
-// count the faces of the same volumes into the stencil and light what counts zero.
+// Depth pass (zpass.cpp) counts the volume faces between the eye and the visible point, depth fail (zfail.cpp) those behind
+// the point. Both count the faces of the same volumes into the stencil, and light the pixels in which the count is zero.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/trace/judge/exact_visibility.h"
@@ -14,13 +14,13 @@
 
 namespace shadowlab::shadow_volume {
 
-/// A pass that counts volume faces, and the side it leaves out; GL_NONE: both sides count at once.
+/// A pass that counts volume faces, and the side that it culls; GL_NONE: it counts both sides at once.
 struct CountPass {
     std::string_view id;
     GLenum culled = GL_NONE;
 };
 
-/// How a technique counts: at once, or in the lecture's two steps.
+/// The passes that count: one for both sides, or the lecture's two steps.
 struct Counting {
     std::span<const PassInfo> passes; ///< of the technique
     CountPass both, first, second;
@@ -45,18 +45,20 @@ protected:
     [[nodiscard]] CountRules rules() const { return {passRule(), failRule()}; }
     [[nodiscard]] virtual PassRule passRule() const { return {}; }
     [[nodiscard]] virtual FailRule failRule() const { return {}; }
-    /// Leaves out what shadows no receiver in view, and ends volumes where those do. Only for a count that may be anything
-    /// elsewhere in the picture, so not where it begins with the eye's own.
+    /// Culls volumes that reach no receiver in view, and ends the others just beyond the receivers in view. The count is
+    /// then undefined in the rest of the picture; so this is not for a technique whose count starts with the number of
+    /// volumes around the eye.
     [[nodiscard]] virtual bool keepsToReceiversInView() const { return false; }
-    /// Draws with the near plane of the view itself, which cuts; else it is moved out to the nearest surface.
+    /// Draws with the near plane of the view, which cuts volumes. Otherwise the near plane is moved out to the nearest
+    /// surface.
     [[nodiscard]] virtual bool usesNearPlaneOfView() const { return false; }
-    /// Do volumes go different ways, so that it is worth a look which?
+    /// True where the method differs between casters: only then the stage that shows it is drawn.
     [[nodiscard]] virtual bool showsCountMethods() const { return false; }
-    /// Are caps part of what it draws?
+    /// True if the technique draws caps.
     [[nodiscard]] virtual bool showsCaps() const { return true; }
 
     params::ParamList sharedParams() { return describe(params_); }
-    /// Do volumes end at a distance from the caster?
+    /// True if volumes end at a fixed distance from the caster.
     [[nodiscard]] bool endsAtDistance() const { return params_.end == VolumeParams::End::distance; }
 
 private:
@@ -68,10 +70,10 @@ private:
     [[nodiscard]] VolumeInView inView(const gl::EyeMatrices& eye, const CasterVolume& caster,
                                       const scene::Light& light) const;
     [[nodiscard]] bool counts(const CasterVolume& caster, CountMethod method) const;
-    /// Volumes of a light that can change a pixel.
+    /// The volumes of one light that can change a pixel.
     struct ChosenVolumes {
         std::vector<CountedVolume> volumes;
-        int startCount = 0; ///< of the stencil: how many of those counted with depth pass the eye is in
+        int startCount = 0; ///< the stencil starts with this: how many of the volumes counted with depth pass the eye is in
     };
     ChosenVolumes chosen(const Frame& frame, int light);
     void chooseVolumes(Frame& frame, int light);
@@ -105,7 +107,7 @@ private:
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
     StagePictures pictures_;
     RepairPass repair_;
-    /// All that a frame's counts depend on.
+    /// All that the counts of a frame depend on: while this key is the same, they are kept.
     struct CountCacheKey {
         scene::Snapshot snapshot;
         scene::Camera camera;
@@ -116,7 +118,7 @@ private:
         int shaderReloads = 0;
         friend bool operator==(const CountCacheKey&, const CountCacheKey&) = default;
     };
-    CountCacheKey countCacheKey_;       ///< for this are:
+    CountCacheKey countCacheKey_;       ///< the key of kept_
     std::map<int, ChosenVolumes> kept_; ///< per light
 };
 

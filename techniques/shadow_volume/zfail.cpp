@@ -1,8 +1,8 @@
 // Stencil shadow volumes, counted with depth fail: the volume faces behind each visible point, on the way to infinity.
 //
-// Bilodeau and Songy 1999, Carmack 2000; Everitt and Kilgard, "Practical and Robust Stenciled Shadow Volumes", 2002.
-// The walk from the point away from the eye ends outside every volume, wherever the eye is; the price are the caps, which
-// close each volume at the caster and at its end.
+// Bilodeau and Songy 1999, Carmack 2000; Everitt and Kilgard, "Practical and Robust Stenciled Shadow Volumes", 2002. The
+// line from the point away from the eye ends outside of every volume, wherever the eye is. In return each volume has to be
+// closed by caps, at the caster and at its far end.
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_volume/shared_info.h"
 #include "techniques/shadow_volume/volume_technique.h"

@@ -1,10 +1,10 @@
 // Stencil shadow volumes, counted with depth pass: the volume faces between the eye and each visible point.
 //
-// Heidmann, "Real Shadows, Real Time", 1991: the textbook algorithm, faults included. The walk starts at the eye, and the
-// stencil at zero: that is right only where the eye is in no volume. What lies before the near plane is not drawn, so it
-// is as wrong where the near plane cuts a volume. Depth fail (zfail.cpp) asks nothing of the eye. The top cap is not
-// needed: the walk ends at the visible point, and no surface that casts lies before it; nor is the bottom cap, as long as the
-// eye is not beyond it.
+// Heidmann, "Real Shadows, Real Time", 1991: the textbook algorithm, with its faults. The count begins at the eye with a
+// stencil of zero, which is right only if the eye is in no volume. Faces before the near plane are not drawn, so the count
+// is also wrong where the near plane cuts a volume. Depth fail (zfail.cpp) has neither fault. No top cap is needed, because
+// it lies on the caster's surface and no surface lies before the visible point. No bottom cap is needed either, as long as
+// the eye is not beyond it.
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_volume/cull/eye_line.h"
 #include "techniques/shadow_volume/shared_info.h"
@@ -100,7 +100,7 @@ private:
                                             const CasterVolume& caster, int light) const override;
     [[nodiscard]] PassRule passRule() const override { return {.corrected = params_.eyeCorrection}; }
     [[nodiscard]] bool showsCaps() const override { return false; }
-    /// Moved out to the nearest surface the near plane would cut far more volumes.
+    /// A near plane moved out to the nearest surface would cut far more volumes.
     [[nodiscard]] bool usesNearPlaneOfView() const override { return !params_.eyeCorrection; }
 
     ZPassParams params_;
@@ -126,7 +126,7 @@ params::ParamList ZPass::params() {
 CountMethod ZPass::countMethodOf(const scene::Scene& scene, const dvec3& eyeWorld, const CasterVolume& caster,
                                  int light) const {
     const scene::Light& source = scene.light(light);
-    // The eye's own count is known for volumes that end at a plane or nowhere.
+    // The number of volumes around the eye (eyeCount) is known only for volumes that end at a plane or at infinity.
     const bool unsure =
         params_.eyeCorrection &&
         (eyeMaySeeThrough(scene, caster) ||

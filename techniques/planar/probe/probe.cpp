@@ -1,4 +1,4 @@
-// What planar shadows know about one pixel, and about a mesh.
+// The probe of one pixel, and the remark on a mesh.
 // SPDX-License-Identifier: MIT
 #include "techniques/planar/probe/probe.h"
 
@@ -72,7 +72,7 @@ PlaneProbe withoutReceiver(const scene::Scene& scene, const Choice& choice, int 
     return probe;
 }
 
-/// Why a wrong answer is wrong. The point's own line says all there is to say, but for what the settings leave out.
+/// The reason why an answer is wrong: a safeguard that the settings have switched off.
 std::string whyWrong(const PlaneProbe& plane, bool isLit) {
     const auto falseCast = std::ranges::find_if(plane.covers, [](const auto& cover) {
         return !cover.casts && cover.why.find("anti-shadow") != std::string::npos;

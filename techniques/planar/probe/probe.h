@@ -1,4 +1,5 @@
-// One point of a receiver plane and all that the light's line through it meets: what covers it, and what must not.
+// One point of a receiver plane, and all triangles on the line from the light through it: those that shadow it, and those
+// that must not.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/planar/casters.h"

@@ -8,8 +8,8 @@ namespace shadowlab::planar {
 
 namespace {
 
-// The way in which the line is moved aside where it passes an edge or a corner: any that is no simple multiple of a scene's own
-// directions.
+// Directions of the infinitesimal shift where the line passes an edge or a corner (simulation of simplicity): any that are
+// parallel to nothing in a typical scene.
 constexpr dvec3 kAside{0.5413, 0.3117, 0.7809}, kFurtherAside{-0.2903, 0.8747, 0.3881};
 
 bool isLeftOf(const dvec3& way, const dvec3& p, const dvec3& q) {

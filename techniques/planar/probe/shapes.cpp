@@ -1,4 +1,4 @@
-// Receiver planes and projecting rays as they lie in the scene, for whoever looks on from outside.
+// Receiver planes and projecting rays as shapes in the scene, for the camera outside.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
@@ -38,7 +38,7 @@ std::vector<dvec3> raysOnto(const ChosenReceiver& one, const Projection& project
             corners[static_cast<std::size_t>(i)] = eye.viewFromWorld * dvec4(caster.boundsWorld.corner(i), 1.0);
         const auto height = [&](const dvec4& corner) { return glm::dot(projection.planeView, corner); };
         std::ranges::sort(corners, std::ranges::greater{}, height);
-        // What lies on the plane has no ray to be seen: a millionth of the frame is rounding.
+        // A corner on the plane has no ray; up to a millionth of the frame is rounding.
         if (height(corners[0]) <= 1e-6 * (glm::length(across) + glm::length(along))) continue;
         for (std::size_t i = 0; i < 4; ++i) {
             const dvec4 shadow = projection.flattenedFromView * corners[i];
@@ -68,9 +68,9 @@ std::vector<SceneShape> Planar::shapes(const scene::Snapshot& snapshot, const Vi
         addFace(one, *snapshot, outline, area);
     std::vector<SceneShape> shapes = {outline, area};
     if (light < 0 || light >= static_cast<int>(snapshot->lights.size())) return shapes;
-    if (view.picked) return shapes; // the probe tells of the one ray that matters
+    if (view.picked) return shapes; // the probe draws the one ray of the picked pixel
 
-    // Rays onto one plane only, or nothing could be told apart: the one that the eye sees lit and most rays end on.
+    // Rays onto one plane only, since more would be confusing: the lit plane in view on which most rays end.
     const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->light(light));
     SceneShape rays{"ray from the light to the plane", look::kSilhouette, SceneShape::Kind::lines, {}};
     for (const ChosenReceiver& one : chosen) {

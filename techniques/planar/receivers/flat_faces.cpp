@@ -19,12 +19,12 @@ constexpr double kCoplanar = 1.0 / (1 << 21);
 // Shading normals within one degree of the plane's: files write them with four decimals, a tenth of that.
 const double kFlatCosine = std::cos(0.0175);
 
-// A face that reaches over this share of the mesh's diagonal is one, however it is bounded: a side of a plinth does, a facet
-// of a ball does not.
+// A face that extends over this share of the mesh's diagonal is large, whatever its outline: a side of a plinth is, a facet
+// of a ball is not.
 constexpr double kLargeShare = 1.0 / 8.0;
 
-// A smaller one must have sharp edges (a step of a stair, a window sill). Of those no more than so many, the largest: a tree's
-// leaves need not all receive.
+// A smaller one must have sharp edges (a step of a stair, a window sill). At most this many of these receive, the largest
+// first: not every leaf of a tree has to.
 constexpr std::size_t kMostFaces = 2048;
 
 // Two faces that meet at less than 30 degrees approximate a curve: a column of twelve sides, any finer one, and the facets
@@ -138,7 +138,7 @@ private:
         return farthest;
     }
 
-    /// All triangles that hang together with the seed in its plane, taken, in ascending order.
+    /// All triangles connected with the seed that lie in its plane, in ascending order; marks them as used.
     std::vector<std::uint32_t> spread(std::uint32_t seed) {
         const Triangle plane = triangleOf(mesh_, seed);
         std::vector<std::uint32_t> members = {seed};
@@ -162,7 +162,8 @@ private:
         return area;
     }
 
-    /// Of the outline, by length: beyond it the surface goes on at a small angle. The edges of an open mesh are sharp.
+    /// The share of the outline, by length, at which the surface continues at a small angle. The boundary of an open mesh
+    /// counts as sharp.
     [[nodiscard]] double gentleShare(const std::vector<std::uint32_t>& members) const {
         double gentle = 0, all = 0;
         for (const std::uint32_t t : members) {

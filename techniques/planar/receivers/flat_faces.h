@@ -1,8 +1,8 @@
 // The flat faces of a mesh: what a planar shadow can fall on.
 //
-// A face is a set of triangles that hang together by edges and lie in one plane: the two of a quad, the two of a side of
-// a box, the many of a tiled floor. It must be meant to be flat (its shading normals are those of the plane), and no mere
-// facet of something curved: large as the mesh goes, or bounded by sharp edges.
+// A face is a set of triangles that are connected by edges and lie in one plane: the two of a quad, the two of a side of a
+// box, the many of a tiled floor. Its shading normals have to be those of the plane, and it must not be a facet of a curved
+// surface: it is large compared with the mesh, or bounded by sharp edges.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -28,11 +28,11 @@ struct FlatFace {
     dvec3 normalMesh{0.0}; ///< unit; the front of the largest triangle
     double unevenness = 0; ///< largest distance of a corner from the plane, in units of mesh space: rounding only
     std::vector<TriangleRun> runs;
-    std::vector<std::array<dvec3, 2>> outlineMesh; ///< the edges that bound it
+    std::vector<std::array<dvec3, 2>> outlineMesh; ///< the edges of its outline
     std::array<dvec3, 4> frameMesh{}; ///< corners, in order, of a rectangle in the plane that holds the face
 };
 
-/// All that a mesh has, and what became of the rest of its area.
+/// The flat faces of a mesh, and why the rest of its area is not in them.
 struct FlatFaces {
     std::vector<FlatFace> faces; ///< in the order of their first triangles
     double area = 0;             ///< of the whole mesh, in units of mesh space; the rest are parts of it

@@ -55,7 +55,7 @@ scene::PicturePart partAround(const std::vector<dvec2>& polygon) {
     return part;
 }
 
-/// Does the eye see the inner side of a face of something closed? Then its front hides that side.
+/// True if the eye is behind a face of a closed object: then front faces hide it.
 bool isBackOfClosed(const scene::Scene& scene, std::size_t object, const scene::Bounds& bounds,
                     const gl::EyeMatrices& eye, const dvec4& planeView) {
     return planeView.w <= 0 && scene.objects[object].mesh->outward && !scene::hasHoles(scene, scene.objects[object]) &&
@@ -71,8 +71,8 @@ bool isLit(const scene::Scene& scene, const gl::EyeMatrices& eye, const ChosenRe
     });
 }
 
-/// Gives tags to some of the planes: counting down in the order of drawing, which is that of the scene, and from the top again
-/// where a plane is apart from all before. False when that takes more tags than there are.
+/// Gives tags to the drawn planes: counting down in drawing order, which is the order of the scene, and starting again at
+/// the top where a plane overlaps none before it. False if there are not enough tags.
 bool numbered(std::vector<ChosenReceiver>& planes, std::vector<std::size_t> drawn, const dvec2& apart) {
     std::ranges::sort(drawn);
     const auto mayOverlap = [&](const scene::PicturePart& a, const scene::PicturePart& b) {
@@ -104,7 +104,7 @@ bool Receivers::findNext(const scene::Snapshot& snapshot) {
         meshes_[object.mesh.get()] = {object.mesh, flatFaces(*object.mesh).faces};
         return false;
     }
-    // All meshes are known; those of no object any more are forgotten.
+    // All meshes have been looked at; meshes that no object has any more are dropped.
     std::set<const scene::Mesh*> present;
     for (const scene::Object& object : snapshot->objects)
         present.insert(object.mesh.get());
@@ -173,7 +173,7 @@ Choice choose(const std::vector<ChosenReceiver>& inView, int limit, const dvec2&
         return seen[a].pictureArea > seen[b].pictureArea;
     });
     order.resize(std::min(order.size(), static_cast<std::size_t>(limit)));
-    // Too many one over the other: the smallest have to go.
+    // Too many planes overlap, so the smallest are left out.
     while (!numbered(seen, order, apart))
         order.resize(order.size() - std::max<std::size_t>(1, order.size() / 8));
     Choice choice{{}, order.size() < seen.size()};

@@ -16,10 +16,10 @@ namespace shadowlab::planar {
 struct Receiver {
     std::size_t object = 0;
     const FlatFace* face = nullptr;
-    std::size_t rank = 0; ///< by size in the world, the largest first: its colour goes by it
+    std::size_t rank = 0; ///< by size in the world, the largest first; it determines the colour
 };
 
-/// Object and face of those that are known not to be seen.
+/// Object and face of receivers that no pixel shows.
 using HiddenFaces = std::set<std::pair<std::size_t, const FlatFace*>>;
 
 /// A receiver in a picture.
@@ -52,7 +52,7 @@ private:
     void list(const scene::Scene& scene);
 
     struct Found {
-        std::shared_ptr<const scene::Mesh> mesh; ///< kept, so that its address stays its own
+        std::shared_ptr<const scene::Mesh> mesh; ///< kept alive, so that no other mesh gets its address
         std::vector<FlatFace> faces;
     };
     std::map<const scene::Mesh*, Found> meshes_;
@@ -66,9 +66,9 @@ struct Choice {
     bool leftOut = false; ///< were there more?
 };
 
-/// No more than `limit` of them, and no more than there are tags for: first those on which a light shines, as the eye sees them,
-/// and of these the largest in the picture. Two planes have the same tag only where they are more than `apart` from each other,
-/// in normalised device coordinates: nobody who draws within their parts of the picture mistakes one for the other.
+/// Chooses at most `limit` receivers, and no more than there are tags for: first those whose visible side is lit, and of
+/// these the largest in the picture. Two planes share a tag only if they are more than `apart` from each other in
+/// normalised device coordinates, so that a pass restricted to the part of one cannot touch the other.
 Choice choose(const std::vector<ChosenReceiver>& inView, int limit, const dvec2& apart, const HiddenFaces& hidden = {});
 
 } // namespace shadowlab::planar

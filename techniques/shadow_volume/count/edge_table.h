@@ -1,10 +1,10 @@
-// The edges of a mesh, laid out to be gone through once for each light.
+// The edges of a mesh, stored for one fast pass over them per light.
 //
 // Nearly all edges of nearly all meshes join two triangles that are wound alike: such an edge is part of the silhouette
-// where one of them faces the light and the other does not. That takes two numbers per edge, which lie side by side in one
-// array; its vertices, needed only where it is a silhouette, lie in another. Edges of any other kind are few and lie apart,
-// with their place among the ordinary ones. Edges are in the order of their lowest vertex, then the other: neighbours in
-// the table are neighbours on the mesh, and so are their triangles.
+// where one of them faces the light and the other does not. The test needs two numbers per edge, which one array holds. The
+// vertices of an edge are needed only if it is a silhouette, so another array holds them (fewer cache misses). Edges of any
+// other kind are few; they are stored in a list of their own, with their place in the order. Edges are in the order of
+// their lowest vertex, then the other: neighbours in the table are neighbours on the mesh, and so are their triangles.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>

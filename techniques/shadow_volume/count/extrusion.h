@@ -1,5 +1,5 @@
-// How one caster's vertices are pushed away from one light: the numbers that extrude.vert takes, and its twin on the
-// processor. Both give the same pixels; which is quicker is for a lesson to find out.
+// How the vertices of a caster are pushed away from a light: the uniforms of extrude.vert, and the same computation on the
+// processor. Both give the same pixels, so a lesson can compare their speed.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>

@@ -5,9 +5,9 @@ namespace shadowlab::shadow_volume {
 
 namespace {
 
-/// Where a face that counts adds (+1) or takes (-1): only as far as the counter goes, unless it wraps.
+/// For faces that add one and faces that subtract one. A counter that does not wrap stops at the ends of its range.
 void setStencilFunctions(GLenum adding, GLenum taking, const StencilRule& stencil) {
-    glStencilMask(stencil.mask()); // of a count that needs more bits, the lower ones are stored: it wraps
+    glStencilMask(stencil.mask()); // only the lower bits of the count are stored, so it wraps
     const GLenum test = stencil.wrap ? GL_ALWAYS : GL_NOTEQUAL;
     glStencilFuncSeparate(adding, test, static_cast<GLint>(stencil.mask()), stencil.mask());
     glStencilFuncSeparate(taking, test, 0, stencil.mask());
@@ -51,7 +51,7 @@ void FaceCounter::countIntoColor(const Frame& frame, int light, std::span<const 
     setSigns(1, allAdd ? 1.0f : -1.0f);
     glDepthFunc(GL_LESS);
     drawPassing(frame, light, volumes, rules.pass, forColor_);
-    // Colour is written where a test passes: so the test is for what fails the other.
+    // Colour is written where the depth test passes, so the test is the opposite of the one whose failures count.
     setSigns(allAdd ? 1.0f : -1.0f, 1);
     glDepthFunc(rules.fail.lessOrEqual ? GL_GREATER : GL_GEQUAL);
     drawFailing(frame, light, volumes, rules.fail, forColor_);
@@ -60,17 +60,19 @@ void FaceCounter::countIntoColor(const Frame& frame, int light, std::span<const 
 
 void FaceCounter::drawPassing(const Frame& frame, int light, std::span<const CountedVolume> volumes,
                               const PassRule& rule, const Programs& programs) const {
-    if (rule.corrected) glEnable(GL_DEPTH_CLAMP); // before the near plane is before every visible point
+    if (rule.corrected) glEnable(GL_DEPTH_CLAMP); // faces before the near plane are kept: they are before every visible point
     const dvec4 eyeWorld(frame.camera().positionWorld, 1.0);
     for (const CountedVolume& volume : volumes) {
         if (volume.method != CountMethod::zPass) continue;
-        // From beyond its end one looks into a volume through the bottom; an end that is no plane is seen from anywhere.
+        // An eye beyond the end plane looks into the volume through its bottom cap. An end at a distance is no plane and
+        // may be seen from anywhere.
         const VolumeEnd& end = volume.seen.end;
         drawExtruded(frame, volume, light, end.distance || (end.planeWorld && glm::dot(*end.planeWorld, eyeWorld) > 0),
                      programs);
     }
     if (rule.corrected) {
-        // No top cap lies before a visible point, but for what the near plane has cut off from the surfaces.
+        // A top cap lies on a surface, so it is never before a visible point, except for the part of the surface that the
+        // near plane has cut off.
         const dmat4 clipFromWorld = frame.eye().clipFromView * frame.eye().viewFromWorld;
         glEnable(GL_CLIP_DISTANCE0);
         programs.nearCap.use();
@@ -87,13 +89,13 @@ void FaceCounter::drawPassing(const Frame& frame, int light, std::span<const Cou
 
 void FaceCounter::drawFailing(const Frame& frame, int light, std::span<const CountedVolume> volumes,
                               const FailRule& rule, const Programs& programs) const {
-    // Sides and bottom caps may reach infinity: nothing may clip them there, so their depth is clamped.
+    // Sides and bottom caps may reach infinity. Depth clamp keeps the far plane from clipping them.
     if (rule.clamp) glEnable(GL_DEPTH_CLAMP);
     for (const CountedVolume& volume : volumes)
         if (volume.method == CountMethod::zFail)
             drawExtruded(frame, volume, light, rule.caps && volume.seen.bottomCap, programs);
-    // Top caps lie on the casters' surfaces and must get the very depths the surfaces got: same vertices, same order,
-    // same program text, and no clamp, because the surfaces themselves were clipped at the near plane.
+    // Top caps lie on the casters' surfaces and must get exactly their depths. So they use the same vertices in the same
+    // order and the same expression for the position; and no clamp, because the surfaces were clipped at the near plane.
     glDisable(GL_DEPTH_CLAMP);
     if (!rule.caps) return;
     programs.cap.use();
@@ -116,7 +118,7 @@ void FaceCounter::drawExtruded(const Frame& frame, const CountedVolume& volume, 
     setFrontFace(object, false);
     frame.scissorTo(volume.seen.part);
     const VolumeBuffers& buffers = volume.extruded ? *volume.extruded : *caster.buffers;
-    // Toward the sun all sides meet in one point at infinity.
+    // With a directional light all sides meet in one point at infinity.
     const VolumeEnd& end = volume.seen.end;
     const bool atInfinity = !end.planeWorld && !end.distance;
     buffers.drawSides(atInfinity && source.type == scene::LightType::directional);

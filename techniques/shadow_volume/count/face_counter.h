@@ -18,8 +18,8 @@ struct CountedVolume {
 };
 
 struct PassRule {
-    /// The walk may start in a volume: it starts with the eye's own count (eye_line.h), nothing is cut off at the near
-    /// plane, and the top caps that lie before it count as well.
+    /// The eye may be in a volume: the count starts with the number of volumes around it (eye_line.h), the near plane cuts
+    /// nothing off, and the parts of top caps before the near plane count as well.
     bool corrected = false;
     friend bool operator==(const PassRule&, const PassRule&) = default;
 };
@@ -32,7 +32,7 @@ struct FailRule {
     friend bool operator==(const FailRule&, const FailRule&) = default;
 };
 
-/// How the counter behaves at its ends: it wraps around, or it sticks there.
+/// Size of the counter, and what it does beyond its range: it wraps around, or it saturates.
 struct StencilRule {
     int bits = 8; ///< of it that are used
     bool wrap = true;
@@ -49,8 +49,8 @@ struct CountRules {
 
 class FaceCounter {
 public:
-    /// Counts the faces of volumes into the stencil, each in its way. The stencil test is on, depth is not written, and one
-    /// side may be culled.
+    /// Counts the faces of volumes into the stencil, each volume by its method. The stencil test is on, depth is not
+    /// written, and one side may be culled.
     void countIntoStencil(const Frame& frame, int light, std::span<const CountedVolume> volumes,
                           const CountRules& rules, const StencilRule& stencil) const;
 

@@ -8,7 +8,7 @@ namespace shadowlab::shadow_volume {
 void FloatCount::clear(const Frame& frame, int start) {
     const gl::Target& target = frame.target();
     if (!counts_ || counts_.size() != target.size()) counts_ = gl::Texture2D(GL_R32F, target.size(), "counts");
-    // Made anew each time: the target's depth may be another texture since, under the same number.
+    // Made again each time, because the target's depth may by now be another texture with the same GL name.
     framebuffer_ = gl::Framebuffer(&counts_, &target.depthStencil, "counts");
     framebuffer_.bind();
     const float value[4] = {static_cast<float>(start), 0, 0, 0};

@@ -1,7 +1,7 @@
-// A count kept in a texture of floats, where more volumes may overlap than the stencil can count.
+// A count in a texture of floats, for scenes in which more volumes may overlap than the stencil can count.
 //
-// Blending adds +1 and -1 exactly up to 2^24. The stencil is told the outcome, zero or not, and all that follows is as if
-// it had counted itself.
+// Blending adds +1 and -1 exactly up to 2^24. The result, zero or not, is written to the stencil, so all later passes are
+// the same as for a count in the stencil.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/shadow_volume/count/face_counter.h"
@@ -10,7 +10,7 @@ namespace shadowlab::shadow_volume {
 
 class FloatCount {
 public:
-    /// Starts anew from that number in every pixel, beside the target's depth.
+    /// Sets the count of every pixel to `start`. The counts use the depth buffer of the target.
     void clear(const Frame& frame, int start);
     /// Counts faces within a pass of the frame, and leaves the count bound for drawing.
     void count(const Frame& frame, const FaceCounter& counter, int light, std::span<const CountedVolume> volumes,

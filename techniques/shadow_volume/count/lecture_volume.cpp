@@ -5,7 +5,7 @@ namespace shadowlab::shadow_volume {
 
 namespace {
 
-/// The edge as the front one of two faces runs along it; `first` runs a -> b when `firstAlong`, and so on.
+/// An edge of two triangles: `first` runs a -> b along it if `firstAlong`, `second` if `secondAlong`.
 struct Shared {
     std::uint32_t a = 0, b = 0;
     std::uint32_t first = 0, second = 0; ///< triangles

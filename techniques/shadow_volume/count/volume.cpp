@@ -31,9 +31,9 @@ void buildSides(const EdgeTable& edges, std::span<const std::int8_t> facing, std
 // Caps. The top cap keeps the order in which the mesh itself is drawn: with another order the rasteriser's depth may differ
 // in the last bit and the cap would fight with the very surface it lies on.
 //
-// Each triangle is written to the end of every list, whether it belongs there or not; a list's end moves on where it does,
-// and what does not belong is overwritten by the next. No branch depends on a sign, also where that reads less plainly: with
-// triangles in no order the processor could foresee none. So each list needs room for one triangle more than it keeps.
+// Without branches: each triangle is written to the end of every list, and the end of a list advances only if the triangle
+// belongs there; otherwise the next triangle overwrites it. A branch on the sign would be mispredicted half of the time,
+// because neighbours in the mesh are in no useful order. Each list needs room for one triangle more than it keeps.
 void buildCaps(const scene::Mesh& mesh, std::span<const std::int8_t> facing, std::uint32_t far, Volume& volume) {
     const auto front = static_cast<std::size_t>(std::ranges::count(facing, 1));
     const auto back = static_cast<std::size_t>(std::ranges::count(facing, -1));

@@ -1,11 +1,11 @@
 // The shadow volume of one caster for one light, as indices into two kinds of vertices. Knows no graphics API.
 //
-// Works for any set of triangles: closed, open, non-manifold, inconsistently wound. Every triangle is turned toward the
-// light; where the triangles at an edge do not cancel, the edge is extruded as often as they fail to. What is so
-// bounded is a cycle (the boundary of a boundary is nothing), so a stencil counts the triangles between a point and the
-// light. Sources: Crow, "Shadow Algorithms for Computer Graphics", 1977; Bergeron, "A General Version of Crow's Shadow
-// Volumes", 1986 (open meshes); Aldridge and Woods, "Robust, Geometry-Independent Shadow Volumes", 2004 (signed edge
-// counts).
+// Works for any set of triangles: closed, open, non-manifold, inconsistently wound. Every triangle is oriented toward the
+// light. At an edge the triangles then run in one direction or the other; the edge is extruded as often as these directions
+// fail to cancel. The resulting surface is closed (the boundary of a boundary is empty), so a stencil counts the triangles
+// between a point and the light. Sources: Crow, "Shadow Algorithms for Computer Graphics", 1977; Bergeron, "A General
+// Version of Crow's Shadow Volumes", 1986 (open meshes); Aldridge and Woods, "Robust, Geometry-Independent Shadow Volumes",
+// 2004 (signed edge counts).
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace shadowlab::shadow_volume {
 
-/// An edge that separates, as the light sees it: directed so that the triangle turned toward the light runs a -> b.
+/// A silhouette edge as the light sees it, directed so that the triangle turned toward the light runs a -> b.
 struct SilhouetteEdge {
     std::uint32_t a = 0, b = 0;     ///< vertex indices of the mesh
     std::uint32_t multiplicity = 1; ///< how often it is extruded
@@ -30,19 +30,21 @@ struct SilhouetteEdge {
 struct Volume {
     std::vector<std::uint32_t> topCap;         ///< triangles with sign +1, in the mesh's own order and corner order
     std::vector<std::uint32_t> topCapReversed; ///< triangles with sign -1, likewise: these are clockwise from outside
-    /// Extruded silhouette edges: of each quad one triangle in the first half of the list, which has one far vertex, and one
-    /// in the second, which has two and is nothing where all far vertices are one point.
+    /// Extruded silhouette edges: of each quad one triangle in the first half of the list, which has one far vertex, and
+    /// one in the second half, which has two and is degenerate where all far vertices are one point.
     std::vector<std::uint32_t> sides;
     std::vector<std::uint32_t> bottomCap; ///< the triangles of both top caps, at the end
 };
 
 /// Makes the silhouette, the edges whose triangles do not cancel once each is turned toward the light, and the volume, in
-/// one pass over the edges and one over the triangles. `facing` is one sign per triangle (scene/query/facing.h); a triangle with
-/// sign 0 is seen edge-on, covers nothing, and is left out. What the two held before is replaced, their memory used again.
+/// one pass over the edges and one over the triangles. `facing` is one sign per triangle (scene/query/facing.h); a triangle
+/// with sign 0 is seen edge-on, covers nothing, and is left out. The previous contents of `silhouette` and `volume` are
+/// replaced; their memory is reused.
 void buildVolume(const scene::Mesh& mesh, const EdgeTable& edges, std::span<const std::int8_t> facing,
                  std::vector<SilhouetteEdge>& silhouette, Volume& volume);
 
-/// In place of buildVolume() (volume.h). A triangle with sign 0 counts as facing away: N.L > 0 it has not.
+/// The volume as the lecture builds it (lecture_volume.cpp), in place of buildVolume(): right for closed meshes only. A
+/// triangle with sign 0 counts as facing away, since N.L > 0 is false.
 void buildLectureVolume(const scene::Mesh& mesh, const EdgeTable& edges, std::span<const std::int8_t> facing,
                         std::vector<SilhouetteEdge>& silhouette, Volume& volume);
 

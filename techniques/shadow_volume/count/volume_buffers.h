@@ -1,4 +1,4 @@
-// A caster's volume on the graphics card, drawn part by part.
+// The buffers of a caster's volume on the graphics card, to be drawn part by part.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
@@ -24,10 +24,10 @@ public:
     /// `bindAttributes` binds the vertices that the volume's indices count in.
     VolumeBuffers(const Volume& volume, std::span<const SilhouetteEdge> silhouette,
                   const std::function<void()>& bindAttributes);
-    // The triangles turned toward the light as they are, and those that have to be read clockwise.
+    // The triangles whose front faces the light, and those whose back does, which are drawn as clockwise.
     void drawTopCap() const { topCap_.draw(GL_TRIANGLES); }
     void drawTopCapReversed() const { topCapReversed_.draw(GL_TRIANGLES); }
-    /// `toOnePoint`: all far vertices are the same one, and half of the triangles are nothing.
+    /// `toOnePoint`: all far vertices coincide, so half of the triangles are degenerate and are left out.
     void drawSides(bool toOnePoint = false) const { sides_.draw(GL_TRIANGLES, toOnePoint ? 2 : 1); }
     void drawBottomCap() const { bottomCap_.draw(GL_TRIANGLES); }
     // Silhouette edges as lines, by how many triangles meet there.
@@ -46,7 +46,7 @@ private:
     Run topCap_, topCapReversed_, sides_, bottomCap_, silhouette_, boundary_, multiple_;
 };
 
-/// Orders a caster's front faces: a mirrored object turns its winding over.
+/// Sets which winding is the front of a caster's faces; a mirrored object reverses it.
 void setFrontFace(const scene::Object& object, bool clockwise);
 
 } // namespace shadowlab::shadow_volume

@@ -8,12 +8,12 @@ namespace shadowlab::shadow_volume {
 
 namespace {
 
-// The end stays this share of the receivers' size beyond them: far more than the depth buffer's steps, which it must not be
-// mistaken for the last receiver by, and far less than would cost anything.
+// The end plane lies beyond the receivers by this share of their size: far more than a step of the depth buffer, so that
+// cap and receiver keep different depths, and too little to cost pixels.
 constexpr double kBeyondBounds = 0.0001;
 
-// In units of the receivers' size. A grazing light meets no side soon; what is gained by ending the volume there is little, and
-// the rounding of its far corners grows with the way.
+// In units of the receivers' size. A grazing light reaches a side of the box only after a long way. Ending the volume there
+// saves little, and the rounding of its far vertices grows with the distance.
 constexpr double kLongest = 4.0;
 
 dvec3 pushedToPlane(const dvec3& pointWorld, const dvec3& awayWorld, const dvec4& planeWorld) {
@@ -44,7 +44,8 @@ std::optional<dvec4> endPlaneWorld(const scene::Bounds& box, const scene::Light&
         for (const double side : {-1.0, 1.0}) {
             dvec4 plane = sideOf(receivers, axis, side);
             plane.w -= kBeyondBounds * size;
-            // The way is a ratio of linear functions of the point, so over the box it is longest at a corner.
+            // The distance to the plane is a ratio of linear functions of the point, so over the box its maximum is at a
+            // corner.
             double longest = 0;
             for (int i = 0; i < 8; ++i) {
                 const dvec3 corner = box.corner(i), away = awayFrom(light, corner);

@@ -8,7 +8,7 @@
 
 namespace shadowlab::shadow_volume {
 
-/// Neither of the two: at infinity.
+/// Where a volume ends: at a plane, or at a distance; with neither, at infinity.
 struct VolumeEnd {
     std::optional<dvec4> planeWorld; ///< dot(xyz, p) + w = 0 there, positive beyond
     std::optional<double>
@@ -16,17 +16,17 @@ struct VolumeEnd {
 };
 
 /// The plane (dot(xyz, p) + w = 0, positive beyond) up to which to extrude a caster within `box`: of the six sides of a box
-/// a little larger than that of the receivers, the one that the caster's shadow reaches soonest. No receiver lies beyond it.
-/// None where part of the caster or the light is beyond every side, or parts of the shadow would reach it only after a very
-/// long way: that volume ends at infinity.
+/// a little larger than that of the receivers, the one that the caster's shadow reaches soonest. No receiver lies beyond
+/// it. Nothing if part of the caster or the light is beyond every side, or if some of the shadow would reach the plane only
+/// after a very long way: then the volume ends at infinity.
 std::optional<dvec4> endPlaneWorld(const scene::Bounds& box, const scene::Light& light, const scene::Bounds& receivers);
 
 /// True when the shadow of what is in `box` certainly falls on nothing in the other box: the caster is beyond one of its
 /// sides, and the light sends the shadow away from it.
 bool missesAll(const scene::Bounds& box, const scene::Light& light, const scene::Bounds& receivers);
 
-/// Where a point goes that is pushed away from the light until the end: what extrude.vert computes, in double. Homogeneous:
-/// w = 0 is a direction.
+/// The point pushed away from the light to the end of the volume: what extrude.vert computes, in double. Homogeneous: w = 0
+/// is a direction.
 dvec4 pushedWorld(const dvec3& pointWorld, const scene::Light& light, const VolumeEnd& end);
 
 } // namespace shadowlab::shadow_volume

@@ -46,7 +46,8 @@ bool Casters::buildNext(const scene::Snapshot& snapshot, Construction constructi
         if (old != known.end() && old->object == o) caster = std::move(*old);
         caster.object = o;
         update(caster, snapshot->objects[o], light);
-        // The volume's indices know nothing of where it ends: that is for the shader, and may change at any time.
+        // The indices do not depend on where the volume ends: the shader takes that as a uniform, and it may change at any
+        // time.
         caster.bounds = bounds_[o];
         caster.endWorld = endPlaneWorld(caster.bounds, light, sceneBounds);
         caster.useful = std::ranges::binary_search(useful, o);

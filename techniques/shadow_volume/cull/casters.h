@@ -16,7 +16,8 @@
 
 namespace shadowlab::shadow_volume {
 
-/// Whatever its triangles, by signed counts at the edges (volume.h); or as the lecture has it (lecture_volume.cpp).
+/// general: for any triangles, by signed counts at the edges (volume.h); lecture: as the lecture builds it
+/// (lecture_volume.cpp).
 enum class Construction { general, lecture };
 
 /// A volume whose vertices the processor has pushed, on the card.
@@ -50,7 +51,7 @@ struct CasterVolume {
     std::unique_ptr<VolumeBuffers> buffers;   ///< made when first drawn
     std::unique_ptr<ExtrudedVolume> extruded; ///< made when the processor first has to extrude
 
-    // What the volume was made of: as long as that is the same, so is the volume.
+    // The cache key of the volume: as long as these are the same, so is the volume.
     std::shared_ptr<CasterMesh> mesh;
     dvec4 lightMesh{0.0};            ///< the light, seen from the mesh
     std::vector<std::int8_t> facing; ///< a light that moved a little may leave all signs as they were
@@ -62,11 +63,11 @@ public:
     /// Brings the volumes of the next light up to date; true when all are. Only what moved is built again: an object seen
     /// from each light, or a light seen from each object.
     bool buildNext(const scene::Snapshot& snapshot, Construction construction = Construction::general);
-    /// The casters of one light, their buffers on the card.
+    /// The casters of one light, with their buffers uploaded.
     const std::vector<CasterVolume>& upload(int light);
     /// Extrudes one of them on the processor, unless that is done already.
     const VolumeBuffers& extrude(int light, std::size_t caster, const Extrusion& extrusion);
-    /// The same, as they are.
+    /// The casters of one light, without uploading anything.
     [[nodiscard]] const std::vector<CasterVolume>& of(int light) const {
         return perLight_[static_cast<std::size_t>(light)];
     }
@@ -74,7 +75,7 @@ public:
     [[nodiscard]] int overlaps(int light) const { return overlaps_[static_cast<std::size_t>(light)]; }
     /// The boxes of all objects, in their order.
     [[nodiscard]] std::span<const scene::Bounds> bounds() const { return bounds_; }
-    /// Another number whenever the casters of the lights may be others, or elsewhere in memory.
+    /// Changes whenever the list of casters changes, or moves in memory.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
     /// How many volumes there are, for all lights together.
     [[nodiscard]] std::size_t count() const;
@@ -98,7 +99,7 @@ private:
     std::vector<std::vector<CasterVolume>> perLight_;
     std::vector<int> overlaps_;       ///< likewise
     std::size_t next_ = 0;            ///< the first light whose volumes may be out of date
-    std::vector<std::int8_t> facing_; ///< of the caster in hand; kept for its memory
+    std::vector<std::int8_t> facing_; ///< of the caster that is being built; a member so that its memory is reused
     std::size_t rebuilt_ = 0;
     std::uint64_t revision_ = 0;
 };

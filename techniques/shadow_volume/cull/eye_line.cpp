@@ -10,14 +10,14 @@ namespace shadowlab::shadow_volume {
 
 namespace {
 
-// Share of the box's size by which it is made larger: far more than the rounding of its corners.
+// The box is enlarged by this share of its size: far more than the rounding of its corners.
 constexpr double kAround = 1e-6;
 
-// Of the product of the three lengths. Vertex positions reach the rasteriser as floats (2^-24) after a product of
-// matrices; sixteen times that is on the safe side of what they can be off.
+// Of the product of the three lengths. Vertex positions reach the rasteriser as floats (2^-24) after a product of matrices;
+// sixteen times that is a safe bound on their error.
 constexpr double kGrazing = 0x1p-20;
 
-// The way in which the line is moved aside: any that is no simple multiple of a mesh's own directions.
+// Directions of the infinitesimal shift (simulation of simplicity): any that are parallel to nothing in a typical mesh.
 constexpr dvec3 kAside{0.5413, 0.3117, 0.7809}, kFurtherAside{-0.2903, 0.8747, 0.3881};
 
 /// The line in a caster's mesh space, with the eye as the origin: it runs along `way`, for a point light until 1.
@@ -38,7 +38,8 @@ struct Line {
             if (const double side = glm::dot(direction, normal); side != 0) return side > 0;
         return false;
     }
-    /// The light is on the front of these triangles, or for `clockwise` on the back, and the eye has to be on the other.
+    /// Counts the triangles that the line crosses. The light is on their front (`clockwise`: on their back), so the eye has
+    /// to be on the other side.
     [[nodiscard]] int crossings(std::span<const std::uint32_t> cap, bool clockwise) const {
         int count = 0;
         for (std::size_t i = 0; i + 2 < cap.size(); i += 3) {

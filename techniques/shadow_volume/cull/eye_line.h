@@ -1,7 +1,7 @@
-// The line from the eye to the light: which volumes the eye is in, decided by what stands on it.
+// Which volumes is the eye in? The casters on the line from the eye to the light decide it.
 //
-// The eye is in a caster's volume as often as the line to the light crosses triangles of its cap. A walk that starts at the
-// eye has to start with that number. Crow 1977 and Bergeron 1986 speak of such an initial count.
+// The eye is in a caster's volume as many times as the line to the light crosses triangles of its top cap. Depth pass has
+// to start its count with that number: the initial count of Crow 1977 and Bergeron 1986.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/shadow_volume/cull/volume_in_view.h"
@@ -12,8 +12,8 @@ namespace shadowlab::shadow_volume {
 /// inside. The line ends at a point light, and never for a directional one (`lightWorld` is homogeneous).
 bool eyeLineMayTouch(const scene::Bounds& box, const dvec3& eyeWorld, const dvec4& lightWorld);
 
-/// Does the eye see through holes of the caster? Depth pass takes it that whoever looks along the cap of a volume sees the
-/// caster there, and so draws no cap: through a hole the eye enters the volume, or leaves it, unseen.
+/// True if the caster has holes. Depth pass draws no top cap, because a caster hides what lies behind its own cap. Through
+/// a hole the line of sight enters or leaves the volume without crossing a face that is drawn.
 bool eyeMaySeeThrough(const scene::Scene& scene, const CasterVolume& caster);
 
 /// How many triangles of the caster's top cap the line crosses; 0 from beyond the plane where its volume ends. A line through an edge
@@ -22,8 +22,8 @@ bool eyeMaySeeThrough(const scene::Scene& scene, const CasterVolume& caster);
 int eyeCount(const scene::Scene& scene, const CasterVolume& caster, const VolumeEnd& end, const scene::Light& light,
              const dvec3& eyeWorld);
 
-/// Does the line pass a silhouette edge so closely that the rasteriser and eyeCount() may disagree on which side? Also true of
-/// some edges that the line does not come near, but whose extension it does.
+/// True if the line passes a silhouette edge so closely that the rasteriser and eyeCount() may disagree on the side.
+/// Conservative: also true near the extension of an edge.
 bool eyeLineGrazes(const scene::Scene& scene, const CasterVolume& caster, const scene::Light& light,
                    const dvec3& eyeWorld);
 

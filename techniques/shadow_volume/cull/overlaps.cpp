@@ -15,23 +15,25 @@ namespace shadowlab::shadow_volume {
 
 namespace {
 
-// What a stencil of eight bits can count: a smaller bound is not worth looking for.
+// An eight-bit stencil counts up to this. Once a bound is as small, no smaller one is searched for.
 constexpr int kEnough = 255;
 
-// Each direction of going through the edges gives a bound, and the least holds. A row of columns looks bad from one side.
+// Every axis gives a valid bound; the smallest is used. Several are tried, because a row of columns gives a poor bound
+// along one of them.
 constexpr int kTries = 4;
 
-// Relative to the light's distance: closer to the axis an angle means nothing.
+// Relative to the light's distance: closer to the axis than this an angle is only rounding.
 constexpr double kOnAxis = 1e-9;
 
-/// How many edges a line meets at most, of the lines with one number each: an edge reaches from one number to another.
+/// The largest number of intervals that share a point: every edge covers an interval of the sweep.
 class Stabbed {
 public:
     void add(double from, double to, int weight) {
         steps_.push_back({from, weight});
         steps_.push_back({to, -weight});
     }
-    /// Of edges that meet at a vertex the line just beside it meets one: what ends comes before what begins.
+    /// Of two edges that meet at a vertex a line beside the vertex crosses only one, so an end is sorted before a
+    /// beginning.
     [[nodiscard]] int most() {
         std::ranges::sort(
             steps_, [](const Step& a, const Step& b) { return std::tie(a.at, a.weight) < std::tie(b.at, b.weight); });
@@ -62,7 +64,7 @@ void forEachEdgeWorld(const scene::Scene& scene, std::span<const CasterVolume> c
     }
 }
 
-/// Some direction square to another.
+/// A unit vector perpendicular to the direction.
 dvec3 squareTo(const dvec3& direction) {
     const dvec3 size = glm::abs(direction);
     const dvec3 least = size.x <= size.y && size.x <= size.z ? dvec3(1, 0, 0)
@@ -71,7 +73,7 @@ dvec3 squareTo(const dvec3& direction) {
     return glm::normalize(glm::cross(direction, least));
 }
 
-/// A sun: all half planes are parallel, and at the end of each way there is nothing.
+/// A directional light: all half planes are parallel, and no triangle lies at their far end.
 int mostUnderSun(const scene::Scene& scene, const scene::Light& light, std::span<const CasterVolume> casters) {
     const dvec3 across = squareTo(light.directionWorld),
                 further = glm::cross(glm::normalize(light.directionWorld), across);
@@ -126,7 +128,8 @@ void forEachTouched(const dvec3& axisWorld, const scene::Light& light, std::span
                 visit(caster, end * axisWorld);
 }
 
-/// Axes for the half planes: of the edges and diagonals of a cube those whose ends meet fewest casters, usually none.
+/// Axes for the half planes: of the 13 directions of a cube (faces, edges, diagonals) those whose ends meet the fewest
+/// casters.
 std::vector<dvec3> chooseAxes(const scene::Light& light, std::span<const CasterVolume> casters) {
     std::vector<std::pair<std::size_t, dvec3>> axes; // with the number of triangles that may be met
     for (int x = -1; x <= 1; ++x)
@@ -147,7 +150,7 @@ std::vector<dvec3> chooseAxes(const scene::Light& light, std::span<const CasterV
     return best;
 }
 
-/// A light in the scene: half planes all around it, each at an angle.
+/// A light with a position: half planes at all angles around an axis through it.
 int mostAround(const dvec3& axisWorld, const scene::Scene& scene, const scene::Light& light,
                std::span<const CasterVolume> casters) {
     const dvec3 across = squareTo(axisWorld), further = glm::cross(axisWorld, across);

@@ -1,9 +1,10 @@
-// How many volumes a point can be in at most: a stencil of eight bits counts to 255, and 256 would look like none.
+// An upper bound on the number of volumes around a point. A stencil of eight bits counts to 255; 256 volumes would look
+// like none.
 //
 // Seen from the light, the number of casting triangles in a direction changes only where a silhouette edge is crossed, and
-// there by the edge's multiplicity. So walk from a direction in which there are none: what is crossed on the way bounds the
-// number at its end. All ways lie in half planes through one axis, and going around it one counts the
-// edges that reach into each. Silhouettes are short, so this takes little time beside building them.
+// there by the edge's multiplicity. So start at a direction with no triangle: the edges crossed on a path from there bound
+// the number at its end. All paths lie in half planes through one axis; a sweep around the axis counts the edges in each
+// half plane. Silhouettes have few edges, so this takes little time compared with finding them.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/shadow_volume/cull/casters.h"

@@ -9,7 +9,7 @@ namespace shadowlab::shadow_volume {
 namespace {
 
 /// The volume lies in the convex hull of the box's corners and their images at the end: the top cap among the former, the
-/// bottom cap among the latter. A vertex pushed by a distance goes where its direction points, whatever the distance.
+/// bottom cap among the latter. An end at a distance is treated as an end at infinity, which is conservative.
 std::array<dvec4, 16> hullWorld(const scene::Bounds& box, const scene::Light& light, const VolumeEnd& end) {
     const VolumeEnd straight{.planeWorld = end.planeWorld, .distance = std::nullopt};
     std::array<dvec4, 16> points;
@@ -20,7 +20,7 @@ std::array<dvec4, 16> hullWorld(const scene::Bounds& box, const scene::Light& li
     return points;
 }
 
-/// Around points of which some may be directions: then without end where they point.
+/// The box around homogeneous points; a point with w = 0 makes the box unbounded in its direction.
 scene::Bounds boundsOf(std::span<const dvec4> points) {
     constexpr double kFarAway = 1e300;
     scene::Bounds box;
@@ -40,7 +40,7 @@ scene::Bounds intersection(const scene::Bounds& a, const scene::Bounds& b) {
 
 bool hasPoints(const scene::Bounds& box) { return glm::all(glm::lessThanEqual(box.lowerWorld, box.upperWorld)); }
 
-/// Where a box is in the picture; none where part of it is beside or behind the eye.
+/// The rectangle that a box covers in the picture; nothing if part of it is before the near plane.
 std::optional<scene::PicturePart> partOf(const scene::Bounds& box, const dmat4& clipFromWorld) {
     scene::PicturePart part{dvec2(1e300), dvec2(-1e300)};
     for (int i = 0; i < 8; ++i) {

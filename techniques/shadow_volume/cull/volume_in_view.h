@@ -1,5 +1,5 @@
-// What of a volume is worth drawing in this picture: where it ends, which parts may be seen, and where its shadow may fall.
-// The volume's indices know nothing of it; they stay as they are while the eye moves.
+// Culling of one volume for one view: where it ends, which of its parts may be seen, and where its shadow may fall. The
+// volume's indices do not depend on it, so they stay the same while the eye moves.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/shadow_volume/count/volume_end.h"
@@ -7,12 +7,12 @@
 
 namespace shadowlab::shadow_volume {
 
-/// A picture with and without what is left out is the same.
+/// The parts of a volume that have to be drawn; leaving out the rest does not change the picture.
 struct VolumeInView {
     const CasterVolume* caster = nullptr;
     VolumeEnd end;
     bool any = true, topCap = true, bottomCap = true;
-    std::optional<scene::PicturePart> part = std::nullopt; ///< outside of it the count does not matter; none: unknown
+    std::optional<scene::PicturePart> part = std::nullopt; ///< outside of it the count does not matter; none: the whole picture
 };
 
 /// Leaves out what certainly does not touch the part of the picture that is drawn: the caster's box, what it is extruded

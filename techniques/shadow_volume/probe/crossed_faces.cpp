@@ -9,11 +9,11 @@ namespace shadowlab::shadow_volume {
 
 namespace {
 
-// The way in which the line is moved aside: any that is no simple multiple of a scene's own directions.
+// Directions of the infinitesimal shift (simulation of simplicity): any that are parallel to nothing in a typical scene.
 constexpr dvec3 kAsideWorld{0.5413, 0.3117, 0.7809}, kFurtherAsideWorld{-0.2903, 0.8747, 0.3881};
 
-/// The line with the eye as the origin, past homogeneous points. Nothing is divided, so that what is at infinity is crossed like
-/// anything else.
+/// The line, with the eye as the origin, against homogeneous points. There is no division by w, so points at infinity need
+/// no special case.
 struct Walk {
     const EyeLine& line;
 

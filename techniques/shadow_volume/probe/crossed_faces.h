@@ -1,4 +1,4 @@
-// Which faces of a shadow volume a line from the eye crosses: what the rasteriser counts for one pixel, in double.
+// The faces of a shadow volume that a line from the eye crosses: in double, what the rasteriser counts for one pixel.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -22,9 +22,9 @@ struct CrossedFace {
     std::array<dvec4, 3> cornersWorld{}; ///< homogeneous: w = 0 at infinity
 };
 
-/// Before the eye alone, in the order in which the faces are drawn. The vertices are those that are drawn, pushed in double. A
-/// line through an edge or a corner is moved aside by an infinitesimal amount, the same for all faces (simulation of
-/// simplicity, Edelsbrunner and Mücke 1990): so what enters a volume also leaves it.
+/// Only faces in front of the eye, in drawing order. The vertices are the drawn ones, extruded in double. A line through an
+/// edge or a corner is moved aside by an infinitesimal amount, the same for all faces (simulation of simplicity,
+/// Edelsbrunner and Mücke 1990): so what enters a volume also leaves it.
 std::vector<CrossedFace> crossedFaces(const scene::Scene& scene, const CasterVolume& caster, const VolumeEnd& end,
                                       const scene::Light& light, const EyeLine& line);
 

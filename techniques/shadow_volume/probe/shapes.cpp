@@ -16,7 +16,7 @@ namespace shadowlab::shadow_volume {
 
 namespace {
 
-// How far beyond the scene things end that have no end, as a share of the scene's size: enough to be seen to go on.
+// Shapes that reach infinity are cut off this far beyond the scene, as a share of its size.
 constexpr double kBeyondScene = 0.02;
 
 scene::Bounds somewhatLarger(scene::Bounds bounds) {
@@ -26,7 +26,7 @@ scene::Bounds somewhatLarger(scene::Bounds bounds) {
     return bounds;
 }
 
-/// Where the way from a point inside a box leaves it.
+/// The point in which a ray from inside the box leaves it.
 dvec3 leaving(const scene::Bounds& box, const dvec3& pointWorld, const dvec3& directionWorld) {
     double stretch = std::numeric_limits<double>::infinity();
     for (int axis = 0; axis < 3; ++axis) {

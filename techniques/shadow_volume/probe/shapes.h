@@ -1,4 +1,4 @@
-// What there is of the shadow volumes in the scene, for a camera that looks on from outside.
+// The shadow volumes as shapes in the scene, for the camera outside, and as data of a probe.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
@@ -11,10 +11,10 @@
 
 namespace shadowlab::shadow_volume {
 
-/// How volumes are pictured: as they are counted, or where that is too far away to be seen, shorter.
+/// How volumes are drawn in pictures: as they are counted, or cut short where they end too far away to be seen.
 struct ShownVolume {
     Construction construction = Construction::general;
-    std::optional<double> distance; ///< that vertices are pushed, metres; none: as far as the picture likes
+    std::optional<double> distance; ///< how far vertices are pushed, metres; none: the picture chooses
 };
 
 /// The volume to be shown: of closed meshes only the lit half, as the lecture draws it; the other would double every face.
@@ -31,7 +31,7 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
 /// is cut off a little beyond the scene.
 std::vector<SceneShape> crossedShapes(const scene::Scene& scene, const VolumeProbe& probe);
 
-/// Boxes around the casters, by the way in which their volumes are counted.
+/// Boxes around the casters, coloured by the method that counts their volumes.
 void addCountMethods(std::vector<SceneShape>& shapes, std::span<const CasterVolume* const> casters,
                      const std::function<CountMethod(const CasterVolume&)>& countMethodOf);
 
@@ -40,7 +40,8 @@ void addCountMethods(std::vector<SceneShape>& shapes, std::span<const CasterVolu
 /// "ZP+: Correct Z-pass Stencil Shadows", 2005.
 SceneShape nearClipPyramid(const scene::Scene& scene, const View& view, int light);
 
-/// The volume as stages show it (of a closed mesh the lit half), and `end` as it is drawn. Whose it is stays to be said.
+/// The volume as the stages show it (of a closed mesh only the lit half), with the end that is drawn. The caller sets
+/// isPicked and holdsThePoint.
 VolumeProbe::Caster describedCaster(const scene::Scene& scene, const scene::Light& light, const CasterVolume& caster,
                                     const ShownVolume& shown, const VolumeEnd& end);
 

@@ -88,7 +88,7 @@ void StagePictures::publishCountMethods(Frame& frame, int light, std::span<const
 
 void StagePictures::publishSilhouettes(Frame& frame, int light, std::span<const CasterVolume* const> casters) const {
     const ivec2 size = frame.target().size();
-    // GL promises lines of one pixel only. Thicker ones: the same line drawn again at every offset within a disc.
+    // OpenGL core guarantees lines of one pixel only. A thick line is drawn as the same line at every offset within a disc.
     const int radius = look::lineRadius(size.y);
     const auto drawThick = [&](const vec3& color, const auto& drawLines) {
         edges_.set("color", unexposed(frame, color, 1));
@@ -119,8 +119,8 @@ void StagePictures::publishSilhouettes(Frame& frame, int light, std::span<const 
 
 void StagePictures::publishFaces(Frame& frame, int light, std::span<const CasterVolume* const> casters, bool byPart,
                                  const ShownVolume& shown) const {
-    // By their signs many faces lie over one another, and what is behind a surface is not counted with those before it: only
-    // by part does it show through. Top caps lie on their casters' own surfaces, which should still be recognised.
+    // Coloured by sign, many faces overlap, so faces behind a surface are not drawn; coloured by part, they show through
+    // it. Top caps lie on the surfaces of their casters, which should stay recognisable.
     const float sideAlpha = byPart ? 0.3f : 0.34f, capAlpha = byPart ? 0.2f : 0.0f, hiddenShare = byPart ? 0.4f : 0.0f;
     const vec3 plus = look::diverging()[6], minus = look::diverging()[2];
     const vec3 top = look::kTopCap, side = look::kVolumeSide, bottom = look::kBottomCap;
@@ -134,7 +134,7 @@ void StagePictures::publishFaces(Frame& frame, int light, std::span<const Caster
     const auto drawCaster = [&](const CasterVolume& caster, float share) {
         const scene::Object& object = frame.scene().objects[caster.object];
         const scene::Light& source = frame.scene().light(light);
-        // The volume that is counted ends far away, with a cap of another cut; the one shown is the lecture's.
+        // The volume that is counted may end far away. The one shown here is the short one of the lecture.
         std::vector<SilhouetteEdge> silhouette;
         const Volume volume = buildShown(object, source, caster, shown, silhouette);
         const VolumeBuffers buffers(volume, silhouette, [&] { caster.mesh->vertices->bindAttributes(); });

@@ -1,4 +1,4 @@
-// The pictures a lesson on shadow volumes needs: facing signs, silhouettes, the volumes themselves, the counts.
+// The stages of shadow volumes: facing signs, silhouettes, the volumes themselves, the counts.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/frame.h"
@@ -11,7 +11,7 @@ class StagePictures {
 public:
     /// Every triangle in the colour of its sign of N.L.
     void publishFacing(Frame& frame, int light) const;
-    /// Casters in the colour of the way their volumes are counted.
+    /// Casters in the colour of the method that counts their volumes.
     void publishCountMethods(Frame& frame, int light, std::span<const CasterVolume* const> casters,
                              const std::function<CountMethod(const CasterVolume&)>& countMethodOf) const;
     /// Silhouette, boundary and non-manifold edges over the picture.
@@ -21,7 +21,7 @@ public:
                       const ShownVolume& shown) const;
     /// The stencil's counts where there is a surface; `bothSigns` reads 128 to 255 as -128 to -1.
     void publishCount(Frame& frame, std::string_view stage, int light, bool bothSigns) const;
-    /// The same for counts that somebody else has kept, rows from below.
+    /// The same for given counts, one per pixel, rows from below.
     void publishCount(Frame& frame, std::string_view stage, int light, const std::vector<float>& counts) const;
 
 private:

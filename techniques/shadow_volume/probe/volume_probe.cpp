@@ -1,4 +1,4 @@
-// What the shadow volumes know of one pixel: every face that the eye's line crosses, and what is counted of it.
+// The probe of one pixel: every volume face that the line from the eye crosses, and how it is counted.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@ namespace {
 
 using Crossing = VolumeProbe::Crossing;
 
-// Faces at one place with the point lie beyond it, as equal depths fail the test LESS. Distances are ratios of sums of a few
-// products of doubles: alike to 2^-40 of them.
+// A face at the depth of the point lies beyond it, because equal depths fail the test LESS. Distances are ratios of sums of
+// a few products of doubles; equal ones agree to within this share of them.
 constexpr double kSamePlace = 0x1p-40;
 
 constexpr std::size_t kListedFaces = 24; ///< as lines of text; the JSON has all
@@ -30,7 +30,7 @@ VolumeProbe::Part partOf(CrossedFace::Part part) {
                                                   : VolumeProbe::Part::topCap;
 }
 
-/// What the drawn planes and rules mean for one face.
+/// The rules of the technique, applied to one face.
 struct Rules {
     CountRules rules;
     double pointDistance = 0, axisShare = 1; ///< of the point; metres along the eye's axis for a metre along the line
@@ -73,7 +73,7 @@ struct Rules {
 /// Which faces are drawn before the stencil is looked at.
 enum class Drawn { bothAtOnce, oneSide, oneSideThenTheOther };
 
-/// As the stencil does it, face by face: it wraps around, or it sticks at its ends.
+/// The count as the stencil does it, face by face: it wraps around, or it saturates.
 int stencilOf(std::span<const Crossing> drawn, const StencilRule& rule, int start, Drawn how, bool backFirst) {
     const int mask = static_cast<int>(rule.mask());
     int value = start & mask;
@@ -197,8 +197,8 @@ VolumeProbe VolumeTechnique::probeVolumes(const scene::Scene& scene, const View&
         probe.casters.back().isPicked = isPicked;
         probe.casters.back().holdsThePoint = true;
     }
-    // In the order in which they are drawn (FaceCounter): first what depth pass counts, then the others, and of either the top
-    // caps of all volumes at the end. A stencil that sticks at its ends asks for the order.
+    // In the order in which they are drawn (FaceCounter): first what depth pass counts, then the others, and of either the
+    // top caps of all volumes at the end. For a stencil that saturates the order matters.
     std::ranges::stable_sort(probe.crossings, {}, [](const Crossing& c) {
         return std::pair(c.method == CountMethod::zFail, c.part == VolumeProbe::Part::topCap);
     });
@@ -221,7 +221,7 @@ VolumeProbe VolumeTechnique::probeVolumes(const scene::Scene& scene, const View&
     return probe;
 }
 
-/// What proves that the count is wrong, and not a hair's breadth at an edge.
+/// The reason why the count is wrong; only if there is no other is it rounding at an edge.
 std::string VolumeTechnique::whyWrong(const VolumeProbe& volume, bool isLit) const {
     const auto uncounted = [&](std::string_view why) {
         return std::ranges::count_if(volume.crossings, [&](const Crossing& c) { return c.uncounted == why; });
@@ -282,7 +282,7 @@ Probe VolumeTechnique::probe(const scene::Snapshot& snapshot, const View& view, 
         add("face " + std::to_string(listed), faceText(crossing, std::isinf(crossing.distance)));
     }
     const auto truth = exact->visibility(*hit, view.camera, light);
-    // With rays for what the rasteriser may have got wrong there is the truth in the end.
+    // Pixels repaired with rays show the truth in the end.
     const bool counted = snapshot->objects[hit->object].receivesShadow;
     const bool isLit = truth != trace::Visibility::turnedAway && (!counted || volume.stencil == 0);
     addDecision(probe, isLit ? 1 : 0, truth, whyWrong(volume, isLit));

@@ -1,10 +1,10 @@
-// Which pixels of a count may be wrong, and what is right there. Knows no graphics API.
+// Finds the pixels in which the count may be wrong, and decides them again with rays. Knows no graphics API.
 //
-// A count is wrong where the rasteriser rounded: at a crack between two sides it misses a face, or draws one twice, and a
-// single pixel is lit among shadowed ones. So whoever doubts pixels that differ from a neighbour doubts all of these; and
-// all others that differ lie along the shadow's outline, which is short. What is doubted is decided again with rays, from
-// the eye on: keeping the surface that the rasteriser shows, and sending the shadow ray alone, would be wrong where that
-// surface is not the nearest one.
+// A count is wrong where the rasteriser rounded: at a crack between two sides it misses a face or draws one twice, and a
+// single pixel is lit among shadowed ones. So a wrong pixel differs from a neighbour. All other pixels that differ from a
+// neighbour lie along the outline of the shadow, which is short. All of these are decided again with an eye ray and a
+// shadow ray. A shadow ray alone, from the surface that the rasteriser shows, would be wrong where that surface is not the
+// nearest one.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -35,8 +35,8 @@ struct CountedPart {
 /// One byte per pixel of a CountedPart.
 using PixelMask = std::vector<std::uint8_t>;
 
-/// Marks each pixel that has a surface and of whose eight neighbours one has another bit; neighbours without a surface
-/// have one, too. Of neighbours that are not in the part nothing is known: beside them a pixel is marked in any case.
+/// Marks each pixel that has a surface and of whose eight neighbours one has another bit; neighbours without a surface have
+/// a bit, too. At the border of the part the neighbours beyond it are unknown, so such a pixel is always marked.
 void markDiffering(const CountedPart& part, PixelMask& marked);
 
 /// Marks each pixel that has a surface and is touched by an edge, as the eye sees it. What lies before the near plane is
@@ -44,20 +44,20 @@ void markDiffering(const CountedPart& part, PixelMask& marked);
 void markEdges(const CountedPart& part, const scene::Mesh& mesh, std::span<const SilhouetteEdge> edges,
                const dmat4& clipFromMesh, PixelMask& marked);
 
-/// What came of looking again, one entry per pixel of the part.
+/// The result for one pixel of the part.
 enum class Repaired : std::uint8_t { notLookedAt, confirmed, changed };
 
 struct Repair {
     std::vector<Repaired> pixels;
-    PixelMask flips;         ///< 255 where the bit in the stencil has to become the other one
-    bool anyFlipped = false; ///< is there such a pixel?
+    PixelMask flips;         ///< 255 where the bit in the stencil has to be inverted
+    bool anyFlipped = false; ///< true if there is such a pixel
     std::size_t lookedAt = 0, changed = 0;
 };
 
-/// Decides the marked pixels for a light, and then the neighbours of those that turned out wrong, until none does: faults
-/// rarely come alone. A pixel is lit or not as the nearest triangle on its eye ray is; where that faces away from the
-/// light, the bit becomes dark; the picture seldom changes by that, and it does not count as changed. Where the eye
-/// ray meets nothing, the bit stays as it is. The tracer has the scene that was counted.
+/// Decides the marked pixels for a light, and then the neighbours of those that were wrong, until no more are found: errors
+/// come in clusters. A pixel is lit or not as the nearest triangle on its eye ray is; where that faces away from the light,
+/// the bit becomes dark; the picture seldom changes by that, and it does not count as changed. Where the eye ray meets
+/// nothing, the bit stays as it is. The tracer has the scene that was counted.
 Repair decide(const CountedPart& part, const PixelMask& marked, const trace::SceneTracer& tracer,
               const scene::Camera& camera, int light);
 
