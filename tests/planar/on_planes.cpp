@@ -43,8 +43,9 @@ bool isTie(const trace::ExactVisibility& judge, const scene::Camera& camera, dve
     return isAnyNear(centre, [&](dvec2 there) { return judge.at(camera, there, kSize, light) != truth; });
 }
 
-/// Where a caster stands on its plane, its edge and that of its flattened image are one line, which the rasteriser rounds twice.
-/// No truth changes there where both surfaces are lit, so it is no tie; but whose pixel it is, nobody can promise.
+/// Where a caster stands on its plane, its edge and that of its flattened image are one line, which the rasteriser rounds
+/// twice. No truth changes there where both surfaces are lit, so it is no tie; but which of the two the rasteriser shows is
+/// not defined.
 bool isAtContact(const trace::ExactVisibility& judge, const scene::Camera& camera, dvec2 centre,
                  const trace::EyeHit& hit) {
     constexpr double kTouching =

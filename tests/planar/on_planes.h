@@ -1,4 +1,4 @@
-// The visibility of planar shadows held against the exact judge, on the planes that receive, where it must be exact.
+// The visibility of planar shadows compared with the exact judge, on the planes that receive, where it has to be exact.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <ostream>
@@ -16,7 +16,7 @@ struct OnPlanes {
         0; ///< would be false, but within the tie radius another surface touches or crosses the one that is seen
     int elsewhere = 0;         ///< on surfaces that receive nothing
     int elsewhereShadowed = 0; ///< those of them that face the light and were drawn dark all the same
-    std::string firstWrong;    ///< a pixel, for whoever wants to look at it
+    std::string firstWrong;    ///< the first wrong pixel, for the failure message
     [[nodiscard]] int compared() const { return lit + shadowed; }
     [[nodiscard]] int wrong() const { return falseLit + falseShadow; }
     OnPlanes& operator+=(const OnPlanes& other);

@@ -26,7 +26,7 @@ TEST(PlanarShapes, RaysGoFromTheLightToTheFloor) {
         EXPECT_EQ(shapes[1].pointsWorld.size(), 4u * 2 * 3);
         const std::vector<dvec3>& rays = shapes[2].pointsWorld;
         EXPECT_EQ(rays.size(), 2u * 3 * 4) << "four of box, ball and torus each";
-        const dvec4 lightWorld = scene::homogeneousPositionWorld(scene.lights[static_cast<std::size_t>(light)]);
+        const dvec4 lightWorld = scene::homogeneousPositionWorld(scene.light(light));
         for (std::size_t i = 0; i < rays.size(); i += 2) {
             EXPECT_NEAR(rays[i + 1].y, 0, 1e-9);
             const dvec3 toLight = glm::normalize(dvec3(lightWorld) - lightWorld.w * rays[i + 1]);

@@ -1,5 +1,5 @@
-// Hard cases of shadow volumes: where the eye is, and what its depth buffer decides. Each is held against the exact judge for
-// all three ways to count, before and after repair, and beside it the naive way that must fail.
+// Hard cases of shadow volumes: where the eye is, and what its depth buffer decides. Each is compared with the exact judge
+// for all three ways to count, before and after repair, and beside it the naive way that must fail.
 //
 // Where each of the known hard cases is tested, V1 to V19 of the list this project began with:
 //   V1  eye in shadow                HardEyes.InAShadow

@@ -1,5 +1,5 @@
-// Hard cases of shadow volumes: where the light is, and how many there are. Each is held against the exact judge for all three
-// ways to count, before and after repair, and beside it the naive way that must fail. A list of all cases stands in
+// Hard cases of shadow volumes: where the light is, and how many there are. Each is compared with the exact judge for all
+// three ways to count, before and after repair, and beside it the naive way that must fail. A list of all cases stands in
 // hard_eyes_gl_test.cpp.
 // SPDX-License-Identifier: MIT
 #include <cmath>

@@ -1,5 +1,5 @@
-// Hard cases of shadow volumes: the caster's mesh. Each is held against the exact judge for all three ways to count, before and
-// after repair, and beside it the naive way that must fail. A list of all cases stands in hard_eyes_gl_test.cpp.
+// Hard cases of shadow volumes: the caster's mesh. Each is compared with the exact judge for all three ways to count,
+// before and after repair, and beside it the naive way that must fail. A list of all cases stands in hard_eyes_gl_test.cpp.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <random>
@@ -100,7 +100,7 @@ TEST_F(HardMeshes, WindingIsNobodysBusiness) {
         // Who trusts the winding sees silhouettes all over the torus. The same construction is right where it can be trusted.
         const auto classical = [&](const JudgedPicture& judgedPicture) {
             const scene::Scene& scene = *judgedPicture.snapshot();
-            const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+            const scene::Light& source = scene.light(light);
             scene::Scene torusAlone = scene;
             torusAlone.objects[0].mesh = std::make_shared<scene::Mesh>(); // a floor is open, and shadows nothing
             return testing::countedBehind(
@@ -133,7 +133,7 @@ TEST_F(HardMeshes, DegenerateTriangles) {
     expectExact(degenerate);
     for (const int light : {0, 1}) {
         const JudgedPicture picture = judged(degenerate, light);
-        const scene::Light& source = degenerate.lights[static_cast<std::size_t>(light)];
+        const scene::Light& source = degenerate.light(light);
         for (const testing::ExactWay& way : testing::kExactWays)
             EXPECT_EQ(draw(picture, way, true).greyAlpha, draw(judged(plain, light), way, true).greyAlpha);
         const auto oneSign =
@@ -160,7 +160,8 @@ TEST_F(HardMeshes, DuplicatesAndVerticesOnEdges) {
             corners.emplace_back(box.positionsMesh[t[c]]);
     expectExact(over(testing::triangleSoup(corners), {0, 1, 0}));
 
-    // A tetrahedron, one face of which is divided at the middle of an edge that its neighbour knows nothing of.
+    // A tetrahedron, one face of which is divided at the middle of an edge; its neighbour has no vertex there (a
+    // T-junction).
     const dvec3 a(-1, 1, 0.25), b(1, 1.25, -1), c(0.5, 1.125, 1), d(0.125, 2.25, 0), m = 0.5 * (a + b);
     const scene::Mesh divided = testing::triangleSoup({a, m, c, m, b, c, a, d, b, b, d, c, c, d, a});
     expectLectureAloneFails(over(divided, {0, 0, 0}));

@@ -1,5 +1,5 @@
-// What is kept from frame to frame while nothing moves, the volumes that are drawn and what rays have mended: never those of another
-// frame.
+// What is kept from frame to frame while nothing moves, the volumes that are drawn and the pixels decided by rays: never
+// those of another frame.
 // SPDX-License-Identifier: MIT
 #include "app/lab/settings.h"
 #include "app/picture/picture.h"

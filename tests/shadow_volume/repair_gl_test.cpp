@@ -133,7 +133,7 @@ TEST_F(RepairTest, NothingIsWrongInTheBuiltInScenes) {
     BeforeAndAfter both;
     for (const std::string& name : scene::builtInScenes(root)) {
         const scene::Snapshot snapshot = scene::loadScene(name, {.assetsRoot = root, .allowed = {}, .limits = {}});
-        if (testing::castsThroughHoles(*snapshot)) continue; // mending leaves them solid: see holes_gl_test.cpp
+        if (testing::castsThroughHoles(*snapshot)) continue; // repair casts them as solid: see holes_gl_test.cpp
         for (int light = 0; light < static_cast<int>(snapshot->lights.size()); ++light)
             both.add(snapshot, kZFail, {160, 90}, light);
     }
@@ -206,7 +206,7 @@ TEST_F(RepairTest, IsCountedOnceForEachLightWhateverIsLookedAt) {
     EXPECT_EQ(lookedAt.counter("repaired-pixels"), alone.counter("repaired-pixels"));
     EXPECT_EQ(lookedAt.counter("pixels-changed"), alone.counter("pixels-changed"));
     EXPECT_EQ(std::ranges::count(alone.frame.result.passes, std::string("repair"), &StageKey::id), 3);
-    // Off, nobody asks; and then the stage shows what would come of it.
+    // With repair off no pixel is decided again; the stage still shows the pixels that would be.
     std::vector<picture::Slot> slots;
     slots.push_back(picture::Session::makeSlot(kZPass));
     FrameRequest request;

@@ -1,4 +1,5 @@
-// Which pixels repair looks at, held against the plain way to say it; and that it goes on where it finds a fault.
+// The pixels that repair marks, compared with a direct implementation of the rule; and that it goes on to the neighbours of
+// a wrong pixel.
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_volume/repair/repair.h"
 

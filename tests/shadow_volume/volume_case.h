@@ -1,4 +1,4 @@
-// The three ways to count shadow volumes, each in the form that claims to be exact, held against the judge.
+// The three ways to count shadow volumes, each in the form that is meant to be exact, compared with the judge.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>

@@ -24,7 +24,7 @@ constexpr double kCrackShare = 3e-5;
 
 const std::string kZPass = "shadow-volume-zpass", kZFail = "shadow-volume-zfail", kChosen = "shadow-volume";
 
-/// The three techniques, each so that it is right from every eye and mends nothing afterwards.
+/// The three techniques, each with the settings that are right from every eye, and without repair.
 std::vector<std::pair<std::string, std::vector<std::string>>> allThree(const std::vector<std::string>& settings) {
     std::vector<std::pair<std::string, std::vector<std::string>>> techniques = {
         {kZPass, {"eye-correction=true"}}, {kZFail, {}}, {kChosen, {"repair=false"}}};

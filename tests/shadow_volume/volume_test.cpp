@@ -174,7 +174,7 @@ TEST(Volume, ASecondOpinionOnAFacingSignOpensIt) {
     EXPECT_GT(unmatchedEdges(*torus.mesh, second.volume), 0);
 }
 
-// In one pass or plainly: the same indices in the same order, whatever the memory held before.
+// The one-pass construction and the direct one give the same indices in the same order, whatever the memory held before.
 TEST(Volume, IsThatOfThePlainConstruction) {
     Built kept;
     std::size_t silhouettes = 0, manyTimes = 0, boundaries = 0, multiples = 0, reversed = 0, edgeOn = 0;

@@ -27,12 +27,12 @@ inline const vec3 kTopCap = kTowardLight;
 inline const vec3 kVolumeSide = kSilhouette;
 inline const vec3 kBottomCap = kAwayFromLight;
 
-// The way in which a caster's volume is counted.
+// The method that counts a caster's volume.
 inline const vec3 kDepthPass = linearFromSrgb8(0x90, 0xF0, 0xA8);
 inline const vec3 kDepthFail = linearFromSrgb8(0x00, 0x72, 0xB2);
 
-/// How far a line reaches to either side of its middle, in pixels, so that it is seen from the last row: about 1/240 of the
-/// picture's height across.
+/// Half the width of a line in pixels, so that it is visible from the last row of a lecture hall: the width is about 1/240
+/// of the picture's height.
 int lineRadius(int height);
 
 // A dark rim on either side of a line: it stands out from a white floor as from a black background.
@@ -46,8 +46,8 @@ inline const vec3 kPartlySeen = linearFromSrgb8(0xF0, 0xE4, 0x42); ///< of a lig
 inline const vec3 kNothingStored = linearFromSrgb8(0x56, 0xB4, 0xE9);
 inline const vec3 kNotAsked = linearFromSrgb8(0x60, 0x60, 0x60);
 
-// What a second camera, looking on from outside, sees of the first one and of the lights: the eye and its rays; the light
-// that is looked at, the other ones; the cameras that a light has of its own.
+// What a second camera, outside, shows of the first camera and of the lights: the eye and its rays; the chosen light, the
+// other lights; the cameras of a shadow map.
 inline const vec3 kEye = linearFromSrgb8(0x56, 0xB4, 0xE9);
 inline const vec3 kEyeRay = linearFromSrgb8(0xF2, 0xF2, 0xF2);
 inline const vec3 kChosenLight = linearFromSrgb8(0xF0, 0xE4, 0x42);
@@ -66,7 +66,7 @@ inline const std::array<vec3, 6> kLayers = {linearFromSrgb8(0xD5, 0x5E, 0x00), l
                                             linearFromSrgb8(0xCC, 0x79, 0xA7), linearFromSrgb8(0x00, 0x72, 0xB2),
                                             linearFromSrgb8(0xE6, 0x9F, 0x00), linearFromSrgb8(0xF2, 0xF2, 0xF2)};
 
-// A technique's visibility against the truth; what is right is the picture without its colours.
+// A technique's visibility compared with the truth; correct pixels show the picture in grey.
 inline const vec3 kFalseLit = linearFromSrgb8(0xE6, 0x9F, 0x00);
 inline const vec3 kFalseShadow = linearFromSrgb8(0x00, 0x72, 0xB2);
 inline const vec3 kFalseLitSecond = linearFromSrgb8(0xD5, 0x5E, 0x00); ///< of the second of two techniques
@@ -75,7 +75,7 @@ inline const vec3 kTie = linearFromSrgb8(0x99, 0x99, 0x99);
 inline const vec3 kTieOnPicture = linearFromSrgb8(0x40, 0x40, 0x44); ///< darker than the lifted ground gets anywhere
 inline const vec3 kStray = linearFromSrgb8(0xCC, 0x79, 0xA7);
 
-// The truth itself.
+// The true visibility.
 inline const vec3 kLit = linearFromSrgb8(0xF2, 0xF2, 0xF2);
 inline const vec3 kShadowed = linearFromSrgb8(0x38, 0x38, 0x3C);
 inline const vec3 kTurnedAway = linearFromSrgb8(0x56, 0x6B, 0x8C);

@@ -1,4 +1,4 @@
-// The GL state every pass may count on. Set before a technique draws, so that it never has to restore anything.
+// The GL state that every pass starts from. It is set before each pass, so that no pass has to restore anything.
 // SPDX-License-Identifier: MIT
 #pragma once
 

@@ -23,7 +23,7 @@ const char* errorName(GLenum error) {
 
 void GLAD_API_PTR onMessage(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* text,
                             const void*) {
-    // Whatever their severity: what is deprecated in one driver is refused by another.
+    // Whatever their severity, because what one driver calls deprecated another one refuses.
     const bool serious = type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR ||
                          type == GL_DEBUG_TYPE_DEPRECATED_BEHAVIOR || severity == GL_DEBUG_SEVERITY_HIGH;
     if (serious) collected += std::string(text, static_cast<std::size_t>(length)) + "\n";

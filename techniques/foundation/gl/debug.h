@@ -1,4 +1,4 @@
-// KHR_debug where the context offers it (it is not core in 3.3): groups, labels, and errors that do not pass unseen.
+// KHR_debug where the context offers it (it is not core in 3.3): groups, labels, and error messages.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <glad/gl.h>
@@ -8,7 +8,7 @@
 
 namespace shadowlab::gl {
 
-/// Throws std::logic_error naming `where` if GL has recorded an error: that is our bug, never the user's.
+/// Throws std::logic_error naming `where` if GL has recorded an error: a bug of the program, not a fault of the user.
 void check(std::string_view where);
 
 /// Names an object for debuggers. `identifier` is GL_TEXTURE, GL_FRAMEBUFFER, GL_PROGRAM, GL_BUFFER ...
@@ -27,7 +27,7 @@ public:
 /// Keeps driver messages of type ERROR, UNDEFINED_BEHAVIOR and DEPRECATED_BEHAVIOR, or of severity HIGH, for takeDebugMessages().
 void collectDebugMessages();
 
-/// What the driver complained about since the last call; empties the record.
+/// The driver messages since the last call; empties the record.
 std::string takeDebugMessages();
 
 } // namespace shadowlab::gl

@@ -1,4 +1,4 @@
-// Framebuffers of our own: the default framebuffer is never drawn to.
+// Framebuffer objects; the program never draws to the default framebuffer.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string_view>

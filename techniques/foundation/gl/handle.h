@@ -11,7 +11,7 @@ namespace shadowlab::gl {
 
 /// Number of GL objects alive, over all kinds. Tests hold it against the number before.
 inline int liveObjects = 0;
-/// What they hold, as far as they say: texels and buffer contents, without what the driver adds.
+/// Bytes of texels and buffer contents that they hold, without the overhead of the driver.
 inline std::int64_t liveBytes = 0;
 
 /// `Traits` has `static GLuint create()` and `static void destroy(GLuint)`. (glad's entry points are variables and so
@@ -38,7 +38,7 @@ public:
         std::swap(bytes_, other.bytes_);
         return *this;
     }
-    /// From now on it counts as holding that much.
+    /// Sets how many bytes the object holds, for liveBytes.
     void holds(std::int64_t bytes) {
         liveBytes += bytes - bytes_;
         bytes_ = bytes;

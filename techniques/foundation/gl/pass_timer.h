@@ -1,8 +1,8 @@
-// Time a pass took: the wall clock between two moments at which the renderer has nothing left to do.
+// The time of a pass: wall-clock time between two calls of glFinish.
 //
-// GL's own timer queries are no help here: a software renderer such as llvmpipe collects the commands of several passes
-// and draws them together, so its timestamps put all the work into whichever pass made it flush. Waiting costs a
-// graphics card some overlap between passes; nobody waits unless times were asked for.
+// GL timer queries are of no use here: a software renderer such as llvmpipe batches the commands of several passes, so its
+// timestamps charge all the work to the pass that happens to flush the batch. glFinish serialises the driver and costs a
+// graphics card some overlap between passes, so it is called only if times are asked for.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <glad/gl.h>

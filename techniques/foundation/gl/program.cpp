@@ -31,14 +31,14 @@ std::string infoLog(GLuint id, GetLength getLength, GetLog getLog) {
     return log;
 }
 
-/// First line of the log that speaks of an error: the message stays one line.
+/// The first line of the log that reports an error, because messages are one line long.
 std::string firstError(const std::string& log) {
     const std::size_t at = log.find("error");
     const std::size_t begin = at == std::string::npos ? 0 : log.rfind('\n', at) + 1;
     return log.substr(begin, log.find('\n', begin) - begin);
 }
 
-int reloads = 0; ///< how often reloadShaders() was called; GL belongs to one thread, and so does this
+int reloads = 0; ///< how often reloadShaders() was called; needs no lock, because GL is used from one thread
 std::vector<std::string>& faults() {
     static std::vector<std::string> kept;
     return kept;
@@ -67,9 +67,9 @@ bool isSampler(GLenum type) {
     }
 }
 
-/// All samplers begin at unit 0, and where two of different types share a unit nothing may be drawn, even if neither is asked for
-/// anything. Which uniforms a linker leaves out is its own affair: those that no pass sets, because Mesa's does, get units of their
-/// own here, from the last one downward.
+/// All samplers start at texture unit 0, and drawing with two samplers of different types on one unit is an error, even if
+/// the shader reads neither. Mesa removes unused samplers, but other linkers may keep them. So every sampler gets a unit of
+/// its own here, from the last unit downward.
 void spreadSamplers(GLuint program) {
     GLint count = 0, unit = 0;
     glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
@@ -193,7 +193,7 @@ void Program::set(std::string_view name, std::span<const vec4> values) const {
 }
 
 void drawFullscreenTriangle() {
-    const VertexArrayHandle empty = VertexArrayHandle::create(); // core profile draws nothing without one bound
+    const VertexArrayHandle empty = VertexArrayHandle::create(); // the core profile needs a bound vertex array
     glBindVertexArray(empty.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glBindVertexArray(0);

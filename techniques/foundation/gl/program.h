@@ -24,15 +24,16 @@ public:
             std::vector<Substitution> substitutions = {});
     /// Compiles and links when necessary. Throws Error (badInput) with `FILE:LINE: message`.
     void use() const;
-    /// The same, made with these defines as well, from now on and until others are asked for: for what is the same all over a
-    /// draw call (the kind of a light) and so need not be asked for each pixel. Each set of defines has uniforms of its own, so
-    /// set them afterwards.
+    /// Uses a variant compiled with these further defines, until another one is asked for. For values that are constant in
+    /// a draw call (the kind of a light), which the shader then need not test per pixel. Each variant has its own uniforms,
+    /// so set them afterwards.
     void useWith(const std::vector<std::string>& moreDefines) const;
 
-    /// The same program, made with CUT_HOLES: for surfaces with holes, in passes that write depth (shaders/cut_holes.glsl).
+    /// The alpha-tested variant, compiled with CUT_HOLES: for surfaces with holes, in passes that write depth
+    /// (shaders/cut_holes.glsl).
     [[nodiscard]] const Program& alphaTested() const;
 
-    /// Does the program in use read this uniform? Those that the linker removed it does not.
+    /// True if the program in use reads this uniform; false for one that the linker removed.
     [[nodiscard]] bool reads(std::string_view name) const { return location(name) >= 0; }
     [[nodiscard]] bool isMadeWith(std::string_view define) const;
 
@@ -52,13 +53,13 @@ private:
         using is_transparent = void;
         std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>{}(name); }
     };
-    /// Where a uniform is, and which one was set after it the last time: objects set the same ones in the same order, so that
-    /// next time it is most likely the one that is asked for, and no name has to be looked up.
+    /// A cache against lookups by name. Draw calls set the same uniforms in the same order, so each entry remembers which
+    /// uniform was set after it the last time; it is most likely the next one again.
     struct Uniform {
         GLint location = -1;
         std::pair<const std::string, Uniform>* next = nullptr;
     };
-    /// What was compiled, with one set of further defines.
+    /// One linked variant: the program for one set of further defines.
     struct Linked {
         ProgramHandle handle;
         int reloadsSeen = 0;
@@ -78,11 +79,11 @@ private:
 };
 
 /// From now on every program compiles its files anew before it is used again. One that no longer compiles stays as it was,
-/// and the fault is kept for takeShaderFaults(): a picture that is on show does not vanish over a slip of the pen.
+/// and the error is kept for takeShaderFaults(), so that a typing error does not remove the picture from the screen.
 void reloadShaders();
-/// How often reloadShaders() was called: what was drawn before the last time is out of date.
+/// How often reloadShaders() was called: part of every cache key for pictures.
 int shaderReloads();
-/// The faults since the last call, each `FILE:LINE: message; mend the shader`.
+/// The errors since the last call, each one line that begins with FILE:LINE.
 std::vector<std::string> takeShaderFaults();
 
 /// Draws one triangle that covers the target, for programs made with "fullscreen.vert".

@@ -1,4 +1,4 @@
-// The numbers in a texture, on the processor.
+// Reads the texels of a texture back to the processor.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace shadowlab::gl {
 
-/// GL counts rows from the bottom and pictures from the top: this is the only place that turns them over.
+/// GL counts rows from the bottom, pictures from the top: this is the only place that flips them.
 template <typename Texel>
 void turnRowsOver(std::vector<Texel>& texels, ivec2 size) {
     for (int y = 0; y < size.y / 2; ++y)

@@ -27,7 +27,7 @@ AddedShaders& added() {
     return all;
 }
 
-// No shader of a person's making is larger; a file that is was not meant.
+// No hand-written shader is larger; a larger file is a mistake.
 constexpr std::uint64_t kLargestFile = std::uint64_t{1} << 20;
 
 /// Nothing where there is no such file.
@@ -35,7 +35,7 @@ std::optional<std::string> textOfFile(const std::string& path) {
     std::error_code failed;
     if (!std::filesystem::exists(path, failed) && !failed) return std::nullopt;
     try {
-        std::string text = scene::readFile(path, kLargestFile); // a FIFO or a device never makes it wait
+        std::string text = scene::readFile(path, kLargestFile); // does not block on a FIFO or a device
         constexpr std::string_view kByteOrderMark =
             "\xEF\xBB\xBF"; // some editors begin with one; compilers stumble over it
         if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
@@ -56,7 +56,7 @@ std::string readText(std::string_view name, const std::string& includedFrom) {
     std::vector<std::string> known;
     for (const EmbeddedShader& shader : allShaders())
         known.emplace_back(shader.name);
-    // All hundred names would be no help.
+    // A list of all hundred names would not help.
     throw Error(ExitStatus::badInput,
                 includedFrom + "includes \"" + std::string(name) + "\", which does not exist; " +
                     (nearestNames(name, known).empty() ? "mend the name, or add the file" : suggestion(name, known)));

@@ -21,7 +21,7 @@ std::span<const EmbeddedShader> embeddedShaders();
 /// A shader after its includes: the text for the compiler and the files it came from.
 ///
 /// File n counts its lines from n * kLinesPerFile. GLSL has source string numbers for that, but Mesa's compiler forgets
-/// them in its messages; line numbers every compiler reports.
+/// them in its messages; line numbers are reported by every compiler.
 struct ShaderSource {
     static constexpr unsigned long kLinesPerFile = 100'000;
     std::string text;
@@ -52,7 +52,7 @@ std::vector<EmbeddedShader> allShaders();
 /// The folders that added shaders were read from.
 const std::vector<std::string>& addedShaderFolders();
 
-/// From now on an added shader is read from there where it still is there: while it is being edited.
+/// From now on added shaders are read from their folders if they are still there, so that edits take effect.
 void readAddedShadersFromFolders();
 
 /// One file as programs are compiled from it now: from the folder that the environment variable SHADOWLAB_SHADERS names,

@@ -10,7 +10,7 @@ namespace shadowlab::gl {
 
 namespace {
 
-/// A pixel transfer format that fits the internal format; no pixels are transferred, GL only wants a legal pair.
+/// A pixel transfer format that fits the internal format; no pixels are transferred, but GL requires a legal pair.
 std::pair<GLenum, GLenum> transferFormat(GLenum internalFormat) {
     switch (internalFormat) {
     case GL_DEPTH24_STENCIL8: return {GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8};
@@ -100,7 +100,7 @@ DepthTextureArray::DepthTextureArray(GLenum internalFormat, int side, int layers
     sampleNearestClamped(GL_TEXTURE_2D_ARRAY);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-    const float lit[4] = {1, 1, 1, 1}; // what lies outside the map is as far away as can be: lit
+    const float lit[4] = {1, 1, 1, 1}; // outside of the map the depth is the largest: lit
     glTexParameterfv(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BORDER_COLOR, lit);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
     sample(DepthSampling::compareNearest);
@@ -213,7 +213,7 @@ ByteBufferTexture::ByteBufferTexture(const std::vector<std::int8_t>& bytes, std:
                                                " triangles, this OpenGL driver indexes " + std::to_string(limit) +
                                                "; use a simpler mesh");
     glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
-    const std::int8_t none = 0; // a buffer of no bytes is not a complete texture
+    const std::int8_t none = 0; // an empty buffer is not a complete texture
     glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(std::max<std::size_t>(1, bytes.size())),
                  bytes.empty() ? &none : bytes.data(), GL_STATIC_DRAW);
     buffer_.holds(static_cast<std::int64_t>(std::max<std::size_t>(1, bytes.size())));

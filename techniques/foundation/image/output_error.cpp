@@ -1,5 +1,5 @@
-// The sentences for failed writes. Written out here for the usual reasons: the system's own texts depend on the
-// language of the machine and never say what to do.
+// The messages for failed writes. The messages of the system are not used, because they depend on the locale and name no
+// remedy.
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/image/output_error.h"
 

@@ -1,4 +1,4 @@
-// Why a file could not be written, and what to do about it, in one line.
+// The one-line message for a file that could not be written: the reason and the remedy.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 namespace shadowlab::image {
 
-/// `FILE: reason; mend` for an errno. `oldFileKept` adds that the file to be replaced is still there.
+/// `FILE: reason; remedy` for an errno. `oldFileKept` adds that the file to be replaced is still there.
 std::string outputErrorText(const std::filesystem::path& path, int errorNumber, bool oldFileKept);
 
 } // namespace shadowlab::image

@@ -1,8 +1,8 @@
 // Whole-or-nothing output: temporary, checked writes, fsync, checked close, rename.
 //
-// A run that is killed outright cannot clean up. Its temporary is swept by the next run that writes the same name:
-// every writer holds a lock (flock) on its temporary, so one that nobody has locked belongs to nobody. The process
-// number in the name is for people; it could be reused, or belong to another container.
+// A run that is killed outright cannot clean up. Its temporary is removed by the next run that writes the same name: every
+// writer holds a lock (flock) on its temporary, so an unlocked one has no owner any more. The process number in the name is
+// information for the user only; numbers are reused, and containers have their own.
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/image/output_file.h"
 
@@ -32,8 +32,8 @@ std::string temporaryPrefix(const fs::path& target) {
 
 fs::path folderOf(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
 
-/// A call again for as long as a signal interrupts it: on file systems of a network even those do that which never
-/// wait on a disk. Returns what the call does at last.
+/// Repeats a system call while a signal interrupts it (EINTR). On network file systems this happens even to calls that
+/// never block on a disk. Returns the result of the last call.
 template <typename Call>
 int repeated(const Call& call) {
     int result = 0;
@@ -66,7 +66,7 @@ void sweepStrays(const fs::path& target) {
          entry.increment(ignored)) {
         const std::string name = entry->path().filename().string();
         if (!name.starts_with(prefix) || name.find_first_not_of("0123456789.", prefix.size()) != std::string::npos)
-            continue; // no name that createTemporary() gives
+            continue; // not a name made by createTemporary()
         const int descriptor = ::open(entry->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
         if (descriptor < 0) continue;
         struct stat status {};
@@ -78,7 +78,7 @@ void sweepStrays(const fs::path& target) {
 
 struct Inputs {
     std::mutex mutex;         // scenes are also read in the background
-    std::set<fs::path> files; // canonical; the numbers of files are given again to others
+    std::set<fs::path> files; // canonical paths, not inode numbers, which are reused
 };
 Inputs& inputs() {
     static Inputs all;
@@ -111,7 +111,7 @@ OutputFile::OutputFile(const fs::path& path) : shown_(path), target_(path) {
         }
         requireNoInput(path);
         replaces_ = true;
-        // Renaming over it would work, but whoever made it read-only wants to keep it.
+        // rename() would replace a read-only file, but a user who made it read-only wants to keep it.
         if (::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0)
             throw Error(ExitStatus::cannotWrite, path.string() + ": is read-only; choose another name or chmod u+w it");
     } else if (errno != ENOENT) {
@@ -129,7 +129,7 @@ OutputFile::~OutputFile() {
     if (lock_ >= 0) ::close(lock_);
 }
 
-/// A pipe that nobody reads is refused (ENXIO): waiting for a reader could take for ever.
+/// A pipe without a reader is refused (ENXIO), because waiting for a reader could take for ever.
 void OutputFile::openSpecial() {
     const int inherited = inheritedDescriptor(shown_);
     descriptor_ = inherited >= 0 ? ::fcntl(inherited, F_DUPFD_CLOEXEC, 0)
@@ -142,12 +142,12 @@ void OutputFile::createTemporary() {
     const fs::path start = folderOf(target_) / (temporaryPrefix(target_) + std::to_string(::getpid()) + ".");
     for (;;) {
         const std::string name = start.string() + std::to_string(counter++);
-        // O_EXCL: never through a link or into a file that somebody else has put there.
+        // O_EXCL: never follows a link or opens a file that another process has created.
         const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (descriptor < 0 && (errno == EEXIST || errno == EINTR)) continue;
         if (descriptor < 0) fail(errno);
-        // Between open and flock another run may have swept the file away: then take the next name. A file system
-        // without locks only loses the sweeping.
+        // Between open and flock another run may have removed the file; then the next name is tried. On a file system
+        // without locks only the removal of strays is lost.
         struct stat status {};
         const bool taken = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
         if (taken || (::fstat(descriptor, &status) == 0 && status.st_nlink == 0)) {
@@ -220,7 +220,7 @@ void probeWritable(const fs::path& path) {
     struct stat status {};
     const bool special = inheritedDescriptor(path) < 0 && ::stat(path.c_str(), &status) == 0 &&
                          !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
-    // Opening and closing a pipe would tell its reader that all is over: only ask for permission.
+    // Opening and closing a pipe would send its reader an end of file, so only the permission is checked.
     if (special && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
         throw Error(ExitStatus::cannotWrite, outputErrorText(path, errno, false));
     if (!special) OutputFile probe(path); // makes the temporary, removes it again
@@ -232,9 +232,9 @@ fs::path outputTarget(const fs::path& path) {
     constexpr int kMostLinks = 40; // as Linux follows
     for (int links = 0; fs::is_symlink(fs::symlink_status(target, failed)); ++links) {
         if (links == kMostLinks) return path;
-        target = folderOf(target) / fs::read_symlink(target, failed); // what is absolute replaces the folder
+        target = folderOf(target) / fs::read_symlink(target, failed); // an absolute target replaces the folder
     }
-    const fs::path whole = fs::absolute(target, failed); // the first part that is not there ends what is resolved
+    const fs::path whole = fs::absolute(target, failed); // links are resolved up to the first part that does not exist
     const fs::path resolved = failed ? target : fs::weakly_canonical(whole, failed);
     return failed ? target : resolved;
 }

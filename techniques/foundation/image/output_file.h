@@ -13,8 +13,8 @@
 
 namespace shadowlab::image {
 
-/// One output on its way. Destroyed before commit(), it leaves nothing behind and the old file as it was.
-/// All functions throw Error (cannotWrite) with the reason and the mend.
+/// One output file while it is written. If it is destroyed before commit(), the temporary is removed and the old file stays
+/// as it was. All functions throw Error (cannotWrite) with the reason and the remedy.
 class OutputFile {
 public:
     /// Creates the temporary `.NAME.tmp.PID.N` in the target's folder, with the mode bits of the file it will replace.
@@ -50,14 +50,14 @@ void writeWhole(const std::filesystem::path& path, std::string_view text);
 /// permission, name too long). Leaves everything as it was. Throws Error (cannotWrite).
 void probeWritable(const std::filesystem::path& path);
 
-/// The file that an output of this name is: symbolic links resolved, also those that lead to a file yet to be made. With links in
-/// a circle, the name itself.
+/// The file that an output of this name is written to: symbolic links resolved, also those to a file that does not exist
+/// yet. For a cycle of links, the name itself.
 std::filesystem::path outputTarget(const std::filesystem::path& path);
 
-/// From now on no output may replace this file: it is a scene, a mesh, an image, a deck ... that was read. A picture beside the
-/// scene is easily given the name of an image that the scene shows. OutputFile then throws Error (usage).
+/// From now on no output may replace this file: it is a scene, a mesh, an image, a deck ... that was read. A picture
+/// written beside the scene may easily get the name of an image that the scene uses. OutputFile then throws Error (usage).
 void keepInput(const std::filesystem::path& file);
-/// What OutputFile will say of a name that leads to such a file, before the work begins. Throws Error (usage).
+/// Throws Error (usage) if `path` leads to such a file: the check of OutputFile, before the work begins.
 void requireNoInput(const std::filesystem::path& path);
 
 } // namespace shadowlab::image

@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 fs::path aboveOf(const fs::path& folder) { return folder.has_parent_path() ? folder.parent_path() : fs::path("."); }
 
-/// A descriptor of the folder that nobody else has locked, or -1. A file system without locks counts as locked by us.
+/// A descriptor of the folder with our lock on it, or -1 if another process holds the lock. On a file system without locks
+/// the lock counts as ours.
 int lockedFolder(const fs::path& folder) {
     const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     if (descriptor < 0) return -1;
@@ -83,7 +84,7 @@ OutputFolder::~OutputFolder() {
     std::error_code ignored;
     if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
     if (ignored)
-        fs::remove(temporary_, ignored); // with a umask that forbids to look into it; then nothing is in it either
+        fs::remove(temporary_, ignored); // fails where the umask forbids reading it; then it is empty
     if (lock_ >= 0) ::close(lock_);
 }
 

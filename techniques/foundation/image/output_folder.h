@@ -7,11 +7,11 @@
 
 namespace shadowlab::image {
 
-/// Makes a folder, and those above it that are not there. Throws Error (cannotWrite) with the reason and the mend.
+/// Makes a folder, and those above it that are not there. Throws Error (cannotWrite) with the reason and the remedy.
 void makeFolders(const std::filesystem::path& folder);
 
-/// Keeps other runs of the program that ask for the same out of a folder while a free name is chosen there and taken. Best effort:
-/// who holds it for two seconds has been stopped, and file systems without locks have none.
+/// A lock on a folder, held while a free name is chosen and taken there, so that two runs of the program do not choose the
+/// same. Best effort: after two seconds the holder counts as stopped, and some file systems have no locks.
 class FolderLock {
 public:
     explicit FolderLock(const std::filesystem::path& folder);
@@ -23,16 +23,16 @@ private:
     int descriptor_ = -1;
 };
 
-/// A new folder on its way. Destroyed before commit(), it leaves nothing behind.
+/// One output folder while it is filled. If it is destroyed before commit(), the temporary is removed.
 class OutputFolder {
 public:
-    /// Creates `.NAME.tmp.PID.N` beside the folder that is to be; sweeps up what runs have left that were killed.
+    /// Creates `.NAME.tmp.PID.N` beside the folder that is to be; removes temporaries of runs that were killed.
     explicit OutputFolder(const std::filesystem::path& target);
     ~OutputFolder();
     OutputFolder(const OutputFolder&) = delete;
     OutputFolder& operator=(const OutputFolder&) = delete;
 
-    /// What is written in here, is in the new folder.
+    /// Write the contents of the new folder here.
     [[nodiscard]] const std::filesystem::path& path() const { return temporary_; }
     /// Gives the folder its name. It replaces nothing but an empty folder.
     void commit();

@@ -1,4 +1,5 @@
-// A signal handler may not allocate or lock: fixed places, each guarded by one lock-free atomic, and calls of the kernel alone.
+// A signal handler must not allocate or lock. So the list has a fixed number of places, each guarded by a lock-free atomic,
+// and is walked with system calls only.
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/image/temporaries.h"
 

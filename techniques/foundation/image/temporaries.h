@@ -1,5 +1,5 @@
-// What outputs are made of while they are under way: files and folders with names of their own, in a list that also a signal
-// handler can walk.
+// The list of temporary files and folders of unfinished outputs. A signal handler can walk it, so that a killed run removes
+// them.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
@@ -14,10 +14,10 @@ public:
     ListedTemporary(const ListedTemporary&) = delete;
     ListedTemporary& operator=(const ListedTemporary&) = delete;
 
-    /// From now on it is removed with the others. Beyond the list's room, and with a path that is too long, it is left to its
-    /// owner's destructor and, after a kill, to the next run.
+    /// From now on it is removed with the others. If the list is full or the path too long, its owner's destructor removes
+    /// it or, after a kill, the next run.
     void list(const std::string& path);
-    /// It is no temporary any more.
+    /// Takes it off the list.
     void strike();
 
 private:

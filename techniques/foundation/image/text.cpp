@@ -44,7 +44,7 @@ struct Font::Face {
     explicit Face(const std::filesystem::path& file) {
         if (FT_Init_FreeType(&library) != 0) throw Error(ExitStatus::bug, "FreeType does not start; report it");
         if (FT_New_Face(library, file.c_str(), 0, &face) == 0 && FT_IS_SCALABLE(face)) return;
-        FT_Done_FreeType(library); // takes the face with it
+        FT_Done_FreeType(library); // also frees the face
         std::error_code ignored;
         const bool exists = std::filesystem::exists(file, ignored);
         throw Error(ExitStatus::badInput,

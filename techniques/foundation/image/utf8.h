@@ -6,10 +6,11 @@
 
 namespace shadowlab::image {
 
-/// What stands for bytes that are not UTF-8.
+/// The replacement for bytes that are not UTF-8.
 constexpr char32_t kReplacementCharacter = 0xFFFD;
 
-/// Every ill-formed byte becomes one replacement character: a strange file name in a label is no reason to fail.
+/// Every ill-formed byte becomes one replacement character, because a file name with odd bytes should not make a label
+/// fail.
 std::u32string decodeUtf8(std::string_view text);
 std::string encodeUtf8(std::u32string_view text);
 

@@ -1,4 +1,5 @@
-// A knob, described once: the ImGui panel, --set, JSON, `list parameters` and the docs table all walk the same list.
+// A parameter, described once: the ImGui panel, --set, JSON, `list parameters` and the table in the docs all read the same
+// list.
 //
 //     struct Params { int resolution = 1024; Filter filter = Filter::pcf; };
 //     ParamList list() { return { integer("resolution", params_.resolution, 64, 8192, "texels", "Side of the map."),
@@ -27,7 +28,7 @@ struct Param {
     std::function<double()> get;       ///< booleans as 0 or 1, choices as their index
     std::function<void(double)> set;   ///< takes only values that are in range
     double initial = 0;                ///< the field's value when it was described
-    std::function<bool()> hasEffect{}; ///< as the others are set now; empty: always. The panel leaves out what has none
+    std::function<bool()> hasEffect{}; ///< false while the other parameters make it irrelevant; the panel then hides it. Empty: always true
 };
 using ParamList = std::vector<Param>;
 

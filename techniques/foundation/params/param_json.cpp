@@ -27,7 +27,7 @@ void setFromJson(ParamList& list, const nlohmann::ordered_json& object, std::str
         before.push_back(param.get());
     try {
         for (const auto& [id, value] : object.items())
-            // Numbers, booleans and choices all have the text that setFromText reads; anything else it refuses.
+            // setFromText reads the text of numbers, booleans and choices, and refuses everything else.
             setFromText(find(list, id, owner), value.is_string() ? value.get<std::string>() : value.dump(), owner);
     } catch (const Error&) {
         for (std::size_t i = 0; i < list.size(); ++i)

@@ -1,4 +1,4 @@
-// A scene in which objects move while the shutter is open, asked at one moment of that time.
+// Motion blur: ray queries at one moment while the shutter is open and objects move.
 //
 // An object that moves on at constant velocity is met by a ray at time t exactly where the ray, moved back by t times the
 // velocity, meets the object at rest. So nothing is built for a moment: there is one structure for what stands still, and one

@@ -53,7 +53,7 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work
             while (helpers.size() + 1 < wanted)
                 helpers.emplace_back(run);
         } catch (const std::system_error&) {
-            // No more threads to be had: those there are, at least this one, do it all.
+            // The system refuses more threads: the existing ones, at least this one, do all the work.
         }
         run();
     }

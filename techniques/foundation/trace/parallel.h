@@ -1,5 +1,5 @@
-// Work split into fixed pieces over all cores. Which thread does a piece is left open, what a piece is never depends on
-// the number of threads: same bytes for any of them.
+// Splits work into fixed pieces over all cores. Any thread may do any piece, but the pieces do not depend on the number of
+// threads, so the results are the same to the byte.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>
@@ -18,18 +18,18 @@ int threadCount();
 /// ones each time, so on Linux they inherit the caller's place in the scheduler.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work, int threads = 0);
 
-/// Calls work(first) ... work(count - 1) in that order, but begins none once the time has come; the first of them always. Returns
-/// the first that was not done: all before it are.
+/// Calls work(first) ... work(count - 1) in that order, but begins no piece after the deadline, except the first. Returns
+/// the index of the first piece that was not done.
 std::size_t parallelUntil(std::chrono::steady_clock::time_point deadline, std::size_t first, std::size_t count,
                           const std::function<void(std::size_t)>& work);
 
-/// Thrown by work that was asked to stop: nobody waits for what it would have found.
+/// Thrown by work that was asked to stop; its result is not needed.
 struct Stopped final : std::exception {
     [[nodiscard]] const char* what() const noexcept override { return "stopped on request"; }
 };
 
-/// The same, but asks before each piece whether somebody wants it to stop, and throws Stopped then. A token that nobody
-/// can stop costs nothing and changes nothing.
+/// The same, but checks before each piece whether a stop was requested, and throws Stopped then. A default token never
+/// stops and costs nothing.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work, const std::stop_token& stop);
 
 } // namespace shadowlab::trace

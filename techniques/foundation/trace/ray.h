@@ -1,4 +1,4 @@
-// A ray and what it hits.
+// A ray, its hit, and counters for what it tested.
 //
 // The tracer computes in *centred* space: world axes, origin at a point of the scene's own choosing
 // (world_triangles.h), so that a scene a million metres away from the world's origin keeps every digit.

@@ -1,8 +1,8 @@
-// What a ray is sent for, apart from how triangles are found for it: a structure names triangles, one after the other, and
-// the query tries them.
+// The purpose of a ray, separate from the structure that finds triangles: the structure names candidates one after the
+// other, and the query tests them.
 //
 //     NearestHit   keeps the nearest hit; of equally near ones the lowest, so that the order does not matter
-//     AnyHit       is content with the first
+//     AnyHit       stops at the first hit
 //
 // SPDX-License-Identifier: MIT
 #pragma once

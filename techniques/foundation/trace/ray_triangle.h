@@ -1,5 +1,5 @@
-// Does a ray hit a triangle? Watertight: through the edge between two triangles, and through the vertex of a closed
-// fan, no ray slips.
+// The intersection of a ray and a triangle. Watertight: no ray passes between two triangles at their common edge, or
+// through the vertex of a closed fan.
 //
 // Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013: shear space so that the ray becomes
 // an axis, drop that axis, and ask on which side of each edge the origin of the plane lies. The paper works in float,

@@ -1,10 +1,10 @@
-// A scene that can be asked with rays: what is visible, and what a light sees. Built in slices, again only when the
-// scene has changed; then asked by any number of threads. Tracers of one scene share what is built (traced_geometry.h).
+// Ray queries on a scene: what is visible, and what a light sees. The structure is built in slices, and again only if the
+// scene has changed; then any number of threads may ask queries. Tracers of one scene share the structure
+// (traced_geometry.h).
 //
-// No epsilon anywhere: a shadow ray starts on the surface itself and leaves out the triangle it starts on, by number.
-// An offset along the normal would have to grow with the distance from the origin, and push the ray through thin walls.
-// What "in shadow" means is said in docs/conventions.md, and judged by exact_visibility.h, which shares no code with
-// this.
+// There is no epsilon: a shadow ray starts on the surface itself and ignores the triangle it starts on, by number. An
+// offset along the normal would have to grow with the distance from the origin, and push the ray through thin walls. What
+// "in shadow" means is said in docs/conventions.md, and judged by exact_visibility.h, which shares no code with this.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
@@ -35,26 +35,26 @@ enum class ShadowStart {
     naive, ///< at the point rounded to float, nothing left out: the classical fault, for teaching
 };
 
-// Nearer than this share of the way to the light is contact, not a crossing: the point itself is only known to about
-// 2^-50 of its coordinates, and its neighbours in the same plane would otherwise shadow it by rounding.
+// A hit nearer than this share of the distance to the light is contact, not a crossing: the point itself is only known to
+// about 2^-50 of its coordinates, so neighbours in the same plane would otherwise shadow it by rounding.
 constexpr double kContact = 1e-10;
 
-// Toward the sun there is no way to take a share of; the size of the coordinates stands in for it.
+// A directional light has no distance; the size of the coordinates is used instead.
 constexpr double kContactPerMetre = 1e-12;
 
 class SceneTracer {
 public:
-    /// Makes ready for a scene: does what its revisions demand. False when the time came before it was done.
+    /// Prepares for a scene: rebuilds what has new revisions. False if the deadline came before the end.
     bool advance(const scene::Snapshot& snapshot, std::chrono::steady_clock::time_point deadline);
     /// Share of the building that is done, 0..1.
     [[nodiscard]] double done() const { return builder_ ? builder_->done() : 1.0; }
 
-    /// From the next advance() on casters are whole: shadow rays pass through no hole, eye rays still do. For techniques
-    /// whose shadows know nothing of holes.
+    /// From the next advance() on, shadow rays ignore holes (casters are solid), while eye rays still pass through them.
+    /// For techniques whose shadows do not support holes.
     void castWhole() { castsWhole_ = true; }
 
-    /// From here on rays are asked of another structure over the same triangles, each alone; nullptr: of the tracer's own tree
-    /// again. The answers are the same. The engine must be built, for geometry(), and outlive its use.
+    /// From now on rays are traced one by one through another structure over the same triangles; nullptr: through the
+    /// tracer's own tree again. The answers are the same. The engine must be built, for geometry(), and outlive its use.
     void askInstead(const Engine* engine) { engine_ = engine; }
 
     // From here on: after advance() has returned true.
@@ -72,8 +72,8 @@ public:
     /// The same where it is known which triangle the ray meets first: only that one is tried, and all where it is missed.
     [[nodiscard]] SurfacePoint eyePointOn(std::uint32_t primitive, const EyeRays& rays, dvec2 pixel) const;
 
-    /// What a ray meets that leaves the point in that unit direction, in whatever way it got there; of equally near triangles
-    /// that of the lowest number. Its own triangle is left out, and so is what touches it there: neighbours in the mesh.
+    /// The first surface on the ray from the point in that unit direction; of equally near triangles the lowest number.
+    /// Ignores the point's own triangle, and its neighbours where they touch the point.
     [[nodiscard]] SurfacePoint nextPoint(const SurfacePoint& from, const dvec3& directionWorld) const;
     /// The same from any place, such as the eye itself; `leftOut`: a triangle that is not met.
     [[nodiscard]] SurfacePoint nextPoint(const dvec3& fromCentred, std::uint32_t leftOut,
@@ -83,7 +83,7 @@ public:
 
     /// What the ray meets first; seen from the side that it comes from.
     [[nodiscard]] SurfacePoint met(const Ray& ray, std::uint32_t leftOut) const;
-    /// Does anything that casts shadows stand on its way?
+    /// True if something that casts shadows blocks the ray.
     [[nodiscard]] bool isBlocked(const Ray& ray, std::uint32_t leftOut) const;
     /// What an engine over the same triangles is asked for, to answer these two.
     [[nodiscard]] MayHit mayMeet(std::uint32_t leftOut) const { return {.except = leftOut, .holes = &holes_}; }
@@ -96,7 +96,7 @@ public:
         return holes_(point.primitive, point.barycentric());
     }
 
-    /// May a shadow ray pass through that triangle?
+    /// True if the triangle may have holes for shadow rays.
     [[nodiscard]] bool mayHaveHoles(std::uint32_t primitive) const { return holesForLight_.in(primitive); }
 
     [[nodiscard]] dvec3 positionCentred(const SurfacePoint& point) const;
@@ -110,12 +110,12 @@ public:
         return snapshot_->objects[world().objects[point.primitive]];
     }
 
-    /// Does the side that the eye sees face the light, within its cone? Only then a shadow ray is worth sending.
+    /// True if the side that the eye sees faces the light and lies in its cone. Otherwise no shadow ray is needed.
     [[nodiscard]] bool facesLight(const SurfacePoint& point, int light) const;
     /// The triangle that stands between the point and the light's centre, or kNoPrimitive: the first that is found.
     [[nodiscard]] std::uint32_t blocker(const SurfacePoint& point, int light,
                                         ShadowStart start = ShadowStart::exact) const;
-    /// Does this one triangle stand there? For who finds out in another way than by a tree which triangles may.
+    /// True if this triangle blocks the way to the light. For callers that find candidates without a tree.
     [[nodiscard]] bool isBlockedBy(std::uint32_t primitive, const SurfacePoint& point, int light) const;
     /// Of each triangle, 1 or 0: can it stand in the light's way at all?
     [[nodiscard]] std::span<const std::uint8_t> blockers(int light) const {
@@ -123,7 +123,7 @@ public:
     }
     /// Where, on the way from the point to the light's centre, the first thing stands; nothing where the way is free.
     [[nodiscard]] std::optional<dvec3> blockedAtWorld(const SurfacePoint& point, int light) const;
-    /// Does it face the light, is it blocked, and does the surface receives shadows at all.
+    /// The visibility of the light: combines facing, blockers, and whether the surface receives shadows at all.
     [[nodiscard]] Visibility visibility(const SurfacePoint& point, int light,
                                         ShadowStart start = ShadowStart::exact) const;
 
@@ -137,8 +137,8 @@ public:
     /// right; kBlock on a side is quickest.
     void eyePoints(const EyeRays& rays, ivec2 corner, ivec2 blockSize, dvec2 within,
                    std::span<SurfacePoint> points) const;
-    /// The same where somebody else has said which triangle each ray meets first (kNoPrimitive: none, or not known). A ray
-    /// that does hit it ends there, without a look at what may be nearer; all others are traced.
+    /// The same with a given guess of the first triangle on each ray (kNoPrimitive: none, or not known). A ray that does
+    /// hit it ends there, without a look at what may be nearer; all others are traced.
     void eyePointsOn(std::span<const std::uint32_t> primitives, const EyeRays& rays, ivec2 corner, ivec2 blockSize,
                      dvec2 within, std::span<SurfacePoint> points) const;
     /// visibility() of each point, from an exact start.

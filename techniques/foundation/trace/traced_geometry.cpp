@@ -8,7 +8,7 @@ namespace shadowlab::trace {
 
 namespace {
 
-/// Remembers without keeping alive.
+/// A weak reference to the last shared geometry: it does not keep it alive.
 struct Shelf {
     std::mutex mutex;
     std::weak_ptr<const TracedGeometry> last;

@@ -1,5 +1,5 @@
-// What rays are traced through, of one scene. Several may ask it at once: techniques in each half of the window, and the
-// judge on its thread. All see the same triangles, so it is built by the first and used by all.
+// The triangles of one scene with their tree, shared by all tracers of the scene: those of the techniques in both halves of
+// the window, and that of the judge on its own thread. The first builds it, all use it.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
@@ -23,7 +23,7 @@ TracedGeometry::Revisions revisionsOf(const scene::Scene& scene);
 
 // From any thread.
 
-/// What was last shared, if it is of this scene and somebody still holds it; else none.
+/// The geometry that was shared last, if it belongs to this scene and is still in use; else none.
 std::shared_ptr<const TracedGeometry> sharedGeometry(const scene::Scene& scene);
 
 /// Lets others find it, in place of what was shared before. Returns it.

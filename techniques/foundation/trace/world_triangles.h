@@ -1,4 +1,5 @@
-// All triangles of a scene in one space, numbered through: the primitives that rays hit.
+// All triangles of a scene in one space, numbered consecutively: the primitives that rays hit, and the holes that alpha
+// masks cut into them.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -9,8 +10,8 @@
 
 namespace shadowlab::trace {
 
-/// Centred space: world axes, origin in the middle of the scene. The way there is composed in double before any vertex
-/// goes it, so that triangles a million metres from the world's origin lose nothing.
+/// Centred space: world axes, origin in the middle of the scene. The matrix is composed in double before any vertex is
+/// transformed, so that triangles a million metres from the world's origin lose no precision.
 struct WorldTriangles {
     dvec3 originWorld{0.0};
     std::vector<Triangle> triangles;          ///< of all objects, in their order: the facing signs have the same
@@ -27,7 +28,7 @@ public:
     /// Scene and triangles must outlive it.
     Holes(const scene::Scene& scene, const WorldTriangles& world);
 
-    /// Does a hit with these weights of the corners fall into a hole?
+    /// True if a hit with these weights of the corners falls into a hole: the ray then goes on.
     bool operator()(std::uint32_t primitive, const dvec3& barycentric) const {
         return !perforated_.empty() && perforated_[primitive] && isInHole(primitive, barycentric);
     }

@@ -1,4 +1,4 @@
-// Back faces that front faces hide are not drawn, and nobody can tell from the picture.
+// Back faces that front faces hide are culled, and the picture stays the same.
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/gl/scene/surfaces.h"
 

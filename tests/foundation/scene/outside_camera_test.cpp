@@ -1,4 +1,4 @@
-// The second camera's place: everything worth seeing is in its picture, whatever lies about, whatever the scale.
+// The position of the second camera: objects, eye and lights are in its picture, in any scene and at any scale.
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/query/outside_camera.h"
 

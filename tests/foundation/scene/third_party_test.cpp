@@ -40,7 +40,7 @@ std::string ours(const std::string& text) {
     return error.what();
 }
 
-/// TALOS-2020-1212, mended in 2023 (pull request 358).
+/// TALOS-2020-1212, fixed in 2023 (pull request 358).
 TEST(ThirdParty, TinyobjTakesIndicesBeforeTheFirstVertex) {
     const std::string text = kThree + "f -1 -2 -9\n";
     const Loaded loaded = byLibrary(text);
@@ -126,7 +126,7 @@ TEST(ThirdParty, NlohmannTakesAKeyTwice) {
     EXPECT_EQ(error.status(), ExitStatus::badInput);
 }
 
-/// It does not end at any depth; whoever walks the tree afterwards runs out of stack.
+/// The parser has no limit of depth, and code that walks the tree afterwards overflows the stack.
 TEST(ThirdParty, NlohmannTakesAnyDepth) {
     constexpr std::size_t kDepth = 100000;
     const std::string text = std::string(kDepth, '[') + std::string(kDepth, ']');

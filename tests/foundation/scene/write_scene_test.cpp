@@ -132,8 +132,8 @@ TEST(WriteScene, AStagedMeshKeepsItsHoles) {
     EXPECT_TRUE(scene->notes.empty());
 }
 
-// The surface of a light is the light's: whoever reads the light makes it again. Written down beside it, it would be there once
-// more each time, under one name, and that is an error.
+// The surface of a light is made again when the light is read. Written down beside it, it would be there once more each
+// time, under one name, and that is an error.
 TEST(WriteScene, WhatIsWrittenTwiceIsTheSameAsOnce) {
     const TempFolder folder;
     const auto scene = loadScene(folder

@@ -49,7 +49,7 @@ TEST_F(EngineTest, AgreeOutsideTies) {
         int hits = 0, ties = 0, differences = 0, blocked = 0;
         for (int i = 0; i < rays; ++i) {
             Ray ray;
-            ray.originCentred = dvec3(vec3(inCube(random, 2))); // floats, so that both are asked for the same ray
+            ray.originCentred = dvec3(vec3(inCube(random, 2))); // floats, so that both get the same ray
             ray.directionCentred = dvec3(vec3(inCube(random, 1.2) - ray.originCentred));
             const RayHit a = ours->closest(ray), b = embree->closest(ray);
             hits += bool(a);

@@ -1,4 +1,4 @@
-// Does a ray touch a cube? For small integers, where nothing is rounded: what box tests with rounding are held against.
+// The slab test of a ray against a cube in small integers, which is exact: box tests with rounding are compared with it.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>

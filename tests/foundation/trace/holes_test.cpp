@@ -139,7 +139,7 @@ TEST(Holes, JudgeTracerAndBruteForceAgreeOnRandomRays) {
             const Visibility answer = judge.visibility(*judged, scene.camera, light);
             ASSERT_EQ(tracer.visibility(traced, light), answer);
             if (answer == Visibility::turnedAway) continue;
-            const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+            const scene::Light& source = scene.light(light);
             const bool sun = source.type == scene::LightType::directional;
             const dvec3 toLight = sun ? -source.directionWorld : source.positionWorld - judged->positionWorld;
             const double end = sun ? std::numeric_limits<double>::infinity() : 1.0;

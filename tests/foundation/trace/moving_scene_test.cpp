@@ -49,7 +49,7 @@ TEST(MovingScene, IsWhatTheSceneIsAtThatMoment) {
             EXPECT_LE(moving.done(), 1);
         for (const double time : {0.0, 0.3, 1.0, 7.0}) {
             const SceneTracer there = tracerOf(later(time));
-            // Each scene has its origin where it likes.
+            // Each scene has an origin of its own.
             const dvec3 apart = tracer.world().originWorld - there.world().originWorld;
             for (int i = 0; i < 2000; ++i) {
                 Ray ray;

@@ -48,7 +48,7 @@ TEST(ParallelTest, StopsBeforeTheNextPiece) {
     EXPECT_LT(begun, static_cast<int>(kMany)) << "with two threads a few more than 38, but never all";
 
     begun = 0;
-    parallelFor(kMany, work, std::stop_source().get_token()); // of another source: nobody stops it
+    parallelFor(kMany, work, std::stop_source().get_token()); // of a source that never requests a stop
     EXPECT_EQ(begun, static_cast<int>(kMany));
 }
 

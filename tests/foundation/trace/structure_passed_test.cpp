@@ -1,4 +1,4 @@
-// What of a structure a ray passes: held against boxes and balls tried here, one by one.
+// The parts of a structure that a ray passes, compared with a test of each box and ball by itself.
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Tracers of one scene share what is built, those of different ones do not, and nothing is kept that nobody uses.
+// Tracers of one scene share what is built, those of different ones do not, and unused geometry is freed.
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
@@ -50,7 +50,7 @@ TEST(TracedGeometry, OfAMovedObjectIsAnother) {
     EXPECT_NE(&still.world(), &follows.world());
     const std::size_t corner = still.world().firstOfObject.back();
     EXPECT_NE(still.world().triangles[corner].a.x, follows.world().triangles[corner].a.x);
-    // And back again, which somebody else still holds, but which is no longer what was shared last.
+    // And back to the first scene, whose geometry another tracer still holds, but which is not the last shared one.
     ASSERT_TRUE(follows.advance(before, kForever));
     EXPECT_EQ(still.world().triangles[corner].a, follows.world().triangles[corner].a);
 }

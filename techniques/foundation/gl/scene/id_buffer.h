@@ -1,10 +1,10 @@
-// Which triangle does the rasteriser show in each pixel? A picture of numbers in place of colours.
+// An item buffer: for each pixel the number of the triangle that the rasteriser shows there.
 //
-// Drawn with the same vertices in the same order through the same expression as the surfaces (surfaces.h), so it names
-// the very triangle that a technique shades there. It says nothing about truth: where an edge passes the centre of a
-// pixel by less than the rasteriser's rounding, the ray may see the neighbour. Whoever asks must check.
-// Saito and Takahashi, "Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990 (item buffers are older: Weghorst,
-// Hooper and Greenberg, "Improved Computational Methods for Ray Tracing", ACM Transactions on Graphics 1984).
+// Drawn with the same vertices in the same order through the same expression as the surfaces (surfaces.h), so it gives
+// exactly the triangle that a technique shades there. It is not the truth: where an edge passes the centre of a pixel more
+// closely than the rasteriser rounds, a ray may hit the neighbour. The caller has to check with a ray. Saito and Takahashi,
+// "Comprehensible Rendering of 3-D Shapes", SIGGRAPH 1990 (item buffers are older: Weghorst, Hooper and Greenberg,
+// "Improved Computational Methods for Ray Tracing", ACM Transactions on Graphics 1984).
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>

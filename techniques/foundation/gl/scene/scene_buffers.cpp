@@ -112,7 +112,7 @@ void SceneBuffers::update(const scene::Snapshot& snapshot) {
     const bool samePlaces = sameGeometry && snapshot_->revisions.transforms == snapshot->revisions.transforms;
     if (!samePlaces || snapshot_->revisions.lights != snapshot->revisions.lights) facing_.clear();
     if (!samePlaces) bounds_ = scene::objectBounds(*snapshot);
-    // The previous snapshot keeps its meshes alive until the new ones have been matched by address.
+    // The previous snapshot is kept until the end of the function, so that no new mesh has the address of an old one.
     const scene::Snapshot previous = std::exchange(snapshot_, snapshot);
     std::unordered_map<const scene::Mesh*, std::unique_ptr<MeshBuffers>> known = std::exchange(meshes_, {});
     objectMeshes_.clear();
@@ -131,8 +131,8 @@ void SceneBuffers::update(const scene::Snapshot& snapshot) {
     updateMasks();
 }
 
-/// Those of the snapshot; what was uploaded for the one before stays. Masks are told apart by address: `previous` in update()
-/// keeps the old ones alive until then.
+/// Uploads the masks of the snapshot that are new. The cache key of a mask is its address; `previous` in update() keeps the
+/// old ones alive meanwhile.
 void SceneBuffers::updateMasks() {
     std::unordered_map<const scene::AlphaMask*, Texture2D> known = std::exchange(masks_, {});
     hasHoles_.clear();

@@ -1,4 +1,4 @@
-// The scene on the graphics card: object-space floats, uploaded once per geometry revision and shared by every slot.
+// The scene on the graphics card: object-space floats, uploaded once per geometry revision and shared by all slots.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <map>
@@ -40,8 +40,8 @@ public:
     /// Uploads what the snapshot's revisions say is new.
     void update(const scene::Snapshot& snapshot);
     [[nodiscard]] const MeshBuffers& mesh(std::size_t object) const { return *objectMeshes_[object]; }
-    /// The alpha mask of a part of an object (scene/model/holes.h): 255 where there is surface, rows from the bottom. nullptr: the
-    /// part is whole.
+    /// The alpha mask of a part of an object (scene/model/holes.h): 255 where there is surface, rows from the bottom.
+    /// nullptr: no holes.
     [[nodiscard]] const Texture2D* mask(std::size_t object, std::size_t part) const;
     [[nodiscard]] bool hasHoles(std::size_t object) const { return hasHoles_[object]; }
     [[nodiscard]] bool anyHoles() const { return !masks_.empty(); }

@@ -18,12 +18,12 @@ int lightKind(scene::LightType type) {
     case scene::LightType::directional: return 1;
     case scene::LightType::spot: return 2;
     case scene::LightType::rect: return 3;
-    default: return 0; // a sphere shines like a point at its centre
+    default: return 0; // a sphere light is shaded as a point at its centre
     }
 }
 
-/// What a program need not ask for each pixel: the kind of light, and whether anything has highlights. A processor that stands in
-/// for a graphics card would compute all cases of all pixels (a fifth to a third of a frame's time).
+/// Defines for what is constant in a pass: the kind of light, and whether any material has highlights. A software renderer
+/// evaluates all branches for every pixel, which took a fifth to a third of the frame time.
 std::vector<std::string> knownBefore(const scene::Scene& scene, const scene::Light& light) {
     std::vector<std::string> defines{"LIGHT_KIND " + std::to_string(lightKind(light.type))};
     const auto hasNoSpecular = [](const scene::Material& material) { return material.specular == vec3(0); };
@@ -80,7 +80,8 @@ void drawIfSeen(const scene::Scene& scene, const SceneBuffers& buffers, const Ey
     const scene::Object& object = scene.objects[index];
     if (eye.part && !scene::mayTouch(buffers.bounds()[index], clipFromWorld, *eye.part)) return;
     if (setup && !setup(object)) return;
-    // Back faces that front faces hide are left out: half of the triangles of most objects. Through holes they are seen.
+    // Back faces that front faces hide are culled: half of the triangles of most objects. Not for objects with holes,
+    // through which they can be seen.
     if (object.mesh->outward && !buffers.hasHoles(index) &&
         scene::isBeyondNearPlane(buffers.bounds()[index], clipFromWorld)) {
         glEnable(GL_CULL_FACE);
@@ -153,7 +154,7 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
 void useForLight(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
                  int light) {
     const scene::Light& source = scene.light(light);
-    // Of a visibility there is too little to save: one program for all kinds.
+    // The visibility shader is too short to gain from variants: one program serves all kinds of light.
     program.useWith(program.isMadeWith("VISIBILITY_ONLY") ? std::vector<std::string>{} : knownBefore(scene, source));
     program.set("lightKind", lightKind(source.type)); // where the program was not made for it
     const dvec3 directionWorld =

@@ -17,7 +17,7 @@ namespace shadowlab::gl {
 /// Double, so that what is composed with them loses nothing far from the world's origin; cast to float last.
 struct EyeMatrices {
     dmat4 viewFromWorld{1.0}, clipFromView{1.0};
-    /// The part of the picture that is drawn. Objects that cannot touch it are left out; none: all are drawn.
+    /// The part of the picture that is drawn; objects outside of it are culled. None: nothing is culled.
     std::optional<scene::PicturePart> part = std::nullopt;
     [[nodiscard]] dmat4 clipFromMesh(const scene::Object& object) const {
         return clipFromView * (viewFromWorld * scene::worldFromMesh(object));
@@ -33,9 +33,9 @@ constexpr int kFirstFreeUnit = 2;
 /// Called for each object with the program in use, before its parts are drawn; false leaves the object out.
 using ObjectSetup = std::function<bool(const scene::Object&)>;
 
-/// Draws all objects that may be seen in their order, setting the uniforms that shaders/surface.vert and shaders/material.glsl name.
-/// The program must be in use. Holes are not looked at: for passes with depth test EQUAL, which draw no more than what the
-/// depth buffer has.
+/// Draws all objects that may be seen in their order, setting the uniforms that shaders/surface.vert and
+/// shaders/material.glsl name. The program must be in use. Ignores holes: for passes with depth test EQUAL, where nothing
+/// is drawn in a hole because the depth buffer has other depths there.
 void drawSurfaces(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
                   const EyeMatrices& eye, const ObjectSetup& setup = {});
 
@@ -43,8 +43,8 @@ void drawSurfaces(const Program& program, const scene::Scene& scene, const Scene
 void drawSurface(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
                  std::size_t object, const ObjectSetup& setup = {});
 
-/// The same for passes that write depth: in holes nothing is drawn. Parts that have any are drawn by program.alphaTested(), which
-/// the fragment shader must know of (shaders/cut_holes.glsl); uniforms of the pass have to be set for both.
+/// The same for passes that write depth, with holes cut out. Parts with holes are drawn by program.alphaTested(), so the
+/// fragment shader has to include shaders/cut_holes.glsl, and uniforms of the pass have to be set for both programs.
 void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers,
                            const EyeMatrices& eye, const ObjectSetup& setup = {});
 

@@ -122,7 +122,7 @@ std::vector<std::uint8_t> AnimatedPng::finish() const {
     if (frames_ == 0) throw Error(ExitStatus::bug, "an animation has no frame; report it");
     Bytes bytes = head_, control;
     appendNumber(control, frames_);
-    appendNumber(control, 0); // it is repeated without end
+    appendNumber(control, 0); // it loops for ever
     appendChunk(bytes, "acTL", control);
     bytes.insert(bytes.end(), body_.begin(), body_.end());
     appendChunk(bytes, "IEND", {});

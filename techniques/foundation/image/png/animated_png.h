@@ -1,4 +1,4 @@
-// Animated PNG: frames that follow each other in one PNG file. What knows nothing of it shows the first.
+// Animated PNG: frames that follow each other in one PNG file. A viewer without support for it shows the first frame.
 //
 // PNG, third edition (W3C 2025), 4.9 and 11.3.6: acTL says how many frames there are, fcTL before each how large it is, where
 // it lies and how long it stays, and fdAT holds the pixels of all but the first, whose IDAT is that of a plain PNG. Of each
@@ -24,8 +24,8 @@ struct ChangedPart {
     friend bool operator==(const ChangedPart&, const ChangedPart&) = default;
 };
 
-/// The smallest rectangle outside of which two pictures of one size are the same; of the same pictures the first pixel alone,
-/// since a frame has at least one. Alpha counts for nothing: frames are opaque.
+/// The smallest rectangle outside of which two pictures of one size are the same; of the same pictures the first pixel
+/// alone, since a frame has at least one. Alpha is ignored, because frames are opaque.
 ChangedPart changedPart(const Image& before, const Image& after);
 
 class AnimatedPng {

@@ -36,19 +36,19 @@ std::vector<std::uint8_t> encodeGreyAlpha(int width, int height, std::span<const
 struct PngLimits {
     std::uint32_t side = 16384;             ///< pixels, each of width and height
     std::uint64_t fileBytes = 256ull << 20; ///< enough for an incompressible 8192 x 8192 RGB picture
-    bool withTexts = true;                  ///< else they are passed over: a kilobyte of them may unpack to megabytes
+    bool withTexts = true;                  ///< else they are skipped: a kilobyte of compressed text may unpack to megabytes
 };
 
 struct DecodedPng {
     Image image;           ///< whatever the file holds, widened or narrowed to 8-bit RGBA
-    bool hasAlpha = false; ///< the file says something of alpha; else it is 255 everywhere
+    bool hasAlpha = false; ///< the file has an alpha channel; else alpha is 255 everywhere
     std::vector<PngText> text;
 };
 
 struct PngSize {
     std::uint32_t width = 0, height = 0;
 };
-/// By what stands before the pixels; nothing is allocated for them. Throws as decodePng does.
+/// Reads only the header; allocates nothing for the pixels. Throws as decodePng does.
 PngSize pngSize(std::span<const std::uint8_t> bytes, std::string_view name, const PngLimits& limits = {});
 
 /// `name` is the file named in errors. Throws Error (badInput, overLimit), the latter before anything is allocated for pixels.

@@ -1,4 +1,4 @@
-// What encoding and decoding share: how an error of libpng comes back to us.
+// The error handling that encoding and decoding share.
 //
 // libpng reports errors by longjmp, which must not jump over C++ objects with destructors. So each direction has
 // functions that call setjmp and own nothing: everything with a destructor lives in their callers.

@@ -1,4 +1,4 @@
-// The checks behind JsonObject, and the sentences they end in.
+// The checks of JsonObject, and their error messages.
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/json/json_object.h"
 
@@ -76,7 +76,7 @@ int JsonObject::integer(std::string_view key, int low, int high, std::optional<i
     const JsonValue* found = find(key);
     if (!found && fallback) return *fallback;
     const Range range = Range::between(low, high);
-    // Written out: 100000 and not 1e+05.
+    // Without an exponent: 100000, not 1e+05.
     const std::string wanted = "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
     const JsonValue& value = found ? *found : require(key, wanted);
     if (value.kind != JsonValue::Kind::number || !range.contains(value.number) ||

@@ -1,5 +1,5 @@
-// Strict access to one JSON object: unknown keys, missing keys, wrong types and values out of range all become errors
-// that name file, line, column, what was expected and the mend.
+// Strict access to one JSON object: unknown keys, missing keys, wrong types and values out of range all become errors that
+// name file, line, column, what was expected and the remedy.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <initializer_list>

@@ -45,8 +45,8 @@ ReferredFile readReference(const SceneReading& reading, const JsonObject& object
 
 namespace {
 
-/// Pictures are kept in half floats before exposure. Below 1/65504 their largest number is no white, and above 65504 the steps
-/// between their smallest, 6e-8, are a level of 255.
+/// Before exposure, pictures are half floats. With an exposure below 1/65504 their largest number is darker than white;
+/// above 65504 the step between their smallest numbers, 6e-8, is visible as a level of 255.
 bool isBeyondHalfFloats(float exposure) {
     constexpr float kLargest = 65504;
     return exposure < 1 / kLargest || exposure > kLargest;

@@ -48,16 +48,16 @@ JsonObject restrictedTo(LightType type, const JsonObject& light) {
     return light;
 }
 
-/// Of length one. What a written scene says is that already, but for rounding, and stays as it is: else each time it is saved and
-/// loaded its last digits would be others.
+/// Of length one. A direction that already has length one to within rounding is kept. Otherwise its last digits would
+/// change each time the scene is saved and loaded.
 dvec3 unit(const dvec3& direction) {
     constexpr double kRounding = 1e-15; // of the square of the length: a few units of the last place
     const bool isUnit = std::abs(glm::dot(direction, direction) - 1.0) <= kRounding;
     return isUnit ? direction : glm::normalize(direction);
 }
 
-/// The keys of a light that is already of its type. Those that are left out keep what `light` has, but where a new light
-/// stands, or a new sun shines to, must be said.
+/// The keys of a light that is already of its type. Keys that are left out keep the values of `light`; but the position of
+/// a new light, or the direction of a new directional light, is required.
 void readKeys(const NumberRanges& ranges, const JsonObject& keys, bool isNew, Light& light) {
     const auto unlessNew = [&](const dvec3& value) { return isNew ? std::nullopt : std::optional(value); };
     light.color = keys.color("color", ranges.atLeastZero(), light.color);

@@ -1,5 +1,5 @@
-// Reads the materials. Colours and shares of light stay within 0..1, so that no surface makes light of its own unless
-// it says so by `emission`.
+// Reads the materials. Colours and shares of light stay within 0..1, so that no surface reflects more light than it
+// receives; only `emission` adds light.
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/json/scene_json.h"

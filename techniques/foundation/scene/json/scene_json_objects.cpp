@@ -27,7 +27,7 @@ public:
         sceneMaterials_ = materialIndex_;
     }
 
-    /// Those of all shapes together, before the first is built. What is wrong with one is for read() to say.
+    /// Counts the triangles of all shapes before the first is built. Faulty shapes are skipped; read() reports them.
     void countShapes(std::span<const JsonValue> values);
     void read(const JsonValue& value, const std::string& what);
 
@@ -147,8 +147,8 @@ void ObjectReader::countShapes(std::span<const JsonValue> values) {
     triangles_ = 0;
 }
 
-/// Index of a material that an MTL file defines, added to the scene on first use. A name that is taken gets the mesh
-/// file's name as an addition.
+/// Index of a material that an MTL file defines, added to the scene on first use. If the name is taken, the mesh file's
+/// name is added to it.
 std::uint32_t ObjectReader::materialOfFile(const std::filesystem::path& canonical, const ObjFile& file,
                                            const MaterialsByName& known, const std::string& name) {
     const auto found = known.find(name);

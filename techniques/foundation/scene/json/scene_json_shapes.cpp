@@ -9,7 +9,7 @@ namespace shadowlab::scene {
 
 namespace {
 
-constexpr int kFewestSegments = 3;  // three make the smallest closed ring
+constexpr int kFewestSegments = 3;  // the smallest closed ring
 constexpr int kMostSegments = 4096; // finer than a pixel of any picture
 
 std::string identity(std::string kind, std::initializer_list<double> numbers) {

@@ -16,7 +16,7 @@ namespace shadowlab::scene {
 
 namespace {
 
-/// Readers of JSON take "-0" for the whole number 0, which has no sign.
+/// JSON readers read "-0" as the integer 0 and lose the sign.
 std::string signedZero(double value) { return std::signbit(value) ? "-0.0" : "0"; }
 
 std::string numberText(double value) { return value == 0 ? signedZero(value) : scene::numberText(value); }
@@ -47,7 +47,7 @@ public:
     Line& vector(std::string_view key, const Vector& value) {
         return raw(key, list(value));
     }
-    /// Only where it is not what the reader takes without it.
+    /// Writes the key only if the value is not the default of the reader.
     template <typename Value>
     Line& unless(std::string_view key, const Value& value, const Value& standard) {
         if (value == standard) return *this;
@@ -166,7 +166,7 @@ std::string objectJson(const Object& object, const std::filesystem::path& folder
     return line.json();
 }
 
-/// Those of the surfaces of lights, which whoever reads the lights makes again.
+/// The materials of emitter surfaces, which the reader makes again from the lights.
 std::set<std::size_t> materialsOfLights(const Scene& scene) {
     std::set<std::size_t> indices;
     for (const Object& object : scene.objects)

@@ -1,4 +1,4 @@
-// From a scene back to a scene file (docs/scene_format.md): what is read from it is the same scene.
+// From a scene back to a scene file (docs/scene_format.md): reading it gives the same scene.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
@@ -9,9 +9,9 @@
 
 namespace shadowlab::scene {
 
-/// The text of a scene file that stands in `folder`, with that camera. Numbers have as many digits as it takes to read the
-/// same ones; what is as by default is left out; meshes and images are named relative to the folder.
-/// Simplified: of a staged mesh whose file has materials, parts that name none become white instead of clay.
+/// The text of a scene file that stands in `folder`, with that camera. Numbers have as many digits as are needed to read
+/// the same number; defaults are left out; meshes and images are named relative to the folder. Simplified: of a staged mesh
+/// whose file has materials, parts that name none become white instead of clay.
 std::string sceneText(const Scene& scene, const Camera& camera, const std::filesystem::path& folder);
 
 /// Folders of files the scene uses that a scene file in `folder` may not read unless they are allowed (--allow): those

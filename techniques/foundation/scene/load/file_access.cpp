@@ -59,7 +59,7 @@ std::string faultSentence(const std::string& fault) {
     return fault.starts_with("is ") ? fault : "cannot be read: " + fault;
 }
 
-/// A folder lies inside itself: that it is none of the files in it is for whoever reads it to say.
+/// A folder counts as inside itself; reading it as a file fails later with its own message.
 bool isInside(const std::filesystem::path& file, const std::filesystem::path& folder) {
     const auto [folderRest, ignored] = std::ranges::mismatch(folder, file);
     return folderRest == folder.end();
@@ -124,7 +124,7 @@ std::optional<std::filesystem::path> AllowedFolders::resolve(std::string_view re
     const std::filesystem::path absolute = std::filesystem::absolute(base_ / reference, error);
     if (error) return std::nullopt;
     std::filesystem::path file = std::filesystem::weakly_canonical(absolute, error);
-    // Links in a circle, a name too long: nothing can be opened under it, and whoever tries learns why.
+    // A cycle of links, or a name that is too long: opening the file fails later with its own message.
     if (error) file = absolute.lexically_normal();
     const bool inside = std::ranges::any_of(folders_, [&](const auto& folder) { return isInside(file, folder); });
     return inside ? std::optional(std::move(file)) : std::nullopt;

@@ -16,12 +16,12 @@ namespace shadowlab::scene {
 /// file.
 std::string whyUnreadable(const std::filesystem::path& file);
 
-/// The whole file. Throws Error: badInput when it is no readable regular file, overLimit beyond `maximumBytes`, which
-/// `limit` is the name of, if it is one that can be set. A FIFO or a device never makes it wait.
+/// The whole file. Throws Error: badInput when it is no readable regular file, overLimit beyond `maximumBytes`, `limit` is
+/// the name of that limit if the user can set it. Never blocks on a FIFO or a device.
 std::string readFile(const std::filesystem::path& file, std::uint64_t maximumBytes, std::string_view limit = {});
 
-/// The folders a scene may take files from: its own folder tree, the assets root, and what the user allowed.
-/// A scene is data from somewhere; without this fence it could name, and show pieces of, any file of its user.
+/// The folders a scene may take files from: its own folder tree, the assets root, and what the user allowed. A scene may
+/// come from anywhere; without this check it could name any file of the user and show parts of it.
 class AllowedFolders {
 public:
     /// `referringFile` is the scene or mesh whose references are to be resolved, relative to its folder.
@@ -35,7 +35,7 @@ private:
     std::vector<std::filesystem::path> folders_; ///< canonical
 };
 
-/// What every refusal by AllowedFolders says after the reference.
+/// The text after the reference in every refusal by AllowedFolders.
 inline constexpr std::string_view kOutsideMessage = "lies outside the folders this scene may read; move the file "
                                                     "beside the scene, or allow its folder with --allow DIR";
 

@@ -1,4 +1,5 @@
-// From a name or a path to a scene. Every fault is an Error that names file, line and mend; nothing is half-loaded.
+// From a name or a path to a scene. Every fault is an Error that names file, line and remedy; a scene is loaded whole or
+// not at all.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -30,7 +31,7 @@ struct Limits {
     std::uint32_t jsonDepth = 64;
     double coordinate = 1e15; ///< metres; beyond it squares overflow float and detail is lost even in double
     std::uint64_t memoryBytes = memoryToUse(); ///< scene and pictures together, as memory_estimate.h guesses them
-    std::uint64_t pictureBytes = 0;            ///< of these, what the pictures that were asked for will take
+    std::uint64_t pictureBytes = 0;            ///< the part of it that the requested pictures will need
     std::uint64_t texels = 0;                  ///< of the alpha maps that the scene has so far
 };
 
@@ -57,14 +58,14 @@ struct ObjFile {
     std::vector<Material> materials; ///< of the MTL files, named as MeshPart::materialName
     std::vector<std::string> notes;
 };
-/// Which material has a name: the first of `materials`. A mesh may have as many parts as materials, so nobody searches them one by
-/// one. The names are those of `materials`, which has to stay as it is.
+/// Which material has a name: the first of `materials`. A map, because a mesh may have thousands of parts and materials.
+/// The keys refer to the names in `materials`, which must not change.
 using MaterialsByName = std::unordered_map<std::string_view, std::uint32_t>;
 MaterialsByName materialsByName(const std::vector<Material>& materials);
 
 ObjFile loadObj(const std::filesystem::path& file, NormalMode mode, const LoadOptions& options);
 
-/// A bare mesh made presentable: on a floor, one key light, a camera that frames it.
+/// A scene around a bare mesh: a floor, one key light, and a camera that frames it.
 std::shared_ptr<const Scene> stageObj(const std::filesystem::path& file, const LoadOptions& options);
 
 /// Adds, for every rect and sphere light, the surface that eye rays see (it blocks no light itself).

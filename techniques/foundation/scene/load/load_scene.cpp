@@ -34,7 +34,7 @@ std::vector<std::string> builtInScenes(const std::filesystem::path& assetsRoot) 
     for (std::filesystem::directory_iterator entry(assetsRoot / "scenes", error), end; !error && entry != end;
          entry.increment(error))
         if (entry->path().extension() == ".json") names.push_back(entry->path().stem().string());
-    std::ranges::sort(names); // the order of a directory is no order
+    std::ranges::sort(names); // directories are listed in no defined order
     return names;
 }
 

@@ -22,18 +22,19 @@ std::uint64_t leastLimit() {
     const long pages = sysconf(_SC_PHYS_PAGES), pageBytes = sysconf(_SC_PAGESIZE);
     if (pages > 0 && pageBytes > 0) least = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(pageBytes);
     rlimit addresses{};
-    // Addresses are given to libraries and to stacks, too, of which little is ever in memory; Mesa does not survive without. Measured
-    // beyond the peak of memory, with a single store of memory (app/context/address_space.h): 253 MB on 2 cores, 434 MB on 16.
+    // Libraries and stacks reserve address space of which little is ever in memory, and Mesa crashes if it gets none.
+    // Measured beyond the peak of memory, with a single store of memory (app/context/address_space.h): 253 MB on 2 cores,
+    // 434 MB on 16.
     const std::uint64_t unused = 270'000'000 + 16'000'000 * std::uint64_t{std::thread::hardware_concurrency()};
     if (getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY)
         least =
             std::min<std::uint64_t>(least, addresses.rlim_cur - std::min<std::uint64_t>(addresses.rlim_cur, unused));
-    std::uint64_t group = 0; // of a container; "max" is no number, and no limit
+    std::uint64_t group = 0; // the limit of the control group (a container); "max" means no limit and fails to parse
     if (std::ifstream file("/sys/fs/cgroup/memory.max"); file >> group && group > 0) least = std::min(least, group);
     return least;
 }
 
-/// Of what there is before the next part of the scene comes.
+/// Bytes of the parts that have been loaded so far.
 std::uint64_t memorySoFar(const Limits& limits) {
     return kBytesAtRest + limits.pictureBytes + limits.texels * kBytesPerTexel;
 }

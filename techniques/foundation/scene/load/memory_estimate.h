@@ -1,4 +1,4 @@
-// How much memory a scene will take, guessed from what is counted before anything of it is allocated.
+// Estimates the memory of a scene from counts that are known before anything is allocated.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -31,7 +31,7 @@ std::uint64_t memoryForMaterials(std::uint64_t materials, const Limits& limits);
 /// Bytes that reading an alpha map of so many texels takes in all.
 std::uint64_t memoryForAlphaMap(std::uint64_t texels, std::uint64_t fileBytes, const Limits& limits);
 
-/// Of a scene that has been loaded.
+/// The budget of a loaded scene.
 MemoryBudget memoryBudget(const Scene& scene, const Limits& limits);
 
 /// "some 9160 MB of memory are needed, more than the limit of 6000 MB": the middle of a refusal.

@@ -27,7 +27,8 @@ std::size_t sequenceLength(std::string_view text) {
     return length;
 }
 
-/// Does a sequence of two or three bytes stand for a control character, or for one that turns text round? Terminals obey them.
+/// Does a sequence of two or three bytes stand for a control character, or for one that changes the direction of text?
+/// Terminals would obey them.
 bool isControl(std::string_view sequence) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(sequence[i]); };
     if (sequence.size() == 2) return byte(0) == 0xc2 && byte(1) < 0xa0; // U+0080 to U+009F

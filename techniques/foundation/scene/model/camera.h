@@ -19,8 +19,8 @@ struct Camera {
     friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-/// Do position, target and up make a view? Not where the target is the position, nor where up is within a millionth of a
-/// radian of parallel to the view: the direction "right" would be made of rounding errors.
+/// True if position, target and up define a view. False if the target is the position, or if up is within a millionth of a
+/// radian of parallel to the view, because "right" would then consist of rounding errors.
 bool hasView(const Camera& camera);
 
 /// View space: origin at the eye, camera looks down -z, +y up in the picture.

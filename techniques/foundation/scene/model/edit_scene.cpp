@@ -7,7 +7,7 @@ namespace shadowlab::scene {
 
 namespace {
 
-/// Its matrix stays what its source says: a scene that is written down and read is the same to the last bit.
+/// The matrix is computed from the source, so that a scene that is written and read again is the same to the last bit.
 void move(Object& object, const dvec3& byWorld) {
     object.source.translateWorld += byWorld;
     object.worldFromObject[3] = dvec4(object.source.translateWorld, 1.0);

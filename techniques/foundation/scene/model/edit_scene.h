@@ -1,4 +1,4 @@
-// Changes to a scene that nobody may change: each gives a new snapshot that shares with the old one all that is equal.
+// Edits of an immutable scene: each returns a new snapshot that shares all unchanged parts with the old one.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/scene/model/scene.h"

@@ -27,11 +27,11 @@ bool isSolid(const image::Color8& texel, bool hasAlpha) {
 /// 0 .. count - 1: in which of `count` equal pieces of the image the coordinate lies.
 int pieceOf(double coordinate, int count) {
     const double within = coordinate - std::floor(coordinate);
-    // Just below a whole number the difference rounds up to 1, which is the last piece and not the first.
+    // Just below a whole number the difference rounds up to 1; that is the last piece, not the first.
     return std::min(static_cast<int>(within * count), count - 1);
 }
 
-/// What reading a PNG without a name says, without the colon that would stand behind the name.
+/// Reads a PNG without a name; removes the colon after the empty name from an error message.
 template <typename Read>
 auto nameless(const Read& read) {
     try {
@@ -71,7 +71,7 @@ bool AlphaMask::isHole(dvec2 texcoord) const {
 std::shared_ptr<const AlphaMask> AlphaMasks::load(const std::filesystem::path& canonical, const Limits& limits) {
     if (const auto found = known_.find(canonical); found != known_.end()) return found->second;
     if (const auto found = failed_.find(canonical); found != failed_.end()) throw found->second;
-    image::keepInput(canonical); // also where it cannot be read: it was meant to be
+    image::keepInput(canonical); // also if it cannot be read: it is still an input
     try {
         return known_[canonical] = read(canonical, limits);
     } catch (const Error& error) {

@@ -43,8 +43,8 @@ private:
 /// Reads masks, each file once.
 class AlphaMasks {
 public:
-    /// `limits.texels` are those of others. Throws Error (badInput, overLimit): "not a readable PNG: ...; save it again", without
-    /// the file's name, which the caller knows as the user wrote it.
+    /// `limits.texels` is the number of texels that other masks have used. Throws Error (badInput, overLimit): "not a
+    /// readable PNG: ...; save it again", without the file's name, which the caller knows as the user wrote it.
     std::shared_ptr<const AlphaMask> load(const std::filesystem::path& canonical, const Limits& limits);
 
 private:
@@ -52,20 +52,20 @@ private:
 
     std::map<std::filesystem::path, std::shared_ptr<const AlphaMask>> known_;
     std::map<std::filesystem::path, Error>
-        failed_;               ///< what was wrong with those that are none: many materials may name one
+        failed_;               ///< the errors of files that are no masks; many materials may name one file
     std::uint64_t texels_ = 0; ///< of them all
 };
 
 /// The mask that cuts holes into a part of the object's mesh; nullptr: the part is whole.
 const AlphaMask* maskOfPart(const Scene& scene, const Object& object, std::size_t part);
 
-/// Has any part of it holes?
+/// True if any part of the object has holes.
 bool hasHoles(const Scene& scene, const Object& object);
 
-/// Does a point of a triangle of the object, given by the weights of its corners, lie in a hole?
+/// True if a point of a triangle of the object, given by the weights of the corners, lies in a hole.
 bool isInHole(const Scene& scene, const Object& object, std::uint32_t triangle, const dvec3& barycentric);
 
-/// What to tell the user of a part of a mesh that stays whole although its material has a mask; empty: nothing.
+/// The note for a part of a mesh that gets no holes although its material has a mask; empty: none needed.
 std::string noteOnWholePart(const Material& material, const MeshPart& part);
 
 } // namespace shadowlab::scene

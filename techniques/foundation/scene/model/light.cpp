@@ -24,7 +24,7 @@ dvec4 homogeneousPositionWorld(const Light& light) {
 bool edgesSpan(const Light& light) {
     const dvec3 &u = light.edgeUWorld, &v = light.edgeVWorld;
     if (!(glm::dot(u, u) > 0.0) || !(glm::dot(v, v) > 0.0)) return false;
-    // A billionth of a radian: seven digits above the rounding of double.
+    // A billionth of a radian: ten million times the rounding of double.
     return glm::length(glm::cross(glm::normalize(u), glm::normalize(v))) >= 1e-9;
 }
 

@@ -32,7 +32,7 @@ struct Light {
 /// v * l.w - l.xyz then points from the light through v for both kinds: the direction volumes are extruded in.
 dvec4 homogeneousPositionWorld(const Light& light);
 
-/// Do the edges of a rect span a surface? Where they are nearly parallel, the side it shines to is undecided.
+/// True if the edges of a rect span a surface; if they are nearly parallel, the side it shines to is undecided.
 bool edgesSpan(const Light& light);
 
 /// Unit vector from the light's centre in which a rect shines.

@@ -19,9 +19,9 @@ struct MeshPart {
 
 /// Immutable once built and shared between the objects that show it.
 ///
-/// Positions are stored in *mesh space*: object space minus `originObject`, rounded to float once, when the mesh is
-/// made. A file whose coordinates lie far from zero so keeps its detail. These floats *are* the surface: the exact
-/// judge and the graphics card work on the same triangles.
+/// Positions are stored in *mesh space*: object space minus `originObject`, rounded to float once, when the mesh is made.
+/// So a file whose coordinates are far from zero keeps its detail. These floats *are* the surface: the exact judge and the
+/// graphics card use the same triangles.
 struct Mesh {
     dvec3 originObject{0.0};            ///< positionObject = originObject + positionMesh
     std::vector<vec3> positionsMesh;    ///< one per vertex; equal positions have equal bits

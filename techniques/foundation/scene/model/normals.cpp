@@ -16,7 +16,7 @@ dvec3 areaVector(const Mesh& mesh, const uvec3& triangle) {
     return glm::cross(b - a, c - a);
 }
 
-/// Unit and in float; a triangle without area has no direction, any unit vector then is better than NaN.
+/// Normalised, in float. A triangle without area has no direction; any unit vector is better than NaN.
 vec3 unitOr(const dvec3& v, const vec3& fallback) {
     const double length = glm::length(v);
     return length > 0.0 ? vec3(v / length) + vec3(0.0f) : fallback;

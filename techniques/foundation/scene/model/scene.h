@@ -31,11 +31,11 @@ struct Material {
     double glossDegrees = 0.0;
     double translucencyDegrees = 0.0;
     std::string alphaMap;                       ///< resolved path of the image that cuts holes; empty: none
-    std::shared_ptr<const AlphaMask> alphaMask; ///< what it says; with alphaMap, and never without
+    std::shared_ptr<const AlphaMask> alphaMask; ///< the mask from alphaMap; null exactly if that is empty
     bool ofMesh = false;                        ///< it comes with a mesh file, and not from the scene's own list
 };
 
-/// Where an object comes from, so that it can be written down again (write_scene.h).
+/// Where an object comes from, so that it can be written to a scene file (write_scene.h).
 struct ObjectSource {
     std::string shape;          ///< kind and numbers, "box 1 2 1"; empty: a mesh file
     std::filesystem::path mesh; ///< canonical path of that file
@@ -62,7 +62,7 @@ struct Object {
 /// Mesh space (what the vertex buffers hold) to world space.
 dmat4 worldFromMesh(const Object& object);
 
-/// True where an object's matrix turns it inside out (a negative determinant): what was counter-clockwise is clockwise.
+/// True if the matrix of the object mirrors it (negative determinant), which turns counter-clockwise into clockwise.
 bool isMirrored(const Object& object);
 
 /// Axis-aligned box in world space; empty when lower > upper.
@@ -90,11 +90,11 @@ Bounds boundsWorld(const Object& object);
 /// The boxes of all objects, in their order. Looks at every vertex: once per change of the scene, not per frame.
 std::vector<Bounds> objectBounds(const Scene& scene);
 
-/// A number nobody else has: what gets it differs from everything before.
+/// A process-wide unique revision id.
 std::uint64_t newRevision();
 
-/// What changed since a cached result was made: equal numbers mean equal content, in whatever scene they stand. A copy
-/// of a scene keeps them; whoever changes a part of the copy gives that part a new one.
+/// What changed since a cached result was made: equal ids mean equal content, even in different scenes. A copy of a scene
+/// keeps the ids; code that changes a part of the copy gives that part a new id.
 struct Revisions {
     std::uint64_t geometry = newRevision();   ///< meshes, and which objects exist
     std::uint64_t transforms = newRevision(); ///< where objects are
@@ -103,7 +103,7 @@ struct Revisions {
     friend bool operator==(const Revisions&, const Revisions&) = default;
 };
 
-/// What a scene takes, as it was guessed when it was loaded, and how much it may take with all that is made of it.
+/// The estimated memory of the scene, from when it was loaded, and the limit for the scene with everything made from it.
 struct MemoryBudget {
     std::uint64_t takenBytes = 0, limitBytes = ~std::uint64_t{0};
 };
@@ -131,7 +131,7 @@ struct Scene {
 /// Number of triangles of all objects together.
 std::uint64_t triangleCount(const Scene& scene);
 
-/// What a technique, and every worker thread, works on: a scene that nobody changes any more.
+/// An immutable scene: what techniques and worker threads work on.
 using Snapshot = std::shared_ptr<const Scene>;
 
 } // namespace shadowlab::scene

@@ -46,7 +46,7 @@ void layImageOnFace(Mesh& mesh, const dvec3& centre, const dvec3& rightward, con
     }
 }
 
-/// Once more the vertex `index`, where the image's other end comes to lie on it. Returns the copy's index.
+/// Copies a vertex at the seam of the image, with the other texture coordinate. Returns the index of the copy.
 std::uint32_t addCopy(Mesh& mesh, std::uint32_t index, const vec2& texcoord) {
     const vec3 position = mesh.positionsMesh[index], normal = mesh.normalsMesh[index]; // copies: the vectors grow
     mesh.positionsMesh.push_back(position);

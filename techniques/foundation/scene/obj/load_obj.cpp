@@ -11,7 +11,7 @@ namespace shadowlab::scene {
 
 namespace {
 
-/// What the user should know about the mesh but need not mend.
+/// Notes on the mesh: the user should know about these faults, but need not fix them.
 void addNotes(const ObjScan& scan, const std::filesystem::path& file, ObjFile& obj) {
     const std::string name = shownPath(file);
     if (obj.mesh.droppedTriangles > 0)
@@ -38,7 +38,7 @@ void addNotes(const ObjScan& scan, const std::filesystem::path& file, ObjFile& o
                             " m across, too small for the graphics card; scale it up");
 }
 
-/// By the size of the file, before a byte of it is read. What has no size is for readFile to refuse.
+/// Judges by the size of the file, before it is read. A file without a size is refused by readFile.
 void requireMemoryForObj(const std::filesystem::path& file, const Limits& limits) {
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored)) return;

@@ -1,5 +1,5 @@
 // The strict first reading of an MTL file: the statements used here, checked, clamped and completed, in the form
-// tinyobjloader then reads. Everything else (other maps, PBR extensions, illum ...) is left out.
+// tinyobjloader then reads. All other statements (other maps, PBR extensions, illum ...) are dropped.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>

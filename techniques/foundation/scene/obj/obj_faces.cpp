@@ -1,6 +1,6 @@
-// tinyobjloader at work, compiled here from its packaged header. Its callback interface hands over each polygon as it
-// stands in the file; LoadObj would cut polygons in its own way and count corners in one byte, up to 255.
-// Cutting them into triangles is done by polygon_triangulation.h.
+// Uses the callback interface of tinyobjloader, compiled here from its packaged header. It passes on each polygon as it is
+// in the file; LoadObj would triangulate polygons itself, and count corners in one byte, up to 255. Cutting them into
+// triangles is done by polygon_triangulation.h.
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/obj/obj_faces.h"
 
@@ -135,7 +135,8 @@ struct Collector {
     static void face(void* user, tinyobj::index_t* indices, int count) {
         auto& self = *static_cast<Collector*>(user);
         for (int i = 0; i < count; ++i) {
-            // Raw indices count from 1; 0 stands for none. The scan has checked them, but nothing is indexed on trust.
+            // Raw indices count from 1; 0 stands for none. The scan has checked them; they are checked again before they
+            // are used as indices.
             const std::int64_t position = indices[i].vertex_index - std::int64_t{1};
             const std::int64_t normal = indices[i].normal_index - std::int64_t{1};
             const std::int64_t texcoord = indices[i].texcoord_index - std::int64_t{1};
@@ -171,7 +172,8 @@ Material converted(const tinyobj::material_t& mtl) {
     return material;
 }
 
-/// map_d: kept when it can be read; otherwise the material goes without, as it does not decide what the mesh is.
+/// map_d: kept if it can be read. Otherwise a note is made and the material has no mask, because the mesh is usable without
+/// it.
 void readMtlAlphaMap(const tinyobj::material_t& mtl, const std::string& place, Material& material,
                      const AllowedFolders& folders, AlphaMasks& masks, const Limits& limits,
                      std::vector<std::string>& notes) {

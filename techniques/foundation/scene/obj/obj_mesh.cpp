@@ -18,7 +18,7 @@ struct CornerTriangle {
     bool hasTexcoords; ///< at all three corners
 };
 
-/// Box of the positions that faces use: a stray vertex far away must not decide the origin.
+/// Box of the positions that faces use: an unused vertex far away must not determine the origin.
 dvec3 originOf(const ObjScan& scan, const ObjFaces& faces) {
     dvec3 lower(1e300), upper(-1e300);
     for (const ObjCorner& corner : faces.corners) {

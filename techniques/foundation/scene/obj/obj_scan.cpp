@@ -195,7 +195,7 @@ ObjScan Scanner::run() {
             scan_.statements += "mtllib " + std::to_string(scan_.libraries.size()) + "\n";
             scan_.libraries.push_back({library, lines_.line()});
         }
-        // Everything else (o, g, s, l, p, vp, vw, curves ...) has no part in shadows.
+        // All other statements (o, g, s, l, p, vp, vw, curves ...) do not matter for shadows.
     }
     checkEnd();
     noteUnusableNormals();

@@ -1,4 +1,4 @@
-// A bare mesh made presentable: floor, key light and camera, all in proportion to the mesh, whatever its size.
+// A scene around a bare mesh: floor, key light and camera, all in proportion to the size of the mesh.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
@@ -53,7 +53,7 @@ Object floorUnder(const Stage& stage) {
     return floor;
 }
 
-/// Up, left and in front, as a photographer's key light: the shadow falls to the right and back, in full view.
+/// Above, left and in front, as a photographer's key light: the shadow falls to the right and back, in full view.
 Light keyLight(const Stage& stage) {
     Light light;
     light.name = "key";

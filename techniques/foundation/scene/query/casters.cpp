@@ -8,10 +8,10 @@ namespace shadowlab::scene {
 
 namespace {
 
-// Larger meshes are never one plane in practice, and looking at every vertex would cost more than it saves.
+// In practice no larger mesh lies in one plane, and testing every vertex would cost more than it saves.
 constexpr std::size_t kFlatTriangles = 512;
 
-// A thing that rests on a floor may reach below it by rounding: a billionth of the scene's size is resting.
+// An object that rests on a floor may reach below it by rounding: up to a billionth of the scene's size counts as resting.
 constexpr double kResting = 1e-9;
 
 /// The plane dot(normal, p) + distance = 0 that all vertices of the object lie on, if there is one.

@@ -1,4 +1,4 @@
-// Which objects can shadow anything at all: a technique builds nothing that cannot change a pixel.
+// The objects that can shadow anything at all, so that techniques build nothing for the others.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
@@ -12,7 +12,7 @@ namespace shadowlab::scene {
 /// the whole scene on the light's side of its plane: behind it there is nothing to be shadowed.
 std::vector<std::size_t> usefulCasters(const Scene& scene, const Light& light);
 
-/// The same for who has the objects' boxes at hand (objectBounds), and so need not look at every vertex again.
+/// The same with the boxes of the objects (objectBounds), which saves a pass over all vertices.
 std::vector<std::size_t> usefulCasters(const Scene& scene, const Light& light, std::span<const Bounds> bounds);
 
 /// Indices of all casting objects.

@@ -24,7 +24,8 @@ std::int8_t facingSign(const dvec3& a, const dvec3& b, const dvec3& c, const dve
 }
 
 dvec4 lightMesh(const Object& object, const Light& light) {
-    // Relative to the mesh first: far from the world's origin the difference keeps its digits, a product would not.
+    // The difference is taken first, relative to the mesh: far from the world's origin it keeps its digits, while a product
+    // would lose them.
     const dmat4 worldFromMesh = scene::worldFromMesh(object);
     const dvec4 lightWorld = homogeneousPositionWorld(light);
     const dvec3 relativeWorld = dvec3(lightWorld) - dvec3(worldFromMesh[3]) * lightWorld.w;

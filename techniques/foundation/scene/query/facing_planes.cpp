@@ -15,8 +15,8 @@ namespace {
 // the same sign, and it is not zero.
 constexpr double kClear = 2e-14;
 
-// The compiler makes plain loops without branches handle several triangles at once, but not one that goes from double to a
-// byte: so there are two, a block at a time, with float between them. A block of this size stays in the nearest cache.
+// The compiler vectorises plain loops without branches, but not a loop that converts double to bytes. So there are two
+// loops per block, from double to float and from float to bytes. A block of this size stays in the L1 cache.
 constexpr std::size_t kBlock = 256;
 
 } // namespace
@@ -35,7 +35,7 @@ FacingPlanes::FacingPlanes(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(m
         const double scale =
             std::max({std::abs(u.y * v.z) + std::abs(u.z * v.y), std::abs(u.z * v.x) + std::abs(u.x * v.z),
                       std::abs(u.x * v.y) + std::abs(u.y * v.x)});
-        if (scale == 0) continue; // no triangle at all: its plane stays zero, always in doubt
+        if (scale == 0) continue; // a degenerate triangle: its plane stays zero, so it is always in doubt
         x_[t] = normal.x / scale;
         y_[t] = normal.y / scale;
         z_[t] = normal.z / scale;

@@ -1,8 +1,9 @@
-// The facing signs of a whole mesh, fast: the planes of its triangles lie side by side, and several are asked at once.
+// The facing signs of a whole mesh, with SIMD: the planes of the triangles are stored in arrays, and several are tested at
+// once.
 //
-// The side of a plane that a point is on is one scalar product. Where it is clearly not zero, its sign is the one that
-// facing.h finds; where it is not clear, facing.h itself is asked, so the signs are the same to the last. Only triangles
-// seen almost exactly edge-on are in doubt.
+// The side of a plane that a point is on is one scalar product. If the product is clearly not zero, its sign is that of
+// facing.h; otherwise facing.h decides. So all signs are equal to those of facing.h. Only triangles seen almost exactly
+// edge-on are in doubt.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>

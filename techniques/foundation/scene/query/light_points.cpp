@@ -12,8 +12,8 @@ namespace shadowlab::scene {
 
 namespace {
 
-/// One point in each of `count` rectangles of equal area that fill the unit square. In rows: as many as columns, or nearly, so
-/// that no number of points is refused. Cook, "Stochastic Sampling in Computer Graphics", 1986 (jittering).
+/// One point in each of `count` rectangles of equal area that fill the unit square. In rows, about as many as columns, so
+/// that any number of points is possible. Cook, "Stochastic Sampling in Computer Graphics", 1986 (jittering).
 std::vector<dvec2> jitteredSquare(int count, const auto& chance) {
     const int rows = std::max(1, static_cast<int>(std::lround(std::sqrt(count))));
     std::vector<dvec2> points;
@@ -36,8 +36,9 @@ std::vector<dvec2> randomSquare(int count, const auto& chance) {
     return points;
 }
 
-/// Points spread evenly over the unit cube, moved together by chance: multiples of the powers of a number that no fraction comes
-/// near to. Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018.
+/// Points spread evenly over the unit cube (a low-discrepancy sequence), shifted together by a random vector: multiples of
+/// the powers of a number that is badly approximated by fractions. Roberts, "The Unreasonable Effectiveness of Quasirandom
+/// Sequences", 2018.
 std::vector<dvec3> evenCube(int count, const auto& chance) {
     constexpr double kRoot = 1.2207440846057594754; // of x^4 = x + 1
     dvec3 shift;
@@ -71,9 +72,9 @@ std::vector<dvec3> pointsOfLight(const Light& light, int lightNumber, const Ligh
         return points;
     }
     for (const dvec3& p : jittered ? evenCube(params.count, chance) : randomCube(params.count, chance)) {
-        // The surface of a sphere in three dimensions, seen along one of them, is a line filled evenly (Archimedes). One more
-        // dimension: that of a sphere in four, seen along two, is a disc filled evenly. So take a point there, by its two
-        // radii and two angles, and leave one coordinate out.
+        // Archimedes: points spread evenly on the sphere in three dimensions, projected onto one axis, fill an interval
+        // evenly. In the same way points on the sphere in four dimensions, projected onto two, fill a disc evenly. So a
+        // point is chosen there, by two radii and two angles, and one coordinate is dropped.
         const double nearRadius = std::sqrt(p.x), farRadius = std::sqrt(1 - p.x);
         const dvec3 angles = glm::two_pi<double>() * p;
         const dvec3 unit(nearRadius * std::cos(angles.y), nearRadius * std::sin(angles.y),

@@ -1,4 +1,4 @@
-// Points of a light that has an area, chosen by chance in equal shares of it.
+// Random sample points of an area light, one in each of its equal parts, and the parameters for them.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>
@@ -15,9 +15,9 @@ struct LightPointParams {
     friend bool operator==(const LightPointParams&, const LightPointParams&) = default;
 };
 
-/// So many points in the world: jittered, one in each of as many parts of equal size. Always the same for the same parameters
-/// and number of the light. Of a rectangle they are on its surface. Of a ball they lie within it, so that from every
-/// direction they fill its disc evenly.
+/// The sample points, in world space; jittered: one in each of `count` parts of equal size. Deterministic for the same
+/// parameters and number of the light. For a rect they lie on its surface. For a sphere they lie inside it, so that from
+/// every direction they fill its disc evenly.
 std::vector<dvec3> pointsOfLight(const Light& light, int lightNumber, const LightPointParams& params);
 
 /// How many (`unit`, and what that means in this technique: `help`), and how they are chosen.

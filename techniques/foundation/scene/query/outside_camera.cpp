@@ -12,20 +12,22 @@ namespace shadowlab::scene {
 
 namespace {
 
-// Thinner than this share of its longest side a thing is flat: a wall of 5 cm in a room of 5 m is.
+// An object thinner than this share of its longest side is flat: a wall of 5 cm in a room of 5 m is.
 constexpr double kFlatShare = 0.01;
-// A flat thing is a stage, not an actor, when it is that many times as large as all that is not flat.
+// A flat object is background (a floor, a wall) if it is this many times as large as everything that is not flat.
 constexpr double kStageTimes = 1.5;
-// Lights farther away than that many times the size of things and eye together are not worth shrinking the picture for.
+// Lights farther away than this many times the size of objects and eye together are left out of the picture, because
+// showing them would make everything else too small.
 constexpr double kNearLights = 4;
 
-constexpr double kEndOn = 0.8;    ///< cosine: an arrow seen under less than 37 degrees is a dot
-constexpr double kAgainst = -0.2; ///< cosine: light that travels toward the camera, more than only across
+constexpr double kEndOn = 0.8;    ///< cosine: an arrow within 37 degrees of the line of sight looks like a dot
+constexpr double kAgainst = -0.2; ///< cosine: light that travels clearly toward the camera
 
 constexpr double kFovYDegrees = 40;
 constexpr double kFilled = 0.85; ///< of the picture's half width and height: the rest is margin
-// Of the distance to the nearest point: lines may come nearer than all points. Depth steps at distance D are
-// D^2 / (near 2^24), with this share not more than a few hundred-thousandths of D, a fraction of a pixel.
+// The near plane, as a share of the distance to the nearest point, because lines may come nearer than all points. Depth
+// steps at distance D are D^2 / (near 2^24), with this share not more than a few hundred-thousandths of D, a fraction of a
+// pixel.
 constexpr double kNearShare = 1.0 / 100;
 
 double size(const Bounds& box) { return box.isEmpty() ? 0.0 : glm::length(box.upperWorld - box.lowerWorld); }
@@ -36,7 +38,7 @@ bool isFlat(const Bounds& box) {
     return std::min({extent.x, extent.y, extent.z}) <= kFlatShare * std::max({extent.x, extent.y, extent.z});
 }
 
-/// Does the way from a to b enter the box? Not where one of them lies in it already (Kay and Kajiya, 1986).
+/// True if the segment from a to b enters the box; false if an end lies in it (slab test: Kay and Kajiya, 1986).
 bool isBetween(const Bounds& box, const dvec3& a, const dvec3& b) {
     double enter = 0, leave = 1;
     for (int axis = 0; axis < 3; ++axis) {
@@ -91,7 +93,7 @@ Camera framing(const std::vector<dvec3>& pointsWorld, const Axes& axes, const dv
     const dvec3 middle = pointsWorld.front() + 0.5 * (right - left) * axes.right + 0.5 * (up - down) * axes.up;
     Camera camera;
     camera.positionWorld = middle + back * axes.backward;
-    camera.targetWorld = middle + 0.5 * (nearest + farthest) * axes.backward; // amid the points: what one orbits about
+    camera.targetWorld = middle + 0.5 * (nearest + farthest) * axes.backward; // in their middle: the camera orbits it
     camera.upWorld = upWorld;
     camera.fovYDegrees = kFovYDegrees;
     camera.near = kNearShare * (back - nearest);
@@ -140,8 +142,8 @@ Subject subjectOf(const Scene& scene, const Bounds& things, const Camera& eye, d
     return subject;
 }
 
-/// How much is wrong with a place: points that a box hides, arrows seen end-on, and, half as bad, sides turned to the
-/// camera that are dark, because the light comes from behind the things.
+/// The penalty of a camera position: hidden points, arrows seen end-on, and at half the weight dark sides that face the
+/// camera, because the light comes from behind.
 double faultsOf(const Camera& camera, const Subject& subject, const std::vector<Bounds>& boxes) {
     double faults = 0;
     for (const dvec3& point : subject.seen)

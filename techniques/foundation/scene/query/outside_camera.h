@@ -1,15 +1,15 @@
-// A place for a second camera that looks on from outside: at the things in the scene, the lights, and the first camera.
+// A position for a second camera, outside, that shows the objects of the scene, the lights, and the first camera.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/scene/model/scene.h"
 
 namespace shadowlab::scene {
 
-/// The box around what stands in the scene. Large flat things do not count: a floor reaches to the horizon, and the box
-/// of a floor says nothing about what happens on it. Empty only if there are no objects, or nothing but emitters.
+/// The box around the objects in the scene without large flat ones: a floor may reach to the horizon, and its box says
+/// nothing about the objects on it. Empty only if there are no objects, or nothing but emitters.
 Bounds thingsBounds(const Scene& scene);
 
-/// From where a directional light comes, as a place to draw its arrows at: before the things, on their way to the light.
+/// Where to draw the arrows of a directional light: between the objects and the light.
 struct ArrowPlace {
     dvec3 tipWorld{0.0}; ///< of the middle one
     double length = 1;   ///< metres

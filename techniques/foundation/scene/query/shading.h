@@ -1,4 +1,4 @@
-// Shading in C++: the twin of shaders/light.glsl and shaders/material.glsl, held equal to them by a test.
+// Shading in C++: the same formulas as in shaders/light.glsl and shaders/material.glsl; a test compares them.
 //
 // L = emission + ambient * diffuse + sum over lights of visibility * color * E * (diffuse/pi + specular * lobe),
 // lobe = (s + 8) / (8 pi) * (n.h)^s: Lambert's law plus Blinn's highlight (1977), normalised so that the highlight's
@@ -12,7 +12,7 @@ namespace shadowlab::scene {
 /// Unit vector from the surface toward the light (its centre).
 dvec3 towardLightWorld(const Light& light, const dvec3& positionWorld);
 
-/// Is the light of a kind that shines in every direction: no spot and no rect?
+/// True for lights that shine in every direction: all but spot and rect.
 bool shinesEverywhere(const Light& light);
 
 /// Is the point inside a spot's cone, or on the shining side of a rect? True for the other lights.

@@ -1,4 +1,4 @@
-// One point after the other asks what it sees of a light, among triangles that were found for all of them.
+// Answers for one point after the other what it sees of a light, among candidate triangles found for all of them together.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>

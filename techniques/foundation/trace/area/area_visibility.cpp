@@ -10,7 +10,7 @@ namespace shadowlab::trace {
 
 namespace {
 
-// So few points, or so few triangles, are not worth being parted: what is found for all of them is searched by each.
+// So few points, or so few triangles, are not split further: each point tests all triangles found for the group.
 constexpr std::size_t kFewPoints = 8, kFewTriangles = 24;
 
 // Lower than this share of the light's distance above a point's plane, a triangle is in that plane: rounding of coordinates is
@@ -104,7 +104,7 @@ void AreaVisibility::askAll(Group& group) const {
     }));
 }
 
-/// Parts the points where that leaves fewer triangles to each half.
+/// Splits the points if that leaves fewer triangles for each half.
 void AreaVisibility::ask(Group& group, std::span<std::uint32_t> members, std::vector<std::uint32_t> candidates) const {
     const CentredBox box = group.box(members);
     const Shaft shaft(box, box_);

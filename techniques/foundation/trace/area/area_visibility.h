@@ -1,10 +1,10 @@
-// Which share of a light with an area a point sees: no samples, but the area itself.
+// The share of an area light that a point sees, and its irradiance, computed without sampling.
 //
-// What the point sees of the light changes only along *contours*: edges of casters at which the number of triangles that cover
-// the light is another one on either side. That is decided per edge as for a silhouette: each triangle has a side on which
-// the point is, and an edge counts where its triangles' turns, each with the sign of that side, do not add up to nothing. So
-// the light is cut along the contours alone (uniform_pieces.h), and one ray for each piece tells whether it is seen. An edge
-// between two triangles beside each other never matters, however fine the mesh.
+// What the point sees of the light changes only along *contours*: edges of casters at which the number of triangles that
+// cover the light changes. That is decided per edge as for a silhouette: each triangle has a side on which the point is,
+// and an edge counts where its triangles' turns, each with the sign of that side, do not add up to nothing. So the light is
+// cut along the contours alone (uniform_pieces.h), and one ray for each piece tells whether it is seen. An edge between two
+// triangles beside each other never matters, however fine the mesh.
 //
 // The share is right up to the rounding of double; what of a sphere counts is said in seen_light.h. Triangles with holes in them:
 // pieces that such a triangle covers are asked with rays, in proportion about 1024 for the whole light, so a share is then
@@ -42,8 +42,9 @@ public:
     /// The tracer must live as long, with the scene that it has. The light must have an area.
     AreaVisibility(const SceneTracer& tracer, int light);
 
-    /// The gates are those of the light's centre: where they are shut, and without a surface, nothing is seen. Of the light what
-    /// lies below the plane of the point's triangle is not seen. Where no shadows are received, all is seen.
+    /// The gates (facing, cone) are those of the light's centre: if they are closed, or there is no surface, nothing is
+    /// seen. The part of the light below the plane of the point's triangle is not seen. A surface that receives no shadows
+    /// sees all of the light.
     [[nodiscard]] double share(const SurfacePoint& point) const;
 
     /// The same for many points, which is quicker where they are neighbours. `moves`: of each point, in metres; empty: none.

@@ -1,9 +1,8 @@
-// Memory for arrays that rays read here and there.
+// Memory in large pages, for arrays that rays access at random.
 //
-// A processor remembers where only some thousand pages of memory lie. Of the usual size, 4 KiB, a tree of a million triangles
-// has 25 thousand, and nearly every node would be looked up in memory before it is fetched from memory. So large arrays are
-// laid in pages of 2 MiB where the system has such (Linux, asked with madvise). And new elements are left as they are: who
-// makes a large array fills it, and may do so on several threads.
+// The TLB of a processor holds only some thousand pages. A tree of a million triangles takes 25 thousand pages of 4 KiB, so
+// nearly every access to a node would be a TLB miss. So large arrays use pages of 2 MiB where the system has them (Linux,
+// with madvise). New elements are not initialised, so that the caller can fill them on several threads.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
@@ -33,7 +32,7 @@ struct BigMemory {
     T* allocate(std::size_t count) {
         void* const memory = ::operator new(count * sizeof(T), alignment(count));
 #if defined(__linux__)
-        if (count * sizeof(T) >= kPage) (void)madvise(memory, count * sizeof(T), MADV_HUGEPAGE); // a wish, no more
+        if (count * sizeof(T) >= kPage) (void)madvise(memory, count * sizeof(T), MADV_HUGEPAGE); // only a hint
 #endif
         return static_cast<T*>(memory);
     }

@@ -40,7 +40,7 @@ inline Triangle triangleOf(const BvhLeaf& leaf, int i) {
     return {corner(0), corner(1), corner(2)};
 }
 
-/// Nothing that a ray could pass through.
+/// No triangle has holes.
 struct NoHoles {
     bool operator()(std::uint32_t, const dvec3&) const { return false; }
 };
@@ -58,9 +58,9 @@ struct Bvh {
     int depth = 0;     ///< of the binary tree that nodes of eight were made from
     const BvhKernels* kernels = &bestBvhKernels(); ///< the answers are the same with all of them
 
-    /// The nearest hit; of equally near ones that of the lowest primitive, so that no answer depends on how the tree
-    /// was built. `accept(primitive)`: may this one be hit? `inHole(primitive, weights of the corners)`: does the ray go
-    /// on, although it hits the triangle? `count` is told what is tried (ray.h).
+    /// The nearest hit; of equally near ones that of the lowest primitive, so that no answer depends on how the tree was
+    /// built. `accept(primitive)` is true if this one may be hit; `inHole(primitive, weights of the corners)` is true if
+    /// the ray passes through the triangle there. `count` is told what is tried (ray.h).
     template <typename Accept, typename InHole = NoHoles, typename Count = CountNothing>
     [[nodiscard]] RayHit closest(const Ray& ray, const Accept& accept, const InHole& inHole = {},
                                  Count count = {}) const;

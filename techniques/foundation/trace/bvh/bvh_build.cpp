@@ -97,7 +97,8 @@ double BvhBuilder::done() const {
     return 0.9 * static_cast<double>(placed_) / static_cast<double>(references_.size()) + 0.1 * filled;
 }
 
-/// The next few tasks, side by side. What they leave is put together in their order, whichever thread was first.
+/// The next few tasks, side by side. Their results are joined in the order of the tasks, so the tree does not depend on the
+/// threads.
 void BvhBuilder::splitSome() {
     const std::size_t count = std::min(kTasksPerSlice, open_.size());
     const std::vector<Task> tasks(open_.end() - static_cast<std::ptrdiff_t>(count), open_.end());

@@ -1,4 +1,4 @@
-// On which side of a ray does an edge pass? The sign of a determinant, without any rounding.
+// The side of a ray on which an edge passes: the sign of a determinant, computed exactly.
 //
 // After Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997: what double
 // leaves undecided (ray_triangle.h) is computed again, first with twice its digits, and where that is not enough either (a ray

@@ -1,4 +1,4 @@
-// What a light sees of single pixels, anywhere in a picture: those that lie together are traced together.
+// The visibility of a light at scattered pixels; neighbouring ones are traced together.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>

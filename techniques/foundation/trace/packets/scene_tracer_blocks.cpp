@@ -60,9 +60,9 @@ const double* cornersOf(const Bvh& bvh) {
     return &bvh.triangles[0].a.x;
 }
 
-/// Is it worth trying the next block, or will it be given up, and were better asked ray by ray at once? Neighbours are alike:
-/// after one that was given up the next is left out, after two in a row three, and so on up to fifteen. Each thread
-/// remembers for itself; the answers are the same either way, so that nobody notices but the clock.
+/// Predicts whether the next block is worth tracing as a block, or would be given up and is better traced ray by ray.
+/// Neighbours are alike: after one block that was given up the next is skipped, after two in a row three, and so on up to
+/// fifteen. Each thread has its own state; the answers are the same either way, only the time differs.
 class Patience {
 public:
     [[nodiscard]] bool isWorthTrying() {
@@ -261,7 +261,7 @@ void SceneTracer::traceShadowRays(std::span<const SurfacePoint> points, std::uin
         BlockAnswers traced;
         traced.doubtCount = 0;
         traced.blocked = 0;
-        traced.givenUp = group; // a point in the light itself has no direction to it
+        traced.givenUp = group; // a point at the light itself has no direction toward it
         const BlockTreeView tree = viewOf(bvh(), holesForLight_);
         if (forward) kernels_->blocked(tree, block, blocks.data(), starts.primitives, traced);
         patienceOfShadowRays.tell(forward && traced.givenUp && (traced.givenUp | traced.blocked) == group);

@@ -1,4 +1,4 @@
-// What accelerates rays, behind one small interface, so that one structure can be held against another.
+// Acceleration structures behind one small interface, so that they can be compared.
 //
 // All but Embree give the same hits to the last bit: they differ in which triangles they try, but try them with the same
 // test (ray_triangle.h), and of equally near ones take the lowest. Embree (Wald and others, "Embree: A Kernel Framework
@@ -67,7 +67,7 @@ public:
     /// The same two, adding to `tests` what they tried.
     [[nodiscard]] virtual RayHit closest(const Ray& ray, const MayHit& mayHit, RayTests& tests) const = 0;
     [[nodiscard]] virtual std::uint32_t any(const Ray& ray, const MayHit& mayHit, RayTests& tests) const = 0;
-    /// Can it count? Embree does not say what it tries.
+    /// True if it counts its tests; Embree does not report them.
     [[nodiscard]] virtual bool counts() const { return true; }
 
     /// Memory beside the triangles themselves; 0: not known.

@@ -1,4 +1,4 @@
-// May a ray touch a box, or a ball? Conservative, in double: what is touched is never left out.
+// Tests of a ray against a box and a ball. Conservative, in double: a volume that the ray touches is never missed.
 //
 // Box: the slabs of Kay and Kajiya (1986). The way to a plane, (plane - origin) * (1 / direction), has three roundings and
 // so is wrong by less than gamma(3) = 3e / (1 - 3e) of itself, e = 2^-53; the way out is made longer by twice that, for

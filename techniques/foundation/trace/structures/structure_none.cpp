@@ -1,5 +1,5 @@
-// No structure: every ray tries every triangle. The time grows with the number of triangles, and so does the patience
-// needed; but there is nothing to build and nothing to get wrong, so all other structures are held against it.
+// No structure: every ray tests every triangle, so the time grows with the number of triangles. But there is nothing to
+// build and little that can be wrong, so all other structures are compared with it.
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/trace/ray_query.h"
 

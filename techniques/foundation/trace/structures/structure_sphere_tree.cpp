@@ -1,10 +1,9 @@
 // A tree of bounding spheres: each holds all triangles below it, its two children half of them each (Rubin and Whitted,
 // 1980; Rusinkiewicz and Levoy, "QSplat", SIGGRAPH 2000, for a tree cut in halves).
 //
-// Halving by number makes every branch as long as every other, whatever the triangles: 2^32 of them are 32 levels. It is
-// also all that this tree does for speed: neither a sphere, which fits flat things badly, nor a cut that does not ask
-// where the triangles end, is what a fast tree is made of (bvh_build.h). Beside that one it shows what boxes and the surface
-// area heuristic are worth.
+// Halving by number makes every branch as long as every other, whatever the triangles: 2^32 of them are 32 levels. This
+// tree is slow in comparison: spheres fit flat objects badly, and halving by number ignores the extent of the triangles.
+// Compared with bvh_build.h it shows what boxes and the surface area heuristic gain.
 // SPDX-License-Identifier: MIT
 #include <array>
 

@@ -46,7 +46,7 @@ std::uint64_t duplicateTriangles(const Mesh& mesh, const MeshTopology& topology)
     return count;
 }
 
-/// Pieces of triangles that hang together by edges: each edge joins its triangles (union-find).
+/// The number of components connected by edges (union-find: each edge joins its triangles).
 std::uint64_t components(const Mesh& mesh, const MeshTopology& topology) {
     std::vector<std::uint32_t> parent(mesh.triangles.size());
     std::iota(parent.begin(), parent.end(), 0u);

@@ -48,7 +48,7 @@ struct MeshReport {
     std::uint64_t boundaryEdges = 0; ///< how many of each kind
     std::uint64_t multipleEdges = 0;
     std::uint64_t inconsistentEdges = 0;
-    std::uint64_t components = 0; ///< pieces that hang together by edges (touching in a point is not enough)
+    std::uint64_t components = 0; ///< components connected by edges (a common vertex is not enough)
     bool hasHoles = false; ///< of an object with it: cut by an alpha map (scene/model/holes.h); the mesh knows nothing of it
     [[nodiscard]] bool isClosed() const { return boundaryEdges == 0 && multipleEdges == 0 && inconsistentEdges == 0; }
 };

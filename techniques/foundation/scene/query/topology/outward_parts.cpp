@@ -10,7 +10,7 @@ namespace shadowlab::scene {
 
 namespace {
 
-/// The piece that each triangle belongs to, named by one of its triangles. Union-find with path halving (Tarjan 1975).
+/// The connected component of each triangle, named by one of its triangles. Union-find with path halving (Tarjan 1975).
 std::vector<std::uint32_t> pieces(std::size_t triangles, const MeshTopology& topology) {
     std::vector<std::uint32_t> parent(triangles);
     std::iota(parent.begin(), parent.end(), 0u);
@@ -27,12 +27,12 @@ std::vector<std::uint32_t> pieces(std::size_t triangles, const MeshTopology& top
     return parent;
 }
 
-/// The ways of drawing a piece together, as the set of axes along which it shrinks: all three, toward a point; two, toward a
-/// line; one, toward a plane.
+/// The contractions that are tried, each as the set of axes along which the piece shrinks: three, toward a point; two,
+/// toward a line; one, toward a plane.
 constexpr unsigned kAxisSets[] = {7, 3, 5, 6, 1, 2, 4};
 
-/// Does this triangle sweep with its inside ahead? Drawn toward the middle along `axes`, a point q of it moves by
-/// -(q - middle) in those axes. Whether that is against the normal is linear in q, so the corners tell.
+/// True if the triangle moves with its inside ahead. In the contraction along `axes` a point q moves by -(q - middle) in
+/// those axes. The product with the normal is linear in q, so its sign at the corners decides.
 bool sweepsInward(const dvec3 (&corner)[3], const dvec3& middle, unsigned axes) {
     const dvec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
     for (const dvec3& q : corner) {
@@ -44,7 +44,7 @@ bool sweepsInward(const dvec3 (&corner)[3], const dvec3& middle, unsigned axes) 
     return true;
 }
 
-/// The triangles of each closed piece for which no way is open.
+/// The triangles of each closed piece for which no contraction works.
 std::vector<std::vector<std::uint32_t>> undecided(std::span<const std::uint32_t> pieceOf,
                                                   std::span<const std::uint8_t> open, const std::vector<bool>& closed) {
     std::vector<std::vector<std::uint32_t>> pieces;
@@ -61,7 +61,7 @@ std::vector<std::vector<std::uint32_t>> undecided(std::span<const std::uint32_t>
     return pieces;
 }
 
-/// Six times that: positive where the front faces look outward.
+/// Six times the signed volume: positive if the front faces look outward.
 double volume(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
     const dvec3 from(mesh.positionsMesh[mesh.triangles[triangles.front()].x]);
     double sum = 0;
@@ -87,7 +87,7 @@ OutwardParts outwardParts(const Mesh& mesh, const MeshTopology& topology) {
             box.upperMesh = glm::max(box.upperMesh, corner(v));
         }
     }
-    // Per piece, the ways that are still open: one bit for each of kAxisSets.
+    // Per piece, the contractions that are still possible: one bit for each of kAxisSets.
     std::vector<std::uint8_t> open(triangles, 0x7f);
     std::vector<bool> closed(triangles, true);
     for (const Edge& edge : topology.edges)
@@ -106,7 +106,7 @@ OutwardParts outwardParts(const Mesh& mesh, const MeshTopology& topology) {
                 open[pieceOf[t]] &= static_cast<std::uint8_t>(~(1u << way));
     }
     for (const std::vector<std::uint32_t>& piece : undecided(pieceOf, open, closed))
-        // Of a shared mesh it may be known already.
+        // For a shared mesh this may be known already.
         if (mesh.outward || (volume(mesh, piece) > 0 && isCertainlySimple(mesh, topology, piece)))
             open[pieceOf[piece.front()]] = 1;
 
@@ -129,7 +129,7 @@ bool isOutward(const Mesh& mesh) {
 }
 
 std::shared_ptr<const Mesh> sharedMesh(Mesh mesh) {
-    mesh.outward = false; // whatever it was made from
+    mesh.outward = false; // the mesh may be a changed copy of another one
     mesh.outward = isOutward(mesh);
     return std::make_shared<const Mesh>(std::move(mesh));
 }

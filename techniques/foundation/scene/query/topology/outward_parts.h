@@ -1,17 +1,18 @@
-// Where front faces hide all back faces: from the eye, which need not see those, and from a light, which is blocked by
-// front faces alone (half of a shadow volume's caps, and every silhouette edge extruded once instead of twice).
+// The parts of a mesh in which front faces hide all back faces. The back faces then need not be drawn for the eye, and
+// front faces alone block a light: half of the caps of a shadow volume, and silhouette edges extruded once instead of
+// twice.
 //
 // Behind a part of a mesh with these three properties there is no back face without a front face before it:
 //   - closed and consistently wound, so that it has a winding number w at every point, and on the way from a point to the
 //     eye or the light w(there) = w(point) - front faces + back faces;
 //   - w >= 0 everywhere: nothing of it is inside out;
 //   - eye or light are outside: w(there) = 0.
-// The middle one is the hard one: a closed surface that intersects itself may be inside out in places, whatever its volume
-// is. What is shown first is that the part can be drawn together, straight toward a point, a line or a plane, so that
-// each triangle sweeps over space with its inside ahead: w counts the triangles that sweep over a point, and no count is
-// negative. Boxes, spheres, tori and columns pass at once. Of all others it is asked whether they meet themselves at all
-// (simple_surface.h): a knot does not, and its volume tells that it is not inside out as a whole. What meets itself pays for the
-// general form.
+// The second property is the hard one: a closed surface that intersects itself may be inside out in places, whatever its
+// volume. The first test is whether the part can be contracted, straight toward a point, a line or a plane, so that each
+// triangle moves with its inside ahead: then w counts the triangles that sweep over a point, and no count is negative.
+// Boxes, spheres, tori and columns pass this test. For all others the test is whether they intersect themselves at all
+// (simple_surface.h): a knot does not, and its signed volume shows that it is not inside out as a whole. Surfaces that
+// intersect themselves use the general form.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -24,7 +25,7 @@
 
 namespace shadowlab::scene {
 
-/// The parts of a mesh (pieces that hang together by edges) that pass.
+/// The parts of a mesh (components connected by edges) that have the three properties.
 struct OutwardParts {
     static constexpr std::int32_t kNone = -1;
     struct Box {
@@ -36,10 +37,10 @@ struct OutwardParts {
 
 OutwardParts outwardParts(const Mesh& mesh, const MeshTopology& topology);
 
-/// Whether all of the mesh passes; what Mesh::outward remembers.
+/// True if the whole mesh has the three properties; the value of Mesh::outward.
 bool isOutward(const Mesh& mesh);
 
-/// The mesh to be shared, its `outward` found out: for whoever loads or makes one.
+/// The mesh, shared, with `outward` computed: loaders and builders of meshes end with this.
 std::shared_ptr<const Mesh> sharedMesh(Mesh mesh);
 
 /// Sets the sign of back faces (-1) to zero in all parts with the light outside: in front of their box, on any side.

@@ -13,11 +13,10 @@ namespace shadowlab::scene {
 
 namespace {
 
-// Meshes with few triangles (floors, walls, boxes) are looked at themselves, larger ones by the box around them.
+// For meshes with few triangles (floors, walls, boxes) the triangles are tested, for larger ones their box.
 constexpr std::size_t kFitsEachTriangle = 64;
 
-// The plane stays this much before the nearest surface, far more than rounding and far less than precision would
-// notice.
+// The near plane stays this much before the nearest surface: far more than rounding, with no visible loss of precision.
 constexpr double kClearance = 0.99;
 
 /// View depth of the nearest point of a polygon within the sides and the near plane of the view; infinite if outside.
@@ -75,8 +74,8 @@ double leastDepth(const Bounds& box, const dmat4& clipFromWorld) {
 
 Camera withTightNear(const Camera& camera, const Scene& scene, std::span<const Bounds> bounds, double aspect) {
     const dmat4 clipFromWorld = clipFromView(camera, aspect) * viewFromWorld(camera);
-    // Boxes from near to far: once one begins behind what was found, the others have nothing nearer. Rounding is far less than
-    // the clearance.
+    // Boxes are sorted from near to far: once a box begins behind the nearest point found, no later box has a nearer one.
+    // Rounding is far less than the clearance.
     std::vector<std::pair<double, std::size_t>> beginning(bounds.size());
     for (std::size_t o = 0; o < bounds.size(); ++o)
         beginning[o] = {leastDepth(bounds[o], clipFromWorld), o};

@@ -1,4 +1,4 @@
-// A nearer plane as far away as the picture allows: depth precision for nothing.
+// Moves the near plane out as far as the picture allows, which costs nothing and gains depth precision.
 //
 // With the far plane at infinity a depth buffer's step at distance z is z^2 / (near 2^bits): every doubling of `near`
 // halves it, and with it the number of pixels in which two surfaces, or a surface and the side of a shadow volume,

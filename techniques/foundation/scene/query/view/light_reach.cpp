@@ -15,7 +15,7 @@ namespace shadowlab::scene {
 
 namespace {
 
-// Floors and walls are looked at themselves, as in visible_receivers.cpp: their boxes would be mostly empty.
+// For floors and walls the triangles are tested, as in visible_receivers.cpp, because their boxes would be mostly empty.
 constexpr std::size_t kReachesEachTriangle = 16;
 // Shaders decide in float, of points relative to the eye: some 1e-7 of the distances. Both are far more than that.
 constexpr double kConeMargin = 1e-3;     // radians
@@ -28,7 +28,7 @@ dvec4 planeThrough(const dvec3& pointWorld, const dvec3& normalWorld, double sla
     return {normalWorld, slack - glm::dot(normalWorld, pointWorld)};
 }
 
-/// All that the light reaches is on the positive side of each of them.
+/// Planes around the lit region, which lies on their positive sides.
 std::vector<dvec4> planesAroundLight(const Light& light, double slack) {
     if (light.type == LightType::rect) return {planeThrough(light.positionWorld, rectNormalWorld(light), slack)};
     const double halfCone = light.coneDegrees * glm::pi<double>() / 360.0 + kConeMargin;

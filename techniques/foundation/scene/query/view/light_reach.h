@@ -1,4 +1,4 @@
-// Which lights can light anything that is in view: one that shines elsewhere need not be drawn.
+// Culling of lights that light nothing in view.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
@@ -8,9 +8,9 @@
 
 namespace shadowlab::scene {
 
-/// False when the light certainly leaves dark all that may be seen in that part of the picture: it lies outside the cone of
-/// a spot, or behind a rect. Other lights shine everywhere. `bounds` are the scene's objectBounds.
-/// Simplified: what is turned away from the light, or lies in a shadow as a whole, is not looked for.
+/// False if everything that may be seen in that part of the picture certainly lies outside of the cone of a spot, or behind
+/// a rect. Conservative. Other lights shine everywhere. `bounds` are the scene's objectBounds. Simplified: surfaces that
+/// face away from the light or lie in shadow are not considered.
 bool mayLight(const Scene& scene, const Light& light, std::span<const Bounds> bounds, const dvec3& eyeWorld,
               const dmat4& clipFromWorld, const PicturePart& part);
 

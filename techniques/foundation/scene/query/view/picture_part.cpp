@@ -8,7 +8,7 @@ namespace shadowlab::scene {
 
 namespace {
 
-// Rounding must not leave out what grazes a plane.
+// Conservative: rounding must not cull what grazes a plane.
 constexpr double kMargin = 1e-6;
 
 double sizeOf(const dvec4& point) {

@@ -1,4 +1,4 @@
-// What cannot touch the part of the picture that is drawn, and so need not be drawn.
+// View culling: what cannot touch the drawn part of the picture, and the planes around that part.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>

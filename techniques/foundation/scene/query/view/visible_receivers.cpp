@@ -10,7 +10,7 @@ namespace shadowlab::scene {
 
 namespace {
 
-// Floors and walls are looked at themselves: the box around a slanting one would be mostly empty.
+// For floors and walls the triangles are tested, because the box around a slanting one would be mostly empty.
 constexpr std::size_t kFewTriangles = 16;
 
 using Planes = std::array<dvec4, 5>;
@@ -34,7 +34,7 @@ Bounds visibleOfTriangles(const Object& object, const Planes& planes) {
     return visible;
 }
 
-/// Of a box that the eye is not in: what is seen through its sides.
+/// For a box without the eye in it: the bounds of the visible parts of its sides.
 Bounds visibleOfBox(const Bounds& box, const Planes& planes) {
     Bounds visible;
     for (int face = 0; face < 6; ++face)
@@ -49,7 +49,8 @@ bool isInsidePlanes(const Bounds& box, const Planes& planes) {
     return true;
 }
 
-/// As many boxes at most, each around a run of them: objects that follow each other in a scene mostly stand together.
+/// At most `most` boxes, each around a run of the given ones, because objects that follow each other in a scene are mostly
+/// near each other.
 std::vector<Bounds> merged(std::vector<Bounds> boxes, std::size_t most) {
     if (boxes.size() <= most) return boxes;
     std::vector<Bounds> fewer(most);

@@ -1,4 +1,4 @@
-// What of the receivers is in view: a shadow that falls elsewhere need not be drawn.
+// The visible parts of the receivers: a shadow that falls elsewhere need not be drawn.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
