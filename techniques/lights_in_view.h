@@ -9,8 +9,8 @@ namespace shadowlab {
 /// False when that light certainly lights nothing that is in view of the frame.
 inline bool mayLight(const Frame& frame, int light) {
     const gl::EyeMatrices& eye = frame.eye();
-    return scene::mayLight(frame.scene(), frame.scene().lights[static_cast<std::size_t>(light)],
-                           frame.buffers().bounds(), frame.camera().positionWorld, eye.clipFromView * eye.viewFromWorld,
+    return scene::mayLight(frame.scene(), frame.scene().light(light), frame.buffers().bounds(),
+                           frame.camera().positionWorld, eye.clipFromView * eye.viewFromWorld,
                            eye.part.value_or(scene::PicturePart{}));
 }
 

@@ -54,7 +54,7 @@ Probe Technique::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
                                : truth == trace::Visibility::shadowed ? "in shadow"
                                                                       : "turned away",
                                ""});
-        const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->lights[static_cast<std::size_t>(light)]);
+        const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->light(light));
         // A directional light is nowhere: its ray is shown as long as the eye's.
         const dvec3 end = lightWorld.w > 0 ? dvec3(lightWorld) : hit->positionWorld + hit->distance * dvec3(lightWorld);
         probe.geometry.push_back({"shadow ray", hit->positionWorld, end,

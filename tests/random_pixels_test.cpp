@@ -75,7 +75,7 @@ TEST(RandomPixelsTest, EveryTechniqueNamesTheSurfaceAndWhatIsTrueOfIt) {
             {.technique = std::string(technique.info->id), .values = {}, .pixels = 12, .seed = 17},
             [&](const AskedPixel& asked) {
                 const WorldTriangle& seen = asked.triangles[asked.seen];
-                const scene::Light& source = asked.scene.lights[static_cast<std::size_t>(asked.light)];
+                const scene::Light& source = asked.scene.light(asked.light);
                 ASSERT_TRUE(testing::factNamed(asked.probe, "triangle")) << asked.where();
                 EXPECT_EQ(testing::factNamed(asked.probe, "surface")->value, asked.scene.objects[seen.object].name);
                 EXPECT_EQ(testing::factNamed(asked.probe, "triangle")->numbers[0], seen.triangle) << asked.where();

@@ -59,7 +59,7 @@ TEST_F(TruthOfScenes, TheShadowMapIsWrongOnlyNearEdgesInEveryBuiltInScene) {
         for (int light = 0; light < static_cast<int>(snapshot->lights.size()); ++light) {
             const TruthComparison sum = compareWithTruth(snapshot, "shadow-map", {}, size, light,
                                                          testing::edgeReach(snapshot, light, 2048, size, 1.5));
-            std::cout << name << "@" << snapshot->lights[static_cast<std::size_t>(light)].name << ": " << sum << "\n";
+            std::cout << name << "@" << snapshot->light(light).name << ": " << sum << "\n";
             EXPECT_GT(sum.lit, 500) << name;
             EXPECT_GT(sum.shadowed, 50) << name; // a lamp near the camera hides its shadows behind what casts them
             EXPECT_EQ(sum.wrong(), 0) << name;

@@ -75,14 +75,9 @@ int measure(const MeasureOptions& options) {
         context::throwIfInterrupted();
         measurement.timeTurn(turn);
     }
-    const Measured measured{base->name,
-                            base->lights[static_cast<std::size_t>(light)].name,
-                            std::string(context->backend()),
-                            context::glRenderer(),
-                            options.size,
-                            motion.frames,
-                            measurement.truthMs(),
-                            measurement.results()};
+    const Measured measured{
+        base->name,   base->light(light).name, std::string(context->backend()), context::glRenderer(),
+        options.size, motion.frames,           measurement.truthMs(),           measurement.results()};
     for (const std::string& remark : base->notes)
         note(remark);
     for (const std::string& remark : lab::settingsWithoutEffect(slots))

@@ -59,7 +59,7 @@ int probe(const ProbeOptions& options) {
     view.partner = options.partner;
     const ProbedPixel probed{scene->name,
                              options.technique,
-                             light < 0 ? "" : scene->lights[static_cast<std::size_t>(light)].name,
+                             light < 0 ? "" : scene->light(light).name,
                              options.size,
                              options.pixel,
                              options.partner,

@@ -112,7 +112,7 @@ private:
                           furtherWords(),
                           {}};
         for (const Shown& shown : scenes_) {
-            const scene::Light& light = shown.scene->lights[static_cast<std::size_t>(shown.light)];
+            const scene::Light& light = shown.scene->light(shown.light);
             PlannedGroup group{shown.asked, shown.scene->name, light.name, picture::digestOf(*shown.scene), {}};
             for (const std::string& technique : techniques)
                 for (PointKey& point :

@@ -37,7 +37,7 @@ const RaysProbe& samplesOf(const FigureSource& source) {
 
 const scene::Light& areaLightOf(const FigureSource& source) {
     if (source.light < 0) refuse("scene '" + source.scene.name + "' has no lights; choose another scene");
-    const scene::Light& light = source.scene.lights[static_cast<std::size_t>(source.light)];
+    const scene::Light& light = source.scene.light(source.light);
     if (!scene::hasArea(light))
         refuse("light '" + light.name + "' has no area; choose a rect or a sphere, or a scene that has one");
     return light;

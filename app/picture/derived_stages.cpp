@@ -78,17 +78,16 @@ Panel derivedPanel(Session& session, Slot& slot, const RenderedFrame& rendered, 
     if (request.stage.id == kOutside.id) return outsidePanel(session, slot, encoder, request);
     const int light = request.stage.light;
     if (request.stage.id == kShadowOutline.id)
-        return shadowOutlinePanel(
-            encoder.encode(slot.target.color, session.snapshot()->exposure), session.outline(request.view, light),
-            session.snapshot()->lights[static_cast<std::size_t>(light)].name, request.view.region);
+        return shadowOutlinePanel(encoder.encode(slot.target.color, session.snapshot()->exposure),
+                                  session.outline(request.view, light), session.snapshot()->light(light).name,
+                                  request.view.region);
     const judge::Truth& truth = session.truth(request.view, session.truthFor(slot, light));
     if (request.stage.id == "truth") return truthPanel(truth, request.view.region);
     image::Image picture = encoder.encode(slot.target.color, session.snapshot()->exposure);
     const VisibilityImage visibility = readVisibility(findStage(rendered, {"visibility", light}));
     const judge::Judgement judgement = judge::judge(truth, visibility.greyAlpha);
     if (request.stage.id == "error") return errorPanel(std::move(picture), truth, judgement, request.view.region);
-    const Scanline scanline{truth, judgement, visibility,
-                            session.snapshot()->lights[static_cast<std::size_t>(light)].name,
+    const Scanline scanline{truth, judgement, visibility, session.snapshot()->light(light).name,
                             std::string(slot.info->title)};
     return scanlinePanel(std::move(picture), scanline, request.row, request.view.region, request.font);
 }

@@ -73,7 +73,7 @@ public:
 
     /// What the patches know of a light with an area is the share of it that they see.
     [[nodiscard]] bool samplesArea(const scene::Scene& scene, int light) const override {
-        return scene::hasArea(scene.lights[static_cast<std::size_t>(light)]);
+        return scene::hasArea(scene.light(light));
     }
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::string remark(const scene::MeshReport& report, const scene::Mesh& mesh) const override;

@@ -145,7 +145,7 @@ void Picture::shadeLight(const Surfaces& surfaces, int light) {
 
 void Picture::shadeAreaLight(const Surfaces& surfaces, int light, const Grid<float>& irradiances) {
     if (irradiances.empty()) return;
-    const scene::Light& source = surfaces.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = surfaces.scene().light(light);
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
         if (irradiances[i] == 0) return;
         const trace::SurfacePoint point = points_[i].surfacePoint();

@@ -86,8 +86,7 @@ public:
     [[nodiscard]] bool samplesArea(const scene::Scene& scene, int light) const override {
         const bool sampled =
             samplingParams_.areMany() && samplingParams_.softShadows == SamplingParams::SoftShadows::sampled;
-        return (sampled || samplingParams_.isAnalytic()) &&
-               scene::hasArea(scene.lights[static_cast<std::size_t>(light)]);
+        return (sampled || samplingParams_.isAnalytic()) && scene::hasArea(scene.light(light));
     }
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::vector<SceneShape> shapes(const scene::Snapshot&, const View& view, int light) override {

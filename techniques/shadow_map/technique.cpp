@@ -38,7 +38,7 @@ Progress ShadowMap::render(Frame& frame) {
         if (params_.aliasFree) {
             frame.pass(
                 passInfo(kPasses, "samples"), [&] { map.decided = &aliasFree_.decide(frame, light); }, light);
-        } else if (averagesOver(scene.lights[static_cast<std::size_t>(light)])) {
+        } else if (averagesOver(scene.light(light))) {
             frame.pass(
                 passInfo(kPasses, "average"), [&] { map.decided = &averageOverLight(frame, light); }, light);
         } else {

@@ -166,7 +166,7 @@ TEST_P(Contract, TheProbesShadowRayPointsToTheLight) {
         const Probe probe = slot.technique->probe(snapshot, viewOf(snapshot), {kSize.x / 2, kSize.y * 3 / 4}, light);
         const auto ray = std::ranges::find(probe.geometry, "shadow ray", &Probe::Segment::label);
         ASSERT_NE(ray, probe.geometry.end());
-        const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->lights[static_cast<std::size_t>(light)]);
+        const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->light(light));
         const dvec3 toLight = glm::normalize(dvec3(lightWorld) - ray->fromWorld * lightWorld.w);
         EXPECT_GT(glm::dot(glm::normalize(ray->toWorld - ray->fromWorld), toLight), 1 - 1e-12);
     }

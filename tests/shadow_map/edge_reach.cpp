@@ -11,7 +11,7 @@
 namespace shadowlab::testing {
 
 TieRadius edgeReach(const scene::Snapshot& snapshot, int light, int resolution, ivec2 size, double texels) {
-    const scene::Light& source = snapshot->lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = snapshot->light(light);
     const shadow_map::LightMaps maps = sceneMaps(*snapshot, source, resolution, 1);
     return [=](const std::optional<trace::EyeHit>& hit) {
         if (!hit) return 1.5;

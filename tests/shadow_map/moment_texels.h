@@ -35,7 +35,7 @@ FilledMap filledMap(int side, const Depth& depthAt) {
 
 /// What one of the scene's lights sees, drawn as the technique does with its default bias.
 inline FilledMap drawnMap(const scene::Snapshot& snapshot, int light, int resolution) {
-    const auto& lightOfScene = snapshot->lights[static_cast<std::size_t>(light)];
+    const auto& lightOfScene = snapshot->light(light);
     FilledMap drawn{
         sceneMaps(*snapshot, lightOfScene, resolution, 2, {.fit = shadow_map::ProjectionParams::Fit::scene}, true), {}};
     if (drawn.maps.layers() == 0) return drawn;

@@ -24,7 +24,7 @@ void expectOnlyEdgeErrors(const scene::Scene& scene, const std::vector<std::stri
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
         const TruthComparison sum = compareWithTruth(snapshot, "shadow-map", settings, kSize, light,
                                                      testing::edgeReach(snapshot, light, resolution, kSize, texels));
-        std::cout << scene.lights[static_cast<std::size_t>(light)].name << ": " << sum << "\n";
+        std::cout << scene.light(light).name << ": " << sum << "\n";
         EXPECT_GT(sum.lit, 500);
         EXPECT_GT(sum.shadowed, 500);
         EXPECT_EQ(sum.wrong(), 0) << sum;

@@ -63,8 +63,7 @@ double estimate(const SceneTracer& tracer, int light, const Tile& tile, bool wit
     for (std::size_t i = 0; i < tile.points.size(); ++i) {
         const SurfacePoint& point = tile.points[i];
         const dvec3 from = tracer.positionCentred(point);
-        const ray_tracing::LightSampler sampler(tracer.scene().lights[static_cast<std::size_t>(light)],
-                                                tracer.positionWorld(point));
+        const ray_tracing::LightSampler sampler(tracer.scene().light(light), tracer.positionWorld(point));
         for (int n = 0; n < kSamplesRoot * kSamplesRoot; ++n) {
             const auto sample =
                 sampler.sample((dvec2(n % kSamplesRoot, n / kSamplesRoot) + 0.5) / double(kSamplesRoot));
@@ -109,7 +108,7 @@ void measure(const SceneTracer& tracer, int light) {
             const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
             rates[way].push_back(static_cast<double>(points) / seconds / 1000);
         }
-    std::printf("%-10s %8zu points", tracer.scene().lights[static_cast<std::size_t>(light)].name.c_str(), points);
+    std::printf("%-10s %8zu points", tracer.scene().light(light).name.c_str(), points);
     for (std::size_t way = 0; way < rates.size(); ++way) {
         std::ranges::sort(rates[way]);
         std::printf("  %s %.0f k/s", kNames[way], rates[way][kRounds / 2]);

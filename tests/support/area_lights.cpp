@@ -73,7 +73,7 @@ trace::SurfacePoint surfacePointAt(const trace::SceneTracer& tracer, std::uint32
 }
 
 double sampledShare(const trace::SceneTracer& tracer, const trace::SurfacePoint& point, int light, int side) {
-    const scene::Light& source = tracer.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = tracer.scene().light(light);
     const dvec3 from = tracer.positionCentred(point);
     const dvec3 toCentre = source.positionWorld - tracer.world().originWorld - from;
     const std::vector<trace::Triangle>& triangles = tracer.world().triangles;

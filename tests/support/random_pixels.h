@@ -29,7 +29,7 @@ struct AskedPixel {
                std::to_string(light);
     }
     [[nodiscard]] dvec4 lightWorld() const {
-        const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+        const scene::Light& source = scene.light(light);
         return source.type == scene::LightType::directional ? dvec4(-source.directionWorld, 0)
                                                             : dvec4(source.positionWorld, 1);
     }

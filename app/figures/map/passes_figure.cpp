@@ -18,7 +18,7 @@ constexpr const char *kFromEye = "#0072b2", *kOfLight = "#a06000";
 
 std::string nameOf(const Probe::DrawnPass& pass, const scene::Scene& scene) {
     if (pass.light < 0) return "lights off, from the eye";
-    const std::string& light = scene.lights[static_cast<std::size_t>(pass.light)].name;
+    const std::string& light = scene.light(pass.light).name;
     return pass.id == "depth" ? "depth map, from light " + light : "light " + light + " added, from the eye";
 }
 

@@ -84,7 +84,7 @@ private:
     }
 
     void placeLight(int light) {
-        const scene::Light& source = scene_.lights[static_cast<std::size_t>(light)];
+        const scene::Light& source = scene_.light(light);
         lightName = source.name;
         if (source.type == scene::LightType::directional) {
             lightCut = true;

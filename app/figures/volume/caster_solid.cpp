@@ -77,7 +77,7 @@ CasterSolid casterSolid(const FigureSource& source, bool shadowing) {
     for (const vec3& position : solid.object->mesh->positionsMesh)
         solid.verticesWorld.push_back(transformPoint(worldFromMesh, dvec3(position)));
     solid.topology = scene::buildTopology(*solid.object->mesh);
-    solid.lightWorld = scene::homogeneousPositionWorld(source.scene.lights[static_cast<std::size_t>(source.light)]);
+    solid.lightWorld = scene::homogeneousPositionWorld(source.scene.light(source.light));
     return solid;
 }
 

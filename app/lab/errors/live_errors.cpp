@@ -206,8 +206,8 @@ void LiveErrors::showPicture(const Workbench&, const JudgeAnswer& answer, Submit
     if (stage.starts_with("truth") && judged.truthPanel) keep(*judged.truthPanel, false);
     if (stage.starts_with("scanline") && ground != submitted.grounds.end()) {
         const picture::Scanline scanline{*judged.truth, judged.judgement, submitted.answers[pane],
-                                request.snapshot->lights[static_cast<std::size_t>(request.light)].name,
-                                std::string(findTechnique(request.state.technique).title)};
+                                         request.snapshot->light(request.light).name,
+                                         std::string(findTechnique(request.state.technique).title)};
         keep(picture::scanlinePanel(picture::PictureEncoder::read(ground->second), scanline, {}, request.view.region, &font_), false);
     }
 }

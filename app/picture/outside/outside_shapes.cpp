@@ -137,7 +137,7 @@ std::vector<SceneShape> lightShapes(const scene::Scene& scene, const scene::Boun
     SceneShape chosen{"", look::kChosenLight, SceneShape::Kind::lines, {}};
     SceneShape others{"other lights", look::kOtherLight, SceneShape::Kind::lines, {}};
     for (int i = 0; i < static_cast<int>(scene.lights.size()); ++i) {
-        const scene::Light& source = scene.lights[static_cast<std::size_t>(i)];
+        const scene::Light& source = scene.light(i);
         SceneShape& shape = i == light ? chosen : others;
         if (i == light) shape.label = "light " + source.name;
         const Points sign = lightSign(source, things, outside);

@@ -24,8 +24,7 @@ StepCaptions::StepCaptions(const TechniqueInfo& info, const std::vector<StageKey
     for (std::size_t i = 0; i < passes.size(); ++i) {
         const StageKey& pass = passes[i];
         std::string which = "Step " + std::to_string(i + 1) + " of " + std::to_string(passes.size());
-        if (pass.light != kNoLight && scene.lights.size() > 1)
-            which += ", light " + scene.lights[static_cast<std::size_t>(pass.light)].name;
+        if (pass.light != kNoLight && scene.lights.size() > 1) which += ", light " + scene.light(pass.light).name;
         which += "  ·  " + std::string(info.title);
         captions_.push_back(
             {std::move(which), font.wrap(passInfo(info.passes, pass.id).title, em_, size.x - 2 * margin_)});

@@ -8,7 +8,7 @@ namespace shadowlab::picture {
 
 std::string passStage(const StageKey& pass, const scene::Scene& scene) {
     std::string stage = "pass:" + pass.id;
-    if (pass.light != kNoLight) stage += "@" + scene.lights[static_cast<std::size_t>(pass.light)].name;
+    if (pass.light != kNoLight) stage += "@" + scene.light(pass.light).name;
     return stage;
 }
 

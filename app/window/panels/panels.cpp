@@ -374,9 +374,8 @@ void stepPanel(Desk& desk, const Area& area, const Theme& theme) {
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     const int light = passes[*now].light;
-    const std::string of = light == kNoLight || scene.lights.size() < 2
-                               ? ""
-                               : "  (light " + scene.lights[static_cast<std::size_t>(light)].name + ")";
+    const std::string of =
+        light == kNoLight || scene.lights.size() < 2 ? "" : "  (light " + scene.light(light).name + ")";
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "Step %d of %d%s", static_cast<int>(*now) + 1,
                        static_cast<int>(passes.size()), of.c_str());
     ImGui::SameLine();

@@ -41,8 +41,7 @@ void tellSurface(const SamplesQuestion& asked, const RayTree& tree, double time,
     };
     sample.reflectedWorld = wayOf(root.reflection);
     sample.refractedWorld = wayOf(root.refraction);
-    if (asked.light < 0 || !scene::hasArea(asked.surfaces.scene().lights[static_cast<std::size_t>(asked.light)]))
-        return;
+    if (asked.light < 0 || !scene::hasArea(asked.surfaces.scene().light(asked.light))) return;
     const LightAtNode& at = tree.lightsOf(root)[static_cast<std::size_t>(asked.light)];
     if (at.toPlace == dvec3(0) || at.visibility < trace::Visibility::shadowed) return;
     sample.onLightWorld = originWorld + root.positionCentred + at.toPlace;
@@ -93,7 +92,7 @@ void describeSamples(const SamplesQuestion& asked, const SampledSettings& settin
         rays.glossDegrees = settings.tree.gloss ? material.glossDegrees : 0;
         rays.translucencyDegrees = settings.tree.translucency ? material.translucencyDegrees : 0;
         if (asked.light >= 0 && settings.tree.areaLights == AreaLights::sampled &&
-            scene::hasArea(asked.surfaces.scene().lights[static_cast<std::size_t>(asked.light)]))
+            scene::hasArea(asked.surfaces.scene().light(asked.light)))
             rays.exactShare = trace::AreaVisibility(tracer, asked.light).share(first);
     }
     RayTree tree;

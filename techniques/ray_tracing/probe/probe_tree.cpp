@@ -126,7 +126,7 @@ private:
 
     void addShadowRay(const TreeNode& node, int parent, int light) {
         const LightAtNode& at = tree_.lightsOf(node)[static_cast<std::size_t>(light)];
-        const scene::Light& source = surfaces_.scene().lights[static_cast<std::size_t>(light)];
+        const scene::Light& source = surfaces_.scene().light(light);
         const std::string result = answerOf(node.point, light);
         Probe::Node shown{parent,
                           "shadow ray to " + source.name,

@@ -53,7 +53,7 @@ std::vector<SceneShape> rayShapes(const trace::SceneTracer& tracer, const View& 
     SceneShape eyeRays{"eye rays, to what a pixel shows", look::kEyeRay, lines, {}};
     SceneShape arriving{"shadow rays that arrive: lit", look::kEqualDepth, lines, {}};
     SceneShape blocked{"shadow rays up to what blocks them: in shadow", look::kOccluded, lines, {}};
-    const scene::Light& source = tracer.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = tracer.scene().light(light);
     const scene::Bounds bounds = boundsOf(tracer.scene());
 
     const trace::EyeRays rays = tracer.eyeRays(view.camera, view.size);

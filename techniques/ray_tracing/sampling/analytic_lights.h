@@ -13,7 +13,7 @@ public:
     /// The tracer must live as long, with the scene that it has.
     explicit AnalyticLights(const trace::SceneTracer& tracer) {
         for (int light = 0; light < static_cast<int>(tracer.scene().lights.size()); ++light)
-            areas_.push_back(scene::hasArea(tracer.scene().lights[static_cast<std::size_t>(light)])
+            areas_.push_back(scene::hasArea(tracer.scene().light(light))
                                  ? std::make_unique<trace::AreaVisibility>(tracer, light)
                                  : nullptr);
     }

@@ -96,7 +96,7 @@ double sampledShare(const RayWorld& world, const trace::SurfacePoint& point, con
     node.point = point;
     node.u = -toViewerWorld;
     node.positionCentred = tracer.positionCentred(point);
-    const scene::Light& source = tracer.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = tracer.scene().light(light);
     const LightSampler sampler(source, tracer.positionWorld(point));
     if (!(sampler.solidAngle() > 0)) return 0.0;
     double seen = 0, all = 0;

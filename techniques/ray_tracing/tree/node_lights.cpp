@@ -15,7 +15,7 @@ trace::Visibility visibilityOfCentre(const RayWorld& world, const TreeSettings& 
                                      int light, const dvec3& positionWorld) {
     const trace::SceneTracer& tracer = world.surfaces.tracer();
     if (!world.scene.moves() || world.time == 0) return tracer.visibility(node.point, light, settings.start);
-    const scene::Light& source = tracer.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = tracer.scene().light(light);
     if (!scene::lightShinesTo(source, positionWorld)) return trace::Visibility::turnedAway;
     // The sun is far beyond everything in the scene.
     const double far = 4 * tracer.largestCentred() + glm::length(node.positionCentred);
@@ -28,7 +28,7 @@ trace::Visibility visibilityOfCentre(const RayWorld& world, const TreeSettings& 
 LightAtNode sampledLight(const RayWorld& world, const TreeSettings& settings, const TreeNode& node, int light,
                          const dvec3& positionWorld) {
     const Surfaces& surfaces = world.surfaces;
-    const scene::Light& source = surfaces.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = surfaces.scene().light(light);
     const std::uint64_t place = node.path * surfaces.scene().lights.size() + static_cast<std::size_t>(light);
     const LightSample sample = sampleLight(source, positionWorld, world.numbers->pair(Purpose::light, place));
     LightAtNode at;
@@ -58,7 +58,7 @@ bool isFaint(const TreeNode& node, const TreeSettings& settings, const dvec3& in
 
 LightAtNode analyticLight(const RayWorld& world, const TreeNode& node, int light, const dvec3& positionWorld) {
     const Surfaces& surfaces = world.surfaces;
-    const scene::Light& source = surfaces.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = surfaces.scene().light(light);
     trace::AreaIrradiance found;
     world.analytic->area(light)->irradiances({&node.point, 1}, {&node.normalWorld, 1}, {&found, 1});
     LightAtNode at;
@@ -90,7 +90,7 @@ trace::Visibility visibilityAlong(const RayWorld& world, const TreeSettings& set
 
 LightAtNode lightAt(const RayWorld& world, const TreeSettings& settings, const TreeNode& node, int light) {
     const Surfaces& surfaces = world.surfaces;
-    const scene::Light& source = surfaces.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = surfaces.scene().light(light);
     const dvec3 positionWorld = surfaces.tracer().world().originWorld + node.positionCentred;
     const bool stands = !world.scene.moves() || world.time == 0;
     LightAtNode at;

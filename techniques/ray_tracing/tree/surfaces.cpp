@@ -49,7 +49,7 @@ Surfaces::Outside Surfaces::outsideOf(const scene::Object& object) const {
 
 bool Surfaces::emitsHere(const trace::SurfacePoint& point) const {
     const int light = tracer_->objectOf(point).emitterOfLight;
-    const bool rect = light >= 0 && scene().lights[static_cast<std::size_t>(light)].type == scene::LightType::rect;
+    const bool rect = light >= 0 && scene().light(light).type == scene::LightType::rect;
     return !rect || point.eyeOnFront;
 }
 
@@ -78,7 +78,7 @@ dvec3 Surfaces::geometricNormalWorld(const trace::SurfacePoint& point) const {
 // [anchor: shaded-lit]
 dvec3 Surfaces::lit(const trace::SurfacePoint& point, int light, const dvec3& positionWorld, const dvec3& normalWorld,
                     const dvec3& toViewerWorld) const {
-    const scene::Light& source = scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = scene().light(light);
     const dvec3 irradiance = scene::irradiance(source, positionWorld, normalWorld);
     if (irradiance == dvec3(0.0)) return irradiance; // turned away: no need to ask what would be reflected
     return irradiance * scene::reflectance(materialOf(point), normalWorld,

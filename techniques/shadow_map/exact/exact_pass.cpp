@@ -67,7 +67,7 @@ void ExactPass::findEdges(const scene::Scene& scene, int light, const LightMaps&
     const std::pair revisions(scene.revisions.geometry, scene.revisions.materials);
     if (walkedRevisions_ != revisions) triangles_ = walkTriangles(scene, topologies_);
     walkedRevisions_ = revisions;
-    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = scene.light(light);
     KeptEdges& kept = edges_[light];
     EdgesOrigin origin{scene.revisions.geometry, scene.revisions.transforms,      scene.revisions.materials, source,
                        maps.originWorld,         {casters.begin(), casters.end()}};

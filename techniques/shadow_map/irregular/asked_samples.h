@@ -19,7 +19,7 @@ struct Question {
     int light;
     std::span<trace::Visibility> answers; ///< one per point
     int threads;                          ///< as for trace::parallelFor
-    [[nodiscard]] const scene::Light& source() const { return tracer.scene().lights[static_cast<std::size_t>(light)]; }
+    [[nodiscard]] const scene::Light& source() const { return tracer.scene().light(light); }
     /// Of the scene: the largest difference of two coordinates.
     [[nodiscard]] double extent() const { return 2 * tracer.largestCentred(); }
     [[nodiscard]] bool isParallel() const { return source().type == scene::LightType::directional; }

@@ -13,7 +13,7 @@ bool ShadowMap::averagesOver(const scene::Light& light) const {
 }
 
 bool ShadowMap::samplesArea(const scene::Scene& scene, int light) const {
-    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = scene.light(light);
     // exact and alias-free know the light's centre alone, whatever the filter.
     const bool isFiltered = !params_.exact && !params_.aliasFree;
     const bool hasPenumbra = isFiltered && params_.filter.kind == FilterParams::Kind::pcss && scene::hasArea(source);
@@ -45,7 +45,7 @@ DrawnMap ShadowMap::drawAnew(const Frame& frame, const AskedLight& asked, const 
 
 const gl::Texture2D& ShadowMap::averageOverLight(Frame& frame, int light) {
     const scene::Scene& scene = frame.scene();
-    const scene::Light& whole = scene.lights[static_cast<std::size_t>(light)];
+    const scene::Light& whole = scene.light(light);
     const ivec2 size = frame.target().size();
     averaged_ = gl::Texture2D(GL_R32F, size, "visibility, averaged over the light");
     const gl::Framebuffer framebuffer(&averaged_, &frame.target().depthStencil, "visibility, averaged over the light");

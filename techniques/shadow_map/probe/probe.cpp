@@ -171,7 +171,7 @@ Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
         else
             addDecision(probe, truthOf() == trace::Visibility::turnedAway ? 0 : 1, truthOf(), "no map is asked there");
     };
-    const bool isAveraged = averagesOver(snapshot->lights[static_cast<std::size_t>(light)]);
+    const bool isAveraged = averagesOver(snapshot->light(light));
     if (!layer) {
         add("map", "none: nothing in view can be in this light's shadow");
         decideLit();
