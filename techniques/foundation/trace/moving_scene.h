@@ -20,7 +20,7 @@ public:
     /// Everything as it stands, at any time.
     explicit MovingScene(const SceneTracer& tracer) : tracer_(tracer) {}
 
-    /// Does anything move?
+    /// True if anything moves.
     [[nodiscard]] bool moves() const { return !parts_.empty(); }
     /// Goes on building until it is finished (true) or the time has come (false).
     bool advance(Engine::Deadline deadline);
@@ -30,7 +30,7 @@ public:
 
     /// What the ray meets first, as SceneTracer::met().
     [[nodiscard]] SurfacePoint met(const Ray& ray, std::uint32_t leftOut, double time) const;
-    /// Does anything that casts shadows stand on the ray's way, as SceneTracer::isBlocked()?
+    /// True if something that casts shadows blocks the ray, as SceneTracer::isBlocked().
     [[nodiscard]] bool isBlocked(const Ray& ray, std::uint32_t leftOut, double time) const;
     /// Where a point of a surface has got to.
     [[nodiscard]] dvec3 positionCentred(const SurfacePoint& point, double time) const {

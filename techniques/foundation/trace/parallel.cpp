@@ -41,7 +41,7 @@ void parallelFor(std::size_t count, const std::function<void(std::size_t)>& work
             } catch (...) {
                 const std::lock_guard lock(failureMutex);
                 if (!failure) failure = std::current_exception();
-                next = count; // nobody begins another piece
+                next = count; // no thread begins another piece
             }
         }
     };
@@ -66,7 +66,7 @@ std::size_t parallelUntil(std::chrono::steady_clock::time_point deadline, std::s
     std::atomic<std::size_t> next = first;
     // One piece for each thread, which takes what there is to do.
     parallelFor(std::min(count - first, static_cast<std::size_t>(threadCount())), [&](std::size_t) {
-        // The time is asked for before a piece is taken: what was taken is done.
+        // The clock is read before a piece is taken, because a piece that was taken has to be finished.
         for (bool isFirst = next == first; isFirst || std::chrono::steady_clock::now() < deadline; isFirst = false) {
             const std::size_t i = next++;
             if (i >= count) return;

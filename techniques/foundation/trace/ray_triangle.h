@@ -27,9 +27,9 @@ struct Triangle {
     dvec3 a, b, c; ///< centred space; counter-clockwise seen from the front
 };
 
-/// A coordinate by its number. (GLM's brackets are a switch: a question that a processor guesses wrong.)
+/// A coordinate by its number. (GLM's operator[] is a switch, a branch that is often mispredicted.)
 inline double along(const dvec3& v, int axis) { return glm::value_ptr(v)[axis]; }
-/// Without signs. (GLM's asks for each sign, likewise.)
+/// Without signs. (GLM's version branches on each sign, likewise.)
 inline dvec3 magnitudes(const dvec3& v) { return {std::abs(v.x), std::abs(v.y), std::abs(v.z)}; }
 
 /// A ray made ready for many triangles. Distances are counted along the axis in which the ray goes farthest ("reach"):
@@ -37,7 +37,7 @@ inline dvec3 magnitudes(const dvec3& v) { return {std::abs(v.x), std::abs(v.y), 
 struct ShearedRay {
     explicit ShearedRay(const Ray& ray) : originCentred(ray.originCentred), directionCentred(ray.directionCentred) {
         const dvec3 d = magnitudes(ray.directionCentred);
-        // As arithmetic, since a processor guesses wrong which axis it is.
+        // As arithmetic, since a branch on the axis would be mispredicted.
         const bool xOverY = d.x > d.y, xOverZ = d.x > d.z, yOverZ = d.y > d.z;
         kz = 2 - 2 * int(xOverY & xOverZ) - int(!xOverY & yOverZ);
         const double depth = along(ray.directionCentred, kz);
@@ -79,8 +79,8 @@ struct TriangleHit {
     dvec3 barycentric;
 };
 
-/// A hit beyond ray.nearest and not beyond `farthest`; at `farthest` itself the caller decides whom it belongs to.
-/// Edges and vertices belong to all triangles that share them; edge-on triangles are not hit.
+/// A hit beyond ray.nearest and not beyond `farthest`; at `farthest` itself the caller decides which hit counts. Edges and
+/// vertices belong to all triangles that share them; edge-on triangles are not hit.
 inline std::optional<TriangleHit> intersect(const ShearedRay& ray, const Triangle& triangle, double farthest) {
     const dvec3 a = triangle.a - ray.originCentred, b = triangle.b - ray.originCentred,
                 c = triangle.c - ray.originCentred;

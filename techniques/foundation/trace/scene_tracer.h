@@ -117,7 +117,7 @@ public:
                                         ShadowStart start = ShadowStart::exact) const;
     /// True if this triangle blocks the way to the light. For callers that find candidates without a tree.
     [[nodiscard]] bool isBlockedBy(std::uint32_t primitive, const SurfacePoint& point, int light) const;
-    /// Of each triangle, 1 or 0: can it stand in the light's way at all?
+    /// For each triangle 1 if it can block the light at all, else 0.
     [[nodiscard]] std::span<const std::uint8_t> blockers(int light) const {
         return lights_[static_cast<std::size_t>(light)].blocks;
     }
@@ -178,10 +178,10 @@ private:
     const Engine* engine_ = nullptr;      ///< none: the tree of geometry_
     struct LightView {                    ///< per light, of each triangle
         std::vector<std::uint8_t> gates;  ///< see Gate
-        std::vector<std::uint8_t> blocks; ///< can it stand in the way?
+        std::vector<std::uint8_t> blocks; ///< 1 if it can block the light
     };
     std::vector<LightView> lights_;
-    std::vector<std::uint8_t> casts_; ///< of each triangle: does its object cast shadows?
+    std::vector<std::uint8_t> casts_; ///< per triangle: 1 if its object casts shadows
 };
 
 } // namespace shadowlab::trace

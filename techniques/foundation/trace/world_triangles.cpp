@@ -36,7 +36,7 @@ Holes::Holes(const scene::Scene& scene, const WorldTriangles& world) : scene_(&s
         const scene::Object& object = scene.objects[o];
         for (std::size_t p = 0; p < object.mesh->parts.size(); ++p) {
             if (!scene::maskOfPart(scene, object, p)) continue;
-            perforated_.resize(world.triangles.size(), 0); // all zero, the first time; then as it is
+            perforated_.resize(world.triangles.size(), 0); // zeros at the first call, no effect later
             const scene::MeshPart& part = object.mesh->parts[p];
             std::fill_n(perforated_.begin() + world.firstOfObject[o] + part.firstTriangle, part.triangleCount, 1);
         }

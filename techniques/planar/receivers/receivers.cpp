@@ -62,7 +62,7 @@ bool isBackOfClosed(const scene::Scene& scene, std::size_t object, const scene::
            scene::isBeyondNearPlane(bounds, eye.clipFromView * eye.viewFromWorld);
 }
 
-/// Does the centre of any light shine on the side of the plane that the eye sees?
+/// True if the centre of a light shines on the side of the plane that the eye sees.
 bool isLit(const scene::Scene& scene, const gl::EyeMatrices& eye, const ChosenReceiver& one) {
     return std::ranges::any_of(scene.lights, [&](const scene::Light& light) {
         const dvec4 lightView = eye.viewFromWorld * scene::homogeneousPositionWorld(light);

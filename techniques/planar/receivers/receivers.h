@@ -63,7 +63,7 @@ private:
 
 struct Choice {
     std::vector<ChosenReceiver> receivers;
-    bool leftOut = false; ///< were there more?
+    bool leftOut = false; ///< true if there were more
 };
 
 /// Chooses at most `limit` receivers, and no more than there are tags for: first those whose visible side is lit, and of

@@ -70,7 +70,7 @@ struct Rules {
     }
 };
 
-/// Which faces are drawn before the stencil is looked at.
+/// Which faces have been drawn when the stencil is read.
 enum class Drawn { bothAtOnce, oneSide, oneSideThenTheOther };
 
 /// The count as the stencil does it, face by face: it wraps around, or it saturates.

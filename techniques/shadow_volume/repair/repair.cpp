@@ -55,7 +55,7 @@ std::optional<SegmentPx> projected(dvec4 aClip, dvec4 bClip, const CountedPart& 
 // An edge lies on the surface of its caster. The two depths are rounded to 24 bits, and from clip coordinates in float.
 constexpr double kDepthSlack = 1e-6;
 
-/// Of a pixel and its neighbours: so that a surface seen from the side does not hide its own edge.
+/// The largest depth of a pixel and its neighbours, so that a surface seen edge-on does not hide its own edge.
 float farthestAround(const CountedPart& part, ivec2 pixel) {
     float farthest = part.depth[part.index(pixel)];
     forEachNeighbour(part, pixel, [&](ivec2 other) { farthest = std::max(farthest, part.depth[part.index(other)]); });
@@ -97,8 +97,8 @@ std::vector<ivec2> inPicture(const CountedPart& part, const PixelMask& marked) {
 } // namespace
 
 void markDiffering(const CountedPart& part, PixelMask& marked) {
-    // Three pixels in a column agree when their sum is 0 or 3; so do nine in a square when it is 0 or 9. Columns are added
-    // up once, and looked at by all three squares they belong to.
+    // Three pixels in a column agree when their sum is 0 or 3; so do nine in a square when it is 0 or 9. The sum of each
+    // column is computed once, and used by the three squares that it belongs to.
     const auto width = static_cast<std::size_t>(part.size.x);
     std::vector<std::uint8_t> columns(width);
     const ivec2 lower = part.corner, upper = part.pictureSize - part.corner - part.size; // pixels beyond the part

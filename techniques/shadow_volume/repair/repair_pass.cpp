@@ -80,7 +80,7 @@ void RepairPass::writeBits(const Frame& frame, const Repair& repair, const Stenc
     glDepthMask(GL_FALSE);
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_EQUAL, 0, stencil.mask());
-    glStencilOp(GL_ZERO, GL_KEEP, GL_INCR); // what is not zero becomes zero, zero becomes one
+    glStencilOp(GL_ZERO, GL_KEEP, GL_INCR); // INCR for zero, ZERO for the rest: inverts the bit
     flip_.use();
     flip_.set("flips", 0);
     flip_.set("upperLeft", vec2(part.corner.x, part.pictureSize.y - part.corner.y));

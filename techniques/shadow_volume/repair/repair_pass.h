@@ -1,7 +1,7 @@
-// The pass that mends a count: reads the stencil back, has doubtful pixels decided with rays, and writes their bits.
+// The repair pass: reads the stencil back, decides doubtful pixels with rays, and writes their bits.
 //
-// The count itself is lost in the pixels that are written: only zero or not zero is left, which is all that the light pass
-// asks for. The stencil comes to the processor and the answer goes back, so the graphics card waits in between.
+// In the pixels that are written the count itself is lost; only zero or not zero is left, which is all that the light pass
+// tests. The stencil is read back to the processor, so the graphics card is idle meanwhile.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <map>
@@ -13,7 +13,7 @@
 
 namespace shadowlab::shadow_volume {
 
-// Of each technique that can be mended.
+// The repair pass as each of the techniques describes it.
 inline constexpr PassInfo kRepairPass = {
     .id = "repair",
     .title = "Decide again, with rays, where the count may be wrong",
@@ -30,24 +30,24 @@ inline constexpr StageInfo kRepairStage = {"repair", "What rays decided again, a
 
 class RepairPass {
 public:
-    /// The count knows nothing of holes in casters, and what mends it must not either: it would go on and on, pixel by pixel,
-    /// through all that shines through them.
+    /// Shadow volumes ignore holes in casters, so the rays have to ignore them, too. Otherwise every pixel lit through a
+    /// hole would count as wrong, and repair would spread through all of them.
     RepairPass() { tracer_.castWhole(); }
 
-    /// Makes ready for asking with rays. False when the time came before it was done.
+    /// Prepares the ray tracer. False if the deadline came before the end.
     bool prepare(const scene::Snapshot& snapshot, Deadline deadline) { return tracer_.advance(snapshot, deadline); }
 
-    /// What was decided for the frame before is kept where that has counted the very same.
+    /// The decisions of the last frame are kept if this frame has the same counts (`sameAsBefore`).
     void beginFrame(bool sameAsBefore) {
         if (!sameAsBefore) decided_.clear();
         told_.clear();
     }
 
-    /// Mends the count that the target's stencil holds for a light. `volumes` are those that were counted. A second time only
-    /// writes what the first one found: the same volumes give the same count.
+    /// Corrects the count that the target's stencil holds for a light. `volumes` are those that were counted. A second call
+    /// in a frame only writes what the first one found, because the same volumes give the same count.
     void apply(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil);
 
-    /// The same count, and what mending it does, as a stage; the stencil stays as it is.
+    /// Publishes the decisions as a stage; the stencil stays as it is.
     void publish(Frame& frame, int light, std::span<const CountedVolume> volumes, const StencilRule& stencil);
 
 private:

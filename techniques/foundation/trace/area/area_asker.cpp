@@ -17,10 +17,11 @@ namespace {
 // coordinates is wrong by some 1e-15 of their cube.
 constexpr double kCertain = 1e-12;
 
-// Rays for a light of which all is covered by triangles with holes.
+// Number of rays if triangles with holes cover the whole light; a piece gets its share of them.
 constexpr double kSamples = 1024;
 
-// Contours are counted this share of the light's size beyond its border, too: a point that moves might see them before it.
+// Contours up to this share of the light's size beyond its border count for `change`, too: they may come before the light
+// when the point moves.
 constexpr double kMargin = 0.25;
 
 // The disc of a sphere is at least this share as wide as the sphere, from all points farther away than 1.4 radii.
@@ -39,7 +40,7 @@ struct Part {
 
 dvec3 normalOf(const Triangle& t) { return glm::cross(t.b - t.a, t.c - t.a); }
 
-/// On which side of the triangle is all of the box? 0: on both, or not certain.
+/// The side of the triangle that the whole box is on; 0: on both, or not certain.
 int sideOf(const Triangle& t, const CentredBox& box) {
     const dvec3 normal = normalOf(t), middle = 0.5 * (box.lower + box.upper), half = 0.5 * (box.upper - box.lower);
     const dvec3 offset = middle - t.a;
@@ -215,7 +216,8 @@ double AreaVisibility::Asker::nearness(double move, double farthest) const {
     return move * farthest / (kMargin * leastHalf);
 }
 
-/// What is so near that it might come before the light from beyond the margin in which contours are counted.
+/// Handles triangles so near that they might come before the light from outside of the margin in which contours are
+/// counted.
 void AreaVisibility::Asker::mindWhatIsNear(const dvec3& up) {
     // So close to a sphere its disc is smaller than the margin takes it to be.
     if (owner_.light_.type == scene::LightType::sphere && glm::length(seen_.axisU) < kLeastDisc * owner_.light_.radius)
@@ -260,7 +262,8 @@ AreaVisibility::Asker::Seen AreaVisibility::Asker::seenOf(const LightPiece& piec
     return !perforated_ || isFree(middle, true) ? Seen{1, 1} : sampledSeenOf(piece, polygon, normalWorld);
 }
 
-/// Does no triangle stand before that place of the light? Asks those with holes, as if they had none, or those without.
+/// True if no triangle covers that place of the light. `perforated`: tests only triangles with holes, as if they were
+/// solid; else only those without.
 bool AreaVisibility::Asker::isFree(dvec2 place, bool perforated) {
     const Ray ray{positionCentred_, seen_.toward(place), kContact, 1 - kContact};
     if (!isUsable(ray)) return true;
@@ -268,7 +271,7 @@ bool AreaVisibility::Asker::isFree(dvec2 place, bool perforated) {
         return owner_.casts_[primitive] && primitive != point_.primitive &&
                (!perforated_ || owner_.tracer_.mayHaveHoles(primitive) == perforated);
     };
-    // What covered the last piece often covers this one.
+    // The triangle that covered the last piece often covers this one, so it is tested first.
     if (lastBlocker_ != kNoPrimitive && accept(lastBlocker_)) {
         const ShearedRay sheared(ray);
         const auto hit = intersect(sheared, bvh_.triangles[lastBlocker_], sheared.farthest);
@@ -279,9 +282,8 @@ bool AreaVisibility::Asker::isFree(dvec2 place, bool perforated) {
     return blocker == kNoPrimitive;
 }
 
-/// Rays to places spread evenly over the polygon, of a disc to those within it, through whatever holes there are: multiples of
-/// the powers of a number that no fraction comes near to (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences",
-/// 2018).
+/// Traces rays through the holes to places spread evenly over the polygon (of a disc, to those within it), by a
+/// low-discrepancy sequence (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
 AreaVisibility::Asker::Seen AreaVisibility::Asker::sampledSeenOf(const LightPiece& piece,
                                                                  std::span<const dvec2> polygon,
                                                                  const dvec3& normalWorld) {
@@ -323,7 +325,7 @@ AreaVisibility::Asker::Seen AreaVisibility::Asker::sampledSeenOf(const LightPiec
         const dvec2 place = glm::mix(polygon[0], side, across);
         if (!seen_.isDisc || glm::dot(place, place) <= 1) look(place);
     }
-    if (all == 0) look(piece.middle()); // so little of the disc that no place is in it
+    if (all == 0) look(piece.middle()); // too small a part of the disc to contain a sample
     return {free / all, allIrradiance > 0 ? freeIrradiance / allIrradiance : free / all};
 }
 

@@ -39,7 +39,7 @@ private:
     const Bvh& bvh_;
     std::vector<std::uint32_t> edgeNumbers_; ///< that may be contours for one of the points
     std::vector<std::uint32_t> near_;        ///< triangles that may touch the light, or a point
-    bool perforated_ = false;                ///< is there any triangle with holes?
+    bool perforated_ = false;                ///< true if any triangle has holes
     UniformPieces pieces_;
     std::vector<Contour> contours_;
     // Of the point that asks.

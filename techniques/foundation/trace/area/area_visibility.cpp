@@ -17,7 +17,7 @@ constexpr std::size_t kFewPoints = 8, kFewTriangles = 24;
 // a thousand times smaller, and what it could hide of the light no larger.
 constexpr double kInPlane = 1e-12;
 
-// A triangle is held against the planes of so many points; beyond that it is cheaper to keep it.
+// A triangle is tested against the planes of at most this many points; beyond that it is cheaper to keep it.
 constexpr std::size_t kMostPlanes = 8;
 
 CentredBox boxOfLight(const scene::Light& light, const dvec3& centreCentred) {
@@ -35,7 +35,7 @@ CentredBox boxOfLight(const scene::Light& light, const dvec3& centreCentred) {
 
 } // namespace
 
-/// The points that are asked about at a time.
+/// The points of one query.
 struct AreaVisibility::Group {
     std::span<const SurfacePoint> points;
     std::span<const double> moves;
@@ -138,7 +138,7 @@ void AreaVisibility::askTogether(Group& group, std::span<const std::uint32_t> me
             group.irradiances[i] = asker.askIrradiance(group.points[i], group.normalsWorld[i]);
 }
 
-/// Does the triangle lie so that it hides nothing above the plane of any of these points?
+/// True if the triangle is below the plane of each of these points, so that it hides nothing from them.
 bool AreaVisibility::isBelowAll(const Group& group, std::span<const std::uint32_t> members,
                                 const Triangle& triangle) const {
     std::size_t planes = 0;

@@ -96,7 +96,7 @@ dvec3 LightPiece::vectorIrradiance() const {
         sum += alongSide(parts_[i].begin, parts_[i].end);
         if (parts_[i].arc > 0) sum += alongArc(parts_[i].end, parts_[(i + 1) % parts_.size()].begin, parts_[i].arc);
     }
-    // Counter-clockwise on the light may be clockwise for who sees it.
+    // Counter-clockwise on the light may be clockwise as seen from the point.
     const bool turned = glm::dot(glm::cross(seen_.axisU, seen_.axisV), seen_.middle) < 0;
     return (turned ? -0.5 : 0.5) * sum;
 }

@@ -1,4 +1,4 @@
-// A light that has an area, as one point sees it: a rect, or a disc, in a plane.
+// An area light as one point sees it: a rect or a disc in a plane.
 //
 // Of a rect it is the rect. Of a sphere it is the disc inside the circle in which the tangents from the point touch it: all
 // that stands outside the sphere stands before the sphere exactly where it stands before that disc.

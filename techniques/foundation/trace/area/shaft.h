@@ -1,5 +1,5 @@
-// All that can lie between two boxes: the shaft of Haines and Wallace, "Shaft Culling for Efficient Ray-Traced Radiosity",
-// EGWR 1991. What is outside of it stands between no point of the one box and no point of the other.
+// The region between two boxes: the shaft of Haines and Wallace, "Shaft Culling for Efficient Ray-Traced Radiosity", EGWR
+// 1991. Nothing outside of it lies between a point of one box and a point of the other.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <limits>

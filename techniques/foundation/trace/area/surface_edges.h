@@ -1,4 +1,4 @@
-// Which triangles of a scene meet at which edges, in the numbers that rays know them by.
+// Which triangles of a scene meet at which edges, by the primitive numbers of rays.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>

@@ -31,7 +31,7 @@ void clip(std::size_t count, const Corner& corner, const dvec3& function, double
         const dvec2 here = corner(i), next = corner((i + 1) % count);
         const double atHere = sign * valueAt(function, here), atNext = sign * valueAt(function, next);
         if (atHere >= 0) add(here);
-        // The same two numbers from either side, so that both parts get the very same corner.
+        // Computed from the same two numbers on both sides, so that both parts get exactly the same corner.
         if ((atHere > 0 && atNext < 0) || (atHere < 0 && atNext > 0)) {
             const bool turned = atHere < 0;
             const dvec2 from = turned ? next : here, to = turned ? here : next;

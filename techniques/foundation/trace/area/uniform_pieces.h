@@ -1,8 +1,8 @@
-// Cuts a convex polygon along the parts of lines that matter, until no such part lies within a piece.
+// Cuts a convex polygon along contours (parts of lines), until no contour lies within a piece.
 //
-// A tree of cuts, as in Fuchs, Kedem and Naylor, "On Visible Surface Generation by A Priori Tree Structures", SIGGRAPH 1980,
-// in the plane. While many parts lie in one piece it is halved first: else a round outline of many short parts would be
-// peeled off one by one, and all of them asked about each.
+// A tree of cuts, as in Fuchs, Kedem and Naylor, "On Visible Surface Generation by A Priori Tree Structures", SIGGRAPH
+// 1980, in the plane. While many contours lie in one piece it is halved first: otherwise a round outline of many short
+// parts would be cut off one by one, each cut testing all contours.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
@@ -22,8 +22,8 @@ struct Contour {
 class UniformPieces {
 public:
     using Visit = std::function<void(std::span<const dvec2>)>;
-    /// Calls visit(piece) for convex pieces that make up the outline; all are counter-clockwise, as it must be. A piece as thin
-    /// as rounding may be left out.
+    /// Calls visit(piece) for convex pieces that make up the outline; all are counter-clockwise, as it must be. Pieces that
+    /// are only rounding errors wide may be left out.
     void cut(std::span<const dvec2> outline, std::span<const Contour> contours, const Visit& visit);
 
 private:
@@ -44,7 +44,7 @@ private:
 /// Positive for a counter-clockwise polygon.
 double areaOf(std::span<const dvec2> polygon);
 
-/// The place in which the polygon would balance.
+/// The centroid of the polygon.
 dvec2 centroidOf(std::span<const dvec2> polygon);
 
 /// The part of a convex polygon where the function is not negative.

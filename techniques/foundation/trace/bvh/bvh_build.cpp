@@ -14,8 +14,8 @@ namespace {
 // From this depth on nodes are halved by number, which ends after at most 32 levels for 2^32 triangles.
 constexpr int kHalvingDepth = Bvh::kMostDepth - 32;
 
-// A task of no more triangles is finished at once; a larger one is cut in two tasks. So many tasks are done between two
-// looks at the clock: some milliseconds.
+// A task of no more triangles is finished at once; a larger one is cut in two tasks. This many tasks are done between two
+// readings of the clock: some milliseconds.
 constexpr std::uint32_t kWholeTask = 256;
 constexpr std::size_t kTasksPerSlice = 128;
 

@@ -31,7 +31,7 @@ private:
     struct BinaryNode {
         SplitBox box;
         std::uint32_t first = 0, count = 0; ///< of the references below it
-        std::uint32_t left = 0, right = 0;  ///< 0: a leaf (the root is nobody's child)
+        std::uint32_t left = 0, right = 0;  ///< children; 0: a leaf (node 0 is the root, never a child)
     };
     struct Task { ///< a node still to be split, and all below it
         std::uint32_t node = 0;

@@ -1,4 +1,4 @@
-// Our own tree (bvh.h) as one structure among others.
+// The tree of this program (bvh.h) as one of the structures.
 // SPDX-License-Identifier: MIT
 #include <limits>
 #include <optional>

@@ -2,9 +2,9 @@
 // everything has internal linkage, so that each keeps its own.
 //
 // Boxes are tested in float, eight at a time, and no box that the ray touches is left out: ray_box.h says why. Triangles
-// are tested in double, four at a time, by the operations of intersect() (ray_triangle.h) in the same order. What these
-// decide is decided; only where a side is nearer to zero than rounding can tell, exact arithmetic is wanted, and the
-// triangle stays a candidate whatever its distance.
+// are tested in double, four at a time, by the operations of intersect() (ray_triangle.h) in the same order. Their decision
+// is final, except where a side is so close to zero that only exact arithmetic can decide its sign; such a triangle stays a
+// candidate at any distance.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/trace/bvh/bvh_walk.h"
@@ -16,7 +16,7 @@ namespace {
 /// Largest error of a side, in squares of the largest coordinate as seen from the origin: sideBound() of ray_triangle.h.
 constexpr double kSideRounding = 70 * 0x1p-53;
 
-/// What of the ray every box is tested with, in all lanes.
+/// The numbers of the ray that box tests use, copied to all lanes.
 class BoxRay {
 public:
     explicit BoxRay(const BvhWalk& walk) : nearest_(all(walk.nearestBox)) {
@@ -73,9 +73,9 @@ inline unsigned candidates(BvhWalk& walk, const BvhLeaf& leaf) {
     return found;
 }
 
-// Where a ray enters a box, and which child that is, in one number, so that a comparison orders both and no branch is
-// needed, which the processor would guess wrong half the time. (No ray enters before its beginning, and of floats that are
-// not negative the bits have the order of the numbers.)
+// Where a ray enters a box, and which child that is, in one number, so that one comparison orders both without a branch,
+// which would be mispredicted half of the time. (No ray enters before its beginning, and of floats that are not negative
+// the bits have the order of the numbers.)
 inline std::uint64_t waiting(const BvhNode& node, const float* enter, unsigned touched) {
     const int i = __builtin_ctz(touched);
     return std::uint64_t{__builtin_bit_cast(std::uint32_t, enter[i])} << 32 |
@@ -140,7 +140,7 @@ unsigned nextCandidates(BvhWalk& walk) {
     unsigned found = 0;
     while (found == 0 && top != walk.stack) {
         const std::uint64_t next = *--top;
-        if (enterOf(next) > farthest) continue; // something nearer was found in the meantime
+        if (enterOf(next) > farthest) continue; // a nearer hit has been found since
         std::int32_t child = childOf(next);
         unsigned touched = 1;
         while (child >= 0) {

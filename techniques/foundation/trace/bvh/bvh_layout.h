@@ -3,8 +3,8 @@
 // A node's eight boxes stand side by side, and so do a leaf's four triangles: one instruction works on all of them. Each
 // fills whole lines of the processor's cache (64 bytes), so that none is fetched for a part of its neighbour.
 //
-// Plain data, no function with a body: it is read by functions that are compiled for several processors, and a body shared
-// between them could end up in the program with instructions that not all of them have.
+// Plain data, no function with a body: functions compiled for several processors include it, and the linker could keep a
+// shared function body with instructions that not every processor has.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>

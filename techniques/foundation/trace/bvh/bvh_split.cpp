@@ -99,7 +99,7 @@ Split halved(std::span<SplitReference> references, const SplitBox& centroids) {
     const auto precedes = [&](const SplitReference& a, const SplitReference& b) {
         const auto [middleA, numberA] = key(a);
         const auto [middleB, numberB] = key(b);
-        // What is no number comes last, so that there is an order.
+        // NaN is sorted last, so that the order is defined.
         if (std::isnan(middleA) || std::isnan(middleB))
             return std::pair(std::isnan(middleA), numberA) < std::pair(std::isnan(middleB), numberB);
         return std::pair(middleA, numberA) < std::pair(middleB, numberB);

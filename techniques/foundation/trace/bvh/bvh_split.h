@@ -1,4 +1,5 @@
-// Where to cut a group of triangles in two, so that rays have the least work: one step of building a tree (bvh_build.h).
+// Splits a group of triangles in two so that the expected work of a ray is least (surface area heuristic): one step of
+// building the tree (bvh_build.h).
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Asking the tree. What a ray may hit is found by a walk (bvh_walk.h), leaf by leaf; whether it does is decided here, by
-// intersect().
+// Queries of the tree. A walk (bvh_walk.h) finds the triangles that a ray may hit, leaf by leaf; intersect() decides here
+// whether it does.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <bit>

@@ -1,8 +1,8 @@
 // One ray on its way through the tree.
 //
-// A walk goes from leaf to leaf, nearest first, and stops at each in which the ray may hit something. What it does hit is
-// decided by who asked (bvh_traverse.h), with the test that all structures share; then the walk goes on. So what is compiled
-// for one kind of processor is only what finds candidates, and the decision is compiled once.
+// A walk goes from leaf to leaf, nearest first, and stops at each in which the ray may hit something. The caller
+// (bvh_traverse.h) decides which of these it does hit, with the test that all structures share; then the walk goes on. So
+// only the search for candidates is compiled per kind of processor; the decision is compiled once.
 //
 // Plain data, no function with a body, for the reason that bvh_layout.h gives.
 // SPDX-License-Identifier: MIT

@@ -1,5 +1,5 @@
-// A ray made ready for boxes, so that no box it touches is left out: what is watertight among the triangles stays so through
-// the tree.
+// A ray prepared for box tests that miss no box it touches, so that the traversal of the tree is as watertight as the
+// triangle test.
 //
 // The slab test of Kay and Kajiya (1986) in float. Three roundings could close a slab too early: the ray's origin is
 // therefore rounded to both sides and each plane takes the side that is the safer one, and the way to the far planes is
@@ -37,8 +37,8 @@ inline float roundedUp(double x) {
     return static_cast<double>(f) < x ? justAbove(f) : f;
 }
 
-// What is made for every ray is made without a question to which both answers are likely: a processor that guesses wrong
-// waits longer than the arithmetic takes. So numbers are not rounded up or down, but moved by more than rounding can.
+// The preparation runs for every ray, so it has no unpredictable branch: a misprediction takes longer than the arithmetic.
+// So numbers are not rounded up or down exactly, but moved by more than the rounding error.
 constexpr float kTiniest = std::numeric_limits<float>::min();
 
 /// A little more than the distance, in float: what is in double not beyond it is not beyond it in float either.

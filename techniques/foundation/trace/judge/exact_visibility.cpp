@@ -141,7 +141,7 @@ Visibility ExactVisibility::visibility(const EyeHit& hit, const scene::Camera& c
     return blocked ? Visibility::shadowed : Visibility::lit;
 }
 
-/// Does a ray go on where it meets this point of a triangle, because there is a hole?
+/// True if this point of a triangle lies in a hole, so that the ray goes on.
 bool ExactVisibility::passes(std::uint32_t object, std::uint32_t triangle, const dvec3& barycentric) const {
     return hasHoles_[object] && scene::isInHole(*snapshot_, snapshot_->objects[object], triangle, barycentric);
 }
@@ -168,7 +168,7 @@ void ExactVisibility::forEachBlocker(const EyeHit& hit, int light, const OnBlock
     const dvec3 offset = source.positionWorld - hit.positionWorld;
     const dvec3 toward = directional ? -source.directionWorld : glm::normalize(offset);
     const double length = directional ? kInfinity : glm::length(offset);
-    // Toward the sun there is no distance to take a share of: the size of the coordinates stands in for it.
+    // A directional light has no distance; the size of the coordinates is used instead.
     const double contact = kTouching * (directional ? 1e-2 * (1.0 + glm::length(hit.positionWorld)) : length);
     forEachHit(hit.positionWorld, toward, length,
                [&](std::uint32_t object, std::uint32_t triangle, const RayTriangle& crossing) {

@@ -1,8 +1,8 @@
 // A small exact judge: which surface a pixel shows and whether a light sees it, in double, by trying every triangle.
 //
-// Slow and plain on purpose: it is what the techniques are tested against. Boxes around runs of triangles only save
-// time. Definitions: DESIGN of visibility in docs/conventions.md. Every triangle of a casting object blocks light from
-// both sides; the triangle on which the point lies does not shadow itself. Through holes (scene/model/holes.h) rays go on.
+// Slow and simple on purpose: the techniques are tested against it. Boxes around runs of triangles only save time.
+// Definitions: see "visibility" in docs/conventions.md. Every triangle of a casting object blocks light from both sides;
+// the triangle on which the point lies does not shadow itself. Through holes (scene/model/holes.h) rays go on.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>

@@ -1,7 +1,8 @@
 // Before a block of rays is traced, and after: from rays to points of a plane, and from the triangle that was hit to the
 // point on it. In double, four at a time.
 //
-// What single rays compute, too, is computed here by the same operations in the same order, so it has the same bits.
+// Values that single rays compute as well are computed by the same operations in the same order, so they are the same to
+// the last bit.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/trace/packets/block_lanes.h"

@@ -159,7 +159,7 @@ struct OneSeen {
     [[nodiscard]] Mask8 inside(Float8 x, Float8 y) const {
         return (side(0, x, y) > bound) & (side(1, x, y) > bound) & (side(2, x, y) > bound);
     }
-    /// The same where nobody knows which side of the triangle is turned to the origin: sides of both signs are a miss.
+    /// The same if it is not known which side of the triangle faces the origin: sides of both signs are a miss.
     [[nodiscard]] unsigned possibleEitherWay(Float8 x, Float8 y) const {
         Mask8 below{}, above{};
         for (int e = 0; e < 3; ++e) {
@@ -211,9 +211,9 @@ private:
     float origin_[3], slope_[2][2], offset_[2], pad_;
 };
 
-// A block is worth its while where many of its rays meet the same triangles. Rays that part, among triangles smaller than
-// pixels, meet more leaves together than each for itself, and asking all 64 about a leaf costs as much as asking some ten
-// alone. So where a block has come to more leaves than this, all that is left of it is asked alone. Found by trial on loose
+// A block is worth its while where many of its rays meet the same triangles. Divergent rays, among triangles smaller than
+// pixels, together visit more leaves than one ray does, and testing all 64 in a leaf costs as much as tracing some ten
+// alone. So if a block has visited more leaves than this, the rest of its rays are traced alone. Found by trial on loose
 // triangles (tests/speed/structure_bench.cpp): with 32 and 64 a hundred thousand are slower; without a limit ten thousand
 // are, too.
 constexpr int kMostLeaves = 128;
@@ -259,7 +259,7 @@ inline bool walk(const BlockTreeView& tree, const BlockRays& rays, const AtLeaf&
     return true;
 }
 
-/// `kHoles`: some triangle may have holes. Made twice, so that scenes without any do not even ask.
+/// `kHoles`: some triangle may have holes. Instantiated twice, so that scenes without holes pay no test.
 template <bool kHoles>
 void nearestHits(const BlockTreeView& tree, const BlockRays& rays, BlockAnswers& answers) {
     for (int i = 0; i < kBlockRays; ++i) {
@@ -326,7 +326,7 @@ void blockedRays(const BlockTreeView& tree, const BlockRays& rays, const std::ui
     answers.doubtCount = 0;
     answers.givenUp = 0;
     answers.blocked = 0;
-    float least = -kNever; // the lowest floor: what is certainly below it blocks nobody
+    float least = -kNever; // the lowest floor: what is certainly below it blocks no ray
     for (int i = 0; i < kBlockRays; ++i)
         if (rays.asked >> i & 1 && rays.floor[i] < least) least = rays.floor[i];
     const Rows rows(rays);

@@ -1,5 +1,5 @@
 // Blocks of rays for processors with AVX2 (Intel since 2013, AMD since 2015). The build compiles this file for them; it
-// includes nothing that others share, and is only called where the processor says that it can.
+// includes no code shared with other files, and is called only if the processor reports AVX2.
 // SPDX-License-Identifier: MIT
 #if defined(__AVX2__)
 #include "techniques/foundation/trace/packets/block_aim.h"

@@ -1,17 +1,16 @@
-// The rays of a block of pixels, asked together.
+// The rays of a block of pixels, traced together.
 //
 // Rays that leave one point (the eye, a point light), or run in one direction (the sun), are the points of a plane: cut
 // them with a plane across, and each is told from the others by two numbers, x and y. A triangle, seen from there, is a
 // triangle of that plane, and "does the ray hit it?" is three linear functions of x and y, one for each edge: eight rays
-// are asked by a few instructions. It is what a rasteriser does (Pineda, "A Parallel Algorithm for Polygon
-// Rasterization", SIGGRAPH 1988), but through a tree, for shadow rays as well, and with nothing left to rounding: the
-// functions are set up in double and evaluated in float, together with a bound for their error. Within that bound
-// nothing is decided; such pairs of ray and triangle are handed back as doubts, and who asks decides them one by one.
-// So the answers are those of single rays, to the last. Tracing such a bundle through a tree: Reshetov, Soupikov and
-// Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005.
+// are asked by a few instructions. These are the edge functions of a rasteriser (Pineda, "A Parallel Algorithm for Polygon
+// Rasterization", SIGGRAPH 1988), but used in a tree, for shadow rays as well, and without rounding errors: the functions
+// are set up in double and evaluated in float, with a bound for their error. Within that bound a pair of ray and triangle
+// is returned as a doubt, which the caller decides by a single ray. So the answers are exactly those of single rays.
+// Tracing such a bundle through a tree: Reshetov, Soupikov and Hurley, "Multi-Level Ray Tracing Algorithm", SIGGRAPH 2005.
 //
-// Nothing but plain data is declared here, no function with a body: this file is compiled for several processors, and a
-// body shared between them could end up in the program with instructions that not all of them have.
+// Nothing but plain data is declared here, no function with a body: this file is compiled for several processors, and the
+// linker could keep a shared function body with instructions that not every processor has.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -61,7 +60,7 @@ struct BlockDoubt {
 };
 
 struct BlockAnswers {
-    static constexpr int kMostDoubts = 192;                ///< three per ray; who has more is better asked alone
+    static constexpr int kMostDoubts = 192;                ///< three per ray; a ray with more is better traced alone
     alignas(32) float least[kBlockRays], most[kBlockRays]; ///< value of the nearest certain hit lies between
     std::uint32_t primitives[kBlockRays];                  ///< of the nearest certain hit; ~0u: none
     BlockDoubt doubts[kMostDoubts];                        ///< what may be hit, and may be nearer
@@ -81,7 +80,7 @@ struct BlockPoints {
     std::uint32_t primitives[kBlockRays];      ///< always of some triangle, whether the point is asked for or not
     alignas(32) double weights[2][kBlockRays]; ///< of corners a and b
     std::uint64_t eyeOnFront;
-    std::uint64_t open; ///< what double alone cannot tell: to be asked alone
+    std::uint64_t open; ///< those that double cannot decide: to be traced alone
 };
 
 /// Vectors side by side, axis first.
@@ -107,8 +106,8 @@ struct BlockKernels {
     /// Puts the rays from a light (or toward the sun, then rays.shear is set) through these points into the plane, and
     /// their floors. Returns those that have the block's main axis; the others must not be asked.
     std::uint64_t (*aimAtPoints)(const BlockVectors& positions, double contact, BlockRays& rays);
-    /// Where the rays lie in two heaps with nothing between, on one thing and on another behind it, say: those of one heap.
-    /// Each alone is a slimmer bundle than both. Else 0.
+    /// If the rays form two clusters with a gap between (on one object and on another behind it, say): those of one
+    /// cluster, because each alone is a narrower bundle. Else 0.
     std::uint64_t (*part)(const BlockRays& rays);
     /// Which rays are certainly blocked, by a triangle that `mayBlock` (one flag each) and is not the ray's own; and
     /// what may block the others.

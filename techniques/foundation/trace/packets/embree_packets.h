@@ -1,5 +1,5 @@
-// Embree's packets of eight rays, doing a whole shadow picture: what the blocks of rays (block_rays.h) are measured
-// against. It answers in float, with an offset against acne, so near edges its picture is another.
+// Embree's packets of eight rays, doing a whole shadow picture: the reference for the speed of the blocks of rays
+// (block_rays.h). It answers in float, with an offset against acne, so near edges its picture is another.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>

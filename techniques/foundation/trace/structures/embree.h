@@ -13,7 +13,7 @@ namespace shadowlab::trace::embree {
 
 #if SHADOWLAB_EMBREE == 3
 
-/// How rays are asked about. Embree hands it to the filter as `context`: derive from it what the filter has to know.
+/// The context of a query, which Embree passes on to the filter: derive from it to give the filter its data.
 struct Query : RTCIntersectContext {
     Query() { rtcInitIntersectContext(this); }
     void askFilter(RTCFilterFunctionN function) { filter = function; }

@@ -18,7 +18,7 @@ struct FilteredQuery : embree::Query {
     const MayHit* mayHit;
 };
 
-/// Takes back a hit that does not count: the ray goes on.
+/// Rejects a hit that does not count, so that the ray goes on.
 void forgive(const RTCFilterFunctionNArguments* arguments) {
     const MayHit& mayHit = *static_cast<const FilteredQuery*>(arguments->context)->mayHit;
     const std::uint32_t primitive = RTCHitN_primID(arguments->hit, arguments->N, 0);
@@ -82,7 +82,7 @@ public:
         RTCRay query{};
         fill(query, ray);
         embree::any(scene_.get(), how, query);
-        return query.tfar < 0 ? 0 : kNoPrimitive; // how Embree says that there is one; not which
+        return query.tfar < 0 ? 0 : kNoPrimitive; // Embree reports that there is a hit, but not which
     }
 
     [[nodiscard]] RayHit closest(const Ray& ray, const MayHit& mayHit, RayTests&) const override {
@@ -95,7 +95,7 @@ public:
     [[nodiscard]] std::size_t bytes() const override { return static_cast<std::size_t>(bytes_.load()); }
 
 private:
-    /// Embree says so whenever it takes memory, or gives some back; from any thread.
+    /// Embree calls this, from any thread, whenever it allocates or frees memory.
     static bool countBytes(void* sum, ssize_t bytes, bool) {
         *static_cast<std::atomic<std::int64_t>*>(sum) += bytes;
         return true;

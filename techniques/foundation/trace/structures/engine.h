@@ -97,7 +97,7 @@ std::unique_ptr<Engine> makeEngine(Structure structure, const EngineInput& input
 /// A tree that exists already, and outlives the engine.
 std::unique_ptr<Engine> makeBvhEngine(const Bvh& bvh);
 
-/// `exact`: what is hit is asked once more in double, so that t and weights are those of the others.
+/// `exact`: the hit is computed once more in double, so that t and weights equal those of the other structures.
 std::unique_ptr<Engine> makeEmbreeEngine(std::span<const Triangle> triangles, bool exact = false);
 
 std::unique_ptr<Engine> makeUnstructured(const EngineInput& input);

@@ -22,8 +22,8 @@ namespace shadowlab::trace {
 using glm::ivec3;
 
 /// Remembers which triangles a ray has tried: a large one is listed in many cells. A few slots, each for one triangle in
-/// every 64: it may forget, then a triangle is tried twice, and belongs to the ray, so that threads need not share it
-/// (Benthin, "Realtime Ray Tracing on Current CPU Architectures", 2006).
+/// every 64: an overwritten slot only means that a triangle is tested twice; the slots belong to the ray, so threads share
+/// nothing (Benthin, "Realtime Ray Tracing on Current CPU Architectures", 2006).
 class Mailboxes {
 public:
     Mailboxes() { slots_.fill(kNoPrimitive); }

@@ -20,7 +20,7 @@ constexpr double kEntriesPerTriangle = 16;
 // The margin as a share of the grid's size: far beyond rounding, far below the size of a cell.
 constexpr double kCellMargin = 0x1p-20;
 
-constexpr std::size_t kTrianglesPerSlice = 4096; // between two looks at the clock
+constexpr std::size_t kTrianglesPerSlice = 4096; // between two readings of the clock
 
 class GridEngine final : public WalkingEngine<GridEngine> {
 public:

@@ -3,7 +3,7 @@
 // boxes in place of n. Do the same with the groups, and with groups of groups, and it is a tree (Rubin and Whitted, "A
 // 3-Dimensional Representation for Fast Rendering of Complex Scenes", SIGGRAPH 1980).
 //
-// Which objects lie together? The set is halved across its longest side, again and again, until the parts are small enough.
+// Grouping: the set of objects is halved across its longest side, again and again, until the parts are small enough.
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/trace/ray_query.h"
 #include "techniques/foundation/trace/structures/ray_volumes.h"

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t kLeafSize = 4;
 constexpr std::size_t kMostDepth = 64; // 2^32 triangles, halved, are 32 deep; each level leaves one child waiting
-constexpr int kNodesPerSlice = 64;     // between two looks at the clock
+constexpr int kNodesPerSlice = 64;     // between two readings of the clock
 
 class SphereTree final : public WalkingEngine<SphereTree> {
 public:
@@ -106,7 +106,7 @@ private:
     struct Node {
         Ball ball;
         std::uint32_t first, count; ///< of the order
-        std::uint32_t left = 0;     ///< the right child follows it; 0: a leaf (the root is nobody's child)
+        std::uint32_t left = 0;     ///< the right child follows it; 0: a leaf (node 0 is the root, never a child)
     };
 
     [[nodiscard]] dvec3 middle(std::uint32_t primitive) const {

@@ -49,7 +49,7 @@ struct MeshReport {
     std::uint64_t multipleEdges = 0;
     std::uint64_t inconsistentEdges = 0;
     std::uint64_t components = 0; ///< components connected by edges (a common vertex is not enough)
-    bool hasHoles = false; ///< of an object with it: cut by an alpha map (scene/model/holes.h); the mesh knows nothing of it
+    bool hasHoles = false; ///< set for an object: an alpha map cuts holes (scene/model/holes.h); the mesh itself has no such information
     [[nodiscard]] bool isClosed() const { return boundaryEdges == 0 && multipleEdges == 0 && inconsistentEdges == 0; }
 };
 MeshReport reportMesh(const Mesh& mesh, const MeshTopology& topology);

@@ -28,7 +28,7 @@ using SurfaceTriangle = std::array<Corner, 3>;
 dvec3 edgeOf(const SurfaceTriangle& t, std::size_t i) { return t[(i + 1) % 3].position - t[i].position; }
 dvec3 normalOf(const SurfaceTriangle& t) { return glm::cross(edgeOf(t, 0), t[2].position - t[0].position); }
 
-/// Is all of one before all of the other, along that axis, or behind it?
+/// True if the intervals of the two triangles along the axis do not overlap.
 bool separates(const dvec3& axis, const SurfaceTriangle& a, const SurfaceTriangle& b) {
     double lower[2] = {1e300, 1e300}, upper[2] = {-1e300, -1e300};
     const SurfaceTriangle* both[2] = {&a, &b};
