@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "techniques/foundation/params/param.h"
-#include "techniques/radiosity/equations/solvers.h"
-#include "techniques/radiosity/room/room.h"
+#include "techniques/radiosity/solvers/solvers.h"
 
 namespace shadowlab::radiosity {
 

@@ -1,7 +1,7 @@
 // Ray tracing in words: its passes, in the order they are drawn, and its stages.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/ray_tracing/structures/structure_stages.h"
+#include "techniques/technique.h"
 
 namespace shadowlab::ray_tracing {
 
@@ -85,6 +85,12 @@ inline constexpr PassInfo kPasses[] = {
      .formula = "I = sum of the samples' I / samples",
      .anchors = "eye-sample"},
 };
+
+inline constexpr StageInfo kTestsStage = {"intersection-tests",
+                                          "Tests per pixel: volumes and triangles, eye ray and shadow rays together",
+                                          StageKind::scalar, false};
+inline constexpr StageInfo kStructureStage = {"structure", "The structure that spares rays most triangles",
+                                              StageKind::swatches, false};
 
 inline constexpr StageInfo kStages[] = {
     {"primary-hits", "Where eye rays end: distance from the eye", StageKind::scalar, false},

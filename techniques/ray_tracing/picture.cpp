@@ -6,24 +6,13 @@
 #include <atomic>
 
 #include "techniques/foundation/trace/parallel.h"
+#include "techniques/ray_tracing/blocks.h"
 
 namespace shadowlab::ray_tracing {
 
 namespace {
 
 constexpr int kBlockSide = trace::SceneTracer::kBlock;
-
-// Blocks on a side; they are the pieces of work that a thread takes, small enough for a deadline to be kept with the slowest of
-// structures. Rows of them lie beside each other, so that what is done of a picture is its upper part.
-struct Blocks {
-    ivec2 size;
-    [[nodiscard]] ivec2 many() const { return (size + kBlockSide - 1) / kBlockSide; }
-    [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(many().x * many().y); }
-    [[nodiscard]] ivec2 corner(std::size_t block) const {
-        return kBlockSide * ivec2(static_cast<int>(block) % many().x, static_cast<int>(block) / many().x);
-    }
-    [[nodiscard]] ivec2 sizeAt(ivec2 corner) const { return glm::min(ivec2(kBlockSide), size - corner); }
-};
 
 /// Calls work(index, index with rows counted from the bottom) for every pixel, a row of blocks at a time.
 template <typename Work>
@@ -38,7 +27,7 @@ void forEachPixel(ivec2 size, const Work& work) {
 
 } // namespace
 
-std::size_t Picture::blocks() const { return Blocks{size_}.count(); }
+std::size_t Picture::blocks() const { return Blocks{size_, kBlockSide}.count(); }
 
 void Picture::restart(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size) {
     size_ = size;
@@ -57,13 +46,13 @@ void Picture::restart(const trace::SceneTracer& tracer, const scene::Camera& cam
 }
 
 /// Where nothing is traced yet nothing is to be seen, not even what was there before. All that is traced at once needs no clearing.
-void Picture::forget(std::size_t firstBlock) {
-    const Blocks blocks{size_};
+void Picture::clearFrom(std::size_t firstBlock) {
+    const Blocks blocks{size_, kBlockSide};
     for (std::size_t block = firstBlock; block < blocks.count(); ++block) {
         const ivec2 corner = blocks.corner(block), blockSize = blocks.sizeAt(corner);
         for (int y = corner.y; y < corner.y + blockSize.y; ++y) {
             const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * size_.x + corner.x;
-            std::fill_n(points_.begin() + first, blockSize.x, KeptPoint());
+            std::fill_n(points_.begin() + first, blockSize.x, PixelHit());
             for (Grid<trace::Visibility>& ofLight : visibility_)
                 std::fill_n(ofLight.begin() + first, blockSize.x, trace::Visibility::noSurface);
         }
@@ -77,7 +66,7 @@ double Picture::done(bool withTrees) const {
 }
 
 bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& settings, Deadline deadline) {
-    const Blocks blocks{size_};
+    const Blocks blocks{size_, kBlockSide};
     const trace::EyeRays rays = tracer.eyeRays(camera_, size_);
     const dvec2 centre(0.5);
     const bool begins = tracedBlocks_ == 0;
@@ -104,7 +93,7 @@ bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& setti
         forEachRow([&](int place, std::ptrdiff_t picture) {
             std::transform(points.begin() + place, points.begin() + place + blockSize.x, points_.begin() + picture,
                            [](const trace::SurfacePoint& point) {
-                               return KeptPoint{point.primitive, vec2(point.weights), point.eyeOnFront};
+                               return PixelHit{point.primitive, vec2(point.weights), point.eyeOnFront};
                            });
         });
         for (std::size_t light = 0; light < visibility_.size(); ++light) {
@@ -119,7 +108,7 @@ bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& setti
             });
         }
     });
-    if (begins) forget(tracedBlocks_);
+    if (begins) clearFrom(tracedBlocks_);
     return isTraced();
 }
 
@@ -145,20 +134,19 @@ void Picture::shadeLight(const Surfaces& surfaces, int light) {
 
 void Picture::shadeAreaLight(const Surfaces& surfaces, int light, const Grid<float>& irradiances) {
     if (irradiances.empty()) return;
-    const scene::Light& source = surfaces.scene().light(light);
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
         if (irradiances[i] == 0) return;
         const trace::SurfacePoint point = points_[i].surfacePoint();
         const dvec3 positionWorld = surfaces.tracer().positionWorld(point);
         const dvec3 toViewerWorld = glm::normalize(camera_.positionWorld - positionWorld);
-        radiance_[fromBelow] += vec3(reflectedOf(source, irradiances[i], surfaces.materialOf(point), positionWorld,
-                                                 surfaces.normalWorld(point, toViewerWorld), toViewerWorld));
+        radiance_[fromBelow] += vec3(surfaces.litByArea(point, light, irradiances[i], positionWorld,
+                                                        surfaces.normalWorld(point, toViewerWorld), toViewerWorld));
     });
 }
 
 bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, Deadline deadline) {
     const Surfaces& surfaces = world.surfaces;
-    const Blocks blocks{size_};
+    const Blocks blocks{size_, kBlockSide};
     if (treeBlocks_ == 0) {
         intensities_ = reflected_ = transmitted_ = Grid<vec3>(points_.size(), vec3(0.0f));
         levels_.assign(points_.size(), 0);
@@ -204,7 +192,7 @@ bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, De
     // What has been traced so far: whole rows of blocks, and some blocks of the next.
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
         const std::size_t block =
-            (i / width) / kBlockSide * static_cast<std::size_t>(blocks.many().x) + (i % width) / kBlockSide;
+            (i / width) / kBlockSide * static_cast<std::size_t>(blocks.grid().x) + (i % width) / kBlockSide;
         if (block < treeBlocks_ && hasTree(i)) radiance_[fromBelow] = intensities_[fromBelow];
     });
     return treeBlocks_ == blocks.count();

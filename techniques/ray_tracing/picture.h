@@ -25,7 +25,7 @@ struct TraceSettings {
 
 /// Where an eye ray ends, as the picture keeps it: a million of them have to go to memory and back for every light, and
 /// float is far finer than any shading shows. Shadow rays start from the point in double, before it comes here.
-struct KeptPoint {
+struct PixelHit {
     std::uint32_t primitive = trace::kNoPrimitive;
     vec2 weights{0.0f};
     bool eyeOnFront = false;
@@ -58,7 +58,7 @@ public:
     [[nodiscard]] double done(bool withTrees) const;
 
     [[nodiscard]] ivec2 size() const { return size_; }
-    [[nodiscard]] const Grid<KeptPoint>& points() const { return points_; }
+    [[nodiscard]] const Grid<PixelHit>& points() const { return points_; }
     [[nodiscard]] const Grid<trace::Visibility>& visibility(int light) const {
         return visibility_[static_cast<std::size_t>(light)];
     }
@@ -77,11 +77,11 @@ public:
 
 private:
     [[nodiscard]] std::size_t blocks() const;
-    void forget(std::size_t firstBlock);
+    void clearFrom(std::size_t firstBlock);
 
     ivec2 size_{0};
     scene::Camera camera_;
-    Grid<KeptPoint> points_;
+    Grid<PixelHit> points_;
     std::vector<Grid<trace::Visibility>> visibility_; ///< per light
     Grid<vec3> radiance_;
     Grid<vec3> intensities_; ///< of trees; row 0 is at the bottom

@@ -1,12 +1,11 @@
-// Ray tracing, in its simplest form: from the eye through every pixel, and from what is seen there to every light.
+// Ray tracing: from the eye a ray through every pixel, and from the point that it hits a ray to every light.
 //
-// Appel, "Some Techniques for Shading Machine Renderings of Solids", 1968, sent the first rays from a point on paper
-// through the holes of a plotter; Whitted, "An Improved Illumination Model for Shaded Display", 1980, made a recursion
-// of it, by way of mirrors and glass. What is asked of shadow rays is the definition of a shadow itself, "is anything between
-// this point and the light?", so nothing is approximated: no map with texels, no count in a stencil. Pixels that show
-// neither mirror nor glass are done with that; from the others a tree of rays is followed (ray_tree.h). With more than one
-// sample, all that is done again and again with rays that chance has spread (sampled_picture.h).
-// Left out on purpose: light that mirrors and glass throw on other things.
+// A. Appel, "Some Techniques for Shading Machine Renderings of Solids", 1968, traced these first rays; T. Whitted, "An Improved
+// Illumination Model for Shaded Display", 1980, followed them on through mirrors and glass. A shadow ray asks for the definition of
+// a shadow itself, "is anything between this point and the light?", so nothing is approximated: there is no map with texels and no
+// count in a stencil. From pixels that show a mirror or glass a tree of rays is followed (ray_tree.h). With more than one sample, all
+// of that is repeated with rays that are spread at random, and averaged (sampled_picture.h).
+// Left out on purpose: light that mirrors and glass throw on other things (caustics).
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <iterator>
@@ -16,21 +15,16 @@
 #include "techniques/foundation/gl/scene/id_buffer.h"
 #include "techniques/frame.h"
 #include "techniques/ray_tracing/described.h"
+#include "techniques/ray_tracing/display/stages.h"
+#include "techniques/ray_tracing/display/upload.h"
 #include "techniques/ray_tracing/params.h"
 #include "techniques/ray_tracing/picture.h"
-#include "techniques/ray_tracing/picture_stages.h"
-#include "techniques/ray_tracing/probe/probe_area.h"
-#include "techniques/ray_tracing/probe/probe_samples.h"
-#include "techniques/ray_tracing/probe/probe_structure.h"
-#include "techniques/ray_tracing/probe/probe_tree.h"
+#include "techniques/ray_tracing/probe/pixel_probe.h"
 #include "techniques/ray_tracing/probe/ray_shapes.h"
 #include "techniques/ray_tracing/sampling/light_shares.h"
 #include "techniques/ray_tracing/sampling/sampling_scene.h"
 #include "techniques/ray_tracing/structures/naive_intersection.h"
-#include "techniques/ray_tracing/structures/structure_params.h"
 #include "techniques/ray_tracing/structures/structure_shapes.h"
-#include "techniques/ray_tracing/structures/structure_stages.h"
-#include "techniques/ray_tracing/upload.h"
 
 namespace shadowlab::ray_tracing {
 
@@ -47,12 +41,12 @@ public:
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
         tracer_.askInstead(nullptr);
         if (!tracer_.advance(snapshot, deadline)) return {tracer_.done(), false};
-        // What is looked up of surfaces does not depend on lights, and they are what moves most.
+        // Surfaces do not depend on lights, which move most often: they are kept then.
         const scene::Revisions& now = snapshot->revisions;
-        if (now.geometry != surfacesOf_.geometry || now.transforms != surfacesOf_.transforms ||
-            now.materials != surfacesOf_.materials)
+        if (now.geometry != surfacesRevisions_.geometry || now.transforms != surfacesRevisions_.transforms ||
+            now.materials != surfacesRevisions_.materials)
             surfaces_.emplace(tracer_);
-        surfacesOf_ = now;
+        surfacesRevisions_ = now;
         const Progress progress = structures_.prepare(tracer_.geometry(), structureParams_.structure, deadline);
         if (!progress.converged) return progress;
         if (structures_.chosen() != trace::Structure::bvh) tracer_.askInstead(&structures_.engine());
@@ -65,8 +59,8 @@ public:
     }
 
     Progress render(Frame& frame) override {
-        beginOrGoOn(frame);
-        // Tracing draws nothing: who stops after it sees an empty picture.
+        restartIfChanged(frame);
+        // Tracing draws nothing: a frame that stops after it is empty.
         gl::setBaselineState();
         frame.target().framebuffer.bind();
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
@@ -90,9 +84,9 @@ public:
     }
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::vector<SceneShape> shapes(const scene::Snapshot&, const View& view, int light) override {
-        if (view.picked) return {}; // what its rays pass is in its probe
+        if (view.picked) return {}; // the probe of that pixel has its rays
         std::vector<SceneShape> shapes = rayShapes(tracer_, view, light);
-        // Of the tree, which is there even if nobody looks at it, the rays alone are shown.
+        // The tree of boxes is always there; a structure is drawn only where another one was chosen.
         if (structures_.chosen() != trace::Structure::bvh)
             std::ranges::move(
                 structureShapes(structures_.engine(), structures_.chosen(), tracer_.world().originWorld, std::nullopt),
@@ -105,8 +99,8 @@ public:
     }
 
 private:
-    /// What a picture is made of: while it stays, work that a deadline has interrupted goes on.
-    struct Made {
+    /// What a picture depends on: while it is equal, work that a deadline has interrupted is continued.
+    struct PictureCacheKey {
         scene::Snapshot snapshot;
         scene::Camera camera;
         ivec2 size{0};
@@ -114,19 +108,19 @@ private:
         RayTracedParams params;
         StructureParams structureParams;
         SamplingParams samplingParams;
-        friend bool operator==(const Made&, const Made&) = default;
+        friend bool operator==(const PictureCacheKey&, const PictureCacheKey&) = default;
     };
 
-    void beginOrGoOn(const Frame& frame) {
+    void restartIfChanged(const Frame& frame) {
         const View& view = frame.view();
-        Made made{frame.snapshot(), view.camera,      view.size,      frame.stopsAfter(),
-                  params_,          structureParams_, samplingParams_};
-        const bool goesOn = !isFinished_ && made == made_;
+        PictureCacheKey key{frame.snapshot(), view.camera,      view.size,      frame.stopsAfter(),
+                            params_,          structureParams_, samplingParams_};
+        const bool goesOn = !isFinished_ && key == pictureKey_;
         isFinished_ = false;
         if (goesOn) return;
-        made_ = std::move(made);
+        pictureKey_ = std::move(key);
         picture_.restart(tracer_, view.camera, view.size);
-        sampled_.restart(samplingParams_.areMany() ? view.size : ivec2(0)); // it takes much memory
+        sampled_.restart(samplingParams_.areMany() ? view.size : ivec2(0)); // its memory is large
         shares_.clear();
         isShaded_ = false;
     }
@@ -149,7 +143,7 @@ private:
         publishCounts(frame, counts_);
     }
 
-    /// What the areas of lights bring, in closed form, where that is wanted.
+    /// The irradiance by lights with an area, in closed form. True when it is complete, or not asked for.
     bool traceAreas(Frame& frame) {
         if (!samplingParams_.isAnalytic()) return true;
         bool finished = true;
@@ -171,7 +165,7 @@ private:
         return shares;
     }
 
-    /// Anew while rays are still being traced, and when somebody looks at a part of it; else what is shaded stays.
+    /// Shades again while rays are still being traced, and when a single pass is shown; otherwise the shaded picture is kept.
     void shade(Frame& frame, bool tracedAll) {
         const Surfaces& surfaces = *surfaces_;
         const int lights = static_cast<int>(frame.scene().lights.size());
@@ -200,7 +194,7 @@ private:
         return (tree.depth > 0 && surfaces_->anySplits()) || tree.attenuates();
     }
 
-    /// True when the first picture is finished; also where nobody looks at what comes after an earlier step.
+    /// True when the picture of one sample is finished, or the frame stops after an earlier pass.
     bool traceTrees(Frame& frame) {
         bool finished = true;
         if (hasTrees())
@@ -233,14 +227,14 @@ private:
         return finished;
     }
 
-    /// The share of each light that pixels see, where somebody wants to know it. False: not found for all of them yet.
+    /// The share of each light that pixels see, where a stage needs it. False: not yet known for all pixels.
     bool publishShares(Frame& frame) {
         bool finished = true;
         for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
             if (!samplesArea(frame.scene(), light) ||
                 !(frame.wants("visibility", light) || frame.wants("penumbra", light)))
                 continue;
-            if (samplingParams_.isAnalytic()) continue; // found already
+            if (samplingParams_.isAnalytic()) continue; // traceAreas() has found them
             finished = sharesOf(light).advance(*surfaces_, picture_, frame.view().camera, samplingParams_.pattern,
                                                frame.deadline()) &&
                        finished;
@@ -270,7 +264,7 @@ private:
         uploadFromBelow(frame.target().color, picture_.radianceFromBelow(), picture_.size());
     }
 
-    /// Of a tree that is not left to chance.
+    /// Of trees without random numbers.
     [[nodiscard]] TreeSettings treeSettings() const {
         TreeSettings settings = params_.tree();
         if (samplingParams_.isAnalytic()) settings.areaLights = AreaLights::analytic;
@@ -280,15 +274,15 @@ private:
 
     RayTracedParams params_;
     StructureParams structureParams_;
-    KeptStructures structures_;
-    std::unique_ptr<trace::Engine> naive_; ///< asked instead of the structure, if at all
+    StructureCache structures_;
+    std::unique_ptr<trace::Engine> naive_; ///< traces in place of the structure; nullptr: intersection is watertight
     trace::SceneTracer tracer_;
-    scene::Revisions surfacesOf_{0, 0, 0, 0}; ///< no scene has these
-    std::optional<Surfaces> surfaces_;        ///< of a scene with these
+    scene::Revisions surfacesRevisions_{0, 0, 0, 0}; ///< of surfaces_; no scene has zeros
+    std::optional<Surfaces> surfaces_;
     SamplingScene sampling_{tracer_};
     SamplingParams samplingParams_;
 
-    Made made_; ///< of this are:
+    PictureCacheKey pictureKey_; // of all that follows
     Picture picture_;
     SampledPicture sampled_;
     std::map<int, LightShares> shares_; ///< by light
@@ -297,48 +291,14 @@ private:
     gl::IdBuffer idBuffer_;
 };
 
-/// The rays of one pixel, as a tree: the eye ray, what it splits into, and at every surface a shadow ray for every light.
-/// What the last frame was drawn with is used; without one it is made here.
+/// By what the last frame was drawn with; without one it is prepared here.
 Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
     Probe probe = Technique::probe(snapshot, view, pixel, light);
     prepare(snapshot, Deadline::max());
-    const Surfaces& surfaces = *surfaces_;
-    const trace::EyeRays rays = tracer_.eyeRays(view.camera, view.size);
-    const dvec2 centre = dvec2(pixel) + 0.5;
-    const trace::SurfacePoint point = tracer_.eyePoint(rays, centre);
-    if (samplingParams_.areMany())
-        describeSamples({surfaces, sampling_.moving(), sampling_.analytic(), view.camera, view.size, pixel, light},
-                        samplingParams_.settings(treeSettings(), view.camera), point, probe);
-    if (!point) return probe;
-    const trace::Engine& engine = structures_.engine();
-    const trace::RayTests tests = tracer_.testsOf(engine, rays, centre);
-    if (engine.counts())
-        probe.facts.insert(probe.facts.end(), {probeCount("eye ray and shadow rays try", tests.volumes, "volumes"),
-                                               probeCount("and", tests.triangles, "triangles"),
-                                               probeCount("looking into", tests.steps, "nodes, objects or cells")});
-    trace::Ray toHit = rays.through(centre);
-    toHit.farthest = tracer_.distance(rays, point) / glm::length(toHit.directionCentred);
-    describeStructure(tracer_, engine, toHit, probe);
-    const std::vector<trace::StructurePart> passed = engine.passed(toHit, kMostPassed);
-    if (!passed.empty())
-        probe.facts.push_back(probeCount("the eye ray passes", passed.size(), passedWord(structures_.chosen())));
-    // The tree of boxes is there even if nobody looks at it.
-    if (!passed.empty() && structures_.chosen() != trace::Structure::bvh)
-        probe.visited.push_back(passedShape(passed, structures_.chosen(), tracer_.world().originWorld));
-    const dvec3 u = glm::normalize(rays.through(centre).directionCentred);
-    if (light >= 0 && samplesArea(*snapshot, light)) describeArea(surfaces, point, -u, light, probe);
-    if (samplingParams_.areMany())
-        probe.facts.push_back({"the picture",
-                               "the mean of " + std::to_string(samplingParams_.pattern.count) +
-                                   " such trees, spread by chance; this one goes through the middle of "
-                                   "everything, at time 0",
-                               ""});
-    RayTree tree;
-    TreeSettings settings = treeSettings();
-    settings.skipsFaint = false;
-    tree.trace({surfaces, sampling_.atRest(), 0, nullptr, sampling_.analytic()}, settings, rays.eyeCentred(), u, point,
-               surfaces.mediaAround(rays.eyeCentred()));
-    describeTree(tree, surfaces, light, probe);
+    const bool asksArea = light >= 0 && samplesArea(*snapshot, light);
+    describePixel(
+        {tracer_, *surfaces_, structures_, sampling_, samplingParams_, treeSettings(), view, pixel, light, asksArea},
+        probe);
     return probe;
 }
 

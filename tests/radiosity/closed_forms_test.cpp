@@ -5,7 +5,7 @@
 #include <array>
 
 #include "techniques/radiosity/equations/bounces.h"
-#include "techniques/radiosity/equations/solvers.h"
+#include "techniques/radiosity/solvers/solvers.h"
 #include "tests/radiosity/rooms.h"
 
 namespace shadowlab::radiosity {

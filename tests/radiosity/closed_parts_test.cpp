@@ -1,12 +1,10 @@
 // Rooms in an open scene: they lose no light, whatever lies outside.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/room/closed_parts.h"
+#include "techniques/radiosity/exchange/prepared_exchange.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "techniques/radiosity/form_factors/prepared_exchange.h"
 
 namespace shadowlab::radiosity {
 namespace {

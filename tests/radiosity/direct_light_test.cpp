@@ -9,9 +9,10 @@
 #include <cstdlib>
 #include <string>
 
-#include "techniques/radiosity/form_factors/even_places.h"
 #include "techniques/radiosity/patches/contacts.h"
+#include "techniques/radiosity/patches/polygon_samples.h"
 #include "tests/radiosity/lights.h"
+#include "tests/radiosity/quasirandom.h"
 
 namespace shadowlab::radiosity {
 namespace {
@@ -102,7 +103,7 @@ TEST(DirectLight, AScreenHidesHalf) {
                 const auto naive = [&](double aside) {
                     return arrivingAt(patch.centre + dvec3(aside, 0, 0), patch.normal, sourceOf(light, room),
                                       [&](const dvec3& from, const dvec3& to) {
-                                          return room.occlusion->hide(blockers, from, to);
+                                          return room.occlusion->isBlocked(blockers, from, to);
                                       })
                         .seenArea;
                 };
@@ -141,7 +142,7 @@ TEST(DirectLight, PenumbraeOfRectAndSphere) {
             double seen = 0, all = 0; // the same by many lines
             constexpr int kLinesOfTruth = 20000;
             for (int line = 0; line < kLinesOfTruth; ++line) {
-                const auto x = evenly(line);
+                const auto x = quasirandom4(line);
                 const dvec3 from = placeIn(patch.polygon, x[0], x[1]).point;
                 const LightLine way = source.line(from, patch.normal, x[2], x[3]);
                 // Where it goes through the screen's plane.
@@ -154,7 +155,7 @@ TEST(DirectLight, PenumbraeOfRectAndSphere) {
             const double right = patch.centre.x + room.originWorld.x;
             const Arriving point =
                 arrivingAt(patch.centre, patch.normal, source, [&](const dvec3& from, const dvec3& to) {
-                    return room.occlusion->hide(blockers, from, to);
+                    return room.occlusion->isBlocked(blockers, from, to);
                 });
             const double share = std::clamp(0.5 + right, 0.0, 1.0); // of a rect, by area
             if (light.type == scene::LightType::rect)

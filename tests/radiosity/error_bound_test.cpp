@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "techniques/radiosity/equations/solvers.h"
+#include "techniques/radiosity/solvers/solvers.h"
 #include "tests/radiosity/rooms.h"
 
 namespace shadowlab::radiosity {

@@ -1,6 +1,6 @@
 // Exchange areas: reciprocity by construction, row sums, and what scaling them changes.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/form_factors/exchange_matrix.h"
+#include "techniques/radiosity/exchange/exchange_matrix.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "techniques/foundation/scene/load/load.h"
-#include "techniques/radiosity/form_factors/exchange_builder.h"
+#include "techniques/radiosity/exchange/exchange_builder.h"
 #include "techniques/radiosity/room/room.h"
 
 namespace shadowlab::radiosity {

@@ -1,6 +1,6 @@
 // Form factors by drawing, against closed forms and against exact exchange areas.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/form_factors/hemicube_exchange.h"
+#include "techniques/radiosity/exchange/hemicube_exchange.h"
 
 #include <gtest/gtest.h>
 
@@ -169,7 +169,7 @@ TEST_F(HemicubeTest, AScreenThatHidesHalf) {
     // Twice the deviation of the lines, and as much as one pixel's row in a picture may err, less for a mean of many pictures.
     const double tolerance = 2 * seen.error + kLargestError + 1e-4;
     EXPECT_NEAR(mean, seen.area, tolerance);
-    EXPECT_GT(unoccluded - seen.area, 10 * tolerance) << "the screen hides too little to prove anything";
+    EXPECT_GT(unoccluded - seen.area, 10 * tolerance) << "the screen isBlocked too little to prove anything";
 }
 
 /// The same bytes again, in slices, and both directions of every pair together.

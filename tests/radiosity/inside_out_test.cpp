@@ -1,6 +1,6 @@
 // Walls that have changed places are walls again, and what is right stays as it is.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/room/inside_out.h"
+#include "techniques/radiosity/simplify/inside_out.h"
 
 #include <gtest/gtest.h>
 
@@ -48,24 +48,24 @@ ClusteredMesh mirrored(ClusteredMesh mesh) {
 TEST(InsideOut, WallsThatHaveChangedPlacesAreTurned) {
     ClusteredMesh mesh = hollowBox(1.8, 2);
     EXPECT_NEAR(volume(mesh), 1.8 * 1.8 * 1.8 - 8, 1e-6) << "less than nothing: inside out";
-    turnRightSideOut(mesh, false);
+    orientOutward(mesh, false);
     EXPECT_NEAR(volume(mesh), 8 - 1.8 * 1.8 * 1.8, 1e-6) << "all 24 triangles are turned";
 }
 
 TEST(InsideOut, WhatIsRightStays) {
     const ClusteredMesh before = hollowBox(2, 1.8);
     ClusteredMesh mesh = before;
-    turnRightSideOut(mesh, false);
+    orientOutward(mesh, false);
     EXPECT_EQ(mesh.triangles, before.triangles);
 }
 
 TEST(InsideOut, MirroredBodiesHaveTheirFrontsInside) {
     const ClusteredMesh right = mirrored(hollowBox(2, 1.8));
     ClusteredMesh mesh = right;
-    turnRightSideOut(mesh, true);
+    orientOutward(mesh, true);
     EXPECT_EQ(mesh.triangles, right.triangles);
     mesh = mirrored(hollowBox(1.8, 2));
-    turnRightSideOut(mesh, true);
+    orientOutward(mesh, true);
     EXPECT_NEAR(volume(mesh), 1.8 * 1.8 * 1.8 - 8, 1e-6);
 }
 
@@ -80,7 +80,7 @@ TEST(InsideOut, OnlyTheWallsThatAreWrongAreTurned) {
         mesh.triangles.push_back(t + first);
     mesh.parts.resize(mesh.triangles.size(), 0);
     const std::vector<uvec3> before = mesh.triangles;
-    turnRightSideOut(mesh, false);
+    orientOutward(mesh, false);
     ASSERT_EQ(before.size(), 48u);
     for (std::size_t t = 0; t < before.size(); ++t)
         EXPECT_EQ(mesh.triangles[t] != before[t], t < 24) << t;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "techniques/radiosity/patches/patch_corners.h"
+#include "techniques/radiosity/interpolation/patch_corners.h"
 
 namespace shadowlab::testing {
 

@@ -6,9 +6,10 @@
 
 #include <cmath>
 
-#include "techniques/radiosity/form_factors/even_places.h"
-#include "techniques/radiosity/form_factors/solid_angle.h"
+#include "techniques/radiosity/lights/solid_angle.h"
+#include "techniques/radiosity/patches/polygon_samples.h"
 #include "tests/radiosity/lights.h"
+#include "tests/radiosity/quasirandom.h"
 
 namespace shadowlab::radiosity {
 namespace {
@@ -102,7 +103,7 @@ TEST(LightSource, MeansOverPatches) {
             double sum = 0, weights = 0;
             constexpr int kPoints = 200000;
             for (int i = 0; i < kPoints; ++i) {
-                const auto x = evenly(i);
+                const auto x = quasirandom4(i);
                 const Place place = placeIn(patch.polygon, x[0], x[1]);
                 sum += place.weight * source.irradiance(place.point, patch.normal);
                 weights += place.weight;

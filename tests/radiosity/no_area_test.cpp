@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "techniques/radiosity/patches/contacts.h"
-#include "techniques/radiosity/patches/refinement.h"
-#include "techniques/radiosity/room/kept_room.h"
+#include "techniques/radiosity/room/refinement.h"
+#include "techniques/radiosity/room_cache.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {
@@ -82,7 +82,7 @@ TEST(NoArea, TheRoomIsSolved) {
     scene::Scene scene = farHeaps();
     RadiosityParams params;
     params.patches = 2000;
-    KeptRoom kept;
+    RoomCache kept;
     ASSERT_NO_THROW((void)kept.advance(std::make_shared<const scene::Scene>(scene), params, Deadline::max()));
     EXPECT_GT(kept.room().patches().size(), 500u);
 }

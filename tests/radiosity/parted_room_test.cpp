@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "techniques/radiosity/equations/solvers.h"
-#include "techniques/radiosity/form_factors/exchange_builder.h"
+#include "techniques/radiosity/exchange/exchange_builder.h"
 #include "techniques/radiosity/patches/contacts.h"
+#include "techniques/radiosity/solvers/solvers.h"
 #include "tests/radiosity/interpolated.h"
 #include "tests/radiosity/scene_room.h"
 

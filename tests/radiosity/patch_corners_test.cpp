@@ -1,6 +1,6 @@
 // Values at the corners of patches: smooth where light is, and nowhere else.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/patches/patch_corners.h"
+#include "techniques/radiosity/interpolation/patch_corners.h"
 
 #include <gtest/gtest.h>
 

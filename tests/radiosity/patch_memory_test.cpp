@@ -1,11 +1,11 @@
 // Patches beyond what the limit of memory leaves are refused before their matrix is made, and no fewer than those.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/patches/patch_memory.h"
+#include "techniques/radiosity/room/patch_memory.h"
 
 #include <gtest/gtest.h>
 
 #include "techniques/foundation/base/error.h"
-#include "techniques/radiosity/room/kept_room.h"
+#include "techniques/radiosity/room_cache.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {
@@ -18,7 +18,7 @@ std::string refusalOf(const scene::MemoryBudget& memory, const RadiosityParams& 
     scene::Scene scene = emptyRoom({1, 1, 1});
     scene.name = "cell";
     scene.memory = memory;
-    KeptRoom kept;
+    RoomCache kept;
     try {
         EXPECT_TRUE(kept.advance(std::make_shared<const scene::Scene>(scene), params, Deadline::max()));
     } catch (const Error& error) {
@@ -29,7 +29,7 @@ std::string refusalOf(const scene::MemoryBudget& memory, const RadiosityParams& 
 }
 
 std::uint64_t patchesOf(const RadiosityParams& params) {
-    KeptRoom kept;
+    RoomCache kept;
     EXPECT_TRUE(kept.advance(std::make_shared<const scene::Scene>(emptyRoom({1, 1, 1})), params, Deadline::max()));
     return kept.room().patches().size();
 }
@@ -76,13 +76,13 @@ TEST(PatchMemory, RefinedPatchesAreJudged) {
     scene.lights[0].positionWorld = dvec3(0.3, 0.2, 0.4);
     params.refine = 4;
     params.refineThreshold = 0;
-    KeptRoom kept;
+    RoomCache kept;
     ASSERT_TRUE(kept.advance(std::make_shared<const scene::Scene>(scene), params, Deadline::max()));
     const std::uint64_t refined = kept.room().patches().size();
     ASSERT_GT(refined, 300u) << "more than the third that it begins with";
     scene.memory = {0, refined * refined * kBytesPerPair - 1};
     scene.revisions = {};
-    KeptRoom again;
+    RoomCache again;
     EXPECT_THROW((void)again.advance(std::make_shared<const scene::Scene>(scene), params, Deadline::max()), Error);
     EXPECT_FALSE(again.room().patches().empty()) << "the room was made, and then cut";
 }

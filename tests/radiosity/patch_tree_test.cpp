@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/patches/patch_tree.h"
+#include "techniques/radiosity/interpolation/patch_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -82,7 +82,7 @@ TEST(PatchTree, OfAGridTheTreeIsBalanced) {
     PatchTree tree;
     const std::uint32_t root = addTree(tree, grid, 1e-7);
     EXPECT_EQ(tree.nodes.size(), grid.size() - 1) << "no polygon is cut";
-    // Ten questions tell 1024 apart at best; halves are not always equal, as only some of the lines are tried.
+    // Ten questions tell 1024 apart at best; halves are not always equal, as only some of the lines are samples.
     const auto depth = [&](auto&& self, std::uint32_t node) -> int {
         if (node & PatchTree::kLeaf) return 0;
         return 1 + std::max(self(self, tree.nodes[node].front), self(self, tree.nodes[node].behind));

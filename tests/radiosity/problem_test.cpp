@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "techniques/foundation/base/error.h"
-#include "techniques/radiosity/equations/solvers.h"
+#include "techniques/radiosity/solvers/solvers.h"
 #include "tests/radiosity/rooms.h"
 
 namespace shadowlab::radiosity {

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "techniques/radiosity/equations/solvers.h"
-#include "techniques/radiosity/form_factors/exchange_builder.h"
+#include "techniques/radiosity/exchange/exchange_builder.h"
 #include "techniques/radiosity/patches/contacts.h"
-#include "techniques/radiosity/patches/refinement.h"
+#include "techniques/radiosity/room/refinement.h"
+#include "techniques/radiosity/solvers/solvers.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {
@@ -91,7 +91,8 @@ double direct(const Room& room, const dvec3& positionCentred, const dvec3& norma
     static const Blockers kBox{6, 7, 8, 9, 10, 11};
     const dvec3 toLight = kLightWorld - room.originWorld - positionCentred;
     const double distance = glm::length(toLight), cosine = glm::dot(normal, toLight) / distance;
-    if (cosine <= 0 || room.occlusion->hide(kBox, positionCentred + 1e-9 * normal, positionCentred + toLight)) return 0;
+    if (cosine <= 0 || room.occlusion->isBlocked(kBox, positionCentred + 1e-9 * normal, positionCentred + toLight))
+        return 0;
     return kIntensity * cosine / (distance * distance);
 }
 

@@ -1,6 +1,6 @@
 // Where patches are cut finer, and what is known of those that are not.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/patches/refinement.h"
+#include "techniques/radiosity/room/refinement.h"
 
 #include <gtest/gtest.h>
 

@@ -28,10 +28,10 @@ struct Room {
     Room(const Room&) = delete; // the occlusion points into it
     Room& operator=(const Room&) = delete;
 
-    [[nodiscard]] radiosity::VisibleExchange exchange(std::size_t i, std::size_t j, double linesInAll) const {
+    [[nodiscard]] radiosity::VisibleExchange exchange(std::size_t i, std::size_t j, double linesPerPatch) const {
         const auto& a = faces.all[patches[i].face].polygon;
         const auto& b = faces.all[patches[j].face].polygon;
-        return radiosity::visibleExchange(patches[i], patches[j], *occlusion, occlusion->between(a, b), linesInAll);
+        return radiosity::visibleExchange(patches[i], patches[j], *occlusion, occlusion->between(a, b), linesPerPatch);
     }
     dvec3 originWorld{0.0};
     radiosity::Faces faces;

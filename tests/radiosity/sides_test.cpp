@@ -146,7 +146,7 @@ TEST(Sides, InAClosedRoomNobodySeesTheSurroundings) {
     EXPECT_EQ(room.coveredPatches(), 0u);
 }
 
-// From the floor before a wall that has, as good as, no end to the sides: the wall hides (1 - cos of its elevation) / 2.
+// From the floor before a wall that has, as good as, no end to the sides: the wall isBlocked (1 - cos of its elevation) / 2.
 TEST(Sides, TheSurroundingsAreWhatIsNotHidden) {
     scene::Scene scene = floorScene();
     addObject(scene, scene::makeBox({200, 3, 0.1}), translation({0, 1.5, -5.05}));

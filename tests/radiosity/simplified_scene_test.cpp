@@ -1,6 +1,6 @@
 // Coarser meshes: few enough, still closed, of nearly the same size, and every corner of the original has its place on them.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/room/simplified_scene.h"
+#include "techniques/radiosity/simplify/simplified_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "techniques/radiosity/equations/bounces.h"
-#include "techniques/radiosity/equations/solvers.h"
-#include "techniques/radiosity/form_factors/exchange_builder.h"
+#include "techniques/radiosity/exchange/exchange_builder.h"
 #include "techniques/radiosity/patches/contacts.h"
+#include "techniques/radiosity/solvers/solvers.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {

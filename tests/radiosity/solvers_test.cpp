@@ -1,6 +1,6 @@
 // What all solvers have in common, and what is special about each.
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/equations/solvers.h"
+#include "techniques/radiosity/solvers/solvers.h"
 
 #include <gtest/gtest.h>
 

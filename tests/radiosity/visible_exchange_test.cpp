@@ -22,12 +22,12 @@ using Kind = VisibleExchange::Kind;
 struct Row {
     double sum = 0, deviation = 0;
 };
-Row rowOf(const Room& room, std::size_t i, double linesInAll) {
+Row rowOf(const Room& room, std::size_t i, double linesPerPatch) {
     Row row;
     double squares = 0;
     for (std::size_t j = 0; j < room.patches.size(); ++j) {
         if (j == i) continue;
-        const VisibleExchange exchange = room.exchange(i, j, linesInAll);
+        const VisibleExchange exchange = room.exchange(i, j, linesPerPatch);
         row.sum += exchange.area / room.patches[i].area;
         squares += exchange.error * exchange.error;
     }
@@ -65,7 +65,7 @@ TEST(VisibleExchange, ARoomWithBlocksIsClosedUpToTheLines) {
             ++kinds[static_cast<int>(room.exchange(i, j, 1).kind)];
             const Patch &a = room.patches[i], &b = room.patches[j];
             const auto& ends = room.faces.all;
-            const bool hidden = room.occlusion->hide(
+            const bool hidden = room.occlusion->isBlocked(
                 room.occlusion->between(ends[a.face].polygon, ends[b.face].polygon), a.centre, b.centre);
             if (!hidden) naive += unoccludedExchange(a.polygon, b.polygon).area / a.area;
         }
@@ -111,8 +111,8 @@ TEST(VisibleExchange, AScreenThatHidesHalf) {
     }
     EXPECT_NEAR(room.exchange(0, 1, 1e4).area / truth, 1, 0.01);
     // One line from middle to middle sees all or nothing.
-    EXPECT_FALSE(room.occlusion->hide({2}, room.patches[0].centre + dvec3(1e-9, 0, 0), room.patches[1].centre));
-    EXPECT_TRUE(room.occlusion->hide({2}, room.patches[0].centre - dvec3(1e-9, 0, 0), room.patches[1].centre));
+    EXPECT_FALSE(room.occlusion->isBlocked({2}, room.patches[0].centre + dvec3(1e-9, 0, 0), room.patches[1].centre));
+    EXPECT_TRUE(room.occlusion->isBlocked({2}, room.patches[0].centre - dvec3(1e-9, 0, 0), room.patches[1].centre));
 }
 
 /// What is called fully seen is blocked on no line, and what is called hidden free on none, among random triangles and boxes.

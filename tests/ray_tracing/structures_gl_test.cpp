@@ -7,7 +7,7 @@
 #include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/trace/scene_tracer.h"
-#include "techniques/ray_tracing/structures/kept_structures.h"
+#include "techniques/ray_tracing/structures/structure_cache.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 #include "tests/support/truth_comparison.h"
@@ -123,7 +123,7 @@ TEST(KeptStructuresTest, AreBuiltOnceAndInSlices) {
         return tracer.geometry();
     };
     const auto geometry = geometryOf(testing::simpleScene());
-    ray_tracing::KeptStructures structures;
+    ray_tracing::StructureCache structures;
     using enum trace::Structure;
     int slices = 1;
     while (!structures.prepare(geometry, sphereTree, Deadline::min()).converged)

@@ -6,8 +6,8 @@
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/trace/bvh/bvh_build.h"
-#include "techniques/radiosity/equations/solvers.h"
 #include "techniques/radiosity/patches/contacts.h"
+#include "techniques/radiosity/solvers/solvers.h"
 
 namespace shadowlab::radiosity {
 

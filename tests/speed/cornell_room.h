@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "techniques/radiosity/equations/problem.h"
-#include "techniques/radiosity/form_factors/exchange_builder.h"
+#include "techniques/radiosity/exchange/exchange_builder.h"
 
 namespace shadowlab::radiosity {
 
 /// The built-in scene cornell-room. Its lamp is a surface like others, which emits pi times the lamp's radiance, as diffuse ones do, and
-/// hides the ceiling behind it.
+/// isBlocked the ceiling behind it.
 struct CornellRoom {
     /// Cut into so many patches at most, each then so many times into four, and all where other things touch them.
     explicit CornellRoom(std::size_t mostPatches, int halvings = 0);
@@ -35,10 +35,10 @@ private:
 
 /// As many lines for a patch that sees everything in part as the technique tries. Patches of a room cut into a thousand get the
 /// least number there is, 8 for a pair.
-constexpr double kLinesInAll = 1e4;
+constexpr double kLinesPerPatch = 1e4;
 
 inline ExchangeMatrix exactExchange(const CornellRoom& room) {
-    ExchangeBuilder builder(room.faces, room.patches, *room.occlusion, kLinesInAll);
+    ExchangeBuilder builder(room.faces, room.patches, *room.occlusion, kLinesPerPatch);
     builder.advance(std::chrono::steady_clock::time_point::max());
     return builder.take();
 }

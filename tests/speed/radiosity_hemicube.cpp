@@ -12,7 +12,7 @@
 #include <fstream>
 
 #include "app/context/context.h"
-#include "techniques/radiosity/form_factors/hemicube_exchange.h"
+#include "techniques/radiosity/exchange/hemicube_exchange.h"
 #include "techniques/radiosity/form_factors/point_form_factor.h"
 #include "techniques/radiosity/form_factors/polygon_exchange.h"
 #include "tests/radiosity/scene_room.h"

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "techniques/radiosity/equations/solvers.h"
+#include "techniques/radiosity/solvers/solvers.h"
 #include "tests/speed/log_log_plot.h"
 #include "tests/speed/radiosity_bench.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/radiosity/display/matrix_picture.h"
+#include "techniques/radiosity/display/stages.h"
 
 #include <algorithm>
 #include <cmath>

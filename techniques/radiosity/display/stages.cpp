@@ -7,8 +7,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/base/look.h"
-#include "techniques/radiosity/display/matrix_picture.h"
-#include "techniques/radiosity/probe/probe.h"
+#include "techniques/radiosity/probe.h"
 
 namespace shadowlab::radiosity {
 
@@ -33,7 +32,7 @@ void publishScalar(const Showing& showing, std::string_view stage, const std::ve
     showing.frame.drawStage(
         stage, kNoLight, GL_RG32F,
         [&] {
-            const auto uploaded = SurfacePicture::upload(cellValues(showing.kept.cells(), values));
+            const auto uploaded = SurfacePicture::upload(cellValues(showing.cache.cells(), values));
             showing.picture.drawScalar(showing.frame, uploaded, false);
         },
         display);
@@ -56,30 +55,30 @@ void publishPatches(const Showing& showing) {
                                               {look::colorAt(look::viridis(), 0.7), "three times"},
                                               {look::colorAt(look::viridis(), 0.95), "more often"},
                                               {look::kNoSurface, "border of a patch"}};
-    const bool isRefined = showing.kept.isRefined();
+    const bool isRefined = showing.cache.isRefined();
     std::vector<dvec3> colors(showing.sources.size(), dvec3(key[0].colorLinear));
-    for (std::size_t i = 0; i < showing.kept.room().levels().size(); ++i)
-        colors[i] = dvec3(key[std::min<std::size_t>(showing.kept.room().levels()[i], 4)].colorLinear);
+    for (std::size_t i = 0; i < showing.cache.room().levels().size(); ++i)
+        colors[i] = dvec3(key[std::min<std::size_t>(showing.cache.room().levels()[i], 4)].colorLinear);
     showing.frame.drawStage("patches", kNoLight, GL_RGBA16F,
                             [&] {
-                                const auto uploaded = SurfacePicture::upload(cellValues(showing.kept.cells(), colors));
+                                const auto uploaded = SurfacePicture::upload(cellValues(showing.cache.cells(), colors));
                                 showing.picture.drawOutlines(showing.frame, uploaded, key.back().colorLinear);
                             },
                             {.unit = "", .key = isRefined ? key : std::vector<KeyEntry>{key.front(), key.back()}});
 }
 
 /// Whose form factors are looked at: the picked pixel's, the one asked for, or the one that sends the most light.
-std::size_t lookedAt(const Showing& showing) {
-    const std::size_t count = showing.kept.room().patches().size();
+std::size_t chosenPatch(const Showing& showing) {
+    const std::size_t count = showing.cache.room().patches().size();
     const View& view = showing.frame.view();
     if (view.picked)
-        if (const auto seen = patchSeen(showing.kept, showing.frame.snapshot(), view, *view.picked)) return *seen;
+        if (const auto seen = patchSeen(showing.cache, showing.frame.snapshot(), view, *view.picked)) return *seen;
     if (showing.params.fromPatch >= 0 && static_cast<std::size_t>(showing.params.fromPatch) < count)
         return static_cast<std::size_t>(showing.params.fromPatch);
     std::size_t best = 0;
     double most = -1;
     for (std::size_t i = 0; i < count; ++i) {
-        const double power = luminance(showing.balance.radiosity()[i]) * showing.kept.exchange().areas[i];
+        const double power = luminance(showing.balance.radiosity()[i]) * showing.cache.exchange().areas[i];
         if (power > most) {
             most = power;
             best = i;
@@ -89,12 +88,12 @@ std::size_t lookedAt(const Showing& showing) {
 }
 
 void publishFormFactors(const Showing& showing) {
-    const std::size_t count = showing.kept.room().patches().size();
+    const std::size_t count = showing.cache.room().patches().size();
     std::vector<double> shares(count, 0.0);
     double most = 0;
-    if (const std::size_t from = count > 0 ? lookedAt(showing) : 0; from < count) { // nothing lies before the others
+    if (const std::size_t from = count > 0 ? chosenPatch(showing) : 0; from < count) { // nothing lies before the others
         for (std::size_t j = 0; j < count; ++j)
-            shares[j] = 100 * showing.kept.exchange().matrix(from, j) / showing.kept.exchange().areas[from];
+            shares[j] = 100 * showing.cache.exchange().matrix(from, j) / showing.cache.exchange().areas[from];
         most = *std::ranges::max_element(shares);
     }
     publishScalar(showing, "form-factors", asValues(showing, shares, 0),
@@ -113,7 +112,7 @@ void publishResidual(const Showing& showing) {
 }
 
 void publishVisibility(const Showing& showing, int light, const LightMap* map) {
-    const SurfaceCells& cells = showing.kept.cells();
+    const SurfaceCells& cells = showing.cache.cells();
     if (map) {
         const LightMap::Values seen = map->seenArea(cells, light);
         const std::vector<dvec3> nothing(showing.sources.size(), dvec3(0)); // all of it is in the map
@@ -124,7 +123,7 @@ void publishVisibility(const Showing& showing, int light, const LightMap* map) {
         return;
     }
     std::vector<dvec3> shares;
-    for (const double share : showing.kept.light(light).seenArea)
+    for (const double share : showing.cache.light(light).seenArea)
         shares.emplace_back(share);
     const auto uploaded = SurfacePicture::upload(cellValues(cells, shares));
     const bool interpolates = showing.params.display != RadiosityParams::Display::flat;
@@ -135,7 +134,7 @@ void publishVisibility(const Showing& showing, int light, const LightMap* map) {
 } // namespace
 
 void Showing::draw(std::span<const dvec3> radiosity, bool interpolates) const {
-    picture.drawRadiosity(frame, SurfacePicture::upload(cellValues(kept.cells(), radiosity)), interpolates,
+    picture.drawRadiosity(frame, SurfacePicture::upload(cellValues(cache.cells(), radiosity)), interpolates,
                           params.exposureFactor());
 }
 
@@ -145,15 +144,15 @@ void Showing::drawSmooth(const ShownLight& shown) const {
 
 ShownLight Showing::shown(const LightMap* map) const {
     std::vector<dvec3> arriving = balance.irradianceShown();
-    if (!map) return {SurfacePicture::upload(cellValues(kept.cells(), arriving)), std::nullopt};
+    if (!map) return {SurfacePicture::upload(cellValues(cache.cells(), arriving)), std::nullopt};
     // What came by way of other patches, or from outside, changes slowly: it is interpolated. The rest is in the map.
     for (std::size_t i = 0; i < arriving.size(); ++i)
         arriving[i] -= sources.fromLights[i];
-    const LightMap::Values direct = map->irradiance(kept.cells());
-    std::vector<dvec3> atBlends = blended(kept.cells(), arriving);
+    const LightMap::Values direct = map->irradiance(cache.cells());
+    std::vector<dvec3> atBlends = blended(cache.cells(), arriving);
     for (std::size_t i = 0; i < atBlends.size(); ++i)
         atBlends[i] += direct.atBlends[i];
-    return {SurfacePicture::upload(cellValues(kept.cells(), arriving, atBlends)),
+    return {SurfacePicture::upload(cellValues(cache.cells(), arriving, atBlends)),
             SurfacePicture::upload(map->lattices(), direct.atPoints)};
 }
 
@@ -161,15 +160,15 @@ void publishStages(const Showing& showing, const LightMap* map) {
     const Frame& frame = showing.frame;
     if (frame.wants("patches")) publishPatches(showing);
     if (frame.wants("form-factors")) publishFormFactors(showing);
-    if (frame.wants("matrix")) publishMatrix(showing.frame, showing.kept.exchange());
+    if (frame.wants("matrix")) publishMatrix(showing.frame, showing.cache.exchange());
     if (frame.wants("row-sums")) {
-        const std::vector<double>& sums = showing.kept.exchange().rowSums;
+        const std::vector<double>& sums = showing.cache.exchange().rowSums;
         const double most = sums.empty() ? 1 : std::max(1.0, *std::ranges::max_element(sums));
         publishScalar(showing, "row-sums", asValues(showing, sums, 0),
                       {.minimum = 0, .maximum = most, .unit = "sum of form factors", .key = {}});
     }
     if (frame.wants("surroundings"))
-        publishScalar(showing, "surroundings", asValues(showing, showing.kept.room().surroundings(), 1),
+        publishScalar(showing, "surroundings", asValues(showing, showing.cache.room().surroundings(), 1),
                       {.minimum = 0, .maximum = 1, .unit = "share of its view", .key = {}});
     publishRadiance(showing, "emission", showing.sources.emission, false);
     if (frame.wants("first-bounce")) publishRadiance(showing, "first-bounce", showing.balance.bounce(1), false);

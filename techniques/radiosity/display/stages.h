@@ -5,11 +5,11 @@
 #include <span>
 
 #include "techniques/frame.h"
+#include "techniques/radiosity/display/light_map.h"
 #include "techniques/radiosity/display/surface_picture.h"
 #include "techniques/radiosity/equations/light_balance.h"
-#include "techniques/radiosity/lights/light_map.h"
 #include "techniques/radiosity/params.h"
-#include "techniques/radiosity/room/kept_room.h"
+#include "techniques/radiosity/room_cache.h"
 
 namespace shadowlab::radiosity {
 
@@ -22,7 +22,7 @@ struct ShownLight {
 /// One frame, and all that there is to show.
 struct Showing {
     Frame& frame;
-    const KeptRoom& kept;
+    const RoomCache& cache;
     const Sources& sources;
     const LightBalance& balance;
     const SurfacePicture& picture;
@@ -38,5 +38,13 @@ struct Showing {
 
 /// What is wanted of the stages. `map`: what direct light is shown by, or nullptr.
 void publishStages(const Showing& showing, const LightMap* map);
+
+/// Publishes stage `matrix`: F_jk in row j and column k, each pixel the mean of the numbers that it covers, on a logarithmic scale; to its
+/// right a bar for each row, as long as the row's sum.
+void publishMatrix(Frame& frame, const PreparedExchange& exchange);
+
+/// Counters and notes: how many patches, how good the form factors are and what scaling changed, how far solving has come, where
+/// the power goes, and what of the materials is left out.
+void publishNotes(const Showing& showing);
 
 } // namespace shadowlab::radiosity

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "techniques/radiosity/patches/patch_corners.h"
-#include "techniques/radiosity/patches/patch_tree.h"
+#include "techniques/radiosity/interpolation/patch_corners.h"
+#include "techniques/radiosity/interpolation/patch_tree.h"
 #include "techniques/radiosity/room/room.h"
 
 namespace shadowlab::radiosity {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstring>
 
-#include "techniques/radiosity/equations/row_pieces.h"
+#include "techniques/radiosity/exchange/exchange_matrix.h"
 
 namespace shadowlab::radiosity {
 

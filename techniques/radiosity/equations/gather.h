@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "techniques/foundation/math/types.h"
-#include "techniques/radiosity/form_factors/exchange_matrix.h"
+#include "techniques/radiosity/exchange/exchange_matrix.h"
 
 namespace shadowlab::radiosity {
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "techniques/radiosity/equations/bounces.h"
-#include "techniques/radiosity/equations/solvers.h"
-#include "techniques/radiosity/form_factors/prepared_exchange.h"
+#include "techniques/radiosity/exchange/prepared_exchange.h"
 #include "techniques/radiosity/lights/direct_light.h"
 #include "techniques/radiosity/room/room.h"
+#include "techniques/radiosity/solvers/solvers.h"
 
 namespace shadowlab::radiosity {
 

@@ -75,7 +75,7 @@ Blockers Occlusion::between(const Polygon& a, const Polygon& b, const Blockers* 
     return found;
 }
 
-bool Occlusion::hideAll(const Blockers& blockers, const Polygon& a, const Polygon& b) const {
+bool Occlusion::blocksAll(const Blockers& blockers, const Polygon& a, const Polygon& b) const {
     // A light in a corner of a face is in its plane, and on one side or the other as rounding will have it.
     const double touching = touchingIn(boxOf(a), boxOf(b));
     return std::ranges::any_of(blockers, [&](std::uint32_t number) {
@@ -102,8 +102,8 @@ Occlusion::Outline Occlusion::outlineOf(const Face& face) {
     return outline;
 }
 
-Blockers::const_iterator Occlusion::hider(const Blockers& blockers, const dvec3& fromCentred,
-                                          const dvec3& toCentred) const {
+Blockers::const_iterator Occlusion::firstBlocker(const Blockers& blockers, const dvec3& fromCentred,
+                                                 const dvec3& toCentred) const {
     return std::ranges::find_if(blockers, [&](std::uint32_t number) {
         const Outline& outline = outlines_[number];
         const double from = outline.plane.height(fromCentred), to = outline.plane.height(toCentred);

@@ -3,7 +3,7 @@
 // First the faces that may: those in the shaft between the polygons' boxes (Haines and Wallace, 1991) that are not behind either
 // polygon's plane, and do not have both polygons on one side. None: the polygons see each other fully, and that is certain. One whose plane parts the two, and that all lines
 // from corner to corner of the two pierce: they do not see each other at all, and that is certain, too, for every other line
-// pierces that plane between these places, and the face is convex. Otherwise lines between points of both are tried.
+// pierces that plane between these places, and the face is convex. Otherwise lines between points of both are samples.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -33,12 +33,12 @@ public:
     /// point perhaps. They need not lie in a plane.
     [[nodiscard]] Blockers betweenHull(const Polygon& a, const Polygon& hull, const Blockers* known = nullptr) const;
     /// Does one of the faces hide all of the one from all of the other? Either may be a hull.
-    [[nodiscard]] bool hideAll(const Blockers& blockers, const Polygon& a, const Polygon& b) const;
+    [[nodiscard]] bool blocksAll(const Blockers& blockers, const Polygon& a, const Polygon& b) const;
     /// The first in the list that stands between the two points; its end: none does.
-    [[nodiscard]] Blockers::const_iterator hider(const Blockers& blockers, const dvec3& fromCentred,
-                                                 const dvec3& toCentred) const;
-    [[nodiscard]] bool hide(const Blockers& blockers, const dvec3& fromCentred, const dvec3& toCentred) const {
-        return hider(blockers, fromCentred, toCentred) != blockers.end();
+    [[nodiscard]] Blockers::const_iterator firstBlocker(const Blockers& blockers, const dvec3& fromCentred,
+                                                        const dvec3& toCentred) const;
+    [[nodiscard]] bool isBlocked(const Blockers& blockers, const dvec3& fromCentred, const dvec3& toCentred) const {
+        return firstBlocker(blockers, fromCentred, toCentred) != blockers.end();
     }
 
 private:

@@ -4,7 +4,7 @@
 // between the piece's normal and the normal of the plane through the edge and the piece. Exact for any size and nearness.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/radiosity/form_factors/polygon.h"
+#include "techniques/radiosity/patches/polygon.h"
 
 namespace shadowlab::radiosity {
 

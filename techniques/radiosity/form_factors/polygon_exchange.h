@@ -6,7 +6,7 @@
 // need neither (rectangle_exchange.h).
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/radiosity/form_factors/polygon.h"
+#include "techniques/radiosity/patches/polygon.h"
 
 namespace shadowlab::radiosity {
 

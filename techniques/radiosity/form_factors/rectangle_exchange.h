@@ -8,7 +8,7 @@
 #pragma once
 #include <optional>
 
-#include "techniques/radiosity/form_factors/polygon.h"
+#include "techniques/radiosity/patches/polygon.h"
 
 namespace shadowlab::radiosity {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "techniques/radiosity/form_factors/even_places.h"
+#include "techniques/radiosity/patches/polygon_samples.h"
 
 namespace shadowlab::radiosity {
 
@@ -28,29 +28,29 @@ constexpr double kWhole = 1e-7, kInPart = 1e-4;
 } // namespace
 
 VisibleExchange visibleExchange(const Patch& a, const Patch& b, const Occlusion& occlusion, const Blockers& known,
-                                double linesInAll) {
+                                double linesPerPatch) {
     using Kind = VisibleExchange::Kind;
     if (isBehind(a.plane(), b.polygon, 0) || isBehind(b.plane(), a.polygon, 0)) return {};
     Blockers blockers = known.empty() ? known : occlusion.between(a.polygon, b.polygon, &known);
-    if (!blockers.empty() && occlusion.hideAll(blockers, a.polygon, b.polygon)) return {Kind::hidden, 0, 0};
+    if (!blockers.empty() && occlusion.blocksAll(blockers, a.polygon, b.polygon)) return {Kind::hidden, 0, 0};
     const Exchange whole = unoccludedExchange(a.polygon, b.polygon, blockers.empty() ? kWhole : kInPart);
     if (whole.area <= 0) return {};
     if (blockers.empty()) return {Kind::full, whole.area, whole.error};
     const double share = whole.area / std::min(a.area, b.area);
-    const int lines = static_cast<int>(std::clamp(std::ceil(linesInAll * share), kFewestLines, kMostLines));
+    const int lines = static_cast<int>(std::clamp(std::ceil(linesPerPatch * share), kFewestLines, kMostLines));
     double free = 0, all = 0, squares = 0;
     for (int i = 0; i < lines; ++i) {
-        const auto x = evenly(i, lines);
+        const auto x = hammersley4(i, lines);
         const Place from = placeIn(a.polygon, x[0], x[1]), to = placeIn(b.polygon, x[2], x[3]);
         const double weight = from.weight * to.weight * kernel(a, b, from.point, to.point);
         all += weight;
         squares += weight * weight;
         if (!(weight > 0)) continue;
-        const auto hider = occlusion.hider(blockers, from.point, to.point);
-        if (hider == blockers.end())
+        const auto firstBlocker = occlusion.firstBlocker(blockers, from.point, to.point);
+        if (firstBlocker == blockers.end())
             free += weight;
         else
-            std::swap(blockers[static_cast<std::size_t>(hider - blockers.begin())],
+            std::swap(blockers[static_cast<std::size_t>(firstBlocker - blockers.begin())],
                       blockers.front()); // the next line may meet it, too
     }
     if (!(all > 0)) return {Kind::partial, 0, whole.area};

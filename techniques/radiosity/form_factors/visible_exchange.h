@@ -18,10 +18,10 @@ struct VisibleExchange {
     double error = 0; ///< of partly seen patches one standard deviation, at most, of as many lines chosen by chance
 };
 
-/// `linesInAll`: as many a patch would send if it saw everything in part; a pair gets its share of them, by how much of what the
+/// `linesPerPatch`: as many a patch would send if it saw everything in part; a pair gets its share of them, by how much of what the
 /// smaller patch sends out would arrive, so that every line stands for as much. They lie evenly, and are the same whenever the
 /// same patches are asked about in the same order.
 VisibleExchange visibleExchange(const Patch& a, const Patch& b, const Occlusion& occlusion, const Blockers& known,
-                                double linesInAll);
+                                double linesPerPatch);
 
 } // namespace shadowlab::radiosity

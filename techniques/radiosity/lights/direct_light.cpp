@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "techniques/foundation/trace/parallel.h"
-#include "techniques/radiosity/form_factors/even_places.h"
+#include "techniques/radiosity/patches/polygon_samples.h"
 
 namespace shadowlab::radiosity {
 
@@ -14,7 +14,7 @@ namespace {
 constexpr int kLines = 64;
 
 /// Lines that are tried: the share of their weight that is free, and of their number.
-struct Tried {
+struct LineSamples {
     double free = 0, all = 0, freeCount = 0, count = 0;
     /// `countWeight`: what the line counts where all of the light counts alike.
     void add(double weight, double countWeight, bool isFree) {
@@ -53,42 +53,43 @@ void DirectLightBuilder::fill(std::size_t i) {
     if (!(whole > 0)) return;
     const Blockers blockers = receivesShadow_[i] ? source_.blockers(patch.polygon, occlusion_) : Blockers{};
     if (!blockers.empty() && source_.isHidden(patch.polygon, occlusion_, blockers)) return;
-    tryLines(i, blockers);
+    sampleLines(i, blockers);
     if (blockers.empty()) light_.visible[i] = 1; // for certain
     light_.irradiance[i] = light_.visible[i] * whole * source_.color();
 }
 
-void DirectLightBuilder::tryLines(std::size_t i, const Blockers& blockers) {
+void DirectLightBuilder::sampleLines(std::size_t i, const Blockers& blockers) {
     const Patch& patch = patches_[i];
     const Polygon reached = source_.reached(patch);
     if (reached.isEmpty()) return;
-    Tried tried;
+    LineSamples samples;
     for (int l = 0; l < kLines; ++l) {
-        const auto x = evenly(l, kLines);
+        const auto x = hammersley4(l, kLines);
         const Place place = placeIn(reached, x[0], x[1]);
         const LightLine line = source_.line(place.point, patch.normal, x[2], x[3]);
         const bool isFree =
-            line.weight > 0 && (blockers.empty() || !occlusion_.hide(blockers, place.point, line.fromCentred));
-        tried.add(place.weight * line.weight, place.weight, isFree);
+            line.weight > 0 && (blockers.empty() || !occlusion_.isBlocked(blockers, place.point, line.fromCentred));
+        samples.add(place.weight * line.weight, place.weight, isFree);
     }
-    light_.visible[i] = tried.share();
-    light_.seenArea[i] = tried.seenArea();
+    light_.visible[i] = samples.share();
+    light_.seenArea[i] = samples.seenArea();
 }
 
-Arriving arrivingAt(const dvec3& positionCentred, const dvec3& normal, const LightSource& source, const Hides& hides) {
+Arriving arrivingAt(const dvec3& positionCentred, const dvec3& normal, const LightSource& source,
+                    const IsBlocked& isBlocked) {
     const double whole = source.irradiance(positionCentred, normal);
     if (!source.hasArea()) {
-        const bool isFree = !hides(positionCentred, source.line(positionCentred, normal, 0, 0).fromCentred);
+        const bool isFree = !isBlocked(positionCentred, source.line(positionCentred, normal, 0, 0).fromCentred);
         return {(isFree ? whole : 0.0) * source.color(), isFree ? 1.0 : 0.0};
     }
     if (!(whole > 0)) return {};
-    Tried tried;
+    LineSamples samples;
     for (int i = 0; i < kLines; ++i) {
-        const auto x = evenly(i, kLines);
+        const auto x = hammersley4(i, kLines);
         const LightLine line = source.line(positionCentred, normal, x[0], x[1]);
-        tried.add(line.weight, 1, line.weight > 0 && !hides(positionCentred, line.fromCentred));
+        samples.add(line.weight, 1, line.weight > 0 && !isBlocked(positionCentred, line.fromCentred));
     }
-    return {tried.share() * whole * source.color(), tried.seenArea()};
+    return {samples.share() * whole * source.color(), samples.seenArea()};
 }
 
 } // namespace shadowlab::radiosity

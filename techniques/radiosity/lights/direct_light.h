@@ -36,7 +36,7 @@ public:
 
 private:
     void fill(std::size_t i);
-    void tryLines(std::size_t i, const Blockers& blockers);
+    void sampleLines(std::size_t i, const Blockers& blockers);
 
     LightSource source_;
     const std::vector<Patch>& patches_;
@@ -54,10 +54,11 @@ struct Arriving {
 };
 
 /// Does something stand between two points?
-using Hides = std::function<bool(const dvec3& fromCentred, const dvec3& toCentred)>;
+using IsBlocked = std::function<bool(const dvec3& fromCentred, const dvec3& toCentred)>;
 
-/// At a point of a surface with that unit normal, by 64 lines to a light with an area and one to others. `hides`: asked of the point
+/// At a point of a surface with that unit normal, by 64 lines to a light with an area and one to others. `isBlocked`: asked of the point
 /// and points of the light.
-Arriving arrivingAt(const dvec3& positionCentred, const dvec3& normal, const LightSource& source, const Hides& hides);
+Arriving arrivingAt(const dvec3& positionCentred, const dvec3& normal, const LightSource& source,
+                    const IsBlocked& isBlocked);
 
 } // namespace shadowlab::radiosity

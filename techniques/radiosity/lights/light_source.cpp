@@ -7,10 +7,10 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/foundation/scene/query/shading.h"
-#include "techniques/radiosity/form_factors/even_places.h"
 #include "techniques/radiosity/form_factors/point_form_factor.h"
 #include "techniques/radiosity/form_factors/polygon_exchange.h"
-#include "techniques/radiosity/form_factors/solid_angle.h"
+#include "techniques/radiosity/lights/solid_angle.h"
+#include "techniques/radiosity/patches/polygon_samples.h"
 
 namespace shadowlab::radiosity {
 
@@ -105,7 +105,7 @@ double LightSource::meanIrradiance(const Patch& patch) const {
         return scene::pointIntensity(light_) * solidAngle(patch.polygon, position) / patch.area;
     double sum = 0, weights = 0;
     for (int i = 0; i < kPlaces; ++i) {
-        const auto x = evenly(i, kPlaces);
+        const auto x = hammersley4(i, kPlaces);
         const Place place = placeIn(patch.polygon, x[0], x[1]);
         sum += place.weight * irradiance(place.point, patch.normal);
         weights += place.weight;
@@ -187,7 +187,7 @@ Blockers LightSource::blockers(const Polygon& polygon, const Occlusion& occlusio
 }
 
 bool LightSource::isHidden(const Polygon& polygon, const Occlusion& occlusion, const Blockers& blockers) const {
-    return occlusion.hideAll(blockers, polygon, hull(polygon));
+    return occlusion.blocksAll(blockers, polygon, hull(polygon));
 }
 
 } // namespace shadowlab::radiosity

@@ -14,7 +14,7 @@
 #pragma once
 #include "techniques/foundation/scene/model/light.h"
 #include "techniques/radiosity/form_factors/occlusion.h"
-#include "techniques/radiosity/lights/cone_solid_angle.h"
+#include "techniques/radiosity/lights/solid_angle.h"
 #include "techniques/radiosity/patches/patches.h"
 
 namespace shadowlab::radiosity {

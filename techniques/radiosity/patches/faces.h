@@ -8,7 +8,7 @@
 
 #include "techniques/foundation/scene/model/scene.h"
 #include "techniques/foundation/trace/world_triangles.h"
-#include "techniques/radiosity/form_factors/polygon.h"
+#include "techniques/radiosity/patches/polygon.h"
 
 namespace shadowlab::radiosity {
 

@@ -4,8 +4,8 @@
 #include "techniques/foundation/trace/bvh/bvh_build.h"
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/radiosity/patches/contacts.h"
-#include "techniques/radiosity/patches/patch_memory.h"
-#include "techniques/radiosity/room/look_around.h"
+#include "techniques/radiosity/room/patch_memory.h"
+#include "techniques/radiosity/room/sample_hemisphere.h"
 
 namespace shadowlab::radiosity {
 
@@ -35,11 +35,11 @@ bool Room::advance(std::chrono::steady_clock::time_point deadline) {
             break;
         case Phase::cut:
             cut();
-            phase_ = Phase::lookAround;
+            phase_ = Phase::sample;
             break;
-        case Phase::lookAround:
-            nextPatch_ =
-                trace::parallelUntil(deadline, nextPatch_, patches_.size(), [&](std::size_t i) { lookAround(i); });
+        case Phase::sample:
+            nextPatch_ = trace::parallelUntil(deadline, nextPatch_, patches_.size(),
+                                              [&](std::size_t i) { sampleSurroundings(i); });
             if (nextPatch_ < patches_.size()) return false;
             leaveOutCovered();
             phase_ = Phase::done;
@@ -97,11 +97,11 @@ double Room::cutWithinBudget() {
     }
 }
 
-void Room::lookAround(std::size_t patch) {
+void Room::sampleSurroundings(std::size_t patch) {
     const std::uint32_t object = faceOf(patches_[patch]).object;
     const bool isCoarse = !simple_->cornersOfObject[object].empty();
-    const Seen seen =
-        radiosity::lookAround(tracer_, *bodies_, patches_[patch], object, isCoarse ? kFold * simple_->cellMetres : 0);
+    const HemisphereShares seen =
+        sampleHemisphere(tracer_, *bodies_, patches_[patch], object, isCoarse ? kFold * simple_->cellMetres : 0);
     surroundings_[patch] = seen.nothing;
     inBodies_[patch] = seen.inBodies;
     folded_[patch] = seen.folds;
@@ -117,7 +117,7 @@ std::vector<std::uint32_t> Room::refine(std::span<const Refinement> refinements)
     folded_.assign(patches_.size(), 0.0);
     trace::parallelFor(patches_.size(), [&](std::size_t i) {
         if (cut.from[i] == Refined::kNew)
-            lookAround(i);
+            sampleSurroundings(i);
         else
             surroundings_[i] = before[cut.from[i]];
     });

@@ -9,10 +9,10 @@
 #include "techniques/foundation/trace/scene_tracer.h"
 #include "techniques/radiosity/form_factors/occlusion.h"
 #include "techniques/radiosity/patches/patches.h"
-#include "techniques/radiosity/patches/refinement.h"
-#include "techniques/radiosity/room/closed_bodies.h"
+#include "techniques/radiosity/patches/winding_number.h"
+#include "techniques/radiosity/room/refinement.h"
 #include "techniques/radiosity/room/sides.h"
-#include "techniques/radiosity/room/simplified_scene.h"
+#include "techniques/radiosity/simplify/simplified_scene.h"
 
 namespace shadowlab::radiosity {
 
@@ -68,8 +68,8 @@ public:
     }
 
 private:
-    void lookAround(std::size_t patch);
-    enum class Phase { simplify, cut, lookAround, done };
+    void sampleSurroundings(std::size_t patch);
+    enum class Phase { simplify, cut, sample, done };
     void simplify();
     void cut();
     double cutWithinBudget();

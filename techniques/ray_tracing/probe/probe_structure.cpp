@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/ray_tracing/probe/probe_structure.h"
+#include "techniques/ray_tracing/probe/pixel_probe.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/ray_tracing/probe/probe_tree.h"
+#include "techniques/ray_tracing/probe/pixel_probe.h"
 
 #include <string>
 
-#include "techniques/ray_tracing/probe/ray_ends.h"
+#include "techniques/ray_tracing/probe/ray_shapes.h"
 
 namespace shadowlab::ray_tracing {
 

@@ -26,9 +26,4 @@ private:
     std::vector<std::unique_ptr<trace::AreaVisibility>> areas_; ///< per light
 };
 
-/// What a surface sends toward the viewer of a light that brings it that irradiance (trace::AreaIrradiance, in parts of pi times
-/// the light's radiance). Exact for what is diffuse. Simplified: a highlight is that of the light's centre.
-dvec3 reflectedOf(const scene::Light& light, double irradiance, const scene::Material& material,
-                  const dvec3& positionWorld, const dvec3& normalWorld, const dvec3& toViewerWorld);
-
 } // namespace shadowlab::ray_tracing

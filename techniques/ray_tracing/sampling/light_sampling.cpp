@@ -60,11 +60,11 @@ double placeOnLine(double w, double y0, double y1, double share) {
 
 LightSampler::LightSampler(const scene::Light& light, const dvec3& pointWorld) {
     const dvec3 toCentre = light.positionWorld - pointWorld;
-    if (light.type == scene::LightType::rect && scene::edgesSpan(light)) lookAtRect(light, toCentre);
-    if (light.type == scene::LightType::sphere) lookAtSphere(light.radius, toCentre);
+    if (light.type == scene::LightType::rect && scene::edgesSpan(light)) setUpRect(light, toCentre);
+    if (light.type == scene::LightType::sphere) setUpSphere(light.radius, toCentre);
 }
 
-void LightSampler::lookAtRect(const scene::Light& light, const dvec3& toCentre) {
+void LightSampler::setUpRect(const scene::Light& light, const dvec3& toCentre) {
     const dvec3 corner = toCentre - 0.5 * (light.edgeUWorld + light.edgeVWorld);
     axisY_ = glm::normalize(light.edgeVWorld);
     axisZ_ = -scene::rectNormalWorld(light);
@@ -89,7 +89,7 @@ void LightSampler::lookAtRect(const scene::Light& light, const dvec3& toCentre) 
     solidAngle_ = solidAngleBefore(x1_);
 }
 
-void LightSampler::lookAtSphere(double radius, const dvec3& toCentre) {
+void LightSampler::setUpSphere(double radius, const dvec3& toCentre) {
     isSphere_ = true;
     distance_ = glm::length(toCentre);
     radius_ = radius;

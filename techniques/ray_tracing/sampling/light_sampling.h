@@ -39,8 +39,8 @@ public:
     [[nodiscard]] LightSample sample(dvec2 random01) const;
 
 private:
-    void lookAtRect(const scene::Light& light, const dvec3& toCentre);
-    void lookAtSphere(double radius, const dvec3& toCentre);
+    void setUpRect(const scene::Light& light, const dvec3& toCentre);
+    void setUpSphere(double radius, const dvec3& toCentre);
     [[nodiscard]] double solidAngleBefore(double x) const;
     [[nodiscard]] double xAt(double angle) const;
     [[nodiscard]] double densityAt(double x) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "techniques/foundation/trace/parallel.h"
+#include "techniques/ray_tracing/blocks.h"
 #include "techniques/ray_tracing/sampling/light_sampling.h"
 #include "techniques/ray_tracing/tree/node_lights.h"
 
@@ -37,8 +38,7 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
         for (std::size_t x = begin; x < std::min(width, begin + kPiece); ++x) {
             const std::size_t i = y * width + x;
             if (fromCentre[i] < trace::Visibility::shadowed) continue; // turned away, or there is nothing
-            const trace::SurfacePoint point =
-                tracer.eyePointOn(picture.points()[i].primitive, rays, dvec2(x, y) + 0.5);
+            const trace::SurfacePoint point = tracer.eyePointOn(picture.points()[i].primitive, rays, dvec2(x, y) + 0.5);
             if (!point) continue;
             const dvec3 toViewerWorld = glm::normalize(camera.positionWorld - tracer.positionWorld(point));
             shares_[i] = static_cast<float>(sampledShare({surfaces, atRest}, point, toViewerWorld, light_, pattern,
@@ -52,14 +52,13 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
                           const trace::AreaVisibility& area, Deadline deadline) {
     // Neighbours are asked together, in squares.
     constexpr int kSide = 8;
-    const ivec2 size = picture.size(), squares = (size + kSide - 1) / kSide;
+    const ivec2 size = picture.size();
+    const Blocks squares{size, kSide};
     const trace::SceneTracer& tracer = surfaces.tracer();
     const trace::EyeRays rays = tracer.eyeRays(camera, size);
     irradiances_.resize(shares_.size(), 0.0f);
-    const auto count = static_cast<std::size_t>(squares.x * squares.y);
-    next_ = trace::parallelUntil(deadline, next_, count, [&](std::size_t square) {
-        const ivec2 corner = kSide * ivec2(static_cast<int>(square) % squares.x, static_cast<int>(square) / squares.x);
-        const ivec2 end = glm::min(corner + kSide, size);
+    next_ = trace::parallelUntil(deadline, next_, squares.count(), [&](std::size_t square) {
+        const ivec2 corner = squares.corner(square), end = corner + squares.sizeAt(corner);
         std::vector<std::size_t> pixels;
         std::vector<trace::SurfacePoint> points;
         std::vector<dvec3> normalsWorld;
@@ -84,7 +83,7 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
             irradiances_[pixels[i]] = static_cast<float>(found[i].irradiance);
         }
     });
-    return next_ >= count;
+    return next_ >= squares.count();
 }
 
 double sampledShare(const RayWorld& world, const trace::SurfacePoint& point, const dvec3& toViewerWorld, int light,
@@ -102,7 +101,7 @@ double sampledShare(const RayWorld& world, const trace::SurfacePoint& point, con
     double seen = 0, all = 0;
     for (int sample = 0; sample < pattern.count; ++sample) {
         const SampleNumbers numbers(pattern, pixel, static_cast<std::uint32_t>(sample));
-        const std::uint64_t place = node.path * tracer.scene().lights.size() + static_cast<std::size_t>(light);
+        const std::uint64_t place = node.placeOf(light, tracer.scene().lights.size());
         const LightSample chosen = sampler.sample(numbers.pair(Purpose::light, place));
         all += chosen.areaWeight;
         if (visibilityAlong(world, {}, node, chosen.onLightCentredOffset) == trace::Visibility::lit)

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "techniques/foundation/trace/parallel.h"
+#include "techniques/ray_tracing/blocks.h"
 #include "techniques/ray_tracing/sampling/lobe.h"
 
 namespace shadowlab::ray_tracing {
@@ -17,7 +18,7 @@ constexpr int kSampledBlock = 16;
 
 // Adaptive sampling asks for the first time after so many samples, and then again after as many: with fewer an edge that covers
 // a tenth of a pixel is often not met at all, and its absence looks like certainty.
-constexpr int kSamplesBetweenQuestions = 16;
+constexpr int kSamplesBetweenChecks = 16;
 
 /// The step of 8-bit grey, as a fraction, that a linear value is shown as: IEC 61966-2-1 (sRGB).
 double grey(double linear) {
@@ -55,13 +56,10 @@ bool SampledPicture::advance(const Surfaces& surfaces, const trace::MovingScene&
     // Simplified: the lens is small, so all of it is inside what its middle is in.
     const DielectricStack aroundEye = surfaces.mediaAround(rays.eyeCentred());
     const dvec3 background(surfaces.scene().background);
-    const ivec2 blocks = (size_ + kSampledBlock - 1) / kSampledBlock;
-    const auto count = static_cast<std::size_t>(blocks.x * blocks.y);
+    const Blocks blocks{size_, kSampledBlock};
     std::atomic<std::uint64_t> secondaryRays = 0;
     const auto traceBlock = [&](std::size_t block) {
-        const ivec2 corner =
-            kSampledBlock * ivec2(static_cast<int>(block) % blocks.x, static_cast<int>(block) / blocks.x);
-        const ivec2 end = glm::min(corner + kSampledBlock, size_);
+        const ivec2 corner = blocks.corner(block), end = corner + blocks.sizeAt(corner);
         RayTree tree; // its memory serves the whole block
         std::uint64_t below = 0;
         for (int y = corner.y; y < end.y; ++y)
@@ -84,17 +82,16 @@ bool SampledPicture::advance(const Surfaces& surfaces, const trace::MovingScene&
         secondaryRays += below;
     };
     while (round_ < settings.pattern.count && anyActive_) {
-        nextBlock_ = trace::parallelUntil(deadline, nextBlock_, count, traceBlock);
-        if (nextBlock_ < count) break;
+        nextBlock_ = trace::parallelUntil(deadline, nextBlock_, blocks.count(), traceBlock);
+        if (nextBlock_ < blocks.count()) break;
         nextBlock_ = 0;
         ++round_;
-        if (settings.adaptive && round_ % kSamplesBetweenQuestions == 0)
-            chooseActive(settings, surfaces.scene().exposure);
+        if (settings.adaptive && round_ % kSamplesBetweenChecks == 0) chooseActive(settings, surfaces.scene().exposure);
         if (std::chrono::steady_clock::now() >= deadline) break;
     }
     secondaryRays_ += static_cast<double>(secondaryRays);
     const bool finished = round_ >= settings.pattern.count || !anyActive_;
-    const double partOfRound = static_cast<double>(nextBlock_) / static_cast<double>(count);
+    const double partOfRound = static_cast<double>(nextBlock_) / static_cast<double>(blocks.count());
     done_ = finished ? 1.0 : (round_ + partOfRound) / settings.pattern.count;
     return finished;
 }

@@ -20,17 +20,18 @@ Progress SamplingScene::prepare(const scene::Snapshot& snapshot, trace::Structur
                                 const SamplingParams& params, Deadline deadline) {
     if (!params.isAnalytic())
         analytic_.reset();
-    else if (!analytic_ || analyticOf_ != snapshot)
+    else if (!analytic_ || analyticSnapshot_ != snapshot)
         analytic_.emplace(tracer_);
-    analyticOf_ = snapshot;
+    analyticSnapshot_ = snapshot;
 
     if (!params.areMany() || params.shutter == 0) {
         moving_.reset();
         return {};
     }
-    if (!moving_ || movingIn_ != structure || !sameMotion(movingOf_, snapshot)) moving_.emplace(tracer_, structure);
-    movingOf_ = snapshot;
-    movingIn_ = structure;
+    if (!moving_ || movingStructure_ != structure || !sameMotion(movingSnapshot_, snapshot))
+        moving_.emplace(tracer_, structure);
+    movingSnapshot_ = snapshot;
+    movingStructure_ = structure;
     if (moving_->advance(deadline)) return {};
     return {moving_->done(), false};
 }

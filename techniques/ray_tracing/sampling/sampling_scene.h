@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "techniques/foundation/trace/moving_scene.h"
+#include "techniques/ray_tracing/params.h"
 #include "techniques/ray_tracing/sampling/analytic_lights.h"
-#include "techniques/ray_tracing/sampling/sampling_params.h"
 
 namespace shadowlab::ray_tracing {
 
@@ -30,8 +30,8 @@ private:
     std::optional<trace::MovingScene> moving_;
     std::optional<AnalyticLights> analytic_;
     // What they were made of.
-    scene::Snapshot movingOf_, analyticOf_;
-    trace::Structure movingIn_ = trace::Structure::bvh;
+    scene::Snapshot movingSnapshot_, analyticSnapshot_;
+    trace::Structure movingStructure_ = trace::Structure::bvh;
 };
 
 } // namespace shadowlab::ray_tracing

@@ -15,24 +15,24 @@ public:
     NaiveEngine(const trace::Bvh& bvh, float margin) : bvh_(bvh), margin_(margin) {}
 
     [[nodiscard]] trace::RayHit closest(const trace::Ray& ray, const trace::MayHit& mayHit) const override {
-        return ask(ray, mayHit, false, trace::CountNothing{});
+        return search(ray, mayHit, false, trace::CountNothing{});
     }
     [[nodiscard]] trace::RayHit closest(const trace::Ray& ray, const trace::MayHit& mayHit,
                                         trace::RayTests& tests) const override {
-        return ask(ray, mayHit, false, trace::CountTests{tests});
+        return search(ray, mayHit, false, trace::CountTests{tests});
     }
     [[nodiscard]] std::uint32_t any(const trace::Ray& ray, const trace::MayHit& mayHit) const override {
-        return ask(ray, mayHit, true, trace::CountNothing{}).primitive;
+        return search(ray, mayHit, true, trace::CountNothing{}).primitive;
     }
     [[nodiscard]] std::uint32_t any(const trace::Ray& ray, const trace::MayHit& mayHit,
                                     trace::RayTests& tests) const override {
-        return ask(ray, mayHit, true, trace::CountTests{tests}).primitive;
+        return search(ray, mayHit, true, trace::CountTests{tests}).primitive;
     }
 
 private:
-    /// Depth first, in no order: a walk that is easily read, and slow. `first`: any hit will do.
+    /// Depth first, in no order: a walk that is easily read, and slow. `anyHit`: the first that is found will do.
     template <typename Count>
-    trace::RayHit ask(const trace::Ray& ray, const trace::MayHit& mayHit, bool first, Count count) const {
+    trace::RayHit search(const trace::Ray& ray, const trace::MayHit& mayHit, bool anyHit, Count count) const {
         trace::RayHit best;
         if (bvh_.nodes.empty() || !trace::isUsable(ray)) return best;
         const trace::ShearedRay sheared(ray);
@@ -41,7 +41,7 @@ private:
         std::array<trace::BvhChild, (trace::kBvhWidth - 1) * trace::Bvh::kMostDepth + trace::kBvhWidth> stack;
         std::size_t size = 0;
         stack[size++] = trace::BvhChild::node(0);
-        while (size > 0 && !(first && best)) {
+        while (size > 0 && !(anyHit && best)) {
             const trace::BvhChild next = stack[--size];
             if (next.isLeaf()) {
                 tryLeaf(bvh_.leaves[next.index()], ray, mayHit, farthest, best, count);

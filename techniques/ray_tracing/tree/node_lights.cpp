@@ -28,8 +28,8 @@ trace::Visibility visibilityOfCentre(const RayWorld& world, const TreeSettings& 
 LightAtNode sampledLight(const RayWorld& world, const TreeSettings& settings, const TreeNode& node, int light,
                          const dvec3& positionWorld) {
     const Surfaces& surfaces = world.surfaces;
-    const scene::Light& source = surfaces.scene().light(light);
-    const std::uint64_t place = node.path * surfaces.scene().lights.size() + static_cast<std::size_t>(light);
+    const scene::Light& source = surfaces.scene().lights[static_cast<std::size_t>(light)];
+    const std::uint64_t place = node.placeOf(light, surfaces.scene().lights.size());
     const LightSample sample = sampleLight(source, positionWorld, world.numbers->pair(Purpose::light, place));
     LightAtNode at;
     at.visibility = trace::Visibility::turnedAway;
@@ -66,8 +66,7 @@ LightAtNode analyticLight(const RayWorld& world, const TreeNode& node, int light
     at.visibility = found.visible > 0      ? trace::Visibility::lit
                     : found.unshadowed > 0 ? trace::Visibility::shadowed
                                            : trace::Visibility::turnedAway;
-    at.intensity = reflectedOf(source, found.irradiance, surfaces.materialOf(node.point), positionWorld,
-                               node.normalWorld, -node.u);
+    at.intensity = surfaces.litByArea(node.point, light, found.irradiance, positionWorld, node.normalWorld, -node.u);
     return at;
 }
 

@@ -51,8 +51,8 @@ Optics opticsAt(const Surfaces& surfaces, const TreeNode& node, Fresnel fresnel)
 constexpr std::uint32_t kTries = 32;
 
 /// A direction of the lobe on the same side of the surface as `sideWorld`; nothing where lobes are cut and it fell below.
-std::optional<dvec3> spread(const RayWorld& world, const TreeSettings& settings, const dvec3& axisWorld, double power,
-                            const dvec3& sideWorld, Purpose purpose, std::uint64_t path) {
+std::optional<dvec3> sampleLobe(const RayWorld& world, const TreeSettings& settings, const dvec3& axisWorld,
+                                double power, const dvec3& sideWorld, Purpose purpose, std::uint64_t path) {
     for (std::uint32_t attempt = 0; attempt < (settings.wholeLobes ? kTries : 1); ++attempt) {
         const dvec3 direction = lobeDirection(axisWorld, power, world.numbers->pair(purpose, path, attempt));
         if (glm::dot(direction, sideWorld) > 0) return direction;
@@ -91,7 +91,7 @@ void RayTree::trace(const RayWorld& world, const TreeSettings& settings, const d
             nodes_[i].end = RayEnd::nothingHit;
             continue;
         }
-        nodes_[i].attenuation = settings.left(nodes_[i].distance);
+        nodes_[i].attenuation = settings.attenuationAt(nodes_[i].distance);
         light(world, settings, nodes_[i]);
         split(world, settings, i);
     }
@@ -155,8 +155,8 @@ void RayTree::split(const RayWorld& world, const TreeSettings& settings, std::si
     }
     node.end = RayEnd::splits;
     if (spreads) {
-        const auto direction = spread(world, settings, node.normalWorld, kLambertPower,
-                                      surfaces.geometricNormalWorld(node.point), Purpose::diffuse, node.path);
+        const auto direction = sampleLobe(world, settings, node.normalWorld, kLambertPower,
+                                          surfaces.geometricNormalWorld(node.point), Purpose::diffuse, node.path);
         if (direction) {
             node.diffuseWeight = diffuse;
             add(settings, index, Branch::diffuse, *direction,
@@ -187,8 +187,8 @@ void RayTree::splitByOptics(const RayWorld& world, const TreeSettings& settings,
     if (weights.reflected > 0) {
         std::optional<dvec3> direction = optics.reflectedWorld;
         if (settings.gloss && world.numbers && material.glossDegrees > 0)
-            direction = spread(world, settings, *direction, lobePower(material.glossDegrees),
-                               surfaces.geometricNormalWorld(point), Purpose::reflection, path);
+            direction = sampleLobe(world, settings, *direction, lobePower(material.glossDegrees),
+                                   surfaces.geometricNormalWorld(point), Purpose::reflection, path);
         if (direction) add(settings, index, Branch::reflection, *direction, arriving * weights.reflected);
     }
     if (weights.isTotal) {
@@ -196,8 +196,8 @@ void RayTree::splitByOptics(const RayWorld& world, const TreeSettings& settings,
     } else if (letsThrough) {
         std::optional<dvec3> direction = optics.refractedWorld;
         if (settings.translucency && world.numbers && material.translucencyDegrees > 0)
-            direction = spread(world, settings, *direction, lobePower(material.translucencyDegrees),
-                               -surfaces.geometricNormalWorld(point), Purpose::refraction, path);
+            direction = sampleLobe(world, settings, *direction, lobePower(material.translucencyDegrees),
+                                   -surfaces.geometricNormalWorld(point), Purpose::refraction, path);
         if (!direction) return;
         TreeNode& child = add(settings, index, Branch::refraction, *direction, arriving * weights.transmitted);
         if (surfaces.isSolid(point)) child.media.cross(surfaces.mediumOf(point), surfaces.isEntered(point));

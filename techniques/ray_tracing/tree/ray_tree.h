@@ -46,7 +46,7 @@ struct TreeSettings {
 
     [[nodiscard]] bool attenuates() const { return attenuation != dvec3(1, 0, 0); }
     /// Of a ray that has come that far.
-    [[nodiscard]] double left(double distance) const {
+    [[nodiscard]] double attenuationAt(double distance) const {
         return 1.0 / (attenuation.x + distance * (attenuation.y + distance * attenuation.z));
     }
 };
@@ -111,6 +111,10 @@ struct TreeNode {
     dvec3 diffuseIntensity{0.0};   ///< of the ray that a diffuse surface sends on
     dvec3 intensity{0.0};          ///< I, as it arrives where the ray began
 
+    /// Which of all dimensions of SampleNumbers its samples of a light are, among so many lights.
+    [[nodiscard]] std::uint64_t placeOf(int light, std::size_t lights) const {
+        return path * lights + static_cast<std::size_t>(light);
+    }
     [[nodiscard]] bool isFollowed() const { return point || end == RayEnd::nothingHit; }
 };
 

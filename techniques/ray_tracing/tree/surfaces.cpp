@@ -3,6 +3,9 @@
 
 #include <algorithm>
 
+#include <glm/gtc/constants.hpp>
+
+#include "techniques/foundation/scene/query/mesh_topology.h"
 #include "techniques/foundation/scene/query/shading.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
@@ -20,7 +23,7 @@ double signedVolume(const scene::Mesh& mesh) {
 }
 
 // Along no axis and no diagonal, so that it is rarely aimed at an edge of a built-in shape.
-const dvec3 kOutOfTheScene = glm::normalize(dvec3(0.3178, 0.9021, 0.2913));
+const dvec3 kAwayFromScene = glm::normalize(dvec3(0.3178, 0.9021, 0.2913));
 
 } // namespace
 
@@ -85,12 +88,20 @@ dvec3 Surfaces::lit(const trace::SurfacePoint& point, int light, const dvec3& po
                                            scene::towardLightWorld(source, positionWorld), toViewerWorld);
 }
 
+dvec3 Surfaces::litByArea(const trace::SurfacePoint& point, int light, double irradiance, const dvec3& positionWorld,
+                          const dvec3& normalWorld, const dvec3& toViewerWorld) const {
+    const scene::Light& source = scene().lights[static_cast<std::size_t>(light)];
+    return glm::pi<double>() * irradiance * source.intensity * dvec3(source.color) *
+           scene::reflectance(materialOf(point), normalWorld, scene::towardLightWorld(source, positionWorld),
+                              toViewerWorld);
+}
+
 DielectricStack Surfaces::mediaAround(const dvec3& positionCentred) const {
     if (!anySolid_) return {};
     DielectricStack entered;
     std::vector<Medium> around; // the innermost is left first
-    for (trace::SurfacePoint point = tracer_->nextPoint(positionCentred, trace::kNoPrimitive, kOutOfTheScene); point;
-         point = tracer_->nextPoint(point, kOutOfTheScene)) {
+    for (trace::SurfacePoint point = tracer_->nextPoint(positionCentred, trace::kNoPrimitive, kAwayFromScene); point;
+         point = tracer_->nextPoint(point, kAwayFromScene)) {
         if (!isSolid(point)) continue;
         const Medium medium = mediumOf(point);
         if (!isEntered(point) && !entered.holds(medium)) around.push_back(medium);

@@ -36,6 +36,12 @@ public:
     [[nodiscard]] dvec3 lit(const trace::SurfacePoint& point, int light, const dvec3& positionWorld,
                             const dvec3& normalWorld, const dvec3& toViewerWorld) const;
 
+    /// The same for a light with an area that brings the point that irradiance (trace::AreaIrradiance, in parts of pi times the
+    /// light's radiance). Exact for what is diffuse. Simplified: a highlight is that of the light's centre.
+    [[nodiscard]] dvec3 litByArea(const trace::SurfacePoint& point, int light, double irradiance,
+                                  const dvec3& positionWorld, const dvec3& normalWorld,
+                                  const dvec3& toViewerWorld) const;
+
     /// Does a ray split here: is any light mirrored, or let through?
     [[nodiscard]] bool splits(const trace::SurfacePoint& point) const {
         const scene::Material& material = materialOf(point);

@@ -6,7 +6,7 @@
 #include <map>
 #include <memory>
 
-#include "techniques/radiosity/equations/solvers.h"
+#include "techniques/radiosity/solvers/solvers.h"
 #include "tests/speed/cornell_room.h"
 
 namespace shadowlab::radiosity {

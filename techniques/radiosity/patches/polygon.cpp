@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/patches/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shadowlab::radiosity {
+
+dvec3 areaVector(const Polygon& polygon) {
+    dvec3 sum(0.0);
+    for (std::size_t i = 2; i < polygon.count(); ++i)
+        sum += glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]);
+    return 0.5 * sum;
+}
+
+bool hasNoArea(const Polygon& polygon) { return !(glm::length(areaVector(polygon)) > 0); }
+
+dvec3 centroid(const Polygon& polygon) {
+    const dvec3 unit = glm::normalize(areaVector(polygon));
+    dvec3 sum(0.0);
+    double area = 0;
+    for (std::size_t i = 2; i < polygon.count(); ++i) {
+        const double twice = glm::dot(unit, glm::cross(polygon[i - 1] - polygon[0], polygon[i] - polygon[0]));
+        sum += twice / 3 * (polygon[i - 1] - polygon[0] + (polygon[i] - polygon[0]));
+        area += twice;
+    }
+    return polygon[0] + sum / area;
+}
+
+Plane planeOf(const Polygon& polygon) { return {centroid(polygon), glm::normalize(areaVector(polygon))}; }
+
+trace::CentredBox boxOf(const Polygon& polygon) {
+    trace::CentredBox box;
+    for (const dvec3& corner : polygon.corners())
+        box.include(corner);
+    return box;
+}
+
+double sizeOf(const Polygon& polygon) {
+    const trace::CentredBox box = boxOf(polygon);
+    return glm::length(box.upper - box.lower);
+}
+
+bool isBehind(const Plane& plane, const Polygon& polygon, double tolerance) {
+    return std::ranges::all_of(polygon.corners(), [&](const dvec3& p) { return plane.height(p) <= tolerance; });
+}
+
+Polygon partBefore(const Plane& plane, const Polygon& polygon, double tolerance) {
+    const auto height = [&](const dvec3& p) {
+        const double h = plane.height(p);
+        return std::abs(h) <= tolerance ? 0.0 : h;
+    };
+    Polygon kept;
+    bool anyBefore = false;
+    for (std::size_t i = 0; i < polygon.count(); ++i) {
+        const dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.count()];
+        const double heightA = height(a), heightB = height(b);
+        anyBefore = anyBefore || heightA > 0;
+        if (heightA >= 0) kept.add(a);
+        if ((heightA > 0 && heightB < 0) || (heightA < 0 && heightB > 0))
+            kept.add(a + heightA / (heightA - heightB) * (b - a));
+    }
+    return anyBefore ? kept : Polygon();
+}
+
+} // namespace shadowlab::radiosity

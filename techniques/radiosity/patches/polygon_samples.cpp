@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/patches/polygon_samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+dvec3 inTriangle(const dvec3& a, const dvec3& b, const dvec3& c, double s, double t) {
+    return s + t > 1 ? a + (1 - s) * (b - a) + (1 - t) * (c - a) : a + s * (b - a) + t * (c - a); // the square folded
+}
+
+/// The digits of i in that base, mirrored at the point.
+double radicalInverse(int i, int base) {
+    double value = 0, digit = 1.0 / base;
+    for (; i > 0; i /= base, digit /= base)
+        value += digit * (i % base);
+    return value;
+}
+
+} // namespace
+
+std::array<double, 4> hammersley4(int i, int count) {
+    return {(i + 0.5) / count, radicalInverse(i + 1, 2), radicalInverse(i + 1, 3),
+            radicalInverse(i + 1, 5)}; // from 1 on: none lies on a side
+}
+
+Place placeIn(const Polygon& p, double s, double t) {
+    if (p.count() == 3) return {inTriangle(p[0], p[1], p[2], s, t), 1};
+    if (p.count() == 4) {
+        const dvec3 alongS = glm::mix(p[1] - p[0], p[2] - p[3], t), alongT = glm::mix(p[3] - p[0], p[2] - p[1], s);
+        return {glm::mix(glm::mix(p[0], p[1], s), glm::mix(p[3], p[2], s), t), glm::length(glm::cross(alongS, alongT))};
+    }
+    // As many strips of the square as there are triangles in a fan, each counted by its triangle's area.
+    const auto triangles = static_cast<double>(p.count() - 2);
+    const std::size_t i = std::min(p.count() - 3, static_cast<std::size_t>(s * triangles));
+    return {inTriangle(p[0], p[i + 1], p[i + 2], s * triangles - static_cast<double>(i), t),
+            triangles * glm::length(glm::cross(p[i + 1] - p[0], p[i + 2] - p[0]))};
+}
+
+} // namespace shadowlab::radiosity

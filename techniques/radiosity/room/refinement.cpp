@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/room/refinement.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+using Reason = Refinement::Reason;
+
+/// By how much the radiosity of a patch is wrong, in the mean over its area, W/m^2; the larger of two guesses.
+struct Wrong {
+    double mean = 0;
+    Reason reason = Reason::gradient;
+};
+
+/// Half of what lies between two centres lies on the way from the one to the common edge, if they are of one size; and in a patch
+/// whose ends are a above and a below the mean, points are off by a / 2 in the mean.
+double byGradient(const std::vector<Patch>& patches, const PatchBorders& borders, std::span<const dvec3> radiosity,
+                  std::size_t number) {
+    const double size = std::sqrt(patches[number].area);
+    double most = 0;
+    for (const std::uint32_t next : borders.neighbours(number)) {
+        const double sizeOfNext = std::sqrt(patches[next].area);
+        const double difference = std::abs(luminance(radiosity[next]) - luminance(radiosity[number]));
+        most = std::max(most, 0.5 * difference * size / (size + sizeOfNext));
+    }
+    return most;
+}
+
+/// Where a share s of the patch gets u and the rest nothing, the mean is s u, and points are off by 2 s (1 - s) u in the mean.
+double byShadow(const DirectLight& light, std::span<const dvec3> reflectance, std::size_t number) {
+    const double share = light.visible[number];
+    return share > 0 && share < 1 ? 2 * (1 - share) * luminance(reflectance[number] * light.irradiance[number]) : 0;
+}
+
+/// To six digits: what rounding makes of equal numbers is equal again.
+double rounded(double number) {
+    int exponent = 0;
+    const double fraction = std::frexp(number, &exponent);
+    return std::ldexp(std::round(std::ldexp(fraction, 20)), exponent - 20);
+}
+
+// Beside a patch that is cut: one of its level has the same area, or half or twice as much; one of the level before has four times
+// as much. In the middle between, for sums are rounded.
+constexpr double kTooLarge = 2.8;
+
+/// The patch and all that have to be cut with it.
+void addWithLarger(std::uint32_t number, const std::vector<Patch>& patches, const PatchBorders& borders,
+                   std::vector<std::uint32_t>& cuts) {
+    std::vector<std::uint32_t> waiting{number};
+    while (!waiting.empty()) {
+        const std::uint32_t here = waiting.back();
+        waiting.pop_back();
+        cuts.push_back(here);
+        for (const std::uint32_t next : borders.neighbours(here))
+            if (patches[next].area > kTooLarge * patches[here].area) waiting.push_back(next);
+    }
+}
+
+/// In halves or quarters. Of all corners that a polygon can have, two halves, for a cut beside them would add one more.
+std::vector<Polygon> partsOf(const Patch& patch) {
+    const Polygon& p = patch.polygon;
+    const auto middle = [&](std::size_t i) { return 0.5 * (p[i] + p[(i + 1) % p.count()]); };
+    if (p.count() == 3)
+        return {{p[0], middle(0), middle(2)},
+                {middle(0), p[1], middle(1)},
+                {middle(2), middle(1), p[2]},
+                {middle(0), middle(1), middle(2)}};
+    if (p.count() == 4) {
+        const double lengthwise = glm::distance(middle(3), middle(1)), crosswise = glm::distance(middle(0), middle(2));
+        if (lengthwise > 2 * crosswise) return {{p[0], middle(0), middle(2), p[3]}, {middle(0), p[1], p[2], middle(2)}};
+        if (crosswise > 2 * lengthwise) return {{p[0], p[1], middle(1), middle(3)}, {middle(3), middle(1), p[2], p[3]}};
+        const dvec3 centre = 0.5 * (middle(0) + middle(2));
+        return {{p[0], middle(0), centre, middle(3)},
+                {middle(0), p[1], middle(1), centre},
+                {centre, middle(1), p[2], middle(2)},
+                {middle(3), centre, middle(2), p[3]}};
+    }
+    if (p.count() == Polygon::kMostCorners) {
+        constexpr std::size_t kHalf = Polygon::kMostCorners / 2;
+        std::vector<Polygon> halves(2);
+        for (std::size_t i = 0; i <= kHalf; ++i) {
+            halves[0].add(p[i]);
+            halves[1].add(p[(kHalf + i) % p.count()]);
+        }
+        return halves;
+    }
+    dvec3 longest(0.0);
+    for (std::size_t i = 0; i < p.count(); ++i)
+        if (const dvec3 edge = p[(i + 1) % p.count()] - p[i]; glm::length(edge) > glm::length(longest)) longest = edge;
+    const dvec3 along = glm::normalize(longest), across = glm::cross(patch.normal, along);
+    const double touching = kTouching * sizeOf(p);
+    std::vector<Polygon> pieces;
+    for (const dvec3& first : {across, -across})
+        for (const dvec3& second : {along, -along})
+            if (const Polygon piece =
+                    partBefore({patch.centre, second}, partBefore({patch.centre, first}, p, touching), touching);
+                !piece.isEmpty())
+                pieces.push_back(piece);
+    return pieces;
+}
+
+/// The patch as it is, if a piece would be too small for its corners to differ.
+std::vector<Polygon> dividedPieces(const Patch& patch) {
+    std::vector<Polygon> pieces = partsOf(patch);
+    if (std::ranges::any_of(pieces, hasNoArea)) return {patch.polygon};
+    return pieces;
+}
+
+} // namespace
+
+std::vector<Refinement> patchesToRefine(const std::vector<Patch>& patches, const PatchBorders& borders,
+                                        std::span<const dvec3> radiosity, std::span<const dvec3> reflectance,
+                                        std::span<const DirectLight> lights, const RefinementLimits& limits) {
+    double power = 0, area = 0;
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        power += patches[i].area * luminance(radiosity[i]);
+        area += patches[i].area;
+    }
+    struct Candidate {
+        double power; ///< that is wrong, W, rounded
+        std::uint32_t patch;
+    };
+    std::vector<Candidate> candidates;
+    std::vector<Reason> reasons(patches.size(), Reason::balance);
+    for (std::uint32_t i = 0; i < patches.size(); ++i) {
+        Wrong wrong{limits.gradientWeight * byGradient(patches, borders, radiosity, i), Reason::gradient};
+        for (const DirectLight& light : lights)
+            if (const double shadow = byShadow(light, reflectance, i); shadow > wrong.mean)
+                wrong = {shadow, Reason::shadow};
+        if (patches[i].area < limits.smallestArea || !(wrong.mean * area > limits.smallestError * power)) continue;
+        candidates.push_back({rounded(wrong.mean * patches[i].area), i});
+        reasons[i] = wrong.reason;
+    }
+    std::ranges::stable_sort(candidates, std::ranges::greater(), &Candidate::power);
+
+    std::vector<Refinement> chosen;
+    std::vector<std::uint8_t> isCut(patches.size(), 0);
+    std::size_t count = patches.size();
+    for (auto first = candidates.begin(), end = first; first != candidates.end(); first = end) {
+        end = std::find_if(first, candidates.end(), [&](const Candidate& c) { return c.power != first->power; });
+        std::vector<std::uint32_t> cuts;
+        for (auto one = first; one != end; ++one)
+            addWithLarger(one->patch, patches, borders, cuts);
+        std::ranges::sort(cuts);
+        const auto repeated = std::ranges::unique(cuts);
+        cuts.erase(repeated.begin(), repeated.end());
+        std::erase_if(cuts, [&](std::uint32_t number) { return isCut[number] != 0; });
+        std::size_t after = count;
+        for (const std::uint32_t number : cuts)
+            after += dividedPieces(patches[number]).size() - 1;
+        if (after > limits.mostPatches) break;
+        count = after;
+        for (const std::uint32_t number : cuts) {
+            isCut[number] = 1;
+            chosen.push_back({number, reasons[number]});
+        }
+    }
+    std::ranges::sort(chosen, {}, &Refinement::patch);
+    return chosen;
+}
+
+Refined refined(const std::vector<Patch>& patches, std::span<const Refinement> refinements,
+                std::span<const std::uint8_t> level) {
+    Refined result;
+    auto next = refinements.begin();
+    for (std::uint32_t i = 0; i < patches.size(); ++i) {
+        const bool isCut = next != refinements.end() && next->patch == i;
+        const std::uint8_t before = level.empty() ? std::uint8_t{0} : level[i];
+        const auto add = [&](const Patch& patch, std::uint32_t from, int deeper) {
+            result.patches.push_back(patch);
+            result.from.push_back(from);
+            result.parent.push_back(i);
+            result.level.push_back(static_cast<std::uint8_t>(before + deeper));
+        };
+        if (!isCut) {
+            add(patches[i], i, 0);
+            continue;
+        }
+        ++next;
+        for (const Polygon& piece : dividedPieces(patches[i]))
+            add(pieceOf(patches[i], piece), Refined::kNew, 1);
+    }
+    return result;
+}
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/simplify/simplified_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/foundation/trace/parallel.h"
+#include "techniques/radiosity/simplify/inside_out.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+// Fewer triangles are not worth it, and would lose their shape.
+constexpr std::size_t kLightMesh = 100;
+
+// The fewest that can bound something with some roundness: an octahedron.
+constexpr std::size_t kFewestLeft = 8;
+
+// What would still have more than this share of its triangles stays as it is: it loses more in shape than light gains in speed.
+constexpr double kWorthIt = 0.75;
+
+// From cells of an object's own size to a 2^15th of it, and thus fifteen bits of a lattice's numbers.
+constexpr int kSteps = 60;
+
+/// An object that is made coarser.
+struct Heavy {
+    Heavy(const scene::Scene& scene, std::size_t number, double size)
+        : number(number), object(scene.objects[number]), clusters(object), sceneSize(size) {
+        // However small it is in the scene: cells that hold all of it leave nothing, and need not be samples.
+        if (clusters.size() > 0) firstStep = std::max(0, static_cast<int>(4 * std::log2(sceneSize / clusters.size())));
+        lastStep = firstStep + kSteps;
+    }
+
+    std::size_t number;
+    const scene::Object& object;
+    VertexClusters clusters;
+    double sceneSize;
+    int firstStep = 0, lastStep = 0;        ///< of those at which it is made coarser
+    std::map<int, std::size_t> roughCounts; ///< by step
+    std::optional<ClusteredMesh> coarse;    ///< nothing: stays as it is
+
+    [[nodiscard]] double cell(int step) const { return sceneSize * std::exp2(-0.25 * step); }
+    [[nodiscard]] std::size_t original() const { return object.mesh->triangles.size(); }
+    [[nodiscard]] std::size_t count() const { return coarse ? coarse->triangles.size() : original(); }
+    /// About how many remain with cells of that step, or of the first after it that leaves enough.
+    std::size_t roughCount(int step) {
+        for (step = std::max(step, firstStep); step <= lastStep; ++step) {
+            const auto [entry, isNew] = roughCounts.try_emplace(step, 0);
+            if (isNew) entry->second = clusters.roughCount(cell(step));
+            if (entry->second >= kFewestLeft) return entry->second;
+        }
+        return original();
+    }
+    void simplify(int step) {
+        for (step = std::clamp(step, firstStep, lastStep); step <= lastStep; ++step) {
+            coarse = clusters.clustered(cell(step));
+            if (coarse->triangles.size() >= kFewestLeft) break;
+        }
+        const auto left = static_cast<double>(coarse->triangles.size());
+        if (step > lastStep || left > kWorthIt * static_cast<double>(original())) coarse.reset();
+    }
+};
+
+scene::Mesh meshOf(const scene::Object& object, const ClusteredMesh& coarse) {
+    const scene::Mesh& original = *object.mesh;
+    const dmat3 meshFromMetres = glm::inverse(dmat3(object.worldFromObject));
+    scene::Mesh mesh;
+    mesh.originObject = original.originObject;
+    mesh.outward = original.outward;
+    for (const dvec3& position : coarse.positions)
+        mesh.positionsMesh.emplace_back(meshFromMetres * position);
+    mesh.normalsMesh.assign(mesh.positionsMesh.size(), vec3(0, 1, 0)); // withNormals() below knows better
+    mesh.triangles = coarse.triangles;
+    std::uint32_t first = 0;
+    for (std::uint32_t part = 0; part < original.parts.size(); ++part) {
+        std::uint32_t count = 0;
+        while (first + count < coarse.parts.size() && coarse.parts[first + count] == part)
+            ++count;
+        mesh.parts.push_back({original.parts[part].materialName, first, count, false});
+        first += count;
+    }
+    return scene::withNormals(mesh, scene::NormalMode::smooth);
+}
+
+std::shared_ptr<const scene::Mesh> withoutTriangles(const scene::Mesh& mesh) {
+    auto empty = std::make_shared<scene::Mesh>();
+    empty->originObject = mesh.originObject;
+    for (const scene::MeshPart& part : mesh.parts)
+        empty->parts.push_back({part.materialName, 0, 0, false});
+    return empty;
+}
+
+/// The last step, from the first to the finest, at which there are no more than `most`.
+template <typename Count>
+int lastStepWithin(int first, int finest, std::size_t most, const Count& countAt) {
+    int step = first;
+    while (step < finest && countAt(step + 1) <= most)
+        ++step;
+    return step;
+}
+
+} // namespace
+
+SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces) {
+    SimplifiedScene answer;
+    auto changed = std::make_shared<scene::Scene>(scene);
+    scene::Bounds bounds;
+    for (scene::Object& object : changed->objects) {
+        if (object.emitterOfLight >= 0) {
+            object.mesh = withoutTriangles(*object.mesh);
+            changed->revisions.geometry = scene::newRevision();
+        }
+        answer.trianglesBefore += object.mesh->triangles.size();
+        bounds.include(scene::boundsWorld(object));
+    }
+    answer.trianglesAfter = answer.trianglesBefore;
+    answer.cornersOfObject.resize(scene.objects.size());
+    answer.scene = changed;
+    if (answer.trianglesBefore <= mostFaces) return answer;
+
+    std::vector<Heavy> heavy;
+    std::size_t kept = 0;
+    for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+        const std::size_t triangles = changed->objects[o].mesh->triangles.size();
+        if (triangles > kLightMesh)
+            heavy.emplace_back(scene, o, glm::length(bounds.upperWorld - bounds.lowerWorld));
+        else
+            kept += triangles;
+    }
+    if (heavy.empty()) return answer;
+
+    // Counting is cheap and finds about the right cells; what there really is then tells whether they may be finer.
+    const auto sum = [&](const auto& countOf) {
+        std::vector<std::size_t> counts(heavy.size());
+        trace::parallelFor(heavy.size(), [&](std::size_t i) { counts[i] = countOf(heavy[i]); });
+        std::size_t all = kept;
+        for (const std::size_t count : counts)
+            all += count;
+        return all;
+    };
+    const auto simplified = [&](int step) {
+        return sum([&](Heavy& one) {
+            one.simplify(step);
+            return one.count();
+        });
+    };
+    const auto rough = [&](int step) { return sum([&](Heavy& one) { return one.roughCount(step); }); };
+    const int finest = std::ranges::max_element(heavy, {}, &Heavy::lastStep)->lastStep;
+    int step = lastStepWithin(0, finest, mostFaces, rough);
+    while (step > 0 && simplified(step) > mostFaces)
+        --step;
+    step = lastStepWithin(step, finest, mostFaces, simplified);
+    answer.trianglesAfter = simplified(step);
+    answer.cellMetres = heavy.front().cell(step);
+
+    for (Heavy& one : heavy)
+        if (one.coarse && one.object.mesh->outward) orientOutward(*one.coarse, scene::isMirrored(one.object));
+    for (const Heavy& one : heavy)
+        if (one.coarse)
+            changed->objects[one.number].mesh = std::make_shared<const scene::Mesh>(meshOf(one.object, *one.coarse));
+    changed->revisions.geometry = scene::newRevision();
+    std::vector<std::uint32_t> firstOfObject;
+    std::uint32_t first = 0;
+    for (const scene::Object& object : changed->objects) {
+        firstOfObject.push_back(first);
+        first += static_cast<std::uint32_t>(object.mesh->triangles.size());
+    }
+    for (const Heavy& one : heavy)
+        if (one.coarse)
+            answer.cornersOfObject[one.number] =
+                cornerPlaces(*one.object.mesh, one.clusters, *one.coarse, firstOfObject[one.number]);
+    return answer;
+}
+
+} // namespace shadowlab::radiosity

@@ -1,0 +1,27 @@
+// Jacobi's sweeps: B <- E + rho F B, all patches at once from the radiosity before. Since the residual is E + rho F B - B, that is
+// B <- B + r. From B = 0, sweep k adds the light that was reflected k - 1 times: what is seen is the light after so many bounces.
+// (A patch that sees itself is not treated apart; it is no patch of a flat surface.)
+// SPDX-License-Identifier: MIT
+#include "techniques/radiosity/solvers/solver_kinds.h"
+
+namespace shadowlab::radiosity {
+
+namespace {
+
+class Jacobi final : public IterateSolver {
+public:
+    explicit Jacobi(Problem problem) : IterateSolver(std::move(problem)) {}
+
+private:
+    void advance() override {
+        const std::vector<dvec3> change = iterate_.residual();
+        iterate_.add(change, iterate_.reflected(change));
+        if (glm::any(iterate_.needsFreshResidual())) iterate_.recomputeResidual();
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Solver> makeJacobi(Problem problem) { return std::make_unique<Jacobi>(std::move(problem)); }
+
+} // namespace shadowlab::radiosity
