@@ -1,4 +1,4 @@
-// Which patch does the fragment show, and what is its value there? The tables are made in techniques/radiosity/display/surface_cells.h.
+// The patch that a fragment shows, and its value there. The tables are made in techniques/radiosity/display/surface_cells.h.
 #include "table.glsl"
 uniform sampler2D cellPlaces;
 uniform usampler2D cellRoots;
@@ -20,7 +20,7 @@ vec2 placeOnFace(vec3 positionOnMesh) {
     return vec2(dot(entry(cellPlaces, first), position), dot(entry(cellPlaces, first + 1), position));
 }
 
-// The cell of a place, or kNoCell.
+// The cell at a place, or kNoCell.
 uint cellAt(vec2 place) {
     uvec4 roots = entry(cellRoots, triangleOfScene);
     uint next = gl_FrontFacing ? roots.x : roots.y;
@@ -37,7 +37,7 @@ float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 // One value for all of the patch.
 vec4 flatValue(uvec4 cell) { return entry(patchValues, int(cell.x)); }
 
-// Linear over each triangle of the fan from the cell's centre to its border; all along a border it is the same from both sides.
+// Linear over each triangle of the fan from the cell's centre to its border; equal from both sides along a border.
 vec4 interpolatedValue(uvec4 cell, vec2 place) {
     int first = int(cell.y), corners = int(cell.z);
     vec4 centre = entry(cellBorders, first);
@@ -50,7 +50,7 @@ vec4 interpolatedValue(uvec4 cell, vec2 place) {
         float area = cross2(toA, toB);
         vec2 weights = area == 0.0 ? vec2(-1e30) : vec2(cross2(toHere, toB), cross2(toA, toHere)) / area;
         float inside = min(weights.x, weights.y);
-        if (inside > bestInside) { // of rounding, a place may lie in none
+        if (inside > bestInside) { // by rounding, a place may lie in none
             bestInside = inside;
             weights = max(weights, 0.0) / max(1.0, weights.x + weights.y);
             best = (1.0 - weights.x - weights.y) * entry(borderValues, int(centre.z)) +

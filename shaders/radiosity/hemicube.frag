@@ -1,5 +1,5 @@
 #version 330 core
-// Which patch is seen in this pixel. What is seen from behind is in the way, and receives nothing.
+// The number of the patch in this pixel. A patch seen from behind blocks light and receives none.
 flat in uint patchNumber;
 uniform int fromBehind; // 1 or 0
 out uint seen;

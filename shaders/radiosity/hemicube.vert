@@ -1,5 +1,5 @@
 #version 330 core
-// The corner of a patch, as one face of the half cube around another patch's centre sees it.
+// The corner of a patch, projected onto one face of the half cube around another patch's centre.
 layout(location = 0) in vec3 positionCentred;
 layout(location = 1) in uint patchOfCorner;
 uniform vec3 centreCentred;    // of the half cube

@@ -1,9 +1,10 @@
-// The light that comes straight from lights, known at the points of a lattice over each patch: sharper than the patch.
+// The direct light, known at the points of a lattice over each patch: sharper than the patches.
 #include "table.glsl"
-uniform sampler2D lattices; // two of each patch: lowest place and size; first point, and how many along each side
+uniform sampler2D lattices; // two entries per patch: lower corner and size; first point, and how many along u and v
 uniform sampler2D latticeValues;
 
-// Between the lattice's points, bilinear. What is no patch of its own has no lattice, and its light is in its borders' values.
+// Bilinear between the lattice's points. Cells that are no patch have no lattice; their direct light is in the values of their
+// borders.
 vec4 lightMapValue(uvec4 cell, vec2 place) {
     if (cell.w == 0u) return vec4(0.0);
     vec4 box = entry(lattices, 2 * int(cell.w) - 2), table = entry(lattices, 2 * int(cell.w) - 1);

@@ -1,5 +1,5 @@
 #version 330 core
-// The patches themselves: each in the colour of why it was cut, with its border.
+// The patches, each in the colour of its level, with its border.
 #include "facing.glsl"
 #include "radiosity/cell.glsl"
 #include "cut_holes.glsl"
@@ -10,7 +10,7 @@ out vec4 result;
 
 void main() {
     vec2 place = placeOnFace(positionOnMesh);
-    // Before any branch or hole: derivatives need neighbours that do the same.
+    // Before any branch or discard: derivatives need neighbouring fragments that do the same.
     float metresPerPixel = max(max(length(dFdx(place)), length(dFdy(place))), 1e-30);
     cutHoles();
     uint number = cellAt(place);

@@ -1,5 +1,5 @@
 #version 330 core
-// A surface whose fragments know where on their mesh they are: patches are looked up by that.
+// A surface whose fragments know their position on the mesh, by which patches are looked up.
 #include "attributes.glsl"
 #include "clip_position.glsl"
 #include "texcoord.glsl"

@@ -1,6 +1,6 @@
 #version 330 core
-// The value that the patch of a pixel has, as one value for all of the patch or interpolated between its corners: its radiosity
-// or what arrives there, shown as the light that the eye receives; or any other number.
+// The value of the patch that a pixel shows, one for the whole patch or interpolated between its corners. Drawn as radiance
+// toward the eye, from a radiosity or an irradiance, or as a plain number.
 #include "material.glsl"
 #include "light.glsl"
 #include "facing.glsl"
@@ -29,12 +29,12 @@ void main() {
 #endif
 #if defined(RADIOSITY) || defined(IRRADIANCE)
     // [anchor: radiosity-shown]
-    // What is no patch shines by itself or not at all: lights, and what nobody sees.
+    // What belongs to no patch shows its emission: lights, and surfaces that are never seen.
     vec3 ownRadiance = emitsFromFrontOnly == 0 || gl_FrontFacing ? emission : vec3(0.0);
 #ifdef RADIOSITY
     vec3 radiance = number == kNoCell ? ownRadiance : value.rgb / kPi; // of a Lambertian reflector
 #else
-    // The pixel's own material reflects: on a coarser mesh that stands for this one, it may be another.
+    // The pixel's own material reflects: the simplified mesh may have another one there.
     vec3 radiance = ownRadiance + diffuse / kPi * value.rgb;
 #endif
     result = vec4(exposureFactor * radiance, 1.0);
@@ -43,7 +43,7 @@ void main() {
     vec3 toLightView = towardLight(positionView, distanceSquared);
     bool gate = eyeSideFacesLight() && lightShinesTo(toLightView);
     result = vec4(!gate ? 0.0 : receivesShadow == 0 ? 1.0 : number == kNoCell ? 0.0 : clamp(value.r, 0.0, 1.0), 1.0, 0.0,
-                  1.0); // at a rim it is carried on from within, and may go beyond
+                  1.0); // extrapolated values at a rim may lie outside 0..1
 #else
     result = vec4(value.r, number == kNoCell ? 0.0 : 1.0, 0.0, 1.0);
 #endif

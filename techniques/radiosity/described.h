@@ -1,11 +1,11 @@
-// The passes and stages of radiosity, in the words of a lecture.
+// The passes and stages of radiosity, in the words of the lecture.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/technique.h"
 
 namespace shadowlab::radiosity {
 
-/// The lecture's "Basic Radiosity Model". As in its figure of the form factor j is the patch at hand, and k another.
+/// The lecture's "Basic Radiosity Model". As in its figure of the form factor, j is the patch at hand and k another.
 inline constexpr std::string_view kModel =
     "1. The object surfaces must form an enclosed space that has no energy exchange with outside world.\n"
     "2. Assume each surface is either a Lambertian reflector, a emitter, or a combination of both.\n"

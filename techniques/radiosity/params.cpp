@@ -7,13 +7,13 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// At this many the matrix alone takes 800 MB.
+// With so many the matrix alone takes 800 MB.
 constexpr int kMostPatches = 10000;
 constexpr int kMostSteps = 1000000;
-constexpr int kMostRounds = 8;       // each has half as many patches again: the budget is used up by then
+constexpr int kMostRounds = 8;       // each adds up to half as many patches: the budget is used up by then
 constexpr int kMostPoints = 4000000; // 64 MB for each light
 
-/// A number out of 'least, twice that, ... most'. Half of a hemicube's side is a face's height, so an odd one cannot be.
+/// One of the powers of two from `least` to `most`. Half of a hemicube's side is the height of a side face, so it must be even.
 params::Param powerOfTwo(std::string id, int& field, int least, int most, std::string help) {
     params::Param param;
     param.id = std::move(id);

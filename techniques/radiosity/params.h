@@ -1,4 +1,4 @@
-// The knobs of radiosity.
+// The parameters of radiosity.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace shadowlab::radiosity {
 
 struct RadiosityParams {
-    // What the form factors depend on.
+    // What form factors depend on.
     int patches = 600;
     bool cutAtContacts = true;
     int refine = 0; ///< rounds
@@ -25,7 +25,7 @@ struct RadiosityParams {
     int steps = 0, stepsPerPicture = 0;
     bool ambientTerm = true;
 
-    // How it is shown.
+    // How the solution is displayed.
     enum class Display { flat, interpolated, lightMap } display = Display::lightMap;
     int lightMapPoints = 60000;
     double exposure = 0; ///< stops

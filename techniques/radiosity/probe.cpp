@@ -31,7 +31,7 @@ Probe::Patch asProbed(const RoomCache& cache, const Sources& sources, const Ligh
     return probed;
 }
 
-/// Its rim, and its normal, as long as the patch is wide.
+/// The outline of a patch and its normal, drawn as long as the patch is wide.
 SceneShape outline(const Probe::Patch& patch, std::string label, const vec3& colorLinear) {
     SceneShape shape{std::move(label), colorLinear, SceneShape::Kind::lines, {}};
     for (std::size_t i = 0; i < patch.cornersWorld.size(); ++i)
@@ -42,7 +42,7 @@ SceneShape outline(const Probe::Patch& patch, std::string label, const vec3& col
     return shape;
 }
 
-/// The lecture's figure of two surfaces, in numbers.
+/// The lecture's figure of two patches, in numbers.
 void describePair(const RoomCache& cache, const Sources& sources, const LightBalance& balance, std::uint32_t j,
                   std::uint32_t k, Probe& probe) {
     const Probe::Patch& from = probe.exchange->j;
@@ -69,10 +69,10 @@ void describePair(const RoomCache& cache, const Sources& sources, const LightBal
     probe.visited.push_back(outline(to, "patch k and its normal", look::kPatchK));
 }
 
-// As many rows and columns as a slide has room for.
+// As many rows and columns as fit on a slide.
 constexpr std::size_t kMostEquations = 5;
 
-/// The patches whose equations are told: j, its partner, and those that give j most of its light.
+/// The patches whose equations are listed: j, its partner, and those that send j most of its light.
 std::vector<std::uint32_t> chosenPatches(const RoomCache& cache, const LightBalance& balance, std::uint32_t j,
                                          std::optional<std::uint32_t> partner) {
     const std::size_t count = cache.room().patches().size();

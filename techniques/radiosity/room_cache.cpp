@@ -10,7 +10,7 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// As many lines as a patch would send if it saw everything in part: a row sum then scatters by less than a hundredth.
+// Sample lines of a patch if all of its pairs were partly visible: the standard deviation of a row sum is then below a hundredth.
 constexpr double kLinesPerPatch = 1e4;
 
 bool isWithin(const dvec3& p, const scene::Bounds& box) {
@@ -41,7 +41,7 @@ void RoomCache::update(const scene::Snapshot& snapshot, const RadiosityParams& p
             !isLight && std::ranges::any_of(snapshot->lights, [&](const scene::Light& light) {
                 return light.type != scene::LightType::directional && isWithin(light.positionWorld, bounds_[o]);
             }));
-        // Where lights are, and how bright, is none of the room's business.
+        // The room does not depend on where lights are, or how bright: their surfaces have no entry of their own.
         Surface surface{isLight ? nullptr : object.mesh.get(),
                         isLight ? dmat4(1) : object.worldFromObject,
                         {},
@@ -86,11 +86,11 @@ bool RoomCache::advance(const scene::Snapshot& snapshot, const RadiosityParams& 
     return true;
 }
 
-/// Cuts some patches by what light there is on them; false: there are none to be cut, or no more rounds.
+/// Cuts some patches by the light on them. False: none need cutting, or all rounds are done.
 bool RoomCache::refineOnce() {
-    // A round begins with half as many patches again: the next one sees better where to cut.
+    // Each round may add half as many patches: the next one sees better where to cut.
     constexpr double kGrowth = 1.5;
-    // Of the radiosity, for a solution that only decides what is cut.
+    // The tolerance of a solution that only decides which patches are cut.
     constexpr double kTolerance = 1e-2;
     const bool isDone = rounds_ >= key_.refine;
     if (!isDone) {
@@ -201,7 +201,7 @@ std::vector<const DirectLight*> RoomCache::lights() const {
 }
 
 double RoomCache::done() const {
-    // By far the most of the time goes into form factors.
+    // Form factors take most of the time.
     return exchange_ ? 0.95 : builder_ ? 0.05 + 0.9 * builder_->done() : 0.0;
 }
 

@@ -1,7 +1,8 @@
-// The room of a scene with its form factors, and what each light brings to it: key in slices, and cached for as long as it is right.
+// Caches a scene's room, its form factors, and the direct light on its patches; each is recomputed only when what it depends on
+// changes.
 //
-// Form factors know nothing of light. A lamp that moves, or changes its brightness, has what it brings straight to the patches
-// found anew, and the equations solved again; only when a surface moves all begins from the start.
+// Form factors do not depend on light. When a lamp moves or changes its brightness, only the direct light is recomputed and the
+// equations are solved again; only when a surface moves does everything start from the beginning.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
@@ -16,33 +17,34 @@
 
 namespace shadowlab::radiosity {
 
-/// Less work than this is not worth a picture in between, and a deadline that has always passed already must not stop all progress.
+/// Work continues at least so long: a picture after less is not worth drawing, and a deadline that has already passed must not
+/// stop all progress.
 constexpr std::chrono::milliseconds kLeastWork{10};
 
 class RoomCache {
 public:
-    /// Does what is new in the scene and the settings, until it is done (true) or the time has come, but always a bit. Form factors
-    /// that are to be drawn are left for somebody who has a context of GL.
+    /// Recomputes what has changed in the scene and the settings, until it is done (true) or the deadline has passed, but always
+    /// does some work. Form factors by hemicubes are left to the caller, who has the GL context.
     bool advance(const scene::Snapshot& snapshot, const RadiosityParams& params, Deadline deadline);
     [[nodiscard]] double done() const;
 
-    // From here on: after advance() has returned true.
+    // The functions below may be called once advance() has returned true.
 
     [[nodiscard]] const Room& room() const { return *room_; }
-    /// False: they are to be drawn (hemicube_exchange.h), and then set.
+    /// False: they must be drawn (hemicube_exchange.h) and set by setDrawnFormFactors().
     [[nodiscard]] bool hasFormFactors() const { return exchange_.has_value(); }
     void setDrawnFormFactors(ExchangeMatrix found, int hemicubeSide);
     [[nodiscard]] const PreparedExchange& exchange() const { return *exchange_; }
-    /// Have patches been cut by their light?
+    /// Are patches refined by the light on them?
     [[nodiscard]] bool isRefined() const { return key_.refine > 0; }
     [[nodiscard]] const SurfaceCells& cells() const { return *cells_; }
     [[nodiscard]] const DirectLight& light(int light) const { return *lights_[static_cast<std::size_t>(light)].found; }
     [[nodiscard]] std::vector<const DirectLight*> lights() const;
-    /// Another number whenever the room or its form factors have been key anew.
+    /// Changes whenever the room or its form factors are recomputed.
     [[nodiscard]] std::uint64_t version() const { return version_; }
 
 private:
-    /// What the room depends on.
+    /// What the room depends on: while it is equal, the room is kept.
     struct Surface {
         const scene::Mesh* mesh;
         dmat4 worldFromObject;
@@ -56,7 +58,7 @@ private:
         RoomSettings settings;
         int budget = 0, refine = 0;
         double refineThreshold = 0;
-        std::vector<scene::Light> lights; ///< if patches are cut by their light
+        std::vector<scene::Light> lights; ///< only if patches are refined by their light
         friend bool operator==(const RoomCacheKey&, const RoomCacheKey&) = default;
     };
     struct CachedLight {
@@ -69,13 +71,13 @@ private:
     bool findFormFactors(const RadiosityParams& params, Deadline deadline);
     bool advanceLights(Deadline deadline);
 
-    scene::Snapshot snapshot_, roomSnapshot_; ///< as it is now, and as the room was key of it
+    scene::Snapshot snapshot_, roomSnapshot_; ///< as it is now, and as it was when the room was built
     std::vector<scene::Bounds> bounds_;
     scene::Revisions boundsRevisions_{0, 0, 0, 0};
     RoomCacheKey key_;
     RadiosityParams params_;
     std::unique_ptr<Room> room_;
-    // Form factors as they were found: cached, for there is more than one way to use them.
+    // Form factors before scaling: there is more than one way to use them.
     struct FoundFormFactors {
         ExchangeMatrix matrix;
         ExchangeCounts counts;
@@ -83,19 +85,19 @@ private:
     };
     void use(const FoundFormFactors& found);
     std::unique_ptr<ExchangeBuilder> builder_;
-    // While patches are being refined: what was found before the last round, and which patch is which.
+    // During refinement: the results of the previous round, and which patch is which.
     int rounds_ = 0;
     std::unique_ptr<ExchangeBuilder> builderBefore_;
     ExchangeMatrix matrixBefore_{0};
     std::vector<std::uint32_t> from_;
     std::optional<FoundFormFactors> analytic_, drawn_;
     int drawnSide_ = 0; ///< of the hemicube
-    /// What is used, and by which settings it was key.
+    /// The form factors in use, and the settings they were made with.
     std::optional<PreparedExchange> exchange_;
     RadiosityParams::FormFactors exchangeKind_{};
     bool isScaled_ = false;
     std::optional<SurfaceCells> cells_;
-    std::vector<std::uint8_t> receives_; ///< of each patch
+    std::vector<std::uint8_t> receives_; ///< for each patch: does it receive shadow? 1 or 0
     std::vector<CachedLight> lights_;
     std::uint64_t version_ = 0;
 };

@@ -1,4 +1,4 @@
-// Ray tracing in words: its passes, in the order they are drawn, and its stages.
+// The passes of ray tracing in the order in which they are drawn, and its stages.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/technique.h"

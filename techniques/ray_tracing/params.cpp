@@ -5,7 +5,7 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-// A tree doubles with every level: at this one it has up to 2^17 rays, for one pixel.
+// The rays of a tree may double with every level: at this depth there are up to 2^17, for one pixel.
 constexpr int kMostDepth = 16;
 
 } // namespace
@@ -65,7 +65,7 @@ params::ParamList describe(StructureParams& p) {
 
 namespace {
 
-// The error of evenly spread samples falls as N^(-3/4): with this many it is a thousandth of that of one.
+// The error of evenly distributed samples falls as N^(-3/4): with so many it is a thousandth of that of one.
 constexpr int kMostSamples = 16384;
 
 } // namespace
@@ -75,7 +75,7 @@ SampledSettings SamplingParams::settings(const TreeSettings& tree, const scene::
     settings.pattern = pattern;
     settings.antialias = antialias;
     settings.aperture = aperture;
-    // Where the camera looks, that is along its axis: the target itself is on it.
+    // The distance to the camera's target, which lies on its axis.
     settings.focus = focus > 0 ? focus : glm::length(camera.targetWorld - camera.positionWorld);
     settings.shutter = shutter;
     settings.adaptive = adaptive;

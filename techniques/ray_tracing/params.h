@@ -1,4 +1,4 @@
-// The knobs of ray tracing.
+// The parameters of ray tracing: rays and trees, the acceleration structure, and sampling.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/params/param.h"
@@ -12,11 +12,11 @@ namespace shadowlab::ray_tracing {
 struct RayTracedParams {
     bool excludeSource = true;
     enum class Receivers { traced, idBuffer } receivers = Receivers::traced;
-    // The cut-off ends most branches sooner, so a deep tree costs little. In the picture of the built-in scene (640 x 360) 10
-    // levels differ from 16 without cut-off by more than 1/255 in one pixel of ten thousand, and there by at most 9/255; 6
-    // levels in one of four hundred, visibly at the rim of the bubble.
+    // The cut-off ends most branches sooner, so a deep tree costs little. In the picture of the built-in scene (640 x 360), 10
+    // levels differ from 16 without cut-off by more than 1/255 in one pixel of ten thousand, and there by at most 9/255; 6 levels
+    // in one of four hundred, visibly at the rim of the bubble.
     int depth = 10;
-    // Half of the smallest step between two 8-bit greys: what adds less to a pixel is not seen.
+    // Half of the smallest step between two 8-bit greys: a smaller contribution is not visible.
     double cutoff = 0.002;
     Fresnel fresnel = Fresnel::exact;
     dvec3 attenuation{1, 0, 0};
@@ -38,11 +38,11 @@ struct StructureParams {
 struct SamplingParams {
     SamplePattern pattern;
     bool antialias = true;
-    // Of what spreads, all that a scene asks for by its lights, its materials and its velocities is on: a scene without them pays
-    // nothing. A lens is the viewer's choice.
+    // What a scene asks for by its lights, materials and velocities is on by default; a scene without them pays nothing. A lens
+    // is the viewer's choice.
     enum class SoftShadows { sampled, analytic, off } softShadows = SoftShadows::sampled;
     bool gloss = true, translucency = true;
-    double aperture = 0, focus = 0; ///< metres; focus 0: where the camera's target is
+    double aperture = 0, focus = 0; ///< metres; focus 0: the distance of the camera's target
     double shutter = 1;
     bool wholeLobes = true, interreflection = false;
     bool adaptive = false;
@@ -50,9 +50,9 @@ struct SamplingParams {
     friend bool operator==(const SamplingParams&, const SamplingParams&) = default;
 
     [[nodiscard]] bool areMany() const { return pattern.count > 1; }
-    /// With one sample, too.
+    /// Also with a single sample.
     [[nodiscard]] bool isAnalytic() const { return softShadows == SoftShadows::analytic; }
-    /// `tree`: what does not depend on chance.
+    /// `tree`: the settings that do not depend on sampling.
     [[nodiscard]] SampledSettings settings(const TreeSettings& tree, const scene::Camera& camera) const;
 };
 

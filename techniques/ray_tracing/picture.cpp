@@ -45,7 +45,8 @@ void Picture::restart(const trace::SceneTracer& tracer, const scene::Camera& cam
     trees_ = secondaryRays_ = 0;
 }
 
-/// Where nothing is traced yet nothing is to be seen, not even what was there before. All that is traced at once needs no clearing.
+/// Clears what is not traced yet, so that nothing of the previous picture is seen there. When all is traced at once there is
+/// nothing to clear.
 void Picture::clearFrom(std::size_t firstBlock) {
     const Blocks blocks{size_, kBlockSide};
     for (std::size_t block = firstBlock; block < blocks.count(); ++block) {
@@ -99,7 +100,7 @@ bool Picture::trace(const trace::SceneTracer& tracer, const TraceSettings& setti
         for (std::size_t light = 0; light < visibility_.size(); ++light) {
             if (settings.start == trace::ShadowStart::exact)
                 tracer.visibilities(points, static_cast<int>(light), answers);
-            else // each alone: the naive ray starts where no two of a block agree on a plane
+            else // each alone: naive rays start at rounded points, on no common plane
                 std::ranges::transform(points, answers.begin(), [&](const trace::SurfacePoint& point) {
                     return tracer.visibility(point, static_cast<int>(light), settings.start);
                 });
@@ -169,8 +170,8 @@ bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, De
                 const std::size_t i = row * width + column;
                 levels_[i] = points_[i] ? 1 : 0;
                 if (!hasTree(i)) continue;
-                // The point again, in double: the kept one is too coarse for rays to start from. Which triangle it is on is
-                // known, so one is tried and not all.
+                // The point once more, in double: the stored one is too coarse for rays to start from. Its triangle is known, so
+                // only that one is tested.
                 const dvec2 pixel(x + 0.5, y + 0.5);
                 const trace::SurfacePoint first = tracer.eyePointOn(points_[i].primitive, rays, pixel);
                 if (!first) continue;
@@ -189,7 +190,7 @@ bool Picture::traceTrees(const RayWorld& world, const TreeSettings& settings, De
     });
     trees_ += trees;
     secondaryRays_ += secondaryRays;
-    // What has been traced so far: whole rows of blocks, and some blocks of the next.
+    // What has been traced so far: whole rows of blocks, and some blocks of the next row.
     forEachPixel(size_, [&](std::size_t i, std::size_t fromBelow) {
         const std::size_t block =
             (i / width) / kBlockSide * static_cast<std::size_t>(blocks.grid().x) + (i % width) / kBlockSide;

@@ -1,7 +1,7 @@
-// A picture made of rays, on the processor: what each pixel sees, which light reaches it, and what that looks like.
+// A picture traced on the processor: what each pixel sees, which lights reach it, and the shading of it.
 //
-// No GL here. Every function works through the picture in blocks, on all cores; a block's pixels depend on nothing but
-// the scene, so the bytes are the same for any number of threads. Rows count from the top, but for the radiance.
+// No GL here. Every function works through the picture in blocks, on all cores; the pixels of a block depend on nothing but the
+// scene, so the bytes are the same for any number of threads. Rows count from the top, except those of the radiance.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
@@ -20,11 +20,12 @@ using Grid = std::vector<Value>;
 /// Which rays to send, and how.
 struct TraceSettings {
     trace::ShadowStart start = trace::ShadowStart::exact;
-    std::span<const std::uint32_t> receivers; ///< triangle that a pixel is said to show (gl::IdBuffer); none: not asked
+    /// For each pixel the triangle that it is expected to show (gl::IdBuffer); empty: unknown.
+    std::span<const std::uint32_t> receivers;
 };
 
-/// Where an eye ray ends, as the picture keeps it: a million of them have to go to memory and back for every light, and
-/// float is far finer than any shading shows. Shadow rays start from the point in double, before it comes here.
+/// The hit of an eye ray, as the picture stores it: a million of them are read again for every light, and float is far finer than
+/// shading needs. Shadow rays start from the point in double, before it is stored.
 struct PixelHit {
     std::uint32_t primitive = trace::kNoPrimitive;
     vec2 weights{0.0f};
@@ -35,26 +36,26 @@ struct PixelHit {
 
 class Picture {
 public:
-    /// Forgets everything: another scene, camera or size.
+    /// Clears everything: for another scene, camera or size.
     void restart(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size);
 
-    /// One eye ray through the centre of every pixel (Appel, 1968), and at once, from every point that faces a light, one
-    /// shadow ray to it (Whitted, 1980): block by block, while the points are at hand. Goes on where it was interrupted, until
-    /// all is traced (true) or the time has come (false), but always a bit; what is not traced yet shows nothing.
+    /// One eye ray through the centre of every pixel (Appel, 1968) and, from every point that faces a light, one shadow ray to it
+    /// (Whitted, 1980), block by block while the points are in the cache. Continues where it was interrupted until all is traced
+    /// (true) or the deadline has passed (false), but always does some work; what is not traced yet is empty.
     bool trace(const trace::SceneTracer& tracer, const TraceSettings& settings, Deadline deadline);
     [[nodiscard]] bool isTraced() const { return tracedBlocks_ == blocks(); }
 
-    /// Fills the radiance with what is seen with all lights off.
+    /// Sets the radiance to that with all lights off.
     void shadeLightsOff(const Surfaces& surfaces);
-    /// Adds a light where its rays have arrived.
+    /// Adds a light where its shadow rays arrive.
     void shadeLight(const Surfaces& surfaces, int light);
-    /// Adds a light with an area that brings each pixel so much (trace::AreaIrradiance::irradiance); empty: not known yet.
+    /// Adds a light with an area, by its irradiance at each pixel (trace::AreaIrradiance::irradiance); empty: not known yet.
     void shadeAreaLight(const Surfaces& surfaces, int light, const Grid<float>& irradiances);
 
-    /// Traces the trees of all pixels whose eye ray splits, or is attenuated on its way, and puts what comes of them into
-    /// the radiance. All other pixels stay as they are. Goes on like trace(), and begins when that is finished.
+    /// Traces the trees of all pixels whose eye ray splits, or is attenuated, and replaces their radiance by the result. All
+    /// other pixels are unchanged. Continues like trace(), and starts when that is finished.
     bool traceTrees(const RayWorld& world, const TreeSettings& settings, Deadline deadline);
-    /// Share of the two that is done, 0..1.
+    /// The share of both steps that is done, 0..1.
     [[nodiscard]] double done(bool withTrees) const;
 
     [[nodiscard]] ivec2 size() const { return size_; }
@@ -64,14 +65,14 @@ public:
     }
     /// Row 0 is at the bottom, as GL wants it.
     [[nodiscard]] const Grid<vec3>& radianceFromBelow() const { return radiance_; }
-    /// What trees have added by the reflection, and by the refraction at the root; row 0 is at the bottom. Empty: nothing.
+    /// The light that came by the root's reflection ray, and by its refraction ray; row 0 is at the bottom. Empty: no trees.
     [[nodiscard]] const Grid<vec3>& reflectedFromBelow() const { return reflected_; }
     [[nodiscard]] const Grid<vec3>& transmittedFromBelow() const { return transmitted_; }
-    /// Of the tree of each pixel; of a ray that does not split 1, of one that meets nothing 0.
+    /// The levels of each pixel's tree: 1 for a ray that does not split, 0 for one that hits nothing.
     [[nodiscard]] int levels(std::size_t pixel) const {
         return levels_.empty() ? (points_[pixel] ? 1 : 0) : levels_[pixel];
     }
-    /// Rays below eye rays.
+    /// How many rays were traced below the eye rays.
     [[nodiscard]] std::size_t secondaryRays() const { return secondaryRays_; }
     [[nodiscard]] std::size_t trees() const { return trees_; }
 
@@ -87,7 +88,7 @@ private:
     Grid<vec3> intensities_; ///< of trees; row 0 is at the bottom
     Grid<vec3> reflected_, transmitted_;
     Grid<std::uint8_t> levels_;
-    std::size_t tracedBlocks_ = 0, treeBlocks_ = 0; ///< so many are done
+    std::size_t tracedBlocks_ = 0, treeBlocks_ = 0; ///< how many blocks are done
     std::size_t trees_ = 0, secondaryRays_ = 0;
 };
 

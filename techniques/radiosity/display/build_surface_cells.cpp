@@ -10,14 +10,14 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// What lies nowhere farther from a plane than this share of its size lies in it: simplified vertices are floats, found by solving
-// small systems of equations.
+// Faces within this share of their size from a plane lie in it: simplified vertices are floats, found by solving small systems of
+// equations.
 constexpr double kOnePlane = 1e-5;
 
-// 2.5 degrees, as far as kOffPlane bends a triangle of a cell's size.
+// 2.5 degrees, by which kOffPlane can tilt a triangle of a cell's size.
 constexpr double kSamePlaneCosine = 0.999;
 
-// Half a right angle: what faces the same way.
+// 45 degrees: the limit for facing the same way.
 constexpr double kSameWayCosine = 0.7;
 
 class CellBuilder {
@@ -44,7 +44,7 @@ public:
 private:
     [[nodiscard]] const FaceFrame& frame(std::uint32_t side) const { return planes_[planeOfSide_[side] / 2].frame; }
 
-    /// Planes of each object, their coordinates shared by all faces in them, from both sides.
+    /// Finds the planes of each object; all faces in a plane, from both sides, share its coordinates.
     void findPlanes() {
         const std::vector<Face>& all = room_.sides().faces.all;
         std::vector<std::vector<std::uint32_t>> ofObject(drawn_.objects.size());
@@ -76,7 +76,7 @@ private:
             addBorder(to.place(pointOf(piece)), cells_.corners.cornerOfPiece[piece]);
     }
     [[nodiscard]] const PatchBorders& borders() const { return cells_.corners.borders; }
-    /// Where a piece of border begins.
+    /// The point where a piece of border begins.
     [[nodiscard]] const dvec3& pointOf(std::uint32_t piece) const {
         return borders().pointsCentred[borders().pieces[piece].point];
     }
@@ -140,11 +140,12 @@ private:
         return side == kNoFace ? SurfaceCells::kNone : roots_[planeOfSide_[side]];
     }
 
-    /// The plane of the simplified mesh in which the triangle lies, if there is one: of its front.
+    /// The plane of the simplified mesh (its front) in which the triangle lies, if there is one.
     [[nodiscard]] std::optional<std::uint32_t> planeOf(const Polygon& triangle,
                                                        const std::array<SurfacePlace, 3>& places) const {
         std::optional<std::uint32_t> plane;
-        if (sizeOf(triangle) < room_.simple().cellMetres) return plane; // its corners know enough
+        // Small enough to be interpolated between its corners.
+        if (sizeOf(triangle) < room_.simple().cellMetres) return plane;
         const dvec3 normal = glm::normalize(areaVector(triangle));
         for (std::size_t i = 0; i < 3; ++i) {
             const std::uint32_t side = room_.sides().faces.ofTriangle[places[i].triangle];
@@ -158,14 +159,14 @@ private:
     }
 
     void addPlaces(const FaceFrame& to, const dmat4& worldFromMesh) {
-        // Rows of what takes a position of the mesh to u and v, composed in double.
+        // Two rows of the matrix from mesh positions to u and v, composed in double.
         const dvec3 origin = transformPoint(worldFromMesh, dvec3(0)) - room_.world().originWorld;
         for (const dvec3& axis : {to.u, to.v})
             cells_.places.emplace_back(vec3(axis * dmat3(worldFromMesh)),
                                        static_cast<float>(glm::dot(axis, origin - to.originCentred)));
     }
 
-    /// A side of a triangle of a mesh that was simplified.
+    /// One side of an original triangle whose mesh was simplified.
     struct DrawnTriangle {
         const Polygon& polygon;
         const FaceFrame& frame;
@@ -183,7 +184,7 @@ private:
             blends[i].vertex = vertexNumber(triangle, i);
         }
         const auto cell = static_cast<std::uint32_t>(cells_.cells.size());
-        // The patch of two of its corners, if there is such a one.
+        // The patch of two of its corners, if they agree.
         const std::uint32_t patch = blends[1].patch == blends[2].patch ? blends[1].patch : blends[0].patch;
         cells_.cells.emplace_back(patch, cells_.borders.size(), 3, 0);
         addBorder(triangle.frame.place(centroid(triangle.polygon)), firstBlend_ + cells_.blends.size() + 3);
@@ -222,11 +223,11 @@ private:
         }
         const std::optional<std::uint32_t> nearest = nearestPatch(room_.sides().faces.all[side], position);
         if (!nearest) return std::nullopt;
-        const std::uint32_t corner = cells_.corners.cornerOfPiece[borders().first[*nearest]]; // of no weight
+        const std::uint32_t corner = cells_.corners.cornerOfPiece[borders().first[*nearest]]; // its weight is 0
         return SurfaceCells::Blend{*nearest, {corner, corner}, {1, 0, 0}};
     }
 
-    /// Of an object's patches that face the same way as a side of which none is left, the one whose centre is nearest.
+    /// If no patch of a side is left: among the object's patches that face the same way, the one with the nearest centre.
     [[nodiscard]] std::optional<std::uint32_t> nearestPatch(const Face& side, const dvec3& position) const {
         std::optional<std::uint32_t> nearest;
         double least = std::numeric_limits<double>::infinity();
@@ -241,7 +242,7 @@ private:
         return nearest;
     }
 
-    /// In which triangle of the patch's fan the place lies, and how near to its corners.
+    /// The triangle of the patch's fan that contains the place, and its barycentric weights.
     [[nodiscard]] SurfaceCells::Blend blendIn(std::uint32_t patch, const dvec2& at) const {
         const FaceFrame& to = frame(patches_[patch].face);
         const std::uint32_t first = borders().first[patch], end = borders().first[patch + 1];
@@ -257,8 +258,8 @@ private:
             const double weightA = cross(at - centre, toB) / area, weightB = cross(toA, at - centre) / area;
             if (const double inside = std::min(weightA, weightB); inside > bestInside) {
                 bestInside = inside;
-                const double sum =
-                    std::max(1.0, weightA + weightB); // a place on the border may lie outside by rounding
+                // By rounding, a place on the border may lie outside.
+                const double sum = std::max(1.0, weightA + weightB);
                 best = {patch,
                         {cells_.corners.cornerOfPiece[piece], cells_.corners.cornerOfPiece[next]},
                         {0, std::max(0.0, weightA / sum), std::max(0.0, weightB / sum)}};
@@ -278,10 +279,11 @@ private:
         FaceFrame frame;
     };
     std::vector<ObjectPlane> planes_;
-    std::vector<std::uint32_t> planeOfSide_; ///< twice the plane; one more: turned the other way
-    std::vector<std::uint32_t> roots_;       ///< by the same numbers
+    std::vector<std::uint32_t> planeOfSide_; ///< twice the plane's number, plus one for its back
+    std::vector<std::uint32_t> roots_;       ///< by plane and side, numbered as in planeOfSide_
     std::size_t firstBlend_ = 0;
-    std::map<std::pair<std::uint32_t, bool>, std::uint32_t> vertexNumbers_; ///< of one object: by vertex and side
+    /// Of the current object, by vertex and side.
+    std::map<std::pair<std::uint32_t, bool>, std::uint32_t> vertexNumbers_;
 };
 
 } // namespace

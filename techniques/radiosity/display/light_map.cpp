@@ -11,16 +11,16 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Points on a border are moved toward the centre by this share of the way: a wall that stands there is on their other side.
+// Points on a border are moved toward the patch's centre by this share of the way, so that a wall on the border is beside them.
 constexpr double kInward = 1e-4;
 
-// Along one side of a patch: floats count all of the points to the last one.
+// The most points along one side of a patch: their total must stay exact as a float.
 constexpr double kMostAlong = 255;
 
-// Points that one thread takes at a time.
+// Points in one piece of work of a thread.
 constexpr std::size_t kBlock = 64;
 
-/// The place itself, or the nearest place of a convex polygon.
+/// The place itself, or the nearest point of the convex polygon.
 dvec2 nearestIn(std::span<const dvec2> corners, const dvec2& place) {
     dvec2 nearest = place;
     double best = std::numeric_limits<double>::infinity();
@@ -96,7 +96,7 @@ void LightMap::addLattice(const Patch& patch, const FaceFrame& frame, double spa
         lower = glm::min(lower, corners.back());
         upper = glm::max(upper, corners.back());
     }
-    if (glm::dot(glm::cross(frame.u, frame.v), patch.normal) < 0) std::ranges::reverse(corners); // a back
+    if (glm::dot(glm::cross(frame.u, frame.v), patch.normal) < 0) std::ranges::reverse(corners); // a back side
     const dvec2 size = upper - lower;
     const ivec2 count = 1 + ivec2(glm::clamp(glm::ceil(size / spacing), 1.0, kMostAlong));
     lattices_.emplace_back(vec2(lower), vec2(size));
@@ -124,7 +124,7 @@ void LightMap::fill(OfLight& map, const LightSource& source, std::size_t block) 
             if (!point.receivesShadow) return false;
             const dvec3 way = toCentred - fromCentred;
             return tracer_.isBlocked({fromCentred, way, nearest_ / glm::length(way), 1 - trace::kContact},
-                                     trace::kNoPrimitive); // a light may lie in a corner of a face
+                                     trace::kNoPrimitive); // a light may lie in the plane of a face
         };
         const Arriving arriving = radiosity::arrivingAt(point.positionCentred, point.normal, source, isBlocked);
         map.arriving[i] = vec4(vec3(arriving.irradiance), static_cast<float>(arriving.seenArea));

@@ -10,7 +10,7 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// From a share of 1e-5 upward; what is less goes nowhere, to the eye.
+// From 1e-5 upward; smaller form factors have the darkest colour.
 constexpr double kDecades = 5;
 
 vec3 colorOf(double formFactor) {
@@ -22,7 +22,7 @@ const vec3 kPaper = look::linearFromSrgb8(0x24, 0x24, 0x28);
 const vec3 kBar = look::linearFromSrgb8(0xE6, 0x9F, 0x00);
 const vec3 kOne = look::linearFromSrgb8(0xF2, 0xF2, 0xF2);
 
-/// The rows or columns that a pixel of so many covers: at least one.
+/// The range of rows or columns that a pixel covers: at least one.
 std::pair<std::size_t, std::size_t> covered(int pixel, int pixels, std::size_t count) {
     const auto at = [&](int p) {
         return static_cast<std::size_t>(static_cast<double>(p) * static_cast<double>(count) / pixels);
@@ -31,11 +31,11 @@ std::pair<std::size_t, std::size_t> covered(int pixel, int pixels, std::size_t c
     return {first, std::max(first + 1, std::min(at(pixel + 1), count))};
 }
 
-/// Where things are, in pixels.
+/// The layout of the picture, in pixels.
 struct Layout {
     ivec2 size;
-    int margin, left, side;  ///< of the square that is the matrix; to its left there is room for the key
-    int barsLeft, unitWidth; ///< where bars begin, and how long one of 1 is
+    int margin, left, side;  ///< of the square matrix; on its left there is room for the key
+    int barsLeft, unitWidth; ///< where the bars begin, and the length of a bar of 1
     explicit Layout(ivec2 size)
         : size(size), margin(std::max(1, size.y / 24)), left(size.x / 4),
           side(std::max(1, std::min(size.y - 2 * margin, size.x / 2))), barsLeft(left + side + margin),

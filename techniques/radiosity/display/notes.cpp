@@ -81,7 +81,7 @@ void noteSolution(Frame& frame, const Showing& showing) {
                look::kLit);
 }
 
-/// What a Lambertian surface does not do.
+/// Materials with properties that a Lambertian surface does not have.
 void noteMaterials(Frame& frame) {
     std::string names;
     std::size_t count = 0;

@@ -38,7 +38,7 @@ void publishScalar(const Showing& showing, std::string_view stage, const std::ve
         display);
 }
 
-/// One number of each patch that exchanges light; of the others, `ofLoose`.
+/// One value for each patch that exchanges light; loose patches get `ofLoose`.
 std::vector<dvec3> asValues(const Showing& showing, std::span<const double> numbers, double ofLoose) {
     std::vector<dvec3> values;
     for (const double number : numbers)
@@ -48,7 +48,7 @@ std::vector<dvec3> asValues(const Showing& showing, std::span<const double> numb
 }
 
 void publishPatches(const Showing& showing) {
-    // A light step of viridis for each time that a patch was cut again.
+    // A lighter step of viridis for each further cut.
     static const std::vector<KeyEntry> key = {{look::linearFromSrgb8(0xB8, 0xB8, 0xB4), "patch, cut to size"},
                                               {look::colorAt(look::viridis(), 0.3), "cut again once"},
                                               {look::colorAt(look::viridis(), 0.5), "twice"},
@@ -67,7 +67,8 @@ void publishPatches(const Showing& showing) {
                             {.unit = "", .key = isRefined ? key : std::vector<KeyEntry>{key.front(), key.back()}});
 }
 
-/// Whose form factors are looked at: the picked pixel's, the one asked for, or the one that sends the most light.
+/// The patch whose form factors are shown: the picked pixel's, that of parameter `from-patch`, or the one that sends the most
+/// light.
 std::size_t chosenPatch(const Showing& showing) {
     const std::size_t count = showing.cache.room().patches().size();
     const View& view = showing.frame.view();
@@ -91,7 +92,7 @@ void publishFormFactors(const Showing& showing) {
     const std::size_t count = showing.cache.room().patches().size();
     std::vector<double> shares(count, 0.0);
     double most = 0;
-    if (const std::size_t from = count > 0 ? chosenPatch(showing) : 0; from < count) { // nothing lies before the others
+    if (const std::size_t from = count > 0 ? chosenPatch(showing) : 0; from < count) { // loose patches see nothing
         for (std::size_t j = 0; j < count; ++j)
             shares[j] = 100 * showing.cache.exchange().matrix(from, j) / showing.cache.exchange().areas[from];
         most = *std::ranges::max_element(shares);
@@ -115,7 +116,7 @@ void publishVisibility(const Showing& showing, int light, const LightMap* map) {
     const SurfaceCells& cells = showing.cache.cells();
     if (map) {
         const LightMap::Values seen = map->seenArea(cells, light);
-        const std::vector<dvec3> nothing(showing.sources.size(), dvec3(0)); // all of it is in the map
+        const std::vector<dvec3> nothing(showing.sources.size(), dvec3(0)); // the map holds all of it
         const auto uploaded = SurfacePicture::upload(cellValues(cells, nothing, seen.atBlends));
         const auto lattices = SurfacePicture::upload(map->lattices(), seen.atPoints);
         showing.frame.drawStage("visibility", light, GL_RG32F,
@@ -145,7 +146,7 @@ void Showing::drawSmooth(const ShownLight& shown) const {
 ShownLight Showing::shown(const LightMap* map) const {
     std::vector<dvec3> arriving = balance.irradianceShown();
     if (!map) return {SurfacePicture::upload(cellValues(cache.cells(), arriving)), std::nullopt};
-    // What came by way of other patches, or from outside, changes slowly: it is interpolated. The rest is in the map.
+    // Light from other patches and from the surroundings changes slowly and is interpolated. Direct light is in the map.
     for (std::size_t i = 0; i < arriving.size(); ++i)
         arriving[i] -= sources.fromLights[i];
     const LightMap::Values direct = map->irradiance(cache.cells());

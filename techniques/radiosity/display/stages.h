@@ -1,4 +1,4 @@
-// Showing what radiosity has found: pictures of values of patches, the stages, and what is told in words.
+// Display of a solution: pictures of the values of patches, the stages, and the notes of a frame.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -13,13 +13,13 @@
 
 namespace shadowlab::radiosity {
 
-/// What arrives everywhere, on the graphics card: irradiance.
+/// The irradiance of all surfaces, on the graphics card.
 struct ShownLight {
     SurfacePicture::Values values;
     std::optional<SurfacePicture::Lattices> map;
 };
 
-/// One frame, and all that there is to show.
+/// A frame, and the results to be shown in it.
 struct Showing {
     Frame& frame;
     const RoomCache& cache;
@@ -28,23 +28,23 @@ struct Showing {
     const SurfacePicture& picture;
     const RadiosityParams& params;
 
-    /// Radiosities of all patches, into what is bound.
+    /// Draws radiosities of all patches into the bound framebuffer.
     void draw(std::span<const dvec3> radiosity, bool interpolates) const;
-    /// What arrives, reflected by every pixel's own material.
+    /// Draws the irradiance, reflected by every pixel's own material.
     void drawSmooth(const ShownLight& shown) const;
-    /// What the finished picture is drawn with: the irradiance there is; `map`: with direct light from there, or nullptr.
+    /// The irradiance for the finished picture. `map`: the direct light, or nullptr: it is interpolated like the rest.
     [[nodiscard]] ShownLight shown(const LightMap* map) const;
 };
 
-/// What is wanted of the stages. `map`: what direct light is shown by, or nullptr.
+/// Publishes the stages that the frame asks for. `map`: the light map that direct light is shown with, or nullptr.
 void publishStages(const Showing& showing, const LightMap* map);
 
-/// Publishes stage `matrix`: F_jk in row j and column k, each pixel the mean of the numbers that it covers, on a logarithmic scale; to its
-/// right a bar for each row, as long as the row's sum.
+/// Publishes stage `matrix`: F_jk in row j and column k on a logarithmic scale, each pixel the mean of the entries that it
+/// covers; on its right a bar for each row, as long as the row's sum.
 void publishMatrix(Frame& frame, const PreparedExchange& exchange);
 
-/// Counters and notes: how many patches, how good the form factors are and what scaling changed, how far solving has come, where
-/// the power goes, and what of the materials is left out.
+/// Publishes counters and notes: the number of patches, the quality of the form factors and what scaling changed, the progress of
+/// the solver, where the power goes, and which properties of materials are left out.
 void publishNotes(const Showing& showing);
 
 } // namespace shadowlab::radiosity

@@ -8,7 +8,7 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-/// A shader may not read from a buffer that is not there: one texel that nothing refers to.
+/// A shader may not read from an empty buffer: one unused texel stands in.
 template <typename Texel>
 std::vector<Texel> atLeastOne(std::vector<Texel> texels) {
     if (texels.empty()) texels.emplace_back(0);
@@ -39,7 +39,7 @@ SurfacePicture::Lattices SurfacePicture::upload(const std::vector<vec4>& lattice
 void SurfacePicture::draw(const Frame& frame, const gl::Program& program, const Values& values, bool interpolates,
                           const std::function<void()>& setUniforms) const {
     program.use();
-    if (setUniforms) setUniforms(); // first: what it may upload would take the place of what is bound
+    if (setUniforms) setUniforms(); // first, because uploads may replace bound textures
     int unit = gl::kFirstFreeUnit;
     const auto bind = [&](const gl::TableTexture& texture, std::string_view name) {
         texture.bind(unit);
@@ -66,7 +66,7 @@ void SurfacePicture::drawRadiosity(const Frame& frame, const Values& radiosity, 
 }
 
 void SurfacePicture::bind(const Lattices& map, const gl::Program& program) {
-    constexpr int kFirst = gl::kFirstFreeUnit + 8; // after what draw() binds
+    constexpr int kFirst = gl::kFirstFreeUnit + 8; // after the units that draw() uses
     map.table.bind(kFirst);
     map.values.bind(kFirst + 1);
     program.set("lattices", kFirst);

@@ -1,4 +1,4 @@
-// Drawing what patches are worth: the scene's own triangles, each pixel with the value of the patch that it shows.
+// Draws values of patches: the scene's own triangles, each pixel with the value of the patch that it shows.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/gl/program.h"
@@ -10,32 +10,33 @@ namespace shadowlab::radiosity {
 
 class SurfacePicture {
 public:
-    /// Uploads where patches are. Values given before are of no use any more.
+    /// Uploads the cells. Values uploaded before are no longer valid.
     void setCells(const SurfaceCells& cells);
 
-    /// Values on the graphics card.
+    /// Values of cells on the graphics card.
     struct Values {
         gl::TableTexture ofPatches, ofBorders;
     };
     static Values upload(const CellValues& values);
-    /// A light map there (light_map.h).
+    /// A light map on the graphics card (light_map.h).
     struct Lattices {
         gl::TableTexture table, values;
     };
     static Lattices upload(const std::vector<vec4>& lattices, const std::vector<vec4>& atPoints);
 
-    // Into what is bound, on the surfaces that the depth buffer has. Each clears the stencil.
+    // All draw into the bound framebuffer, on the surfaces in its depth buffer, and clear the stencil.
 
-    /// What the eye receives, linear RGB, by the radiosity of each patch; what is no patch shows its emission.
+    /// The radiance toward the eye, linear RGB, by the radiosity of each patch; what belongs to no patch shows its emission.
     void drawRadiosity(const Frame& frame, const Values& radiosity, bool interpolates, double exposureFactor) const;
-    /// The same by the irradiance, interpolated, and reflected by each pixel's own material. `map`: what else arrives, or nullptr.
+    /// The same by the irradiance, interpolated, and reflected by each pixel's own material. `map`: further irradiance, or
+    /// nullptr.
     void drawReflected(const Frame& frame, const Values& irradiance, const Lattices* map, double exposureFactor) const;
     /// Red: the value's red; green: 1 where there is a patch.
     void drawScalar(const Frame& frame, const Values& values, bool interpolates) const;
-    /// Red: the value's red where the side that is seen faces the light; green: 1 where there is a surface.
+    /// Red: the value's red where the visible side faces the light; green: 1 where there is a surface.
     void drawVisibility(const Frame& frame, const Values& values, bool interpolates, int light) const;
     void drawVisibility(const Frame& frame, const Values& values, const Lattices& map, int light) const;
-    /// The values' colours, and every patch's border.
+    /// The values' colours, with the border of every patch.
     void drawOutlines(const Frame& frame, const Values& values, const vec3& lineColor) const;
 
 private:

@@ -10,8 +10,8 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-/// Two doubles side by side, which every processor with doubles in registers of 128 bits adds and multiplies at once. Said in
-/// so many words (g++ and clang understand it), since the compiler left to itself shuffles more than it computes.
+/// Two doubles in one register of 128 bits, added and multiplied at once. Written explicitly (an extension of g++ and clang),
+/// since the compiler's own vectorisation of this loop spends more time shuffling than computing.
 using Pair = double __attribute__((vector_size(16)));
 
 Pair pairAt(const double* numbers) {
@@ -20,8 +20,8 @@ Pair pairAt(const double* numbers) {
     return pair;
 }
 
-/// A sum is kept as so many sums side by side: the processor need not wait for one addition to begin the next, and rounding
-/// is that of a sum of a fourth of the length.
+/// Each sum is accumulated in so many partial sums: additions need not wait for each other, and the rounding error is that of a
+/// sum of a fourth of the length.
 constexpr std::size_t kLanes = 4;
 
 struct Lanes {
@@ -30,7 +30,7 @@ struct Lanes {
         first += firstFactor * pairAt(others);
         second += secondFactor * pairAt(others + 2);
     }
-    /// The last few, less than four.
+    /// The remaining numbers, fewer than four.
     void addRest(const double* factors, const double* others, std::size_t count) {
         if (count > 0) first[0] += factors[0] * others[0];
         if (count > 1) first[1] += factors[1] * others[1];
@@ -44,7 +44,7 @@ struct Lanes {
 std::vector<dvec3> gathered(const ExchangeMatrix& exchange, std::span<const double> areas,
                             std::span<const dvec3> radiosity) {
     const std::size_t size = exchange.size(), whole = size / kLanes * kLanes;
-    std::array<std::vector<double>, 3> colours; // one after the other, as the processor likes to multiply them
+    std::array<std::vector<double>, 3> colours; // each colour contiguous in memory
     for (int c = 0; c < 3; ++c) {
         colours[c].reserve(size);
         for (const dvec3& value : radiosity)
@@ -70,8 +70,8 @@ std::vector<dvec3> gathered(const ExchangeMatrix& exchange, std::span<const doub
 }
 
 double gatherRounding(std::size_t patches) {
-    // One product, the additions of a lane, two of lanes, one division; and four for what a caller multiplies by before and
-    // after (reflectance, a step length), so that nobody needs to count again.
+    // One product, the additions in a lane, two additions of lanes, one division; and four more for factors that a caller
+    // multiplies by before and after (reflectance, step length).
     const double roundings = static_cast<double>((patches + kLanes - 1) / kLanes) + 8;
     return roundings * kRoundingUnit / (1 - roundings * kRoundingUnit);
 }

@@ -21,7 +21,7 @@ Sources sourcesOf(const Room& room, std::span<const DirectLight* const> lights, 
     for (std::size_t i = 0; i < room.patches().size(); ++i)
         add(room.patches()[i], room.surroundings()[i]);
     for (std::size_t i = room.patches().size(); i < room.allPatches().size(); ++i)
-        add(room.allPatches()[i], 1); // nothing lies before them
+        add(room.allPatches()[i], 1); // they see no surface at all
     sources.fromLights.assign(sources.size(), dvec3(0));
     for (const DirectLight* light : lights)
         for (std::size_t i = 0; i < sources.size(); ++i)
@@ -52,12 +52,13 @@ void LightBalance::restart(const PreparedExchange& exchange, const Sources& sour
 }
 
 bool LightBalance::advance(const Until& until, std::size_t most, std::chrono::steady_clock::time_point deadline) {
-    // Of single shots the bound is looked at now and then: to look costs as much as a shot, and while shooting as much as a sweep.
+    // The error bound of single shots is evaluated only now and then: it costs as much as a shot, and for shooting as much as a
+    // sweep.
     constexpr std::size_t kShotsBetween = 64;
     const auto isDone = [&] {
         return (until.steps > 0 && solver_->steps() >= until.steps) || isSolved(*solver_, until.tolerance);
     };
-    if (!solver_ || isFinished_) return true; // nothing exchanges light, or all has been done
+    if (!solver_ || isFinished_) return true; // nothing exchanges light, or the solver has finished
     bool done = isDone();
     for (std::size_t step = 0; !done && (most == 0 || step < most); ++step) {
         solver_->step();
@@ -73,7 +74,8 @@ bool LightBalance::advance(const Until& until, std::size_t most, std::chrono::st
 const EnergyBalance& LightBalance::energy() const {
     if (energy_) return *energy_;
     energy_ = energyBalance(problem(), solver_->radiosity());
-    // In the equations a patch emits what it reflects of the light that no patch sent. The rest of that light is absorbed at once.
+    // In the equations the "emission" of a patch includes its reflection of light from lights and surroundings. The rest of that
+    // light is absorbed.
     for (std::size_t i = 0; i < exchange_->areas.size(); ++i) {
         const dvec3 lost = exchange_->areas[i] * (1.0 - sources_->reflectance[i]) * sources_->irradiance(i);
         energy_->emitted += lost;
@@ -94,14 +96,14 @@ void LightBalance::show() {
 std::vector<dvec3> LightBalance::irradiance() const {
     std::vector<dvec3> arriving =
         gathered(exchange_->matrix, exchange_->areas, std::span(radiosity_).first(exchange_->areas.size()));
-    arriving.resize(sources_->size(), dvec3(0)); // loose patches receive nothing from others
+    arriving.resize(sources_->size(), dvec3(0)); // loose patches receive nothing from other patches
     for (std::size_t i = 0; i < arriving.size(); ++i)
         arriving[i] += sources_->irradiance(i);
     return arriving;
 }
 
 std::vector<dvec3> LightBalance::irradianceShown() const {
-    std::vector<dvec3> shown(radiosity_.size()), gathered; // the latter only if it is needed
+    std::vector<dvec3> shown(radiosity_.size()), gathered; // irradiance(), computed only if it is needed
     for (std::size_t i = 0; i < shown.size(); ++i)
         for (int color = 0; color < 3; ++color) {
             const double reflectance = sources_->reflectance[i][color];

@@ -12,7 +12,7 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-/// From here on the bound of the error, residual / (1 - q), says no more than rounding does.
+/// From here on rounding decides the error bound, residual / (1 - q).
 constexpr double kMostReflected = 1 - 1e-9;
 
 std::string patchName(std::size_t i) { return "patch " + std::to_string(i); }
@@ -20,7 +20,7 @@ std::string patchName(std::size_t i) { return "patch " + std::to_string(i); }
 bool isFromZeroTo(double most, double value) { return value >= 0 && value <= most; } // NaN is not
 
 std::optional<std::string> wrongNumber(const Problem& problem) {
-    constexpr double kMost = 1e150; // so that squares and products of two stay finite
+    constexpr double kMost = 1e150; // squares and products of two such numbers stay finite
     for (std::size_t i = 0; i < problem.areas.size(); ++i) {
         if (!(problem.areas[i] > 0) || !isFromZeroTo(kMost, problem.areas[i]))
             return patchName(i) + " has an area of " + std::to_string(problem.areas[i]) +
@@ -84,7 +84,7 @@ ReflectionBounds reflectionBounds(const Problem& problem) {
         bounds.ofLargest = glm::max(bounds.ofLargest, problem.reflectance[i] * sums[i]);
         bounds.ofPower = glm::max(bounds.ofPower, seen[i]);
     }
-    // All summands are positive, so rounding is a share of the sum; twice that share covers its own rounding, too.
+    // All summands are positive, so rounding is relative to the sum; a factor of two also covers the rounding of this product.
     const double rounding = 1 + 2 * gatherRounding(sums.size());
     bounds.ofLargest *= rounding;
     bounds.ofPower *= rounding;

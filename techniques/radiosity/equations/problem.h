@@ -1,8 +1,8 @@
-// What is to be solved: B_i = E_i + rho_i sum_j F_ij B_j for every patch i (C. Goral, K. Torrance, D. Greenberg, B. Battaile,
-// "Modeling the Interaction of Light Between Diffuse Surfaces", SIGGRAPH 1984), in three colours at once.
+// The radiosity equations: B_i = E_i + rho_i sum_j F_ij B_j for every patch i, in three colours (C. Goral, K. Torrance, D.
+// Greenberg, B. Battaile, "Modeling the Interaction of Light Between Diffuse Surfaces", SIGGRAPH 1984).
 //
-// B is the radiosity: what leaves a patch, per area. E is what it emits by itself, rho what it reflects of the light that
-// reaches it. Each colour is a system of its own; they share the form factors.
+// B_i is the radiosity: the flux that leaves patch i, per area. E_i is what the patch emits by itself, rho_i the share that it
+// reflects of the light that reaches it. Each colour is a system of its own; all three have the same form factors.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace shadowlab::radiosity {
 
-/// One entry of each vector for every patch. The matrix is not copied: it has to outlive the problem and all its solvers.
+/// One entry per patch in each vector. The matrix is not copied: it must outlive the problem and all its solvers.
 // [anchor: radiosity-problem]
 struct Problem {
     const ExchangeMatrix& exchange; ///< S_ij = A_i F_ij, m^2
@@ -23,8 +23,8 @@ struct Problem {
     std::vector<dvec3> reflectance; ///< rho_i, 0 to 1
 };
 
-/// How much of the light is left at most after it was reflected once more, for each colour. Rounding is included: the true
-/// numbers are not above these.
+/// The largest share of the light that is left after one more reflection, for each colour. Rounding is included: the exact values
+/// are not above these.
 struct ReflectionBounds {
     /// q = max_i rho_i sum_j F_ij: no patch sends on more than q times the largest radiosity around it.
     dvec3 ofLargest{0};
@@ -34,13 +34,13 @@ struct ReflectionBounds {
 
 ReflectionBounds reflectionBounds(const Problem& problem);
 
-/// Why the problem cannot be solved, in one sentence with the mend; nothing where it can. Looked for are vectors of different
-/// lengths, numbers out of range, and light that never dies out: q of 1 - 1e-9 or more in a colour that something emits.
-/// Then no bound of the error exists, and in a closed room that reflects everything no solution either: every watt emitted
-/// would stay for ever. In a colour that nothing emits the solution is 0, whatever is reflected.
+/// Why the problem cannot be solved, in one sentence with the remedy; nothing where it can. Checked are the lengths of vectors,
+/// the ranges of numbers, and that light dies out: q must be below 1 - 1e-9 in every colour that something emits. Otherwise no
+/// error bound exists, and a closed room that reflects everything has no solution: the emitted power would add up for ever. In a
+/// colour that nothing emits the solution is 0, whatever is reflected.
 std::optional<std::string> refusal(const Problem& problem);
 
-/// The bounds of a problem that can be solved; Error (badInput) with the sentence above for others.
+/// reflectionBounds(), checked: throws Error (badInput) with the sentence of refusal() where there is no solution.
 ReflectionBounds boundsOfSolvable(const Problem& problem);
 
 } // namespace shadowlab::radiosity

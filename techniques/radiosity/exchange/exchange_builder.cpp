@@ -26,7 +26,7 @@ bool ExchangeBuilder::advance(std::chrono::steady_clock::time_point deadline) {
 double ExchangeBuilder::done() const {
     if (patches_.empty()) return 1;
     const double left = 1 - static_cast<double>(next_) / static_cast<double>(patches_.size());
-    return 1 - left * left; // a row holds the pairs with later patches
+    return 1 - left * left; // row i holds the pairs with later patches: rows get shorter
 }
 
 void ExchangeBuilder::fill(std::size_t i) {
@@ -35,12 +35,12 @@ void ExchangeBuilder::fill(std::size_t i) {
     for (std::size_t face = patch.face + 1; face < faces_.all.size(); ++face) {
         const Polygon& polygon = faces_.all[face].polygon;
         const std::size_t first = firstOfFace_[face], end = firstOfFace_[face + 1];
-        if (first == end) continue; // all its patches were folds
+        if (first == end) continue; // all its patches were left out
         if (isBehind(patch.plane(), polygon, 0) || isBehind(patches_[first].plane(), patch.polygon, 0)) {
             rows_[i].counts.ofKind[0] += end - first;
             continue;
         }
-        std::optional<Blockers> blockers; // of no use where all is known
+        std::optional<Blockers> blockers; // needed only if a pair is new
         for (std::size_t j = first; j < end; ++j) {
             const bool isKnown =
                 known_ && known_->from[i] != KnownExchange::kNew && known_->from[j] != KnownExchange::kNew;
@@ -59,7 +59,7 @@ void ExchangeBuilder::fill(std::size_t i) {
 VisibleExchange ExchangeBuilder::knownExchange(std::size_t i, std::size_t j) const {
     using Kind = VisibleExchange::Kind;
     const std::uint32_t row = known_->from[i],
-                        patch = known_->from[j]; // the row of the first, for their order is as it was
+                        patch = known_->from[j]; // their order has not changed, so i is still the row
     const std::vector<Uncertain>& uncertain = known_->builder.rows_[row].uncertain;
     const double area = known_->exchange(row, patch);
     const auto found = std::ranges::lower_bound(uncertain, patch, {}, &Uncertain::patch);

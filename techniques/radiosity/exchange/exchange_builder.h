@@ -1,4 +1,4 @@
-// All exchange areas of a scene's patches, row by row, as long as there is time.
+// Computes the exchange areas of all pairs of patches, row by row, in slices of time.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace shadowlab::radiosity {
 
-/// Of how many pairs of patches what was found, by VisibleExchange::Kind, and how far from the truth their sum may be.
+/// The number of pairs of each VisibleExchange::Kind.
 struct ExchangeCounts {
     std::array<std::size_t, 4> ofKind{};
     [[nodiscard]] std::size_t of(VisibleExchange::Kind kind) const { return ofKind[static_cast<std::size_t>(kind)]; }
@@ -19,26 +19,27 @@ struct ExchangeCounts {
 
 class ExchangeBuilder;
 
-/// What an earlier builder has found between patches of the same faces, of which some are cut by now. Between two that are as they
-/// were nothing has changed.
+/// What an earlier builder has found between patches of the same faces, some of which have been cut since. Between two patches
+/// that have not been cut nothing has changed.
 struct KnownExchange {
-    const ExchangeBuilder& builder;      ///< all done, with as many lines
-    const ExchangeMatrix& exchange;      ///< as it was found, wherever it is by now
-    std::span<const std::uint32_t> from; ///< of each new patch its number there, or kNew; in their order, as they were
+    const ExchangeBuilder& builder; ///< complete, with the same number of lines
+    const ExchangeMatrix& exchange; ///< as that builder found it
+    /// For each new patch its number there, or kNew; unchanged patches keep their order.
+    std::span<const std::uint32_t> from;
 
     static constexpr std::uint32_t kNew = ~std::uint32_t{0};
 };
 
 class ExchangeBuilder {
 public:
-    /// All must live as long. Patches lie in the order of their faces, as cutIntoPatches() leaves them. With `known`, which must
-    /// live until all is done, only pairs with a new patch take time; the numbers are those that it would find without
-    /// (of pairs that exchange nothing, some that face away by a rounding are counted as hidden).
+    /// All arguments must outlive this object. Patches lie in the order of their faces, as cutIntoPatches() returns them. With
+    /// `known`, which must live until all is done, only pairs with a new patch are computed; the numbers are the same as without
+    /// it (of pairs that exchange nothing, some that face away by a rounding error are counted as hidden).
     ExchangeBuilder(const Faces& faces, const std::vector<Patch>& patches, const Occlusion& occlusion,
                     double linesPerPatch, std::optional<KnownExchange> known = std::nullopt);
 
-    /// Goes on until all is done (true) or the time has come, but always a bit. The numbers are the same for any deadlines and
-    /// any number of threads.
+    /// Continues until all is done (true) or the deadline has passed, but always does some work. The numbers do not depend on
+    /// deadlines or on the number of threads.
     bool advance(std::chrono::steady_clock::time_point deadline);
     /// 0..1 of all pairs.
     [[nodiscard]] double done() const;
@@ -46,7 +47,7 @@ public:
     [[nodiscard]] const ExchangeMatrix& exchange() const { return exchange_; }
     [[nodiscard]] ExchangeMatrix take() { return std::move(exchange_); }
     [[nodiscard]] ExchangeCounts counts() const;
-    /// Of each patch, one standard deviation at most of its row sum, from lines that were tried where patches are seen in part.
+    /// For each patch, an upper bound of the standard deviation of its row sum, due to the sampling of partly visible pairs.
     [[nodiscard]] std::vector<double> rowDeviations() const;
 
 private:
@@ -55,10 +56,10 @@ private:
         std::uint32_t patch;
         float error; ///< m^2
     };
-    /// What is found out in a row, kept apart, so that sums do not depend on who was first.
+    /// The results of one row, stored apart so that sums do not depend on the order of threads.
     struct Row {
         ExchangeCounts counts;
-        std::vector<Uncertain> uncertain; ///< by the numbers of the patches
+        std::vector<Uncertain> uncertain; ///< in the order of patches
     };
     void fill(std::size_t i);
     [[nodiscard]] VisibleExchange knownExchange(std::size_t i, std::size_t j) const;

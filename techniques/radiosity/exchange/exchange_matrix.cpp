@@ -11,7 +11,7 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-/// sum_j d_i S_ij d_j / A_i: the row sums that S would have if it were scaled by `d`.
+/// sum_j d_i S_ij d_j / A_i: the row sums of S scaled by `d`.
 std::vector<double> scaledRowSums(const ExchangeMatrix& exchange, std::span<const double> areas,
                                   std::span<const double> d) {
     std::vector<double> sums(exchange.size());
@@ -62,9 +62,9 @@ ScaledExchange scaledToAtMostOne(ExchangeMatrix exchange, std::span<const double
 }
 
 ScaledExchange scaledToOne(ExchangeMatrix exchange, std::span<const double> areas) {
-    constexpr double kWanted = 1e-12;  // so that energy, which the row sums bound, is kept far below 1e-10
-    constexpr double kAccepted = 1e-6; // what row sums are promised to be
-    constexpr int kMostPasses = 300; // each halves the deviation or nearly so; slow are walls that only see each other
+    constexpr double kWanted = 1e-12;  // so that energy, which the row sums bound, is conserved far below 1e-10
+    constexpr double kAccepted = 1e-6; // the accuracy that is promised
+    constexpr int kMostPasses = 300;   // each about halves the deviation; slowest where walls see only each other
     std::vector<double> d(exchange.size(), 1.0);
     std::vector<double> sums = scaledRowSums(exchange, areas, d);
     const double deviationBefore = largestDeviation(sums);
@@ -86,7 +86,7 @@ ScaledExchange scaledToOne(ExchangeMatrix exchange, std::span<const double> area
 } // namespace
 
 void forRows(std::size_t size, const std::function<void(std::size_t)>& work) {
-    // Some 50 microseconds of work each, as much as it takes to start a thread; a small matrix is one piece, and no thread.
+    // Some 50 microseconds of work each, about the cost of starting a thread; a small matrix is one piece and starts none.
     constexpr std::size_t kNumbersInPiece = 1 << 16;
     const std::size_t rows = std::max<std::size_t>(1, kNumbersInPiece / std::max<std::size_t>(1, size));
     const auto workOn = [&](std::size_t piece) {
@@ -94,7 +94,7 @@ void forRows(std::size_t size, const std::function<void(std::size_t)>& work) {
             work(i);
     };
     if (size <= rows)
-        workOn(0); // nothing to share out, not even the question how many threads there are
+        workOn(0); // a single piece: no thread, not even the question how many there are
     else
         trace::parallelFor((size + rows - 1) / rows, workOn);
 }

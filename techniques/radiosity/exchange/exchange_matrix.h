@@ -1,8 +1,8 @@
-// How much light goes from which patch to which: the exchange areas S_ij = A_i F_ij in square metres.
+// The exchange areas of all pairs of patches: S_ij = A_i F_ij, in square metres.
 //
-// A_i is the area of patch i, F_ij the form factor from i to j: the share of what leaves i that reaches j. Reciprocity,
-// A_i F_ij = A_j F_ji, says that S is symmetric. So S is what is kept, one number for both directions, and F_ij = S_ij / A_i
-// obeys reciprocity by construction. In a closed room every row of F sums to 1; in an open scene the rest of it escapes.
+// A_i is the area of patch i, F_ij the form factor from i to j: the share of the light that leaves i that reaches j. Reciprocity,
+// A_i F_ij = A_j F_ji, says that S is symmetric. So S is stored, one number for both directions, and F_ij = S_ij / A_i obeys
+// reciprocity by construction. In a closed room every row of F sums to 1; in an open scene the rest of the light escapes.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace shadowlab::radiosity {
 
-/// Square and symmetric, in double. All of the square is stored, so that each row is contiguous: twice the memory of one
-/// half, and a product with a vector reads it from front to back.
+/// Square and symmetric, in double. The whole square is stored, so that each row is contiguous: twice the memory of one half, but
+/// a product with a vector reads memory in order.
 class ExchangeMatrix {
 public:
     /// All zero: no patch sees another.
@@ -30,9 +30,9 @@ public:
     }
     /// S_i0, S_i1 ..., m^2.
     [[nodiscard]] std::span<const double> row(std::size_t i) const { return {values_.data() + i * size_, size_}; }
-    /// The memory that the numbers take.
+    /// The memory of the numbers.
     [[nodiscard]] std::size_t bytes() const { return values_.size() * sizeof(double); }
-    /// S_ij becomes factor(i, j) S_ij. For S to stay symmetric, factor(i, j) has to be factor(j, i), to the last bit.
+    /// S_ij becomes factor(i, j) S_ij. factor(i, j) must equal factor(j, i) to the last bit, or S is no longer symmetric.
     void scale(const std::function<double(std::size_t, std::size_t)>& factor);
 
 private:
@@ -43,35 +43,34 @@ private:
 /// Sum over j of F_ij, for every patch i. `areas` in m^2, one for each patch, here and below.
 std::vector<double> rowSums(const ExchangeMatrix& exchange, std::span<const double> areas);
 
-/// 1 - the row sum: the share of what leaves a patch that reaches no patch. 0 in a closed room; below 0 where the form factors
+/// 1 - the row sum: the share of the light leaving a patch that reaches no patch. 0 in a closed room; negative where form factors
 /// are wrong.
 std::vector<double> closureDeficits(const ExchangeMatrix& exchange, std::span<const double> areas);
 
-/// The largest |A_i F_ij - A_j F_ji| over the larger of the two, with F computed as it is used: S_ij / A_i, rounded.
+/// The largest |A_i F_ij - A_j F_ji|, relative to the larger of the two, with F as it is used: S_ij / A_i, rounded.
 double reciprocityResidual(const ExchangeMatrix& exchange, std::span<const double> areas);
 
-/// Calls work(0) ... work(size - 1), one row of a matrix each, on several threads where that is worth it. Rows are shared out in
-/// pieces that depend on the size of the matrix alone.
+/// Calls work(0) ... work(size - 1), one call per row of a matrix, on several threads where the matrix is large enough. How rows
+/// are divided among threads depends on the size of the matrix alone.
 void forRows(std::size_t size, const std::function<void(std::size_t)>& work);
 
 enum class Closure { closedRoom, openScene };
 
-/// What `scaledToClosure` gives back.
+/// What `scaledToClosure` returns.
 struct ScaledExchange {
     ExchangeMatrix exchange;
-    bool isClosed = false;       ///< the row sums are what was asked for, within 1e-6; else `exchange` is as it was
-    double largestChange = 0;    ///< the largest |new S_ij / old S_ij - 1|: errors of that size were there before
-    double largestDeviation = 0; ///< what remains: the largest |row sum - 1|; in an open scene, row sum - 1, at least 0
+    bool isClosed = false;       ///< the row sums are as required, within 1e-6; else `exchange` is unchanged
+    double largestChange = 0;    ///< the largest |new S_ij / old S_ij - 1|: an estimate of the errors before
+    double largestDeviation = 0; ///< what is left: the largest |row sum - 1|; in an open scene, row sum - 1, at least 0
     int passes = 0;
 };
 
-/// Scales S, symmetrically, such that row sums become right, and says how much that changed: never to be done in silence.
-/// In a closed room all row sums become 1: S_ij <- d_i d_j S_ij, with the symmetric iteration of R. Sinkhorn and P. Knopp,
-/// "Concerning Nonnegative Matrices and Doubly Stochastic Matrices", Pacific Journal of Mathematics 1967,
-/// d_i <- d_i / sqrt(row sum i); the root keeps it from swinging. A room of which no such scaling exists (a patch that sees
-/// nothing) comes back as it was, with isClosed false.
-/// In an open scene no number grows: only rows that sum to more than 1, which no scene can have, come down to 1 or a little less.
-/// With e_i the row sum or 1, whichever is larger, S_ij <- S_ij / max(e_i, e_j).
+/// Scales S, symmetrically, such that row sums become right, and reports how much that changed it. In a closed room all row sums
+/// become 1: S_ij <- d_i d_j S_ij, with the symmetric iteration of R. Sinkhorn and P. Knopp, "Concerning Nonnegative Matrices and
+/// Doubly Stochastic Matrices", Pacific Journal of Mathematics 1967, d_i <- d_i / sqrt(row sum i); the square root prevents
+/// oscillation. A room for which no such scaling exists (a patch sees nothing) is returned unchanged, with isClosed false. In an
+/// open scene only rows that sum to more than 1, which is physically impossible, are scaled down to 1 or a little less: with e_i
+/// the larger of row sum i and 1, S_ij <- S_ij / max(e_i, e_j).
 ScaledExchange scaledToClosure(ExchangeMatrix exchange, std::span<const double> areas, Closure closure);
 
 } // namespace shadowlab::radiosity

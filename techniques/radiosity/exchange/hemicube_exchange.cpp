@@ -37,7 +37,7 @@ void HemicubeExchange::fill(std::size_t i) {
             if (there > 0) exchange_.set(i, j, there);
             continue;
         }
-        const double back = exchange_(j, i); // patch j has looked before
+        const double back = exchange_(j, i); // patch j was the centre of an earlier hemicube
         if (there == back) {
             sums_ += 2 * there;
             continue;

@@ -1,8 +1,8 @@
-// All exchange areas of a scene's patches by hemicubes, patch by patch, as long as there is time.
+// Computes the exchange areas of all pairs of patches by hemicubes, patch by patch, in slices of time.
 //
-// Seen from patch i, patch j covers other pixels than i does seen from j, so A_i F_ij and A_j F_ji differ, and energy would be lost or
-// made. Their mean is taken for both: reciprocity holds again, and errors that are independent become smaller by sqrt(2). Row
-// sums, which were 1 in a closed room, are 1 no longer (scaledToClosure() in exchange_matrix.h sees to that).
+// The hemicube of patch i covers patch j with other pixels than that of j covers i, so A_i F_ij and A_j F_ji differ, and energy
+// would not be conserved. Both are replaced by their mean: reciprocity holds again, and independent errors shrink by sqrt(2). Row
+// sums, which were 1 in a closed room, no longer are; scaledToClosure() in exchange_matrix.h corrects them.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>
@@ -12,28 +12,28 @@
 
 namespace shadowlab::radiosity {
 
-/// How much A_i F_ij and A_j F_ji differed before their mean was taken.
+/// How much A_i F_ij and A_j F_ji differed before they were averaged.
 struct ReciprocityGap {
-    double largest =
-        0; ///< |A_i F_ij - A_j F_ji| / (A_i + A_j), over all pairs: a form factor between two patches of one size errs so much
+    /// The largest |A_i F_ij - A_j F_ji| / (A_i + A_j): the error of a form factor between patches of equal size.
+    double largest = 0;
     double share = 0; ///< the sum of |A_i F_ij - A_j F_ji|, as a share of the sum of A_i F_ij + A_j F_ji
 };
 
 class HemicubeExchange {
 public:
-    /// The patches must live as long. `side` as Hemicube has it.
+    /// The patches must outlive this object. `side`: as in Hemicube.
     HemicubeExchange(const std::vector<Patch>& patches, int side);
 
-    /// Goes on until all is done (true) or the time has come, but always by one patch. The numbers are the same for any deadlines. On
-    /// the thread of the GL context, which must be the one that was current in the constructor.
+    /// Continues until all is done (true) or the deadline has passed, but always by one patch. The numbers do not depend on
+    /// deadlines. On the thread of the GL context that was current in the constructor.
     bool advance(std::chrono::steady_clock::time_point deadline);
     /// 0..1 of all patches.
     [[nodiscard]] double done() const;
 
-    /// Complete when all is done; until then A_i F_ij stands alone where patch j has not looked yet.
+    /// Complete when all is done; before that, A_i F_ij is not yet averaged where the hemicube of j has not been drawn.
     [[nodiscard]] const ExchangeMatrix& exchange() const { return exchange_; }
     [[nodiscard]] ExchangeMatrix take() { return std::move(exchange_); }
-    /// Of the pairs that have looked at each other.
+    /// Of the pairs whose two hemicubes are drawn.
     [[nodiscard]] ReciprocityGap gap() const;
 
 private:

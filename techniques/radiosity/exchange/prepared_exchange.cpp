@@ -8,8 +8,8 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Less than this share of the smaller patch's light is no way for light: a few of the lines that were tried between two patches have
-// slipped through a wall's very edge. The rays that look for the surroundings are 256, and would miss as much.
+// A smaller share of the smaller patch's light is not a connection: a few sample lines between two patches slip past the very
+// edge of a wall. The 256 rays that look for the surroundings would miss gaps of that size, too.
 constexpr double kLink = 1e-3;
 
 ExchangeMatrix partOfExchange(const ExchangeMatrix& all, std::span<const std::size_t> part) {
@@ -20,7 +20,8 @@ ExchangeMatrix partOfExchange(const ExchangeMatrix& all, std::span<const std::si
     return some;
 }
 
-/// Scales a closed part of the matrix until its rows sum to 1, and returns by how much that changed it; where that cannot be, it stays.
+/// Scales a closed part of the matrix until its rows sum to 1; returns by how much that changed it. Where no scaling exists it
+/// stays.
 double scalePart(ExchangeMatrix& matrix, std::span<const double> areas, std::span<const std::size_t> part) {
     std::vector<double> own;
     for (const std::size_t i : part)
@@ -42,7 +43,7 @@ std::vector<std::vector<std::size_t>> closedParts(const ExchangeMatrix& exchange
         if (isKnown[first]) continue;
         std::vector<std::size_t> part{first};
         isKnown[first] = true;
-        for (std::size_t next = 0; next < part.size(); ++next) { // grows while it is gone through
+        for (std::size_t next = 0; next < part.size(); ++next) { // grows during the loop
             const std::size_t from = part[next];
             const std::span<const double> row = exchange.row(from);
             for (std::size_t to = 0; to < row.size(); ++to) {
@@ -51,7 +52,7 @@ std::vector<std::vector<std::size_t>> closedParts(const ExchangeMatrix& exchange
                 part.push_back(to);
             }
         }
-        if (part.size() == 1) continue; // it sees no patch, and is no room
+        if (part.size() == 1) continue; // it sees no patch: not a room
         if (std::ranges::any_of(part, [&](std::size_t i) { return surroundings[i] != 0; })) continue;
         std::ranges::sort(part);
         closed.push_back(std::move(part));
@@ -77,7 +78,7 @@ PreparedExchange preparedExchange(ExchangeMatrix matrix, std::span<const Patch> 
                 made.scalingChanged = std::max(made.scalingChanged, scalePart(matrix, made.areas, part));
         ScaledExchange scaled =
             scaledToClosure(std::move(matrix), made.areas, isOneRoom ? Closure::closedRoom : Closure::openScene);
-        if (!scaled.isClosed) // a patch that sees nothing: rows that sum to too much still come down
+        if (!scaled.isClosed) // a patch sees nothing, so only rows that sum to more than 1 are corrected
             scaled = scaledToClosure(std::move(scaled.exchange), made.areas, Closure::openScene);
         made.scalingChanged = std::max(made.scalingChanged, scaled.largestChange);
         made.largestDeviation = scaled.largestDeviation;

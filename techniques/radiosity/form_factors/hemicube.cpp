@@ -14,14 +14,15 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-constexpr std::uint32_t kNone = ~std::uint32_t{0}; ///< the number of what is no patch's front; the shader has the same
+/// Marks what is not a patch's front; the shader uses the same value.
+constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
 struct Corner {
     vec3 positionCentred;
     std::uint32_t patch;
 };
 
-/// From the centre of a patch to the line through its nearest edge, metres.
+/// The distance from the centre of a patch to the line through its nearest edge, metres.
 double reachOf(const Patch& patch) {
     double reach = std::sqrt(patch.area);
     for (std::size_t i = 0; i < patch.polygon.count(); ++i) {
@@ -33,9 +34,9 @@ double reachOf(const Patch& patch) {
     return reach;
 }
 
-/// World axes to hemicube space. Of all ways to turn its x axis about the normal, those along the walls of a room are the worst:
-/// an edge along a row of pixels is counted to one side or the other in all of the row at once. Turned by half a radian, all edges of
-/// such rooms cross the rows, and the largest errors are half as large.
+/// From world axes to hemicube space. The x axis may have any angle about the normal; along the walls of a room it would be
+/// worst, because an edge parallel to a row of pixels falls to one side or the other in the whole row at once. Turned by half a
+/// radian, the edges of such rooms cross the rows, and the largest errors are half as large.
 dmat3 hemicubeFromCentred(const dvec3& normal) {
     constexpr double kTurn = 0.5; // radians
     const dvec3 size = glm::abs(normal);
@@ -47,8 +48,8 @@ dmat3 hemicubeFromCentred(const dvec3& normal) {
     return glm::transpose(dmat3(x, glm::cross(normal, x), normal));
 }
 
-/// What the camera of one face sees, for positions relative to the centre, in clip space. Across the face both coordinates go
-/// from -1 to 1, but up a side face from 0. What is infinitely far away is at the far plane, so nothing is cut off there.
+/// The projection of one face, for positions relative to the centre. Across the face both coordinates go from -1 to 1, but on a
+/// side face y starts at 0. The far plane is at infinity, so it cuts nothing.
 mat4 clipFromRelative(const HemicubeFace& face, const dmat3& hemicubeFromRelative, double nearest) {
     const bool isSide = face.rows == 1;
     const dvec3 up = isSide ? 2.0 * face.up - face.forward : face.up;
@@ -95,7 +96,7 @@ std::vector<double> Hemicube::formFactors(const Patch& from) const {
 }
 
 void Hemicube::draw(const dvec3& positionCentred, const dvec3& normal, double nearest) const {
-    // What is not before the patch's plane is not seen from it. Fronts first, then backs.
+    // Patches behind the plane of this one are not seen from it. Fronts are drawn first, then backs.
     const Plane plane{positionCentred, normal};
     std::vector<std::uint32_t> indices, backs;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
@@ -110,9 +111,9 @@ void Hemicube::draw(const dvec3& positionCentred, const dvec3& normal, double ne
     indices.insert(indices.end(), backs.begin(), backs.end());
 
     gl::setBaselineState();
-    // Along the outline of a block a front and a back meet, equally far away but for the rasteriser's rounding. Backs give way, by
-    // as much as their depths change in a pixel and 64 steps of the depth buffer: of 3000 pictures of two blocks in a room, 300 had
-    // lost a pixel to a back without, 2 with 16 steps, none with these.
+    // Along the outline of a block a front and a back meet at equal depths but for the rasteriser's rounding. Backs are moved
+    // away, by the change of their depth in a pixel and 64 steps of the depth buffer: of 3000 pictures of two blocks in a room,
+    // 300 lost a pixel to a back without an offset, 2 with 16 steps, none with 64.
     glPolygonOffset(1, 64);
     framebuffer_.bind();
     const GLuint none[4] = {kNone, kNone, kNone, kNone};
@@ -122,8 +123,8 @@ void Hemicube::draw(const dvec3& positionCentred, const dvec3& normal, double ne
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
                  indices.data(), GL_STREAM_DRAW);
     program_.use();
-    // Corners and centre are rounded alike, so that a plane along the axes that holds both holds both still. Rounding moves them by
-    // some 2^-24 of the scene's size; their difference is taken first, and nothing more is lost after.
+    // Corners and centre are rounded alike, so that an axis-parallel plane through both still holds both. Rounding moves them by
+    // some 2^-24 of the scene's size; subtracting them first loses nothing more.
     program_.set("centreCentred", vec3(positionCentred));
     const dmat3 turn = hemicubeFromCentred(normal);
     for (const bool isBack : {false, true}) {

@@ -11,7 +11,7 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-/// Where a line that goes through the polygon's plane meets it: inside? The edges count as inside.
+/// Does a line, which crosses the polygon's plane, pass through the polygon? Edges count as inside.
 bool isPierced(const Polygon& polygon, const dvec3& from, const dvec3& to) {
     const dvec3 way = to - from;
     bool isLeft = false, isRight = false; // of some edge
@@ -27,7 +27,7 @@ bool isPierced(const Polygon& polygon, const dvec3& from, const dvec3& to) {
     return true;
 }
 
-/// What is nearer touches: by the size of all that lies between the two boxes.
+/// The contact tolerance for two boxes: relative to the size of both together.
 double touchingIn(const trace::CentredBox& a, const trace::CentredBox& b) {
     return kTouching * glm::length(glm::max(a.upper, b.upper) - glm::min(a.lower, b.lower));
 }
@@ -60,7 +60,7 @@ Blockers Occlusion::betweenHull(const Polygon& a, const Polygon& hull, const Blo
         const Face& face = faces_.all[number];
         if (isBehind(planeA, face.polygon, touching)) return true;
         const Plane &plane = face.plane, turned{plane.point, -plane.normal};
-        // Both on one side: no line from one to the other goes through it.
+        // Both polygons lie on one side of its plane: no line between them crosses it.
         return (isBehind(plane, a, touching) && isBehind(plane, hull, touching)) ||
                (isBehind(turned, a, touching) && isBehind(turned, hull, touching));
     });
@@ -76,7 +76,7 @@ Blockers Occlusion::between(const Polygon& a, const Polygon& b, const Blockers* 
 }
 
 bool Occlusion::blocksAll(const Blockers& blockers, const Polygon& a, const Polygon& b) const {
-    // A light in a corner of a face is in its plane, and on one side or the other as rounding will have it.
+    // A light in a corner of a face lies in its plane, and on one side or the other by rounding.
     const double touching = touchingIn(boxOf(a), boxOf(b));
     return std::ranges::any_of(blockers, [&](std::uint32_t number) {
         const Face& face = faces_.all[number];
@@ -109,7 +109,7 @@ Blockers::const_iterator Occlusion::firstBlocker(const Blockers& blockers, const
         const double from = outline.plane.height(fromCentred), to = outline.plane.height(toCentred);
         if (!((from > 0 && to < 0) || (from < 0 && to > 0))) return false;
         const double share = from / (from - to);
-        if (share < trace::kContact || share > 1 - trace::kContact) return false; // it touches an end
+        if (share < trace::kContact || share > 1 - trace::kContact) return false; // contact at an end of the line
         const dvec3 off = fromCentred + share * (toCentred - fromCentred) - outline.centre;
         return glm::dot(off, off) <= outline.squaredRadius &&
                isPierced(faces_.all[number].polygon, fromCentred, toCentred);

@@ -14,11 +14,11 @@ double pointFormFactor(const dvec3& position, const dvec3& normal, const Polygon
     dvec3 from = polygon[polygon.count() - 1] - position;
     for (const dvec3& corner : polygon.corners()) {
         const dvec3 to = corner - position;
-        // Seen from its front the polygon runs counter-clockwise, so the normal of the plane through an edge points inward when
-        // it is `to` x `from`.
+        // Seen from its front the polygon runs counter-clockwise, so `to` x `from` is the inward normal of the plane through an
+        // edge and the point.
         const dvec3 across = glm::cross(to, from);
         const double size = glm::length(across); // |to| |from| sin of the angle
-        // The angle by its tangent: by the cosine alone a small one has no digits left.
+        // atan2, because the cosine of a small angle has no digits left.
         if (size > 0) sum += std::atan2(size, glm::dot(to, from)) * glm::dot(normal, across) / size;
         from = to;
     }

@@ -13,7 +13,7 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Gauss's points and weights on 0..1, for two, three and four of them.
+// Points and weights of Gauss quadrature on 0..1, for two, three and four points.
 constexpr int kFewest = 2, kMost = 4;
 struct GaussPoint {
     double place, weight;
@@ -29,22 +29,22 @@ constexpr std::array<std::array<GaussPoint, kMost>, kMost + 1> kGauss = {{
       {0.93056815579702629, 0.17392742256872693}}},
 }};
 
-// A form factor from a point is a sum of some angles, each rounded at 2^-53 of a turn or less: what changes by no more than this
-// share of a piece's area is noise, and halving does not help.
+// The form factor from a point is a sum of angles, each rounded at 2^-53 of a turn or less: changes below this share of a piece's
+// area are noise, and subdividing does not reduce them.
 constexpr double kNoise = 4e-15;
 
-// A corner of a common edge takes about a halving for two bits of the result; twenty leave a millionth of a millionth.
+// Near the end of a common edge a halving gains about two bits; twenty halvings leave 1e-12.
 constexpr int kMostHalvings = 20;
 
-// Plates that lie on each other almost, but not quite, would want a piece for every point of their rims. After so many pieces the
-// rest is taken as it is, and the error says so.
+// Plates that nearly lie on each other would need a piece for every point of their rims. After so many pieces the rest is taken
+// as it is, and the error reports it.
 constexpr int kMostPieces = 1 << 14;
 
-/// A piece of a polygon: four corners, of a triangle the last two are one.
+/// A piece of a polygon: four corners; those of a triangle have the last one twice.
 using Quad = std::array<dvec3, 4>;
 
-/// Integral of the form factor to `target` over a quad by n x n points: exact where it is a polynomial of degree 2 n - 1 in each
-/// of the quad's own coordinates.
+/// The integral of the form factor to `target` over a quad, by n x n points: exact for polynomials of degree 2 n - 1 in each of
+/// the quad's own coordinates.
 double integral(const Quad& q, const dvec3& normal, const Polygon& target, int n) {
     const auto& points = kGauss[static_cast<std::size_t>(n)];
     double sum = 0;
@@ -60,9 +60,9 @@ double integral(const Quad& q, const dvec3& normal, const Polygon& target, int n
     return sum;
 }
 
-/// How many points in each direction are enough without a second look; nothing where the polygons are too near for that. The
-/// form factor is an analytic function of the point up to the other polygon, so the error of n points falls as the 2 n-th power of
-/// the radius of the piece over twice its distance; a tenth of what is allowed makes up for the factor before it.
+/// How many points in each direction are certainly enough; nothing where the polygons are too near for that. The form factor is
+/// an analytic function of the point up to the other polygon, so the error of n points falls as the 2 n-th power of the radius of
+/// the piece over twice its distance; the unknown constant before that is covered by a tenth of the tolerance.
 std::optional<int> pointsAtDistance(const Polygon& a, const Polygon& b, double tolerance) {
     const auto middle = [](const Polygon& p) {
         dvec3 sum(0.0);
@@ -93,7 +93,7 @@ std::array<Quad, 4> quarters(const Quad& q) {
             Quad{left, middle, above, q[3]}};
 }
 
-/// Halves a piece in both directions as long as that changes more than its share of what may change.
+/// Quarters a piece as long as that changes the sum by more than the piece's share of the tolerance.
 void refine(const Quad& q, const dvec3& normal, const Polygon& target, double whole, double allowed, int halvings,
             int& pieces, Exchange& sum) {
     const std::array<Quad, 4> parts = quarters(q);
@@ -109,8 +109,8 @@ void refine(const Quad& q, const dvec3& normal, const Polygon& target, double wh
         return;
     }
     pieces -= 4;
-    // The change is that of the coarser sum, some hundred times the error that is left, and most pieces end far below it; so a
-    // half, not a quarter, is passed on.
+    // The change is the error of the coarser sum, some hundred times the error that remains, and most pieces end far below the
+    // tolerance; so a half of it, not a quarter, is passed on.
     for (std::size_t i = 0; i < 4; ++i)
         refine(parts[i], normal, target, values[i], 0.5 * allowed, halvings - 1, pieces, sum);
 }
@@ -122,8 +122,8 @@ Polygon relativeTo(const dvec3& origin, const Polygon& polygon) {
     return moved;
 }
 
-/// What of each lies before the other's plane; nothing if nothing does. Places are relative to a corner of the first: far from the
-/// origin the points of a small piece would be rounded so much that halving it never settles.
+/// The part of each polygon before the other's plane; empty where nothing is. Positions are relative to a corner of the first:
+/// far from the origin the points of a small piece would be rounded so much that subdivision never converges.
 struct Facing {
     Polygon a, b;
     dvec3 normalA{0.0};

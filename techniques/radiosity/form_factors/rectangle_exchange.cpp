@@ -10,11 +10,11 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Directions and places that differ by less are the same: scenes are written in decimal numbers, and turned by matrices.
+// The tolerance for equal directions and places: scenes are written in decimal numbers and rotated by matrices.
 constexpr double kSame = 1e-12;
 
-// The terms are of the size of the squared distance, and rounded at 2^-53 of it; sixteen of them leave A_1 A_2 / (pi distance^2).
-// With the squared distance at most this many times the mean area, ten digits and more are left.
+// The sixteen terms are of the size of the squared distance, each rounded at 2^-53 of it, and their sum is A_1 A_2 / (pi
+// distance^2). With the squared distance at most this many times the mean area, ten digits and more are left.
 constexpr double kFarthest = 100;
 
 struct Rectangle {
@@ -40,7 +40,7 @@ std::optional<Rectangle> rectangleOf(const Polygon& p) {
 
 bool areAlong(const dvec3& a, const dvec3& b) { return glm::length(glm::cross(a, b)) <= kSame; }
 
-/// From where to where a rectangle reaches along an axis, seen from `origin`.
+/// The interval that a rectangle covers along an axis, relative to `origin`.
 std::array<double, 2> extent(const Rectangle& r, const dvec3& origin, const dvec3& axis) {
     const double from = glm::dot(r.corner - origin, axis);
     const double along = r.length * glm::dot(r.u, axis) + r.width * glm::dot(r.v, axis);
@@ -48,7 +48,7 @@ std::array<double, 2> extent(const Rectangle& r, const dvec3& origin, const dvec
 }
 
 /// The primitive for parallel planes, x and y apart along the planes, z across. Logarithms are taken relative to `scale`, which
-/// changes nothing in the sum, but leaves it more digits.
+/// does not change the sum but keeps more digits.
 double parallelTerm(double x, double y, double z, double scale) {
     const double acrossX = std::sqrt(x * x + z * z), acrossY = std::sqrt(y * y + z * z);
     double term = 0;
@@ -58,7 +58,7 @@ double parallelTerm(double x, double y, double z, double scale) {
     return term;
 }
 
-/// For perpendicular planes: y apart along the line they meet in, x and z away from it, each in its plane.
+/// For perpendicular planes: y apart along their common line; x and z are distances from it, each in one plane.
 double perpendicularTerm(double x, double y, double z, double scale) {
     const double across = std::sqrt(x * x + z * z), square = x * x + z * z + y * y;
     double term = 0;
@@ -96,15 +96,14 @@ std::optional<double> rectangleExchange(const Polygon& a, const Polygon& b) {
             [&](int i, int j, int k, int l) { return parallelTerm(x1[i] - x2[k], y1[j] - y2[l], z, scale); });
     }
     if (std::abs(glm::dot(one->normal, two->normal)) > kSame) return std::nullopt;
-    // y along the line in which the planes meet; x in the plane of the first, z in that of the second, away from it.
+    // y along the common line; x in the plane of the first, z in that of the second, away from the line.
     const dvec3 y = glm::normalize(glm::cross(one->normal, two->normal));
     if (!(areAlong(y, one->u) || areAlong(y, one->v)) || !(areAlong(y, two->u) || areAlong(y, two->v)))
         return std::nullopt;
-    const dvec3 onLine =
-        b[0] - glm::dot(b[0] - a[0], one->normal) * one->normal; // of the first's plane, in the second's
+    const dvec3 onLine = b[0] - glm::dot(b[0] - a[0], one->normal) * one->normal; // a point of the common line
     const auto x1 = extent(*one, onLine, two->normal), z2 = extent(*two, onLine, one->normal);
     const auto y1 = extent(*one, onLine, y), y2 = extent(*two, onLine, y);
-    // What lies in the other's plane to the last digits but one lies in it.
+    // A distance below the tolerance is 0: the corner lies in the other plane.
     const auto away = [&](double height) { return height <= kSame * std::sqrt(scale) ? 0.0 : height; };
     return sumOverCorners(
         [&](int i, int j, int k, int l) { return perpendicularTerm(away(x1[i]), y1[j] - y2[k], away(z2[l]), scale); });

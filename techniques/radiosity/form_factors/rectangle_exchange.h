@@ -1,9 +1,9 @@
-// The form factor between two rectangles in closed form.
+// The exchange area of two rectangles in closed form.
 //
-// Rectangles whose edges run along the same three axes, in parallel or in perpendicular planes, at any places: the fourfold
-// integral has a primitive function, taken at all sixteen pairs of corners with alternating signs (J. R. Ehlert and
-// T. F. Smith, "View Factors for Perpendicular and Parallel Rectangular Plates", Journal of Thermophysics and Heat Transfer
-// 7(1), 1993). Walls, boxes and tables are made of nothing else.
+// For rectangles whose edges are parallel to the same three axes, in parallel or perpendicular planes. The fourfold integral has
+// a primitive, which is evaluated at all sixteen pairs of corners with alternating signs (J. R. Ehlert and T. F. Smith, "View
+// Factors for Perpendicular and Parallel Rectangular Plates", Journal of Thermophysics and Heat Transfer 7(1), 1993). Walls,
+// boxes and tables are all made of such rectangles.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -12,9 +12,9 @@
 
 namespace shadowlab::radiosity {
 
-/// Exchange area A_1 F_12 = A_2 F_21 in square metres, of the two front sides, with nothing in between. Each must lie before
-/// the other's plane. Nothing where they are not two such rectangles, or lie so far apart for their size that the sixteen terms
-/// would cancel: then quadrature is exact and quick.
+/// Exchange area A_1 F_12 = A_2 F_21 in square metres, of the two front sides, with nothing in between. Each must lie before the
+/// other's plane. Nothing where they are not two such rectangles, or so far apart for their size that the sixteen terms would
+/// cancel: there quadrature is accurate and quick.
 std::optional<double> rectangleExchange(const Polygon& a, const Polygon& b);
 
 } // namespace shadowlab::radiosity

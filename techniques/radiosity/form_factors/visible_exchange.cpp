@@ -11,18 +11,18 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Fewer lines than this tell next to nothing; more than a few thousand no more than a patch is worth.
+// With fewer lines the estimate is useless; a few thousand are as exact as a patch deserves.
 constexpr double kFewestLines = 8, kMostLines = 4096;
 
-/// What a line between two points carries, up to a factor.
+/// The integrand of the form factor for one line, up to a constant factor.
 double kernel(const Patch& a, const Patch& b, const dvec3& from, const dvec3& to) {
     const dvec3 way = to - from;
     const double square = glm::dot(way, way);
     return std::max(0.0, glm::dot(a.normal, way)) * std::max(0.0, -glm::dot(b.normal, way)) / (square * square);
 }
 
-// To what share of itself the exchange with nothing in between is found; where lines are to say how much of it is left, they err
-// by a hundredth at best.
+// Relative tolerance of the unoccluded exchange. Where sampling decides how much of it is visible, the sampling error is a
+// hundredth at best, so the second is enough.
 constexpr double kWhole = 1e-7, kInPart = 1e-4;
 
 } // namespace
@@ -50,13 +50,13 @@ VisibleExchange visibleExchange(const Patch& a, const Patch& b, const Occlusion&
         if (firstBlocker == blockers.end())
             free += weight;
         else
-            std::swap(blockers[static_cast<std::size_t>(firstBlocker - blockers.begin())],
-                      blockers.front()); // the next line may meet it, too
+            // Tested first for the next line, which it probably blocks, too.
+            std::swap(blockers[static_cast<std::size_t>(firstBlocker - blockers.begin())], blockers.front());
     }
     if (!(all > 0)) return {Kind::partial, 0, whole.area};
     const double seen = free / all;
-    // A mean of weighted ones and zeros; at most a half wide even where all lines have met the same.
-    const double counted = all * all / squares; // as many lines of equal weight would scatter as much
+    // The standard error of a weighted mean of zeros and ones; not below that of one half, because all lines may agree by chance.
+    const double counted = all * all / squares; // the effective number of samples (Kish)
     const double scatter = std::max(seen * (1 - seen), 0.25 / counted);
     return {Kind::partial, seen * whole.area, std::sqrt(scatter / counted) * whole.area + whole.error};
 }

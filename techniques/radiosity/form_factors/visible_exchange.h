@@ -1,8 +1,8 @@
-// How much do two patches exchange, with everything else in the way?
+// The exchange area of two patches, with everything that blocks light between them.
 //
-// Between patches that see each other fully it is the exchange with nothing in between, in closed form or to a ten millionth;
-// between patches that do not see each other at all it is nothing. For the rest lines from points of the one to points of the
-// other are tried: the share of what arrives that comes by free lines, times the exchange with nothing in between.
+// Between patches that see each other fully it is the unoccluded exchange, in closed form or to 1e-7; between patches that do not
+// see each other it is 0. Otherwise lines between sample points of both patches are tested: the visible share of their weights,
+// times the unoccluded exchange.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/radiosity/form_factors/occlusion.h"
@@ -12,15 +12,15 @@
 namespace shadowlab::radiosity {
 
 struct VisibleExchange {
-    enum class Kind { none, full, partial, hidden }; ///< none: they face away from each other
+    enum class Kind { none, full, partial, hidden }; ///< none: the patches face away from each other
     Kind kind = Kind::none;
     double area = 0;  ///< square metres
-    double error = 0; ///< of partly seen patches one standard deviation, at most, of as many lines chosen by chance
+    double error = 0; ///< for partly visible pairs, an upper bound of the standard deviation
 };
 
-/// `linesPerPatch`: as many a patch would send if it saw everything in part; a pair gets its share of them, by how much of what the
-/// smaller patch sends out would arrive, so that every line stands for as much. They lie evenly, and are the same whenever the
-/// same patches are asked about in the same order.
+/// `linesPerPatch`: how many lines a patch would need if all its pairs were partly visible. A pair gets a share of them in
+/// proportion to its form factor from the smaller patch, so that every line stands for as much light. Sample points are
+/// Hammersley points: the same question always gives the same answer.
 VisibleExchange visibleExchange(const Patch& a, const Patch& b, const Occlusion& occlusion, const Blockers& known,
                                 double linesPerPatch);
 

@@ -13,9 +13,9 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-const double kCreaseCosine = std::cos(glm::radians(50.0)); // the header has the reason
+const double kCreaseCosine = std::cos(glm::radians(50.0)); // see patchBorders() in the header
 
-/// Of every object: what is nearer than that many metres is in the same place, and how long the edges of its patches are.
+/// For every object: the contact tolerance, and the mean edge length of its patches, in metres.
 struct Scales {
     std::vector<double> touching, edge;
 };
@@ -46,10 +46,10 @@ Scales scalesOf(const Faces& faces, const std::vector<Patch>& patches) {
     return scales;
 }
 
-/// Points sorted into boxes, each object's for themselves: what lies near a place?
+/// A grid of boxes for each object: finds the points near a position.
 class PointGrid {
 public:
-    /// The width of a box, metres, of every object.
+    /// `widths`: the side of a box for every object, metres.
     explicit PointGrid(std::vector<double> widths) : widths_(std::move(widths)) {}
 
     void add(std::uint32_t object, const dvec3& positionCentred, std::uint32_t number) {
@@ -57,7 +57,7 @@ public:
         boxes_[{object, place[0], place[1], place[2]}].push_back(number);
     }
 
-    /// Calls visit(number) for all points of that object in `box`, and some beside it.
+    /// Calls visit(number) for all points of that object in `box`, and possibly for some outside.
     template <typename Visit>
     void near(std::uint32_t object, const trace::CentredBox& box, const Visit& visit) const {
         const auto lower = placeOf(object, box.lower), upper = placeOf(object, box.upper);
@@ -80,11 +80,11 @@ private:
     std::map<std::array<std::int64_t, 4>, std::vector<std::uint32_t>> boxes_;
 };
 
-/// Corners of patches, and ends of what stands on them; those in the same place are one.
+/// Corners of patches, and ends of contacts; points in the same place are one.
 class Points {
 public:
     explicit Points(const Scales& scales)
-        // Some boxes as wide as an edge for the search along edges; a few as wide as a place for the search in places.
+        // For the search along edges, boxes of an edge's length; for the search of equal points, of some tolerances.
         : scales_(scales), places_(timesEight(scales.touching)), alongEdges_(scales.edge) {}
 
     std::uint32_t at(std::uint32_t object, const dvec3& positionCentred) {
@@ -101,7 +101,7 @@ public:
         return found;
     }
 
-    /// Those that lie within the edge, in their order along it, without its ends.
+    /// The points inside the edge, in their order along it, without its ends.
     [[nodiscard]] std::vector<std::uint32_t> within(std::uint32_t object, std::uint32_t from, std::uint32_t to) const {
         const double touching = scales_.touching[object];
         const dvec3 way = all[to] - all[from];
@@ -122,7 +122,7 @@ public:
         }
         std::ranges::sort(found);
         std::vector<std::uint32_t> numbers;
-        for (const auto& [along, number] : found) // boxes of two steps may hold the same point
+        for (const auto& [along, number] : found) // two boxes may hold the same point
             if (numbers.empty() || numbers.back() != number) numbers.push_back(number);
         return numbers;
     }
@@ -145,7 +145,7 @@ private:
     PointGrid places_, alongEdges_;
 };
 
-/// Does anything else stand on the faces of two patches in that place, which lies on the edge of both?
+/// Is there a contact with a third face at that point, which lies on an edge of both patches?
 bool isContact(const Faces& faces, const std::vector<std::vector<Contact>>& contacts, std::uint32_t faceA,
                std::uint32_t faceB, const dvec3& placeCentred, double touching) {
     const auto isSame = [&](std::uint32_t a, std::uint32_t b) { // or the other side of the same sheet
@@ -155,13 +155,14 @@ bool isContact(const Faces& faces, const std::vector<std::vector<Contact>>& cont
         const dvec3 way = contact.to - contact.from;
         const double along = std::clamp(glm::dot(placeCentred - contact.from, way) / glm::dot(way, way), 0.0, 1.0);
         return !isSame(contact.other, faceA) && !isSame(contact.other, faceB) &&
-               glm::distance(placeCentred, contact.from + along * way) <= 2 * touching; // each may be off by one
+               // each of the two may be off by the tolerance
+               glm::distance(placeCentred, contact.from + along * way) <= 2 * touching;
     };
     return std::ranges::any_of(contacts[faceA], covers) ||
            (faceB != faceA && std::ranges::any_of(contacts[faceB], covers));
 }
 
-/// Corners, and what lies on the edges between them.
+/// The borders with all their points, not linked to neighbours yet.
 PatchBorders unlinkedBorders(const Faces& faces, const std::vector<Patch>& patches,
                              const std::vector<std::vector<Contact>>& contacts, const Scales& scales) {
     Points points(scales);
@@ -170,7 +171,7 @@ PatchBorders unlinkedBorders(const Faces& faces, const std::vector<Patch>& patch
         for (const dvec3& corner : patches[i].polygon.corners())
             corners[i].push_back(points.at(faces.all[patches[i].face].object, corner));
     for (std::size_t face = 0; face < contacts.size(); ++face)
-        for (const Contact& contact : contacts[face]) // where a wall ends, what it parts comes together
+        for (const Contact& contact : contacts[face]) // where a wall ends, the surfaces on its two sides meet
             for (const dvec3& end : {contact.from, contact.to})
                 if (faces.all[face].object < scales.edge.size()) points.at(faces.all[face].object, end);
 
@@ -183,7 +184,7 @@ PatchBorders unlinkedBorders(const Faces& faces, const std::vector<Patch>& patch
                                               corners[i][(k + 1) % corners[i].size()]);
             border.insert(border.end(), within.begin(), within.end());
         }
-        const auto repeated = std::ranges::unique(border); // of an edge that is shorter than what touches
+        const auto repeated = std::ranges::unique(border); // of edges shorter than the tolerance
         border.erase(repeated.begin(), repeated.end());
         if (border.size() > 1 && border.back() == border.front()) border.pop_back();
         borders.first.push_back(static_cast<std::uint32_t>(borders.pieces.size()));

@@ -11,8 +11,8 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-/// Of each piece of border, the first of those that begin at the same point and that one can walk to from patch to patch about
-/// that point, over borders that light goes on across.
+/// For each piece of border, the representative of its corner: the first of the pieces that begin at the same point and are
+/// connected by walking from patch to patch about that point across continuous borders (union-find).
 std::vector<std::uint32_t> roundEachPoint(const PatchBorders& borders) {
     std::vector<std::uint32_t> leader(borders.pieces.size());
     std::iota(leader.begin(), leader.end(), 0u);
@@ -24,7 +24,7 @@ std::vector<std::uint32_t> roundEachPoint(const PatchBorders& borders) {
     for (std::uint32_t piece = 0; piece < leader.size(); ++piece) {
         const std::uint32_t across = borders.pieces[piece].across;
         if (across == PatchBorders::kNone) continue;
-        const std::uint32_t a = find(piece), b = find(borders.after(across)); // both begin where `across` ends
+        const std::uint32_t a = find(piece), b = find(borders.after(across)); // both begin at the end of `across`
         leader[std::max(a, b)] = std::min(a, b);
     }
     for (std::uint32_t piece = 0; piece < leader.size(); ++piece)
@@ -34,14 +34,14 @@ std::vector<std::uint32_t> roundEachPoint(const PatchBorders& borders) {
 
 struct LinearFit {
     std::vector<double> weights; ///< of each position
-    bool isPlane = false;        ///< do they lie in more than one line?
+    bool isPlane = false;        ///< do the positions span a plane?
 };
 
-/// The linear function on a plane surface that fits numbers at some positions best is, at a corner, a weighted sum of them. What
-/// is near counts more, by the inverse square of the distance, however large the patches are. Across a direction in which the
-/// positions do not differ the function is constant.
+/// Least squares: the linear function on a plane that best fits values at some positions; its value at a corner is a weighted sum
+/// of them, whose weights are returned. Positions are weighted by the inverse square of their distance. In a direction in which
+/// all positions agree the function is constant.
 LinearFit linearFit(const dvec3& cornerCentred, const dvec3& normal, std::span<const dvec3> positionsCentred) {
-    const dvec3 aside = std::abs(normal.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0); // not along the normal
+    const dvec3 aside = std::abs(normal.x) < 0.6 ? dvec3(1, 0, 0) : dvec3(0, 1, 0); // not parallel to the normal
     const dvec3 u = glm::normalize(glm::cross(normal, aside)), v = glm::cross(normal, u);
     std::vector<dvec2> offsets; // from the corner, in the plane
     std::vector<double> nearness;
@@ -64,7 +64,7 @@ LinearFit linearFit(const dvec3& cornerCentred, const dvec3& normal, std::span<c
     }
     const double half = (uu + vv) / 2, root = std::hypot((uu - vv) / 2, uv); // eigenvalues: half + root, half - root
     LinearFit fit;
-    // Patches a thousand times as long as wide still span a plane; rounding does not.
+    // Patches a thousand times as long as wide still span a plane; rounding errors do not.
     fit.isPlane = half - root > 1e-8 * (half + root);
     dvec2 slope(0.0);
     if (fit.isPlane)
@@ -76,14 +76,14 @@ LinearFit linearFit(const dvec3& cornerCentred, const dvec3& normal, std::span<c
     return fit;
 }
 
-/// What a corner is made from.
+/// The patches that determine the value at a corner.
 struct Around {
-    std::vector<std::uint32_t> patches; ///< those that have it first, each once
+    std::vector<std::uint32_t> patches; ///< those at the corner first, each once
     dvec3 normal{0.0};                  ///< of the surface there
-    bool isInside = true;               ///< patches on all sides
+    bool isInside = true;               ///< surrounded by patches on all sides
 };
 
-/// All corners, from the pieces that begin there.
+/// All corners, from the pieces of border that begin there.
 std::vector<Around> cornersOf(const std::vector<Patch>& patches, const PatchBorders& borders,
                               const std::vector<std::uint32_t>& cornerOfPiece, std::size_t count) {
     std::vector<Around> corners(count);
@@ -100,7 +100,7 @@ std::vector<Around> cornersOf(const std::vector<Patch>& patches, const PatchBord
     return corners;
 }
 
-/// Adds the neighbours of all patches there.
+/// Adds the neighbours of all listed patches.
 void widen(std::vector<std::uint32_t>& patches, const std::vector<std::vector<std::uint32_t>>& neighbours) {
     for (std::size_t i = 0, count = patches.size(); i < count; ++i)
         for (const std::uint32_t next : neighbours[patches[i]])
@@ -110,7 +110,8 @@ void widen(std::vector<std::uint32_t>& patches, const std::vector<std::vector<st
 } // namespace
 
 PatchCorners patchCorners(const Faces& faces, const std::vector<Patch>& patches) {
-    // In a triangle's corner lie one patch, its only neighbour, and then two beside that one: the first that are not in line.
+    // The corner of a triangle has one patch; a first ring adds its only neighbour, a second one two more, which no longer lie in
+    // a line.
     constexpr int kMostRings = 3;
     PatchCorners corners{patchBorders(faces, patches), {}, {}, {}};
     const PatchBorders& borders = corners.borders;
@@ -121,7 +122,7 @@ PatchCorners patchCorners(const Faces& faces, const std::vector<Patch>& patches)
     std::vector<dvec3> placesCentred(count);
     for (std::uint32_t piece = 0; piece < leaders.size(); ++piece)
         placesCentred[corners.cornerOfPiece[piece]] = borders.pointsCentred[borders.pieces[piece].point];
-    std::vector<std::vector<std::uint32_t>> neighbours; // without those around the end of a wall
+    std::vector<std::vector<std::uint32_t>> neighbours; // without neighbours around the end of a wall
     for (std::uint32_t i = 0; i < patches.size(); ++i) {
         neighbours.push_back(borders.neighbours(i));
         std::erase_if(neighbours[i], [&](std::uint32_t j) {
@@ -132,7 +133,7 @@ PatchCorners patchCorners(const Faces& faces, const std::vector<Patch>& patches)
     std::vector<Around> all = cornersOf(patches, borders, corners.cornerOfPiece, count);
     for (std::uint32_t k = 0; k < count; ++k) {
         Around& here = all[k];
-        const bool hasNormal = glm::length(here.normal) > 1e-9; // at the tip of a needle they may cancel
+        const bool hasNormal = glm::length(here.normal) > 1e-9; // at the tip of a needle normals may cancel
         const dvec3 normal = hasNormal ? glm::normalize(here.normal) : patches[here.patches.front()].normal;
         LinearFit fit;
         for (int ring = here.isInside ? 0 : 1; ring <= kMostRings && !fit.isPlane; ++ring) {

@@ -10,16 +10,16 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// So many lines, evenly chosen of all edges, are tried for a good one; all of them where each of these cuts a polygon. Patches are
-// made by cutting, so some line always parts them cleanly.
+// So many edges, evenly chosen, are tried as splitting lines; all edges where each of these cuts a polygon. Patches are made by
+// cutting, so some line always separates them cleanly.
 constexpr std::size_t kTries = 64;
 
 double height(const dvec3& line, const dvec2& p) { return line.x * p.x + line.y * p.y + line.z; }
 
 struct Parts {
     std::vector<const FlatPolygon*> front, behind;
-    std::size_t cut = 0; ///< polygons that are on both sides, and in both lists
-    /// Fewer cuts are better, then halves of equal size.
+    std::size_t cut = 0; ///< polygons on both sides, which are in both lists
+    /// The cost of a line: fewer cuts are better, then halves of equal size.
     [[nodiscard]] std::size_t badness(std::size_t all) const {
         return cut * 2 * all + std::max(front.size(), behind.size());
     }
@@ -35,7 +35,7 @@ Parts partedBy(const dvec3& line, std::span<const FlatPolygon* const> polygons, 
         }
         const bool isFront = highest > touching, isBehind = lowest < -touching;
         parts.cut += isFront && isBehind;
-        // A sliver that is nowhere goes where most of it is.
+        // A sliver within the tolerance of the line goes to the side where most of it is.
         if (isFront || (!isBehind && highest > -lowest)) parts.front.push_back(polygon);
         if (isBehind || (!isFront && highest <= -lowest)) parts.behind.push_back(polygon);
     }
@@ -76,7 +76,7 @@ std::uint32_t build(PatchTree& tree, const std::vector<const FlatPolygon*>& poly
     const std::size_t step = std::max<std::size_t>(1, edges / kTries);
     tryEvery(step);
     if (step > 1 && (!best || bestParts.cut > 0)) tryEvery(1);
-    if (!best) return PatchTree::kLeaf | polygons.front()->number; // they lie over each other
+    if (!best) return PatchTree::kLeaf | polygons.front()->number; // the polygons overlap
     const auto node = static_cast<std::uint32_t>(tree.nodes.size());
     tree.nodes.push_back({*best, 0, 0});
     const std::uint32_t front = build(tree, bestParts.front, touching),

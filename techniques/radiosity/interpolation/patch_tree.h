@@ -1,9 +1,7 @@
-// Which patch of a face does a point lie in? A tree of lines answers after a few questions, whatever the patches' shapes are: to
-// which side of this line? (H. Fuchs, Z. Kedem and B. Naylor, "On Visible Surface Generation by A Priori Tree Structures",
-// SIGGRAPH 1980, of which this is the plane case.)
+// Finds the patch of a face that contains a point, by a binary space partition of the face's plane (H. Fuchs, Z. Kedem and B.
+// Naylor, "On Visible Surface Generation by A Priori Tree Structures", SIGGRAPH 1980; this is the two-dimensional case).
 //
-// So a picture shows the borders of patches exactly, however near the eye comes, and needs no texture in which they would be cut to
-// texels.
+// The borders of patches are then exact in a picture, however near the eye is; a texture would show its texels.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -21,7 +19,7 @@ struct FlatPolygon {
 };
 
 struct PatchTree {
-    /// A node, or with this bit the number of a polygon.
+    /// The number of a node, or, with this bit, of a polygon.
     static constexpr std::uint32_t kLeaf = 0x80000000u;
     struct Node {
         dvec3 line; ///< in front where line.x * x + line.y * y + line.z > 0; (line.x, line.y) is unit
@@ -30,11 +28,11 @@ struct PatchTree {
     std::vector<Node> nodes;
 };
 
-/// Adds the tree of polygons that do not overlap, at least one; returns its root, a node or a leaf. Of points in none of them the
-/// answer is one near by. `touching`: what is nearer than that to a line does not reach beyond it.
+/// Adds the tree of polygons that do not overlap, at least one; returns its root, a node or a leaf. Points in no polygon are
+/// assigned to one near by. `touching`: the tolerance; what is nearer than that to a line does not count as beyond it.
 std::uint32_t addTree(PatchTree& tree, std::span<const FlatPolygon> polygons, double touching);
 
-/// The number of the polygon that the point lies in.
+/// The number of the polygon that contains the point.
 std::uint32_t find(const PatchTree& tree, std::uint32_t root, const dvec2& point);
 
 } // namespace shadowlab::radiosity

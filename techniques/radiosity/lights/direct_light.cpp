@@ -10,13 +10,13 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// They miss what is seen in part by 1/40 or so; and a patch is no smaller than a shadow's edge anyway.
+// So many lines estimate a partly visible share to about 1/40; a patch is hardly smaller than a shadow's edge anyway.
 constexpr int kLines = 64;
 
-/// Lines that are tried: the share of their weight that is free, and of their number.
+/// Sums over the lines to a light: of their weights and of their number, with and without occlusion.
 struct LineSamples {
     double free = 0, all = 0, freeCount = 0, count = 0;
-    /// `countWeight`: what the line counts where all of the light counts alike.
+    /// `countWeight`: the weight of the line where every part of the light counts alike.
     void add(double weight, double countWeight, bool isFree) {
         all += weight;
         count += countWeight;
@@ -54,7 +54,7 @@ void DirectLightBuilder::fill(std::size_t i) {
     const Blockers blockers = receivesShadow_[i] ? source_.blockers(patch.polygon, occlusion_) : Blockers{};
     if (!blockers.empty() && source_.isHidden(patch.polygon, occlusion_, blockers)) return;
     sampleLines(i, blockers);
-    if (blockers.empty()) light_.visible[i] = 1; // for certain
+    if (blockers.empty()) light_.visible[i] = 1; // no sampling needed
     light_.irradiance[i] = light_.visible[i] * whole * source_.color();
 }
 

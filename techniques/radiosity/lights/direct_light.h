@@ -1,7 +1,7 @@
-// What the lights of a scene bring to its patches before anything is reflected, and how much of it others take away.
+// The direct light on patches: what the lights bring before anything is reflected, and how much of it is blocked.
 //
-// What would arrive with nothing in between is known (light_source.h). Where something may stand in between, lines from points of
-// the patch to the light are tried: the share of what comes by free ones, times that.
+// What would arrive with nothing in between is known (light_source.h). Where something may block it, lines between points of the
+// patch and the light are tested: the unblocked share of their weights, times that.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>
@@ -11,24 +11,25 @@
 
 namespace shadowlab::radiosity {
 
-/// Of one light, for each patch.
+/// The direct light of one light, for each patch.
 struct DirectLight {
     std::vector<dvec3> irradiance; ///< H_i, W/m^2, the mean over the patch, in the light's colour
-    /// 0..1: what arrives, as a share of what would with nothing in between; 0 where nothing would. Where it is neither 0 nor 1, it is
-    /// found by 64 lines: as many chosen by chance would miss it by up to 1/16 (one standard deviation), these by half as much.
+    /// 0..1: the share of the unoccluded light that arrives; 0 where none would. Where it is neither 0 nor 1 it is estimated by
+    /// 64 lines: with random lines its standard deviation would be up to 1/16; with these Hammersley points it is half of that.
     std::vector<double> visible;
-    /// 0..1: the share of the light's area that is seen, on average: what is behind the patch's plane is not.
+    /// 0..1: the mean share of the light's area that is seen; what lies behind the patch's plane is not.
     std::vector<double> seenArea;
 };
 
 class DirectLightBuilder {
 public:
-    /// Patches and occlusion must live as long. `receivesShadow`: of each patch, 1 or 0; 0: lit as if nothing stood between.
+    /// Patches and occlusion must outlive this object. `receivesShadow`: for each patch, 1 or 0; with 0 it is lit as if nothing
+    /// were in between.
     DirectLightBuilder(LightSource source, const std::vector<Patch>& patches, const Occlusion& occlusion,
                        std::vector<std::uint8_t> receivesShadow);
 
-    /// Goes on until all is done (true) or the time has come, but always a bit. The numbers are the same for any deadlines and
-    /// any number of threads.
+    /// Continues until all is done (true) or the deadline has passed, but always does some work. The numbers do not depend on
+    /// deadlines or on the number of threads.
     bool advance(std::chrono::steady_clock::time_point deadline);
     /// 0..1 of all patches.
     [[nodiscard]] double done() const;
@@ -46,18 +47,18 @@ private:
     std::size_t next_ = 0; ///< patch
 };
 
-/// What arrives at a point.
+/// The direct light at one point.
 struct Arriving {
     dvec3 irradiance{0.0}; ///< W/m^2, in the light's colour
-    /// As in DirectLight; of lights without an area 1 where nothing stands in between, whichever way the surface faces.
+    /// As in DirectLight; for lights without an area 1 where nothing is in between, whichever way the surface faces.
     double seenArea = 0;
 };
 
-/// Does something stand between two points?
+/// Is the line between two points blocked?
 using IsBlocked = std::function<bool(const dvec3& fromCentred, const dvec3& toCentred)>;
 
-/// At a point of a surface with that unit normal, by 64 lines to a light with an area and one to others. `isBlocked`: asked of the point
-/// and points of the light.
+/// The direct light at a point of a surface with that unit normal, by 64 lines to a light with an area and one to others.
+/// `isBlocked` is called with the point and points of the light.
 Arriving arrivingAt(const dvec3& positionCentred, const dvec3& normal, const LightSource& source,
                     const IsBlocked& isBlocked);
 

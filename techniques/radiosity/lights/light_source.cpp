@@ -16,13 +16,14 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Points for the mean of a sphere that the patch's plane cuts, which has no closed form.
+// Sample points for the mean irradiance by a sphere that the patch's plane cuts, which has no closed form.
 constexpr int kPlaces = 256;
 
-// A six-sided pyramid around a cone: the cone fills nine tenths of it.
+// Sides of a pyramid around a spot's cone: the cone fills nine tenths of it.
 constexpr int kSidesAroundCone = 6;
 
-/// Two unit vectors across a unit vector and each other; the axis it goes least along is surely not parallel to it.
+/// Two unit vectors perpendicular to a unit vector and to each other. They are built from the axis of its smallest component,
+/// which is never parallel to it.
 std::pair<dvec3, dvec3> across(const dvec3& unit) {
     const dvec3 size = glm::abs(unit);
     const int least = size.x < size.y ? (size.x < size.z ? 0 : 2) : (size.y < size.z ? 1 : 2);
@@ -48,7 +49,7 @@ LightSource::LightSource(const scene::Light& light, const dvec3& originWorld, co
     for (const Face& face : faces.all)
         for (const dvec3& corner : face.polygon.corners())
             box.include(corner);
-    // Twice the diagonal: once would end on the box.
+    // Twice the diagonal, so that the point lies well outside the box.
     if (!faces.all.empty()) beyond_ = 2 * glm::length(box.upper - box.lower);
 }
 
@@ -70,13 +71,14 @@ double LightSource::irradiance(const dvec3& positionCentred, const dvec3& normal
     return scene::lightShinesTo(light_, positionCentred) ? scene::irradiance(light_, positionCentred, normal).x : 0;
 }
 
-/// Where the horizon cuts it: x is the cotangent of the half angle under which the sphere is seen, and the arc cosine of y half the
-/// angle of that part of its outline that is above the horizon.
+/// A sphere that the horizon cuts. x is the cotangent of the half angle under which the sphere is seen; acos(y) is half the angle
+/// of that part of its outline that lies above the horizon.
 double LightSource::ofSphere(const dvec3& positionCentred, const dvec3& normal) const {
     const dvec3 toLight = light_.positionWorld - positionCentred;
     const double squared = glm::dot(toLight, toLight), radius = light_.radius;
     const double height = glm::dot(normal, toLight);
-    if (!(squared > radius * radius) || height <= -radius) return 0; // within it, or all of it below
+    if (!(squared > radius * radius) || height <= -radius)
+        return 0; // the point is inside, or the sphere below the horizon
     const double share = radius * radius / squared, cosine = height / std::sqrt(squared);
     if (height >= radius) return glm::pi<double>() * light_.intensity * share * cosine;
     const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
@@ -113,7 +115,7 @@ double LightSource::meanIrradiance(const Patch& patch) const {
     return sum / weights;
 }
 
-/// What lies within a pyramid around a spot's cone.
+/// The part of the polygon within a pyramid around the spot's cone.
 Polygon LightSource::withinCone(Polygon polygon) const {
     const auto [u, v] = across(cone_.axis);
     for (int i = 0; i < kSidesAroundCone; ++i) {
@@ -148,13 +150,13 @@ LightLine LightSource::line(const dvec3& positionCentred, const dvec3& normal, d
     }
 }
 
-/// Evenly in the cone under which the sphere is seen: P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques for Direct
+/// Uniform in the cone under which the sphere is seen: P. Shirley, C. Wang and K. Zimmerman, "Monte Carlo Techniques for Direct
 /// Lighting Calculations", ACM Transactions on Graphics 15(1), 1996.
 LightLine LightSource::lineFromSphere(const dvec3& positionCentred, const dvec3& normal, double s, double t) const {
     const dvec3 toLight = light_.positionWorld - positionCentred;
     const double distance = glm::length(toLight), sineSquared = std::pow(light_.radius / distance, 2);
     if (!(sineSquared < 1)) return {light_.positionWorld, 0};
-    const double extent = sineSquared / (1 + std::sqrt(1 - sineSquared)); // 1 - the cosine, with all its digits
+    const double extent = sineSquared / (1 + std::sqrt(1 - sineSquared)); // 1 - cosine, without cancellation
     const double cosine = 1 - s * extent, sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
     const double turn = glm::two_pi<double>() * t;
     const auto [u, v] = across(toLight / distance);

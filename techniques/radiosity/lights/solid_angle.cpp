@@ -14,7 +14,8 @@ double solidAngle(const Polygon& polygon, const dvec3& point) {
     for (std::size_t i = 2; i < polygon.count(); ++i) {
         const dvec3 a = polygon[0] - point, b = polygon[i - 1] - point, c = polygon[i] - point;
         const double lengthA = glm::length(a), lengthB = glm::length(b), lengthC = glm::length(c);
-        // The product of all three; with edges in place of b and c nothing is lost for a small triangle far away.
+        // The triple product of the three vectors, computed with edges in place of b and c: no cancellation for small triangles
+        // far away.
         const double product = -glm::dot(a, glm::cross(b - a, c - a));
         const double rest = lengthA * lengthB * lengthC + glm::dot(a, b) * lengthC + glm::dot(a, c) * lengthB +
                             glm::dot(b, c) * lengthA;
@@ -25,11 +26,11 @@ double solidAngle(const Polygon& polygon, const dvec3& point) {
 
 namespace {
 
-// Into so many parts the band is cut by theta, the shorter the nearer to its inner end: where the band begins at the axis, phi runs
-// through nearly a right angle close to that end.
+// Pieces of the smooth edge for quadrature, shorter toward its inner end: where the edge begins at the axis, phi changes by
+// nearly a right angle close to that end.
 constexpr int kParts = 16;
 
-/// By Gauss's four points, exact for polynomials of degree 7.
+/// Gauss quadrature with four points: exact for polynomials of degree 7.
 template <typename Function>
 double integralOf(double from, double to, const Function& function) {
     constexpr std::array<double, 2> kPlaces = {0.33998104358485626, 0.86113631159405258},
@@ -41,10 +42,10 @@ double integralOf(double from, double to, const Function& function) {
     return half * sum;
 }
 
-/// 1 - cos, with all its digits.
+/// 1 - cos, without cancellation.
 double versine(double angle) { return 2 * std::pow(std::sin(0.5 * angle), 2); }
 
-/// G of the text above.
+/// G of the header.
 double withinCone(const LightCone& cone, double theta) {
     const double inner = cone.half - cone.edge, outer = std::min(theta, cone.half);
     if (outer <= inner) return versine(outer);
@@ -52,11 +53,11 @@ double withinCone(const LightCone& cone, double theta) {
         const double t = (cone.half - angle) / cone.edge;
         return t * t * (3 - 2 * t) * std::sin(angle);
     };
-    const double middle = 0.5 * (inner + outer); // by twice four points also a band of a right angle is right to 1e-7
+    const double middle = 0.5 * (inner + outer); // with twice four points, 1e-7 even for a band of a right angle
     return versine(inner) + integralOf(inner, middle, arriving) + integralOf(middle, outer, arriving);
 }
 
-/// A great circle whose plane has a unit normal with these parts along the axis and across it.
+/// A great circle, by the unit normal of its plane: the components along the axis and perpendicular to it.
 struct GreatCircle {
     double sine, cosine; ///< of delta
     [[nodiscard]] double phiAt(double theta) const {
@@ -83,19 +84,19 @@ double upTo(const LightCone& cone, const GreatCircle& circle, double phi) {
 } // namespace
 
 double coneSolidAngle(const LightCone& cone, const Polygon& polygon) {
-    // What lies behind the apex gets nothing, and all before it is less than a right angle from the axis.
+    // Nothing behind the apex is lit, and all before it is less than a right angle from the axis.
     const Polygon before = partBefore({cone.apex, cone.axis}, polygon, 0);
     double sum = 0;
     for (std::size_t i = 0; i < before.count(); ++i) {
         const dvec3 from = before[i] - cone.apex, to = before[(i + 1) % before.count()] - cone.apex;
         const dvec3 normal = glm::cross(from, to);
         const double size = glm::length(normal);
-        if (!(size > 0)) continue; // a side that runs away from the apex
+        if (!(size > 0)) continue; // the edge points away from the apex
         const double along = glm::dot(normal, cone.axis) / size;
         const dvec3 aside = normal / size - along * cone.axis;
         const GreatCircle circle{std::abs(along), glm::length(aside)};
-        // Toward where the side's circle comes nearest to the axis. On a circle all around it, which a part cut off before may
-        // have, any place will do.
+        // The direction in which the great circle is nearest to the axis. For a circle all around the axis, which the cut above
+        // may produce, any direction will do.
         const dvec3 nearest = circle.cosine > 1e-12 ? aside * ((along > 0 ? -1.0 : 1.0) / circle.cosine)
                                                     : glm::normalize(from - glm::dot(from, cone.axis) * cone.axis);
         const dvec3 turned = glm::cross(cone.axis, nearest);

@@ -1,15 +1,15 @@
-// Under what solid angle does a point see a polygon? What a point light sends into it is that, times the light's intensity: of the
-// irradiance I cos / d^2 every piece dA of the polygon gets I cos dA / d^2, and cos dA / d^2 is its solid angle.
+// The solid angle of a polygon, seen from a point: all of it, and the part within a cone of light with a smooth edge.
 //
-// How much of a spot's light goes into a polygon: its solid angle as far as it lies within a cone with a smooth edge.
+// A point light of intensity I sends I times the solid angle into a polygon: of the irradiance I cos / d^2 every piece dA of the
+// polygon receives I cos dA / d^2, and cos dA / d^2 is its solid angle.
 //
-// A place on the sphere of directions is given by its angle theta from the cone's axis and its angle phi around it. The cone lets the
-// share w(theta) through, so a figure around which phi runs once gets the integral over phi of
+// For a spot, a direction is given by its angle theta from the cone's axis and its angle phi about it. The cone lets the share
+// w(theta) through. A figure around the axis then has the integral over phi of
 //     G(theta) = integral from 0 to theta of w(t) sin t dt,
-// theta being its border's; and by Stokes's theorem every other figure gets the sum of that along its border. A side of a polygon is
-// a part of a great circle, tan theta = tan delta / cos phi, with delta where it comes nearest to the axis, and phi from there.
-// Where w = 1, G = 1 - cos theta, whose integral is phi - asin(cos delta sin phi); beyond the cone G stays as it is; the smooth edge
-// between is integrated by Gauss's points.
+// with theta that of its border; and by Stokes's theorem every other figure has the sum of that along its border. A side of a
+// polygon is an arc of a great circle, tan theta = tan delta / cos phi, where delta is its smallest angle to the axis, and phi is
+// counted from there. Where w = 1, G = 1 - cos theta, whose integral is phi - asin(cos delta sin phi); beyond the cone G is
+// constant; the smooth edge between is integrated by Gauss quadrature.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/radiosity/patches/polygon.h"
@@ -24,11 +24,11 @@ double solidAngle(const Polygon& polygon, const dvec3& point);
 /// A cone of light, angles in radians.
 struct LightCone {
     dvec3 apex{0.0}, axis{0.0, -1.0, 0.0}; ///< unit
-    double half = 0;                       ///< from the axis to where no light is; below a right angle
-    double edge = 0; ///< of it, the smooth band: the share rises inward from 0 to 1 as t^2 (3 - 2 t), 0 <= t <= 1
+    double half = 0;                       ///< from the axis to the end of the light; below a right angle
+    double edge = 0; ///< the smooth band at its end: the share rises inward from 0 to 1 as t^2 (3 - 2 t), 0 <= t <= 1
 };
 
-/// Steradians, those of the edge counted by their share. The apex must lie before the polygon. Right to rounding where
+/// Steradians, weighted by the share that the cone lets through. The apex must lie before the polygon. Exact to rounding where
 /// the cone has no smooth edge, else to 1e-7 of the whole cone.
 double coneSolidAngle(const LightCone& cone, const Polygon& polygon);
 

@@ -13,7 +13,8 @@ struct Segment {
     dvec3 from, to;
 };
 
-/// Where a polygon meets a plane: its edges, if it lies in it; else the piece of line in which it goes through, or touches.
+/// Where a polygon meets a plane: all its edges, if it lies in the plane; else the segment in which it crosses or touches the
+/// plane.
 std::vector<Segment> meeting(const Plane& plane, const Polygon& other, double touching) {
     std::vector<Segment> segments;
     std::vector<dvec3> points;
@@ -31,11 +32,11 @@ std::vector<Segment> meeting(const Plane& plane, const Polygon& other, double to
     }
     if (within == other.count()) return segments;
     if (points.size() < 2) return {};
-    return {{points.front(), points.back()}}; // convex: there are two
+    return {{points.front(), points.back()}}; // two, because it is convex
 }
 
-/// The part of a segment that lies inside a convex polygon of the same plane, farther from its edges than `touching`; nothing
-/// where there is none.
+/// The part of a segment inside a convex polygon of the same plane, farther than `touching` from its edges; nothing where there
+/// is none.
 std::optional<Segment> inside(const Segment& segment, const Polygon& polygon, const dvec3& normal, double touching) {
     double first = 0, last = 1;
     const dvec3 way = segment.to - segment.from;
@@ -54,8 +55,8 @@ std::optional<Segment> inside(const Segment& segment, const Polygon& polygon, co
     return Segment{segment.from + first * way, segment.from + last * way};
 }
 
-/// With the normal of the whole: that of a sliver is noise.
-/// Cuts every piece that the segment goes through, along the segment's whole line.
+/// Cuts every piece that the segment crosses, along the segment's whole line. Pieces keep the normal of the whole: that of a
+/// sliver would be noise.
 void cut(std::vector<Patch>& pieces, const Segment& segment, double touching) {
     for (std::size_t i = 0, count = pieces.size(); i < count; ++i) {
         const Patch patch = pieces[i];
@@ -71,7 +72,7 @@ void cut(std::vector<Patch>& pieces, const Segment& segment, double touching) {
     }
 }
 
-/// Of each face the others whose boxes touch its own, in order. Boxes are gone through from left to right.
+/// For each face the others whose boxes touch its own, in order. Boxes are swept along the x axis.
 std::vector<std::vector<std::uint32_t>> facesNear(const Faces& faces) {
     std::vector<trace::CentredBox> boxes;
     std::vector<std::uint32_t> order;
@@ -105,10 +106,10 @@ std::vector<std::vector<Contact>> contactsOf(const Faces& faces) {
             const Polygon& otherPolygon = faces.all[other].polygon;
             const Plane turned{plane.point, -plane.normal};
             const bool isBeneath = isBehind(plane, otherPolygon, touching);
-            if (isBeneath && !isBehind(turned, otherPolygon, touching))
-                continue; // what lies in the plane is behind both
+            if (isBeneath && !isBehind(turned, otherPolygon, touching)) continue; // a face in the plane is behind both
             for (const Segment& segment : meeting(plane, otherPolygon, touching))
-                // The face is grown by what touches: of faces that meet in a point at right angles a line of twice that is within.
+                // The face is enlarged by the tolerance, so the segment of faces that meet at right angles in a point has twice
+                // that length.
                 if (const auto part = inside(segment, polygon, plane.normal, -touching);
                     part && glm::distance(part->from, part->to) > 4 * touching)
                     contacts[number].push_back({part->from, part->to, other});

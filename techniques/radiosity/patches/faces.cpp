@@ -11,15 +11,15 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// A quad is flat when its fourth corner lies in the plane of the others to within this share of its size: vertices are floats,
-// turned by a matrix in double.
+// A quad is flat when its fourth corner lies within this share of its size from the plane of the others: vertices are floats,
+// transformed by a matrix in double.
 constexpr double kFlat = 1e-7;
 
 dvec3 normalOf(const trace::Triangle& t) { return glm::cross(t.b - t.a, t.c - t.a); }
 
 const dvec3& cornerOf(const trace::Triangle& t, int i) { return i == 0 ? t.a : i == 1 ? t.b : t.c; }
 
-/// The quad of two triangles that share the edge from corner `edge` of the first to its next; nothing if it is not flat, or not
+/// The quad of two triangles that share the edge from corner `edge` of the first to the next; nothing if it is not flat, or not
 /// convex.
 std::optional<Polygon> quadOf(const trace::Triangle& first, int edge, const trace::Triangle& second, int opposite) {
     const dvec3 &from = cornerOf(first, edge), &to = cornerOf(first, (edge + 1) % 3),
@@ -37,7 +37,7 @@ std::optional<Polygon> quadOf(const trace::Triangle& first, int edge, const trac
 
 bool isQuad(const Face& face) { return face.triangles[0] != face.triangles[1]; }
 
-/// The longest edge of a triangle is the diagonal where a rectangle was cut: it is tried first.
+/// Edges, the longest first: in a rectangle made of two triangles it is the diagonal.
 std::array<int, 3> edgesByLength(const trace::Triangle& t) {
     std::array<int, 3> edges = {0, 1, 2};
     const auto length = [&](int e) { return glm::length(cornerOf(t, (e + 1) % 3) - cornerOf(t, e)); };
@@ -57,7 +57,7 @@ Faces facesOf(const scene::Scene& scene, const trace::WorldTriangles& world) {
         std::vector<std::uint32_t> materials;
         for (std::size_t part = 0; part < mesh.parts.size(); ++part) // in order, covering all triangles
             materials.insert(materials.end(), mesh.parts[part].triangleCount, object.partMaterials[part]);
-        // Which triangle has an edge, in that direction; positions decide, for vertices may be there twice.
+        // The triangles at each directed edge. Positions identify it, for a vertex may be stored twice.
         const auto key = [&](std::size_t t, int edge) {
             const auto place = [&](int corner) {
                 const vec3& p = mesh.positionsMesh[mesh.triangles[t][corner % 3]];
@@ -75,7 +75,8 @@ Faces facesOf(const scene::Scene& scene, const trace::WorldTriangles& world) {
             Face face{{triangle.a, triangle.b, triangle.c}, {}, {first + t, first + t}, o, materials[t]};
             for (const int edge : edgesByLength(triangle)) {
                 const auto [from, to] = key(t, edge);
-                const auto [begin, end] = edges.equal_range({to, from}); // several where skins have fallen together
+                // Several where the two sides of a thin sheet coincide.
+                const auto [begin, end] = edges.equal_range({to, from});
                 for (auto other = begin; other != end && !isQuad(face); ++other) {
                     const auto [u, otherEdge] = other->second;
                     if (u == t || faces.ofTriangle[first + u] != kNoFace || materials[u] != materials[t]) continue;

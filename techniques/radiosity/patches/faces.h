@@ -1,7 +1,7 @@
-// The flat faces of a scene: what patches are cut from, and what stands between them.
+// The flat faces of a scene: patches are cut from them, and they block light.
 //
-// Meshes are triangles, but walls, boxes and tables are rectangles: two triangles of one object and material that share an
-// edge, lie in one plane and make a convex quad together are one face.
+// Meshes consist of triangles, but walls, boxes and tables of rectangles. So two triangles of one object and material that share
+// an edge, lie in one plane and form a convex quad together are one face.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>
@@ -16,14 +16,14 @@ constexpr std::uint32_t kNoFace = ~std::uint32_t{0};
 
 struct Face {
     Polygon polygon; ///< centred space (world_triangles.h), counter-clockwise seen from the front
-    Plane plane;     ///< that it lies in
-    std::array<std::uint32_t, 2> triangles; ///< of the scene; of a lone triangle the same twice
+    Plane plane;     ///< its plane
+    std::array<std::uint32_t, 2> triangles; ///< numbers in the scene; a single triangle is listed twice
     std::uint32_t object = 0, material = 0;
 };
 
 struct Faces {
     std::vector<Face> all;
-    std::vector<std::uint32_t> ofTriangle; ///< which face each triangle of the scene belongs to
+    std::vector<std::uint32_t> ofTriangle; ///< the face of each triangle of the scene
 };
 
 /// All of them, in the order of their first triangles.

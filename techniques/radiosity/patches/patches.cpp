@@ -8,11 +8,11 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-/// Into how many pieces edges of that length are cut; what is too long by rounding is not.
+/// The number of pieces of an edge. An edge that is too long only by rounding gets no extra piece.
 int piecesOf(double length, double size) { return std::max(1, static_cast<int>(std::ceil(length / size - 1e-9))); }
 
 struct Cuts {
-    int u, v; ///< quads: along the first side and the second; triangles: the same number twice
+    int u, v; ///< of a quad along its first and its second side; of a triangle the same number twice
 };
 
 Cuts cutsOf(const Polygon& p, double size) {
@@ -83,7 +83,7 @@ double sizeForBudget(const Faces& faces, std::size_t most) {
             if ((count += countOf(cutsOf(face.polygon, size))) > most) return false;
         return true;
     };
-    double size = longest; // of no face: nothing, which is small enough
+    double size = longest; // 0 where there are no faces
     for (const double step = std::exp2(-1.0 / 16); size > 0 && fits(size * step);)
         size *= step;
     return size;

@@ -1,4 +1,4 @@
-// Patches: faces cut into pieces small enough that one radiosity stands for each.
+// Patches: faces cut into pieces so small that one radiosity stands for each.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>
@@ -15,15 +15,15 @@ struct Patch {
     [[nodiscard]] Plane plane() const { return {centre, normal}; }
 };
 
-/// The part of a patch that lies in the polygon.
+/// The part of a patch inside the polygon.
 Patch pieceOf(const Patch& patch, const Polygon& polygon);
 
-/// No edge of a patch is longer than `size` metres. Quads become quads, as many along one pair of sides as along the other is
-/// needed; triangles become triangles of their own shape.
+/// Cuts faces such that no edge of a patch is longer than `size` metres. Quads become grids of quads, triangles become triangles
+/// of their own shape.
 std::vector<Patch> cutIntoPatches(const Faces& faces, double size);
 
-/// The size at which there are at most that many patches, or as many as there are faces: the smallest of those that halving
-/// the scene's extent in sixteenths of a doubling gives.
+/// The smallest size that leaves at most `most` patches (or one per face), among the scene's extent times 2^(-k/16), k = 0, 1, 2
+/// ...
 double sizeForBudget(const Faces& faces, std::size_t most);
 
 } // namespace shadowlab::radiosity

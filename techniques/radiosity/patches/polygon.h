@@ -1,4 +1,4 @@
-// Flat convex polygons: what patches are, and what is left of one when another's plane cuts it.
+// Flat convex polygons: the shape of patches, and of parts of them cut by planes.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -10,11 +10,11 @@
 
 namespace shadowlab::radiosity {
 
-/// Corners in one plane, counter-clockwise seen from the front; in centred or world space, as long as all that are put
-/// together share it.
+/// Corners in one plane, counter-clockwise seen from the front; in centred or world space, the same for all that are used
+/// together.
 class Polygon {
 public:
-    /// Quads that two planes and a few edges have cut.
+    /// Enough for quads cut by two planes and a few edges.
     static constexpr std::size_t kMostCorners = 16;
 
     Polygon() = default;
@@ -29,7 +29,7 @@ public:
     [[nodiscard]] std::span<const dvec3> corners() const { return {corners_.data(), count_}; }
     [[nodiscard]] std::size_t count() const { return count_; }
     [[nodiscard]] const dvec3& operator[](std::size_t i) const { return corners_[i]; }
-    /// Fewer corners than a triangle has: nothing.
+    /// Fewer than three corners: the empty polygon.
     [[nodiscard]] bool isEmpty() const { return count_ < 3; }
 
 private:
@@ -39,10 +39,10 @@ private:
 
 /// Area times the unit normal of the front side.
 dvec3 areaVector(const Polygon& polygon);
-/// Has it fewer corners than a triangle, or do they lie in one line, as those of pieces do that are smaller than what rounding leaves of
-/// positions? Such a piece gets no light and sends none.
+/// Has it fewer than three corners, or do they lie in one line? This happens to pieces smaller than the rounding of positions.
+/// Such a piece neither receives nor sends light.
 bool hasNoArea(const Polygon& polygon);
-/// Of its area, not of its corners.
+/// The centroid of the area, not the mean of the corners.
 dvec3 centroid(const Polygon& polygon);
 
 /// All points p with dot(normal, p - point) = 0; the front is where that is positive.
@@ -52,18 +52,18 @@ struct Plane {
 };
 Plane planeOf(const Polygon& polygon);
 
-/// What is nearer than this share of the size of the things in question touches, or lies in a plane: vertices are floats, and a box
-/// that stands on a floor is some 2^-24 of its size above it or below.
+/// The contact tolerance: what is nearer than this share of the size of the things compared touches, or lies in a plane. Vertices
+/// are floats: a box that stands on a floor is some 2^-24 of its size above it or below.
 constexpr double kTouching = 2e-7;
 
 trace::CentredBox boxOf(const Polygon& polygon);
-/// Diagonal of that box, metres.
+/// The diagonal of that box, metres.
 double sizeOf(const Polygon& polygon);
 /// Is no corner more than `tolerance` metres before the plane?
 bool isBehind(const Plane& plane, const Polygon& polygon, double tolerance);
 
-/// What of a polygon lies before a plane (Sutherland and Hodgman, 1974). A corner within `tolerance` metres of the plane lies
-/// in it: polygons that touch along an edge do not cut slivers off each other.
+/// The part of a polygon before a plane (I. Sutherland and G. Hodgman, 1974). A corner within `tolerance` metres of the plane
+/// counts as in it, so that polygons that touch along an edge do not cut slivers off each other.
 Polygon partBefore(const Plane& plane, const Polygon& polygon, double tolerance);
 
 } // namespace shadowlab::radiosity

@@ -9,10 +9,11 @@ namespace shadowlab::radiosity {
 namespace {
 
 dvec3 inTriangle(const dvec3& a, const dvec3& b, const dvec3& c, double s, double t) {
-    return s + t > 1 ? a + (1 - s) * (b - a) + (1 - t) * (c - a) : a + s * (b - a) + t * (c - a); // the square folded
+    return s + t > 1 ? a + (1 - s) * (b - a) + (1 - t) * (c - a)
+                     : a + s * (b - a) + t * (c - a); // the square, folded along its diagonal
 }
 
-/// The digits of i in that base, mirrored at the point.
+/// The radical inverse: the digits of i in that base, mirrored at the point.
 double radicalInverse(int i, int base) {
     double value = 0, digit = 1.0 / base;
     for (; i > 0; i /= base, digit /= base)
@@ -24,7 +25,7 @@ double radicalInverse(int i, int base) {
 
 std::array<double, 4> hammersley4(int i, int count) {
     return {(i + 0.5) / count, radicalInverse(i + 1, 2), radicalInverse(i + 1, 3),
-            radicalInverse(i + 1, 5)}; // from 1 on: none lies on a side
+            radicalInverse(i + 1, 5)}; // starts with 1, so that no coordinate is 0
 }
 
 Place placeIn(const Polygon& p, double s, double t) {
@@ -33,7 +34,7 @@ Place placeIn(const Polygon& p, double s, double t) {
         const dvec3 alongS = glm::mix(p[1] - p[0], p[2] - p[3], t), alongT = glm::mix(p[3] - p[0], p[2] - p[1], s);
         return {glm::mix(glm::mix(p[0], p[1], s), glm::mix(p[3], p[2], s), t), glm::length(glm::cross(alongS, alongT))};
     }
-    // As many strips of the square as there are triangles in a fan, each counted by its triangle's area.
+    // The square is cut into as many strips as the fan has triangles, and each point is weighted by its triangle's area.
     const auto triangles = static_cast<double>(p.count() - 2);
     const std::size_t i = std::min(p.count() - 3, static_cast<std::size_t>(s * triangles));
     return {inTriangle(p[0], p[i + 1], p[i + 2], s * triangles - static_cast<double>(i), t),

@@ -1,4 +1,4 @@
-// Points that lie evenly in a polygon, or in pairs of polygons: where lines that are tried begin and end.
+// Evenly distributed sample points in polygons and pairs of polygons: the ends of lines that are tested for occlusion.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -7,18 +7,19 @@
 
 namespace shadowlab::radiosity {
 
-/// The i-th of `count` points that lie still more evenly, but only all together: J. M. Hammersley, "Monte Carlo Methods for Solving
-/// Multivariable Problems", Annals of the New York Academy of Sciences 86, 1960. Most evenly in the first two coordinates.
+/// Point i of the `count` Hammersley points of the unit square of four dimensions, which fill it evenly only all together (J. M.
+/// Hammersley, "Monte Carlo Methods for Solving Multivariable Problems", Annals of the New York Academy of Sciences 86, 1960).
+/// The first two coordinates are the most even.
 std::array<double, 4> hammersley4(int i, int count);
 
-/// A point of a polygon, and by how much larger its surroundings are than those of others, up to a factor of the polygon's: evenly
-/// in the square is not evenly in a quad that is no parallelogram.
+/// A point of a polygon and its weight, up to a factor of the polygon's: where the map from the unit square to the polygon does
+/// not preserve area, as for quads that are not parallelograms, points stand for areas of different sizes.
 struct Place {
     dvec3 point;
     double weight;
 };
 
-/// Where a point (s, t) of the unit square lies in a polygon that is not empty.
+/// The image of the point (s, t) of the unit square in a polygon that is not empty.
 Place placeIn(const Polygon& polygon, double s, double t);
 
 } // namespace shadowlab::radiosity

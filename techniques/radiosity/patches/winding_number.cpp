@@ -9,7 +9,7 @@
 namespace shadowlab::radiosity {
 
 bool ClosedBodies::contain(const dvec3& placeCentred, const dvec3& directionCentred) const {
-    std::map<std::uint32_t, int> windings; ///< of the bodies that are met: few
+    std::map<std::uint32_t, int> windings; ///< by body that the ray hits: few
     const auto isOfBody = [&](std::uint32_t triangle) { return isClosed_[world_.objects[triangle]]; };
     const auto count = [&](std::uint32_t triangle, const dvec3&) {
         windings[world_.objects[triangle]] += windingOf(world_.triangles[triangle], directionCentred);

@@ -21,7 +21,7 @@ void requireMemoryToSimplify(const scene::Scene& scene) {
 }
 
 void requireMemory(const scene::Scene& scene, std::size_t patches, std::uint64_t bytesPerPair) {
-    // More than any machine has, and less than what 64 bits can count.
+    // More than any machine can hold; its square still fits into 64 bits.
     const std::uint64_t counted = std::min<std::uint64_t>(patches, 400'000'000);
     const std::uint64_t needed = scene.memory.takenBytes + counted * counted * bytesPerPair;
     if (needed <= scene.memory.limitBytes) return;

@@ -10,14 +10,14 @@ namespace {
 
 using Reason = Refinement::Reason;
 
-/// By how much the radiosity of a patch is wrong, in the mean over its area, W/m^2; the larger of two guesses.
+/// The error of a patch's radiosity, in the mean over its area, W/m^2, and its cause: the larger of two estimates.
 struct Wrong {
     double mean = 0;
     Reason reason = Reason::gradient;
 };
 
-/// Half of what lies between two centres lies on the way from the one to the common edge, if they are of one size; and in a patch
-/// whose ends are a above and a below the mean, points are off by a / 2 in the mean.
+/// The error by a gradient. Of the difference between two centres of patches of equal size, half lies between the one centre and
+/// the common edge; and if the values at two ends of a patch are a above and a below its mean, the mean deviation is a / 2.
 double byGradient(const std::vector<Patch>& patches, const PatchBorders& borders, std::span<const dvec3> radiosity,
                   std::size_t number) {
     const double size = std::sqrt(patches[number].area);
@@ -30,24 +30,25 @@ double byGradient(const std::vector<Patch>& patches, const PatchBorders& borders
     return most;
 }
 
-/// Where a share s of the patch gets u and the rest nothing, the mean is s u, and points are off by 2 s (1 - s) u in the mean.
+/// The error by a shadow edge. If a share s of the patch receives u and the rest nothing, the mean is s u and the mean deviation
+/// is 2 s (1 - s) u.
 double byShadow(const DirectLight& light, std::span<const dvec3> reflectance, std::size_t number) {
     const double share = light.visible[number];
     return share > 0 && share < 1 ? 2 * (1 - share) * luminance(reflectance[number] * light.irradiance[number]) : 0;
 }
 
-/// To six digits: what rounding makes of equal numbers is equal again.
+/// Rounds to six digits, so that numbers that differ by rounding errors become equal.
 double rounded(double number) {
     int exponent = 0;
     const double fraction = std::frexp(number, &exponent);
     return std::ldexp(std::round(std::ldexp(fraction, 20)), exponent - 20);
 }
 
-// Beside a patch that is cut: one of its level has the same area, or half or twice as much; one of the level before has four times
-// as much. In the middle between, for sums are rounded.
+// A neighbour this many times larger than a patch that is cut must be cut too. A neighbour of the same level has an area of 1/2
+// to 2 times the patch's, one of the level before four times: the limit lies in the middle, because areas are rounded.
 constexpr double kTooLarge = 2.8;
 
-/// The patch and all that have to be cut with it.
+/// The patch, and all that have to be cut with it.
 void addWithLarger(std::uint32_t number, const std::vector<Patch>& patches, const PatchBorders& borders,
                    std::vector<std::uint32_t>& cuts) {
     std::vector<std::uint32_t> waiting{number};
@@ -60,7 +61,8 @@ void addWithLarger(std::uint32_t number, const std::vector<Patch>& patches, cons
     }
 }
 
-/// In halves or quarters. Of all corners that a polygon can have, two halves, for a cut beside them would add one more.
+/// Halves or quarters of a patch. A polygon with the maximum number of corners is halved, because a cut next to it would add one
+/// more.
 std::vector<Polygon> partsOf(const Patch& patch) {
     const Polygon& p = patch.polygon;
     const auto middle = [&](std::size_t i) { return 0.5 * (p[i] + p[(i + 1) % p.count()]); };
@@ -103,7 +105,7 @@ std::vector<Polygon> partsOf(const Patch& patch) {
     return pieces;
 }
 
-/// The patch as it is, if a piece would be too small for its corners to differ.
+/// The pieces of a patch, or the patch itself if a piece would be too small to have an area.
 std::vector<Polygon> dividedPieces(const Patch& patch) {
     std::vector<Polygon> pieces = partsOf(patch);
     if (std::ranges::any_of(pieces, hasNoArea)) return {patch.polygon};
@@ -121,7 +123,7 @@ std::vector<Refinement> patchesToRefine(const std::vector<Patch>& patches, const
         area += patches[i].area;
     }
     struct Candidate {
-        double power; ///< that is wrong, W, rounded
+        double power; ///< the error in W, rounded
         std::uint32_t patch;
     };
     std::vector<Candidate> candidates;

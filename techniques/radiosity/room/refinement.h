@@ -1,9 +1,9 @@
-// Patches are cut finer where light changes, and nowhere else.
+// Adaptive refinement: patches are cut where the light changes.
 //
-// A patch has one radiosity. Where the light on it is uneven, that is wrong by some part of the difference; and where the edge
-// of a shadow goes through it, by much. So first all is solved for coarse patches, then those that are wrong by most power are
-// cut in four, and so on (M. Cohen, D. Greenberg, D. Immel and P. Brock, "An Efficient Radiosity Approach for Realistic Image
-// Synthesis", IEEE Computer Graphics and Applications 6(3), 1986).
+// A patch has one radiosity. Where the light on it varies, that is an error, and a large one where the edge of a shadow crosses
+// it. So the equations are first solved for coarse patches; those with the largest error in power are cut in four, and so on (M.
+// Cohen, D. Greenberg, D. Immel and P. Brock, "An Efficient Radiosity Approach for Realistic Image Synthesis", IEEE Computer
+// Graphics and Applications 6(3), 1986).
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -17,11 +17,11 @@ namespace shadowlab::radiosity {
 
 struct RefinementLimits {
     std::size_t mostPatches = 5000;
-    /// A patch whose radiosity is wrong by less than this share of the mean of all is left as it is.
+    /// Patches whose error is below this share of the mean radiosity are not cut.
     double smallestError = 0.02;
-    double smallestArea = 0; ///< m^2; none below is cut
-    /// 1 where every patch is drawn in one colour; less where colours are interpolated, which shows a plain gradient right, and
-    /// no edge of a shadow.
+    double smallestArea = 0; ///< m^2; smaller patches are not cut
+    /// 1 where every patch is drawn in one colour; less where colours are interpolated, which reproduces a linear gradient but no
+    /// shadow edge.
     double gradientWeight = 1;
 };
 
@@ -30,32 +30,32 @@ struct Refinement {
     enum class Reason : std::uint8_t {
         gradient, ///< its neighbours are brighter or darker
         shadow,   ///< the edge of a shadow goes through it
-        balance   ///< a neighbour is cut, and would be too small beside it
+        balance   ///< a neighbour is cut and would be too small beside it
     };
     std::uint32_t patch = 0;
     Reason reason = Reason::gradient;
 };
 
-/// Those to be cut next, by their numbers. A few rounds, each with some more patches, find what one round from coarse patches
-/// cannot see. `radiosity` (W/m^2) and `reflectance`: of each patch; their luminance counts. `lights`: what each light brings.
-/// Patches that are wrong by as much power, to six digits, are cut together or not at all: what is symmetric stays so. A patch
-/// with nearly three times the area of a neighbour that is cut is cut too, so that no neighbours are more than one level apart
-/// that were not so from the start.
+/// The patches to be cut next, by their numbers. A few rounds, each with some more patches, find shadows that one round from
+/// coarse patches misses. `radiosity` (W/m^2) and `reflectance`: of each patch; only luminance is compared. `lights`: the direct
+/// light of each light. Patches whose errors agree to six digits are cut together or not at all, so that symmetric scenes stay
+/// symmetric. A neighbour with nearly three times the area of a patch that is cut is cut too, so that neighbours do not differ by
+/// more than one level unless they did at the start.
 std::vector<Refinement> patchesToRefine(const std::vector<Patch>& patches, const PatchBorders& borders,
                                         std::span<const dvec3> radiosity, std::span<const dvec3> reflectance,
                                         std::span<const DirectLight> lights, const RefinementLimits& limits);
 
-/// The patches after that, in the order of their faces as before.
+/// The refined patches, in the order of their faces as before.
 struct Refined {
     static constexpr std::uint32_t kNew = ~std::uint32_t{0};
     std::vector<Patch> patches;
-    std::vector<std::uint32_t> from;   ///< of each patch: its number before, or kNew (exchange_builder.h)
-    std::vector<std::uint32_t> parent; ///< of each patch: the number of that which it is, or was cut from
-    std::vector<std::uint8_t> level;   ///< of each patch: how often it was cut
+    std::vector<std::uint32_t> from;   ///< for each patch its number before, or kNew (exchange_builder.h)
+    std::vector<std::uint32_t> parent; ///< for each patch the number of the old patch that it is, or is a piece of
+    std::vector<std::uint8_t> level;   ///< for each patch how often it has been cut
 };
 
-/// Quads and triangles are cut into four of their shape, quads more than twice as long as wide into two; others by two lines
-/// through the centre, along the longest edge and across. `level`: of each patch before; of the first patches nothing.
+/// Cuts quads and triangles into four of their shape, quads more than twice as long as wide into two, and other polygons by two
+/// lines through the centre, along the longest edge and perpendicular to it. `level`: of each patch before; empty: all are 0.
 Refined refined(const std::vector<Patch>& patches, std::span<const Refinement> refinements,
                 std::span<const std::uint8_t> level);
 

@@ -11,15 +11,15 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Patches are cut where bodies stand on them or pierce them, so all of a patch lies in a body or nothing, but for rounding. Where they
-// are not cut, what is half outside stays.
+// Patches are cut at contacts, so all of a patch lies inside a body or outside, but for rounding. Where they are not cut, a patch
+// that is half outside is kept.
 constexpr double kCovered = 0.95;
 
-// Of a mesh that was made coarser, what lies nearer than this share of a cell's side has come that near by it: two walls, two leaves.
-// Patches that see as good as nothing else are in a fold that the true mesh does not have.
+// In a simplified mesh, surfaces nearer than this share of a cell were moved together by simplification: two walls, two leaves.
+// Patches that see hardly anything else lie in a fold that the original mesh does not have.
 constexpr double kFold = 0.5, kNothingElse = 0.95;
 
-// Of the budget, what the faces of curved meshes may take at most: the flat ones have to be cut as well.
+// The share of the budget that simplified meshes may use; flat faces must be cut as well.
 constexpr double kShareOfFaces = 0.6;
 
 } // namespace
@@ -70,12 +70,12 @@ void Room::cut() {
     exchangingFaces_.ofTriangle = sides_.faces.ofTriangle;
     for (std::size_t i = 0; i < sides_.faces.all.size(); ++i)
         (i < sides_.exchanging ? exchangingFaces_ : loose).all.push_back(sides_.faces.all[i]);
-    requireMemory(scene_, exchangingFaces_.all.size()); // each is a patch at least, and where they touch there are more
+    requireMemory(scene_, exchangingFaces_.all.size()); // each is at least one patch, and more where they touch
     const double size = cutWithinBudget();
     requireMemory(scene_, patches_.size());
-    // Beside what it holds, a floor can be so large that it exchanges light with nothing: it is not cut as fine as the rest.
+    // A side that exchanges light with nothing, such as the underside of a large floor, need not be cut as finely as the others.
     const double sizeOfLoose = std::max(size, sizeForBudget(loose, settings_.patches));
-    allPatches_ = cutIntoPatches(loose, sizeOfLoose); // for now without the others
+    allPatches_ = cutIntoPatches(loose, sizeOfLoose); // only the loose ones so far
     for (Patch& patch : allPatches_)
         patch.face += static_cast<std::uint32_t>(sides_.exchanging);
     surroundings_.resize(patches_.size());
@@ -84,7 +84,7 @@ void Room::cut() {
 }
 
 double Room::cutWithinBudget() {
-    // How many patches contacts will make of one is not known before: what is too much is taken off the budget, a few times.
+    // Contacts add patches, and how many is known only after cutting: the budget is reduced by the excess, a few times.
     constexpr int kTries = 6;
     std::size_t budget = settings_.patches;
     for (int i = 0;; ++i) {

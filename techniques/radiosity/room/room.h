@@ -1,5 +1,5 @@
-// A scene made ready for radiosity: its sides cut into patches, and how much of the surroundings each of them sees.
-// Nothing in here depends on how bright anything is: while only lights change, all of it stays.
+// A scene prepared for radiosity: its sides cut into patches, and the share of the surroundings that each of them sees. None of
+// it depends on brightness, so all of it is kept while only lights change.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>
@@ -17,10 +17,10 @@
 namespace shadowlab::radiosity {
 
 struct RoomSettings {
-    std::size_t patches = 0;       ///< the budget; scenes of more faces have more patches, too
+    std::size_t patches = 0;       ///< the budget; a scene with more faces has more patches
     bool cutsAtContacts = true;    ///< false: light leaks under what stands on a patch (teaching)
-    std::vector<bool> lightWithin; ///< of each object: is there a light within its box?
-    bool leavesOutFolds = true;    ///< false: patches in folds of coarser meshes stay, and stay dark (tests)
+    std::vector<bool> lightWithin; ///< for each object: is there a light within its bounding box?
+    bool leavesOutFolds = true;    ///< false: patches in folds of simplified meshes stay, and stay dark (tests)
     friend bool operator==(const RoomSettings&, const RoomSettings&) = default;
 };
 
@@ -28,33 +28,33 @@ class Room {
 public:
     /// `scene` must live until advance() has returned true.
     Room(const scene::Scene& scene, RoomSettings settings);
-    Room(const Room&) = delete; // what is made of it points into it
+    Room(const Room&) = delete; // its members refer to each other
     Room& operator=(const Room&) = delete;
 
-    /// Goes on until all is done (true) or the time has come, but always a bit.
+    /// Continues until all is done (true) or the deadline has passed, but always does some work.
     bool advance(std::chrono::steady_clock::time_point deadline);
 
-    // From here on: after advance() has returned true.
+    // The functions below may be called once advance() has returned true.
 
     [[nodiscard]] const SimplifiedScene& simple() const { return *simple_; }
-    /// Of the simplified scene; has the origin of centred space.
+    /// The triangles of the simplified scene; originWorld is the origin of centred space.
     [[nodiscard]] const trace::WorldTriangles& world() const { return world_; }
     [[nodiscard]] const Sides& sides() const { return sides_; }
-    /// The sides that exchange light alone.
+    /// Only the sides that exchange light.
     [[nodiscard]] const Faces& exchangingFaces() const { return exchangingFaces_; }
-    /// Of those, in the order of their faces.
+    /// Their patches, in the order of their faces.
     [[nodiscard]] const std::vector<Patch>& patches() const { return patches_; }
-    /// The same, and after them those of the other sides. The numbers of their faces are those in sides().
+    /// The same, followed by the patches of the loose sides, which exchange no light. Their face numbers are those in sides().
     [[nodiscard]] const std::vector<Patch>& allPatches() const { return allPatches_; }
-    /// The share of what each of patches() sees that is no surface: 0..1.
+    /// The share of the view of each of patches() that is no surface: 0..1.
     [[nodiscard]] const std::vector<double>& surroundings() const { return surroundings_; }
-    /// How many patches were left out because something stands on them.
+    /// How many patches were left out because they lie under or in a closed body.
     [[nodiscard]] std::size_t coveredPatches() const { return coveredPatches_; }
-    /// And how many because they lie in a fold that a mesh got when it was made coarser.
+    /// How many were left out because they lie in a fold that simplification made.
     [[nodiscard]] std::size_t foldedPatches() const { return foldedPatches_; }
-    /// Of each of patches(), how often it was cut in refinement.
+    /// For each of patches(), how often refinement has cut it.
     [[nodiscard]] const std::vector<std::uint8_t>& levels() const { return levels_; }
-    /// Cuts some of the patches finer; the others stay. Returns of each patch its number before, or Refined::kNew.
+    /// Cuts some of the patches; the others stay. Returns for each patch its number before, or Refined::kNew.
     std::vector<std::uint32_t> refine(std::span<const Refinement> refinements);
 
     [[nodiscard]] const Occlusion& occlusion() const { return *occlusion_; }
@@ -80,7 +80,7 @@ private:
     Phase phase_ = Phase::simplify;
     std::optional<SimplifiedScene> simple_;
     trace::WorldTriangles world_;
-    Faces plain_; ///< as they block light
+    Faces plain_; ///< the faces that block light
     Sides sides_;
     Faces exchangingFaces_;
     std::vector<Patch> patches_, allPatches_;

@@ -11,13 +11,14 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Evenly spread, their share is right to a hundredth or so: the light of the surroundings is no more exact than that.
+// With Hammersley points the shares are right to about a hundredth, which is enough for light from the surroundings.
 constexpr int kRaysAround = 256;
 
-// Of so many rays one is followed all the way to tell where it begins. That is the same nearly everywhere on a patch: few will do.
+// One ray in so many is followed to its end to find whether it starts inside a body. The answer is the same nearly everywhere on
+// a patch, so few will do.
 constexpr int kRaysPerWay = 8;
 
-/// Two unit vectors that make a right-handed frame with the normal.
+/// Two unit vectors that form a right-handed frame with the normal.
 std::array<dvec3, 2> tangents(const dvec3& normal) {
     const dvec3 other = std::abs(normal.x) < 0.5 ? dvec3(1, 0, 0) : dvec3(0, 1, 0);
     const dvec3 first = glm::normalize(glm::cross(other, normal));
@@ -32,10 +33,10 @@ HemisphereShares sampleHemisphere(const trace::SceneTracer& tracer, const Closed
     int nothing = 0, inBodies = 0, folds = 0;
     for (int i = 0; i < kRaysAround; ++i) {
         const auto x = hammersley4(i, kRaysAround);
-        // Off the surface by as little as what touches may be off.
+        // Off the surface by twice the contact tolerance.
         const dvec3 from =
             placeIn(patch.polygon, x[0], x[1]).point + 2 * kTouching * sizeOf(patch.polygon) * patch.normal;
-        // Points of a unit disc, evenly, are the feet of directions by the cosine law (Malley, 1988).
+        // Uniform points of the unit disc, projected up to the hemisphere, are cosine-distributed directions (Malley, 1988).
         const double radius = std::sqrt(x[2]), angle = glm::two_pi<double>() * x[3];
         const dvec3 direction = radius * (std::cos(angle) * tangent + std::sin(angle) * bitangent) +
                                 std::sqrt(std::max(0.0, 1 - x[2])) * patch.normal;

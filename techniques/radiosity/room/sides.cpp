@@ -20,7 +20,7 @@ Face turned(const Face& face) {
     return back;
 }
 
-/// For each object, whether the inside of its surface can be bright and seen.
+/// For each object: can the inside of its surface be bright and visible?
 std::vector<bool> openObjects(const scene::Scene& scene, const trace::WorldTriangles& world, const Faces& faces,
                               const std::vector<bool>& lightWithin) {
     std::vector<trace::CentredBox> boxes(scene.objects.size());
@@ -37,15 +37,15 @@ std::vector<bool> openObjects(const scene::Scene& scene, const trace::WorldTrian
             return scene.materials[face.material].emission != vec3(0.0f) &&
                    std::ranges::any_of(face.polygon.corners(), isWithin);
         };
-        // What casts no shadow lets light in from outside.
+        // An object that casts no shadow lets light in from outside.
         open.push_back(!object.mesh->outward || !object.castsShadow || lightWithin[o] ||
                        std::ranges::any_of(faces.all, shinesWithin));
     }
     return open;
 }
 
-/// Of each face the one of the same object that lies in the same place and faces the other way, or kNoFace: where a thin sheet was
-/// simplified, its two skins have fallen together.
+/// For each face the one of the same object at the same place that faces the other way, or kNoFace: simplification may bring the
+/// two sides of a thin sheet together.
 std::vector<std::uint32_t> opposites(const Faces& faces) {
     using Corner = std::array<double, 3>;
     std::map<std::pair<std::uint32_t, std::vector<Corner>>, std::uint32_t> alone; ///< by object and sorted corners
@@ -66,7 +66,7 @@ std::vector<std::uint32_t> opposites(const Faces& faces) {
     return opposite;
 }
 
-/// Does any face reach before this side?
+/// Does any face reach before the plane of this side?
 bool seesAnything(const Face& side, const Faces& plain) {
     return std::ranges::any_of(plain.all, [&](const Face& other) {
         return !isBehind(side.plane, other.polygon, kTouching * (sizeOf(other.polygon) + sizeOf(side.polygon)));
@@ -95,13 +95,14 @@ Sides sidesOf(const scene::Scene& scene, const trace::WorldTriangles& world, con
         sides.faces.all.push_back(side);
     };
     const std::vector<std::uint32_t> opposite = opposites(plain);
-    // Fronts and backs by turns would be as right; like this, the numbers of fronts are those of their faces in most scenes.
+    // All fronts first, then all backs: so in most scenes the numbers of fronts are those of their faces.
     for (const bool isBack : {false, true})
         for (std::size_t number = 0; number < plain.all.size(); ++number) {
             const Face& face = plain.all[number];
-            // Of a body that its matrix turns inside out the outside is the back.
+            // If a matrix turns a body inside out, its outside is the back.
             if (!open[face.object] && isBack != scene::isMirrored(scene.objects[face.object])) continue;
-            if (open[face.object] && isBack && opposite[number] != kNoFace) continue; // the other's front, see below
+            if (open[face.object] && isBack && opposite[number] != kNoFace)
+                continue; // the opposite face's front; set below
             const Face side = isBack ? turned(face) : face;
             if (seesAnything(side, plain))
                 add(side, isBack);

@@ -1,9 +1,9 @@
-// Which sides of the faces take part in the exchange of light?
+// The sides of faces that take part in the exchange of light.
 //
-// Triangles are seen from both sides, so a face has two. But no eye sees the inside of a closed body unless it is in there, and
-// nothing is bright in there unless a light is: of bodies known to be closed only the outside counts, as long as no light is
-// within their box. Of the sides that are left, one before which nothing lies sends light to nothing in the scene and receives
-// none from there: the back of a room's wall. Its radiosity follows from the lights alone, and it stays out of the equations.
+// Triangles are seen from both sides, so a face has two. The inside of a closed body is dark unless there is a light in it, and
+// no eye sees it from outside: for bodies known to be closed only the outside counts, as long as no light lies within their
+// bounding box. Of the sides that are left, one that has nothing before it sends no light to the scene and receives none from it:
+// the back of a room's wall. Its radiosity follows from the lights alone, and it is left out of the equations (loose).
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/radiosity/patches/faces.h"
@@ -11,15 +11,15 @@
 namespace shadowlab::radiosity {
 
 struct Sides {
-    /// `all` holds sides, each a face of its own that is seen from its front: first those that exchange light, then those that do
-    /// not. `ofTriangle`: the side that is the triangle's front, or kNoFace.
+    /// `all` holds sides, each a face of its own seen from its front: first those that exchange light, then the loose ones.
+    /// `ofTriangle`: the side that is the triangle's front, or kNoFace.
     Faces faces;
-    std::size_t exchanging = 0;                ///< so many of them come first
-    std::vector<std::uint32_t> backOfTriangle; ///< the side that is its back, or kNoFace
-    std::vector<bool> isClosed;                ///< of each object: is its inside left out?
+    std::size_t exchanging = 0;                ///< how many exchange light
+    std::vector<std::uint32_t> backOfTriangle; ///< for each triangle the side that is its back, or kNoFace
+    std::vector<bool> isClosed;                ///< for each object: is its inside left out?
 };
 
-/// `plain`: from facesOf, front sides only. `lightWithin`: of each object, is there a light within its box?
+/// `plain`: from facesOf(), fronts only. `lightWithin`: for each object, is there a light within its bounding box?
 Sides sidesOf(const scene::Scene& scene, const trace::WorldTriangles& world, const Faces& plain,
               const std::vector<bool>& lightWithin);
 

@@ -16,22 +16,23 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Enough to tell most from few. Coarse meshes pierce themselves here and there, so single places say little.
+// Enough rays to tell whether most places are inside out. Coarse meshes intersect themselves here and there, so single places
+// prove little.
 constexpr int kRays = 32;
 
-/// The winding number of a place on a triangle, which itself does not count.
+/// The winding number at a place on a triangle, without that triangle itself.
 int winding(const trace::Bvh& bvh, std::uint32_t triangle, const dvec3& from, const dvec3& direction) {
     int sum = 0;
     const auto isOther = [&](std::uint32_t number) { return number != triangle; };
     const auto count = [&](std::uint32_t number, const dvec3&) {
         sum += windingOf(bvh.triangles[number], direction);
-        return true; // the ray goes on
+        return true; // continue to the next hit
     };
     (void)bvh.any({from, direction}, isOther, count);
     return sum;
 }
 
-/// One round: where the winding number is negative before a triangle, it is turned. How many were.
+/// One round: turns the triangles that have a negative winding number before their front. Returns how many.
 std::size_t orientOnce(ClusteredMesh& mesh) {
     std::vector<trace::Triangle> triangles;
     for (const uvec3& t : mesh.triangles)
@@ -46,7 +47,7 @@ std::size_t orientOnce(ClusteredMesh& mesh) {
             const auto x = hammersley4(ray, kRays);
             const double height = 2 * x[2] - 1, radius = std::sqrt(1 - height * height),
                          angle = glm::two_pi<double>() * x[3];
-            const dvec3 direction(radius * std::cos(angle), height, radius * std::sin(angle)); // evenly on a sphere
+            const dvec3 direction(radius * std::cos(angle), height, radius * std::sin(angle)); // uniform on the sphere
             const dvec3 forward = glm::dot(direction, normal) < 0 ? -direction : direction;
             const Place from = placeIn({t.a, t.b, t.c}, x[0], x[1]);
             negative += winding(bvh, static_cast<std::uint32_t>(i), from.point, forward) < 0;
@@ -70,7 +71,8 @@ void orientOutward(ClusteredMesh& mesh, bool isMirrored) {
             std::swap(t.y, t.z);
     };
     if (isMirrored) turnAll();
-    // What is turned changes the winding number of what is near; a few triangles that pierce others may never come to rest.
+    // Turning a triangle changes the winding number near it, so this is repeated. A few triangles that intersect others may never
+    // settle.
     constexpr int kRounds = 4;
     for (int round = 0; round < kRounds && orientOnce(mesh) > 0; ++round) {
     }

@@ -1,9 +1,9 @@
-// Closed meshes that were made coarser, turned right side out again.
+// Turns inverted parts of simplified closed meshes outward again.
 //
-// Walls thinner than a cell may change places: the outer one, drawn with fewer and longer chords, comes to lie within the inner
-// one. Between them then are only fronts, which see nothing but each other and would stay black, and the room sees backs. Turned
-// round, they are a wall again. The winding number (winding.h) tells where: it is 0 outside, as it should be before every front;
-// where a mesh is inside out it is negative.
+// In a wall thinner than a cell the two sides may change places: the outer one, simplified to fewer and longer chords, comes to
+// lie inside the inner one. Then only the fronts lie between the two; they see nothing but each other and would stay black, and
+// the room sees backs. Turned over, they are a wall again. The winding number (patches/winding_number.h) finds them: it should be
+// 0 before every front, and is negative where the mesh is inside out.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>
@@ -12,8 +12,8 @@
 
 namespace shadowlab::radiosity {
 
-/// Turns the triangles that have most of their front where the winding number is negative. The mesh was closed, with its fronts
-/// outside, or, mirrored, inside; its edges do not fit together any more where a turned triangle meets others.
+/// Turns the triangles before whose front the winding number is negative at most places. The original mesh was closed, with its
+/// fronts outside, or inside if it is mirrored. Where a turned triangle meets others, edges no longer match.
 void orientOutward(ClusteredMesh& mesh, bool isMirrored);
 
 } // namespace shadowlab::radiosity

@@ -14,23 +14,24 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Fewer triangles are not worth it, and would lose their shape.
+// Meshes of so few triangles would lose their shape for little gain.
 constexpr std::size_t kLightMesh = 100;
 
-// The fewest that can bound something with some roundness: an octahedron.
+// The fewest that can bound a roundish body: an octahedron.
 constexpr std::size_t kFewestLeft = 8;
 
-// What would still have more than this share of its triangles stays as it is: it loses more in shape than light gains in speed.
+// A mesh that would keep more than this share of its triangles stays as it is: it would lose more in shape than the exchange
+// gains in speed.
 constexpr double kWorthIt = 0.75;
 
-// From cells of an object's own size to a 2^15th of it, and thus fifteen bits of a lattice's numbers.
+// From cells of an object's own size to 2^-15 of it, so that cell coordinates fit into fifteen bits.
 constexpr int kSteps = 60;
 
-/// An object that is made coarser.
+/// An object whose mesh is simplified.
 struct Heavy {
     Heavy(const scene::Scene& scene, std::size_t number, double size)
         : number(number), object(scene.objects[number]), clusters(object), sceneSize(size) {
-        // However small it is in the scene: cells that hold all of it leave nothing, and need not be samples.
+        // Cells that contain the whole object leave nothing; these steps are skipped.
         if (clusters.size() > 0) firstStep = std::max(0, static_cast<int>(4 * std::log2(sceneSize / clusters.size())));
         lastStep = firstStep + kSteps;
     }
@@ -39,14 +40,14 @@ struct Heavy {
     const scene::Object& object;
     VertexClusters clusters;
     double sceneSize;
-    int firstStep = 0, lastStep = 0;        ///< of those at which it is made coarser
+    int firstStep = 0, lastStep = 0;        ///< range of steps that are tried
     std::map<int, std::size_t> roughCounts; ///< by step
-    std::optional<ClusteredMesh> coarse;    ///< nothing: stays as it is
+    std::optional<ClusteredMesh> coarse;    ///< nothing: the mesh stays as it is
 
     [[nodiscard]] double cell(int step) const { return sceneSize * std::exp2(-0.25 * step); }
     [[nodiscard]] std::size_t original() const { return object.mesh->triangles.size(); }
     [[nodiscard]] std::size_t count() const { return coarse ? coarse->triangles.size() : original(); }
-    /// About how many remain with cells of that step, or of the first after it that leaves enough.
+    /// About how many triangles remain with cells of that step, or of the next finer step that leaves enough.
     std::size_t roughCount(int step) {
         for (step = std::max(step, firstStep); step <= lastStep; ++step) {
             const auto [entry, isNew] = roughCounts.try_emplace(step, 0);
@@ -73,7 +74,8 @@ scene::Mesh meshOf(const scene::Object& object, const ClusteredMesh& coarse) {
     mesh.outward = original.outward;
     for (const dvec3& position : coarse.positions)
         mesh.positionsMesh.emplace_back(meshFromMetres * position);
-    mesh.normalsMesh.assign(mesh.positionsMesh.size(), vec3(0, 1, 0)); // withNormals() below knows better
+    // Placeholders; withNormals() below computes them.
+    mesh.normalsMesh.assign(mesh.positionsMesh.size(), vec3(0, 1, 0));
     mesh.triangles = coarse.triangles;
     std::uint32_t first = 0;
     for (std::uint32_t part = 0; part < original.parts.size(); ++part) {
@@ -94,7 +96,7 @@ std::shared_ptr<const scene::Mesh> withoutTriangles(const scene::Mesh& mesh) {
     return empty;
 }
 
-/// The last step, from the first to the finest, at which there are no more than `most`.
+/// The last step, counted from `first`, before the count exceeds `most`; at most `finest`.
 template <typename Count>
 int lastStepWithin(int first, int finest, std::size_t most, const Count& countAt) {
     int step = first;
@@ -133,7 +135,7 @@ SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces
     }
     if (heavy.empty()) return answer;
 
-    // Counting is cheap and finds about the right cells; what there really is then tells whether they may be finer.
+    // roughCount() is cheap and finds nearly the right step; the exact counts then decide whether cells may be finer.
     const auto sum = [&](const auto& countOf) {
         std::vector<std::size_t> counts(heavy.size());
         trace::parallelFor(heavy.size(), [&](std::size_t i) { counts[i] = countOf(heavy[i]); });

@@ -1,8 +1,8 @@
-// A scene in which heavy meshes are coarser: what light is carried between.
+// A scene with simplified meshes, between which light is exchanged.
 //
-// A curved mesh of tens of thousands of triangles would make as many patches, though the light on it changes slowly. So light is
-// carried between coarser meshes, and the picture still draws the original ones, each corner with what arrives at its place on the
-// coarse mesh. That is an approximation: creases and shadows finer than a cell are lost, and of the surface some share.
+// A curved mesh of tens of thousands of triangles would make as many patches, although the light on it changes slowly. So light
+// is exchanged between simplified meshes. The picture still draws the original ones, each vertex with the irradiance at its place
+// on the simplified mesh. This is an approximation: creases and shadows finer than a cell are lost, and some of the surface area.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/radiosity/simplify/surface_places.h"
@@ -10,18 +10,19 @@
 namespace shadowlab::radiosity {
 
 struct SimplifiedScene {
-    /// The same objects in the same order with the same materials and matrices. Surfaces of lights have no triangles: they take no part.
+    /// The same objects in the same order, with the same materials and matrices. Surfaces of lights have no triangles: they take
+    /// no part.
     scene::Snapshot scene;
-    /// Of each object and each of its original triangles, its corners' places on the simplified scene; nothing for objects that
-    /// are as they were.
+    /// For each object and each of its original triangles, the places of its corners on the simplified scene; empty for objects
+    /// that are not simplified.
     std::vector<std::vector<std::array<SurfacePlace, 3>>> cornersOfObject;
-    double cellMetres = 0;                                 ///< side of the cells; 0: all is as it was
-    std::uint64_t trianglesBefore = 0, trianglesAfter = 0; ///< without those of lights
+    double cellMetres = 0;                                 ///< side of the cells; 0: nothing is simplified
+    std::uint64_t trianglesBefore = 0, trianglesAfter = 0; ///< without the surfaces of lights
 };
 
-/// At most that many triangles, or as near to that as it gets. Meshes of a hundred triangles and fewer stay as they are, and those of
-/// which more than three fourths would remain; of every other at least eight triangles remain, by finer cells of its own if need be.
-/// Cells are as small as the number allows, from a series of fourths of a halving that begins with the scene's size.
+/// At most that many triangles, as far as possible. Meshes of up to a hundred triangles stay as they are, and those of which more
+/// than three fourths would remain. Every other mesh keeps at least eight triangles, by finer cells of its own if necessary.
+/// Cells are as small as the number allows, among the scene's size times 2^(-k/4), k = 0, 1, 2 ...
 SimplifiedScene simplifiedScene(const scene::Scene& scene, std::size_t mostFaces);
 
 } // namespace shadowlab::radiosity

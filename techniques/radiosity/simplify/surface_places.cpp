@@ -12,7 +12,7 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// Normals at less than some 80 degrees face the same way: of a thin sheet, not the other side.
+// Normals less than some 80 degrees apart face the same way; those on the other side of a thin sheet do not.
 constexpr double kSameWay = 0.2;
 
 struct NearestPlace {
@@ -20,7 +20,7 @@ struct NearestPlace {
     double squaredDistance = std::numeric_limits<double>::infinity();
 };
 
-/// The point of a triangle that is nearest to p.
+/// The point of a triangle nearest to p.
 NearestPlace nearestPlace(const dvec3& p, const std::array<dvec3, 3>& corners) {
     const dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double squared = glm::dot(normal, normal);
@@ -47,14 +47,15 @@ NearestPlace nearestPlace(const dvec3& p, const std::array<dvec3, 3>& corners) {
     return nearest;
 }
 
-/// Which coarse triangles are near a cluster: those that end there, and those that share a corner with one of these.
+/// The coarse triangles near each cluster: those with a corner there, and those that share a corner with one of these.
 class Surroundings {
 public:
     Surroundings(const ClusteredMesh& coarse, const scene::Mesh& original);
     [[nodiscard]] std::span<const std::uint32_t> of(std::uint32_t cluster) const { return triangles_.at(cluster); }
 
+    /// By cluster.
 private:
-    std::map<std::uint32_t, std::vector<std::uint32_t>> triangles_; ///< by cluster
+    std::map<std::uint32_t, std::vector<std::uint32_t>> triangles_;
 };
 
 Surroundings::Surroundings(const ClusteredMesh& coarse, const scene::Mesh& original) {
@@ -104,8 +105,9 @@ std::vector<CoarseTriangle> trianglesOf(const ClusteredMesh& coarse) {
     return triangles;
 }
 
-/// The best place for a corner that has been found so far: on a triangle that faces the same way and is of the same part before
-/// one of another part, on that before one that stands across, on that before one that faces the other way, and the nearest of these.
+/// The best place found so far for a corner. Ranked first by direction and part: a triangle that faces the same way and is of the
+/// same part, then one of another part, then one at a right angle, then one that faces the other way. Within a rank the nearest
+/// wins.
 class Best {
 public:
     Best(const dvec3& position, const dvec3& normal, std::uint32_t part)
@@ -155,7 +157,7 @@ std::vector<std::array<SurfacePlace, 3>> cornerPlaces(const scene::Mesh& origina
         for (int corner = 0; corner < 3; ++corner) {
             Best best(positions[corners[corner]], normal, clusters.partOf(t));
             for (int tried = 0; tried < 3 && !best.isSameWay();
-                 ++tried) // its own cell, then those of the other corners
+                 ++tried) // its own cell, then those of the other two corners
                 for (const std::uint32_t near : surroundings.of(coarse.clusterOfVertex[corners[(corner + tried) % 3]]))
                     best.offer(near, triangles[near]);
             for (std::uint32_t any = 0; any < triangles.size() && !best.isSameWay(); ++any)

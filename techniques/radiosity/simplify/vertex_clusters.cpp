@@ -14,22 +14,22 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-// A cell's three numbers in one: 21 bits each.
+// The three coordinates of a cell in one number: 21 bits each.
 constexpr int kBits = 21;
 
-// A vertex that is no cell's: with this bit, its own number.
+// Marks a vertex that is not clustered: this bit, and the vertex's own number.
 constexpr std::uint64_t kOwn = std::uint64_t{1} << 63;
 
-// A square of a cell's side makes about two triangles.
+// The surface within a cell leaves about two triangles.
 constexpr double kTrianglesOfCell = 2;
 
-// A direction in which the planes of a cell say less than this share of what they say in another tells noise (Lindstrom's value).
+// Eigenvalues below this share of the largest are noise (Lindstrom's value).
 constexpr double kSingular = 1e-3;
 
-// Narrower than this share of its length, a triangle of float vertices has a normal that may be wrong by a hundredth and more.
+// The normal of a triangle of float vertices that is narrower than this share of its length may be wrong by a hundredth and more.
 constexpr double kNarrow = 1e-3;
 
-/// Sums over planes with the normal n, not unit, through points p: n n^T and n (n . p).
+/// The quadric error: sums over planes with the normal n, not unit, through points p: n n^T and n (n . p).
 struct Quadric {
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     Eigen::Vector3d product = Eigen::Vector3d::Zero();
@@ -40,8 +40,8 @@ struct Quadric {
         squares += n * n.transpose();
         product += glm::dot(normal, point) * n;
     }
-    /// Where the sum of squared distances is least; along directions in which that is not decided, as near to the mean of the
-    /// vertices as can be. Directions are given up, the least certain first, until it lies in the cell.
+    /// The point with the least sum of squared distances; in directions in which that is not determined, as near to the mean of
+    /// the vertices as possible. Directions are dropped, the least certain first, until the point lies in the cell.
     [[nodiscard]] dvec3 best(const dvec3& lower, const dvec3& upper) const {
         const dvec3 mean = places / vertices;
         const Eigen::Vector3d from(mean.x, mean.y, mean.z);
@@ -64,7 +64,7 @@ bool hasThree(const std::array<std::uint64_t, 3>& cells) {
     return cells[0] != cells[1] && cells[1] != cells[2] && cells[2] != cells[0];
 }
 
-/// Twice its length is the area.
+/// The normal of the triangle; its length is twice the area.
 dvec3 areaVector(std::span<const dvec3> positions, const uvec3& t) {
     return glm::cross(positions[t.y] - positions[t.x], positions[t.z] - positions[t.x]);
 }
@@ -75,16 +75,17 @@ bool isNarrow(const ClusteredMesh& mesh, const uvec3& t) {
     return !(glm::length(areaVector(mesh.positions, t)) > kNarrow * longest * longest);
 }
 
-/// A triangle that spans three cells.
+/// A triangle whose corners lie in three cells.
 struct Spanned {
     std::array<std::uint32_t, 3> corners; ///< rising
     std::uint32_t original;
-    bool isTurned;     ///< it runs the other way
-    bool facesTheSame; ///< as the original did
+    bool isTurned;     ///< its winding is reversed
+    bool facesTheSame; ///< its normal still points the same way
 };
 
-/// Of triangles with the same corners, one for all that face one way, less those that face the other: where a surface folds, they
-/// cancel, and what is closed stays closed. As many of both, and each as it was: the two sides of a thin sheet, and both stay.
+/// Of triangles with the same corners, one is kept if more face one way than the other: where a surface folds, opposite triangles
+/// cancel, and what is closed stays closed. If both are equally many and none has flipped, they are the two sides of a thin
+/// sheet, and both are kept.
 void keep(std::span<const Spanned> same, std::vector<Spanned>& kept) {
     const auto turned = std::ranges::count(same, true, &Spanned::isTurned);
     const auto others = static_cast<std::ptrdiff_t>(same.size()) - turned;
@@ -142,7 +143,7 @@ void VertexClusters::findPieces() {
     for (std::size_t i = 0; i < byPlace.size(); ++i)
         placeOfVertex_[byPlace[i]] =
             i > 0 && place(byPlace[i]) == place(byPlace[i - 1]) ? placeOfVertex_[byPlace[i - 1]] : byPlace[i];
-    // Trees of vertices that hang together; the root is always the smallest number.
+    // Connected pieces by union-find; the root is always the smallest number.
     pieceOfVertex_ = placeOfVertex_;
     const auto rootOf = [&](std::uint32_t v) {
         while (pieceOfVertex_[v] != v)
@@ -164,7 +165,7 @@ void VertexClusters::findPieces() {
     }
 }
 
-/// The lattice lies about the object's middle, so that what is symmetric stays so, as far as cells decide.
+/// The lattice is centred on the object, so that a symmetric object stays symmetric.
 dvec3 VertexClusters::latticeOrigin(double cell) const {
     const dvec3 cells = glm::max(glm::ceil((upper_ - lower_) / cell), 1.0);
     return 0.5 * (lower_ + upper_) - 0.5 * cell * cells;
@@ -216,14 +217,14 @@ void VertexClusters::placeVertices(ClusteredMesh& mesh, std::span<const std::uin
         const dvec3 across = glm::cross(side, areaVector(positions_, mesh_.triangles[border.triangle]));
         const double length = glm::length(across);
         if (!(length > 0)) continue;
-        const dvec3 normal = glm::dot(side, side) / length * across; // counted as a square of that side
+        const dvec3 normal = glm::dot(side, side) / length * across; // weighted as a square of that side
         const std::uint32_t first = mesh.clusterOfVertex[border.from], second = mesh.clusterOfVertex[border.to];
         quadrics[first].add(normal, positions_[border.from]);
         if (second != first) quadrics[second].add(normal, positions_[border.from]);
     }
     const dvec3 origin = latticeOrigin(cell);
     constexpr std::uint64_t kMask = (std::uint64_t{1} << kBits) - 1;
-    constexpr double kRounded = 1e-6; // a corner of the surface may be one of the lattice, too
+    constexpr double kRounded = 1e-6; // vertices of the surface may lie on the lattice planes
     for (std::size_t i = 0; i < cells.size(); ++i) {
         if (cells[i] & kOwn) {
             mesh.positions.push_back(positions_[cells[i] & ~kOwn]);
@@ -261,7 +262,7 @@ ClusteredMesh VertexClusters::clustered(double cell) const {
         if (isTurned) std::swap(corners[1], corners[2]);
         spanned.push_back({corners, t, isTurned, glm::dot(was, is) > 0});
     }
-    // All that have the same corners stand together, the first of the mesh before the others.
+    // Triangles with the same corners are adjacent now, in the order of the mesh.
     std::ranges::stable_sort(spanned, {}, &Spanned::corners);
     std::vector<Spanned> kept;
     for (auto first = spanned.begin(), end = first; first != spanned.end(); first = end) {

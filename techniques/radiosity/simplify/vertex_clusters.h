@@ -1,12 +1,12 @@
-// One mesh made coarser: all vertices in one cell of a lattice become one.
+// Simplifies a mesh by vertex clustering: all vertices in one cell of a lattice become one.
 //
-// A triangle whose corners so fall together vanishes; the others span from cell to cell. The one vertex of a cell lies where the
-// sum of squared distances to the planes of the triangles that end there is least, each counted by the square of its area: on edges
-// and corners of the surface, if it has any, and on average as much before the surface as behind. P. Lindstrom, "Out-of-Core
-// Simplification of Large Polygonal Models", SIGGRAPH 2000; vertex clustering goes back to J. Rossignac and P. Borrel, 1993. Where
-// the mesh, or one of its parts, ends, there is one more plane through the edge, across the triangle, so that outlines stay. Pieces of
-// the mesh that hang together and have no more triangles than cells would leave of their area stay as they are: the top of a
-// table, thinner than a cell, would vanish.
+// Triangles with two corners in one cell vanish; the others span from cell to cell. The vertex of a cell lies where the sum of
+// squared distances to the planes of its triangles is least, each weighted by the square of its area: on edges and corners of the
+// surface, if it has any, and otherwise such that the surface keeps its mean position. P. Lindstrom, "Out-of-Core Simplification
+// of Large Polygonal Models", SIGGRAPH 2000; vertex clustering goes back to J. Rossignac and P. Borrel, 1993. Where the mesh or
+// one of its parts ends, a further plane through the edge, perpendicular to the triangle, preserves the outline. Connected pieces
+// with no more triangles than the cells would leave for their area are not changed: a table top, thinner than a cell, would
+// vanish.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
@@ -16,34 +16,34 @@
 
 namespace shadowlab::radiosity {
 
-/// Positions are in metres, along the world's axes, from the object's own origin.
+/// Positions are in metres, along the world's axes, relative to the object's origin.
 struct ClusteredMesh {
     std::vector<dvec3> positions;
     std::vector<uvec3> triangles;
-    std::vector<std::uint32_t> parts;           ///< of each triangle: the mesh part of the triangle that it was
-    std::vector<std::uint32_t> clusterOfVertex; ///< of each vertex of the original: its one vertex in `positions`
+    std::vector<std::uint32_t> parts;           ///< the mesh part of each triangle
+    std::vector<std::uint32_t> clusterOfVertex; ///< for each vertex of the original its vertex in `positions`
 };
 
 class VertexClusters {
 public:
-    /// The object's mesh must live as long.
+    /// The object's mesh must outlive this object.
     explicit VertexClusters(const scene::Object& object);
 
-    /// How many triangles remain with cells of that size in metres; those that fall together are counted more than once.
+    /// How many triangles remain with cells of that size in metres; coinciding ones are counted more than once.
     [[nodiscard]] std::size_t roughCount(double cell) const;
-    /// Of triangles that fall together one is left for all that face the same way, less those that face the other; both where the
-    /// two sides of a thin sheet fall together. Those that are no wider than a thousandth of their length are left out: their third
-    /// corner lies on a side, so no gap opens, but their normal would be chance.
+    /// The mesh with cells of that size. Of coinciding triangles one is kept for all that face one way, less those that face the
+    /// other; both where the two sides of a thin sheet coincide. Triangles no wider than a thousandth of their length are left
+    /// out: their third corner lies on a side, so no gap opens, but their normal would be arbitrary.
     [[nodiscard]] ClusteredMesh clustered(double cell) const;
 
-    /// The diagonal of the box around the mesh, in metres. With cells as large as that nothing remains.
+    /// The diagonal of the mesh's bounding box, metres. Cells of that size leave nothing.
     [[nodiscard]] double size() const { return glm::length(upper_ - lower_); }
-    /// Of the vertices and triangles of the original.
+    /// Positions of the original vertices, and the part of an original triangle.
     [[nodiscard]] const std::vector<dvec3>& positions() const { return positions_; }
     [[nodiscard]] std::uint32_t partOf(std::size_t triangle) const { return parts_[triangle]; }
 
 private:
-    /// A side at which the mesh or a part of it ends.
+    /// An edge where the mesh or a part of it ends.
     struct Border {
         std::uint32_t from, to, triangle;
     };
@@ -56,14 +56,14 @@ private:
     std::vector<dvec3> positions_; ///< metres
     std::vector<std::uint32_t> parts_;
     std::vector<Border> borders_;
-    std::vector<std::uint32_t> placeOfVertex_; ///< the first vertex in the same place
-    std::vector<std::uint32_t> pieceOfVertex_; ///< the first vertex of the piece of the mesh that it belongs to
+    std::vector<std::uint32_t> placeOfVertex_; ///< the first vertex at the same position
+    std::vector<std::uint32_t> pieceOfVertex_; ///< the first vertex of its connected piece
     struct Piece {
         double area = 0; ///< m^2
         std::size_t triangles = 0;
     };
     std::vector<Piece> pieces_;     ///< by that vertex
-    dvec3 lower_{0.0}, upper_{0.0}; ///< of the box around them
+    dvec3 lower_{0.0}, upper_{0.0}; ///< bounding box
 };
 
 } // namespace shadowlab::radiosity

@@ -1,16 +1,16 @@
 // Conjugate gradients (M. Hestenes, E. Stiefel 1952) on the symmetrised system.
 //
-// I - rho F is not symmetric. But multiply row i by D_i = A_i / rho_i, and with S_ij = A_i F_ij it becomes (D - S) B = D E, which is.
-// Patches with rho = 0 have B = E and are left out; that is their light is put on the right-hand side, which beginning with
-// B = E everywhere does by itself: their residual is 0 then and stays so. D - S is positive definite where light dies out: it is
-// D^1/2 (I - D^-1/2 S D^-1/2) D^1/2, and D^-1/2 S D^-1/2 has the eigenvalues of rho F, all between -q and q, q < 1.
+// I - rho F is not symmetric. Multiply row i by D_i = A_i / rho_i; with S_ij = A_i F_ij it becomes (D - S) B = D E, which is
+// symmetric. Patches with rho = 0 have B = E and drop out: the iteration starts with B = E everywhere, so their residual is 0 and
+// stays 0, and their light is on the right-hand side. D - S is positive definite where light dies out: it is D^1/2 (I - D^-1/2 S
+// D^-1/2) D^1/2, and D^-1/2 S D^-1/2 has the eigenvalues of rho F, all between -q and q, q < 1.
 //
-// Jacobi's preconditioner divides by the diagonal, D_i (1 - rho_i F_ii). The residual of the new system is D r, r being that of the
-// old one, so that D drops out of all vectors and stays in the inner products only:
+// Jacobi's preconditioner divides by the diagonal, D_i (1 - rho_i F_ii). The residual of the symmetric system is D r, with r that
+// of the original one, so D drops out of all vectors and remains only in the inner products:
 //     z = r / (1 - rho_i F_ii),  p <- z + (new r.z / old r.z) p,  step = r.z / p.(p - rho F p),  a.b = sum A_i / rho_i a_i b_i.
-// In a room, light is mixed well by one reflection: of the eigenvalues of rho F, one is near q, the others lie close around 0. Each
-// step serves one group of them, so there are few steps, however near to 1 rho is. The colours are three such systems; a step of
-// all three reads the matrix once.
+// One reflection already mixes the light of a room well: one eigenvalue of rho F is near q, the others are clustered around 0.
+// Each step removes one cluster from the error, so few steps are needed, however near to 1 rho is. The three colours are three
+// such systems; a step of all three reads the matrix once.
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
@@ -59,11 +59,11 @@ private:
         if (!glm::any(isStale)) return;
         iterate_.recomputeResidual();
         for (int c = 0; c < 3; ++c)
-            if (isStale[c]) lastProduct_[c] = 0; // the directions were made for a residual that was not so: begin anew
+            if (isStale[c]) lastProduct_[c] = 0; // the directions belong to the old residual: restart
     }
 
-    /// By the algebra r.p = r.z. Once a colour is solved as far as doubles can, r is rounding, the two drift apart, and steps that
-    /// rely on it would lead away again, further with each.
+    /// In exact arithmetic r.p = r.z. Once a colour is solved to the precision of double, r is rounding noise, the two differ,
+    /// and further steps would lead away from the solution.
     void restartWhereRoundingDominates(const std::vector<dvec3>& preconditioned, const dvec3& product) {
         const dvec3 along = inner(iterate_.residual(), direction_);
         for (int c = 0; c < 3; ++c)
@@ -72,8 +72,8 @@ private:
                     direction_[i][c] = preconditioned[i][c];
     }
 
-    /// sum A_i / rho_i a_i b_i, over patches that reflect. First a / rho, which is of the size of the light that falls on the patch:
-    /// rho may be too small to be multiplied by itself.
+    /// sum A_i / rho_i a_i b_i, over patches that reflect. a / rho is computed first: it is of the size of the irradiance, while
+    /// rho may be so small that its square underflows.
     [[nodiscard]] dvec3 inner(const std::vector<dvec3>& a, const std::vector<dvec3>& b) const {
         const Problem& room = iterate_.problem();
         dvec3 sum(0);

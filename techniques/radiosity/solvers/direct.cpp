@@ -1,10 +1,10 @@
-// The whole system at once, by Cholesky's factors of the symmetrised matrix (Eigen).
+// The whole system at once, by Cholesky factorisation of the symmetrised matrix (Eigen).
 //
-// With w_i = sqrt(rho_i / A_i), the system for what is still missing, x - rho F x = r, becomes (I - w S w) y = r / w with x = w y:
-// symmetric, positive definite where light dies out (its eigenvalues are at least 1 - q), and half the work of an elimination that
-// does not know so. Where rho_i = 0 the row is that of the identity, and nothing is missing once B_i = E_i.
-// Colours whose reflectances are the same everywhere share a factor. A second step refines the first: x is solved for again with
-// what the residual has become, and the factors that are there.
+// With w_i = sqrt(rho_i / A_i), the system for the correction x, x - rho F x = r, becomes (I - w S w) y = r / w with x = w y. It
+// is symmetric and positive definite where light dies out (its eigenvalues are at least 1 - q), and takes half the work of
+// Gaussian elimination. Where rho_i = 0 the row is that of the identity, and the correction is 0 once B_i = E_i. Colours with the
+// same reflectances share a factor. A second step refines the first (iterative refinement): the same factor is solved with the
+// new residual.
 // SPDX-License-Identifier: MIT
 #include <array>
 #include <cmath>
@@ -38,7 +38,7 @@ private:
         if (glm::any(iterate_.needsFreshResidual())) iterate_.recomputeResidual();
     }
 
-    /// A colour without light needs no factor, and may not have one: all of it may be reflected.
+    /// A colour without light needs no factor, and may have none: its reflectances may all be 1.
     [[nodiscard]] bool hasLight(int colour) const {
         for (const dvec3& value : iterate_.problem().emission)
             if (value[colour] > 0) return true;
@@ -66,7 +66,7 @@ private:
         for (int other = 0; other < 3; ++other)
             if (factors_[other] && hasSameReflectance(colour, other)) return *factors_[other];
         const Eigen::Index size = weights.size();
-        Eigen::MatrixXd matrix(size, size); // the lower half is all that is read; its columns are rows of S
+        Eigen::MatrixXd matrix(size, size); // only the lower half is read; its columns are rows of S
         for (Eigen::Index column = 0; column < size; ++column) {
             const std::span<const double> row = iterate_.problem().exchange.row(static_cast<std::size_t>(column));
             for (Eigen::Index i = column; i < size; ++i)

@@ -1,6 +1,6 @@
-// Gauss and Seidel's sweeps: patch after patch, each is given the radiosity that its own equation wants, with what those before it
-// have just become. All residuals are kept up to date meanwhile (a row of S is a column, too), so that a sweep costs one product
-// with the matrix, as Jacobi's does, and the bound of the error is there without another one.
+// Gauss-Seidel sweeps: patch after patch gets the radiosity that solves its own equation, given the newest values of all others.
+// All residuals are kept up to date (a row of S is also a column), so that a sweep costs one product with the matrix, as Jacobi's
+// does, and the error bound needs no further product.
 // SPDX-License-Identifier: MIT
 #include "techniques/radiosity/solvers/solver_kinds.h"
 

@@ -11,9 +11,9 @@ namespace shadowlab::radiosity {
 
 namespace {
 
-constexpr double kMargin = 1.01; // for terms of second order, and for the rounding of the bound itself
+constexpr double kMargin = 1.01; // for terms of second order, and the rounding of the bound itself
 
-/// a / b, and 0 where a is 0, whatever b is: a colour without light has no error.
+/// a / b, and 0 where a is 0: a colour without light has no error.
 double ratio(double a, double b) { return a == 0 ? 0.0 : a / b; }
 
 } // namespace
@@ -57,12 +57,11 @@ void Iterate::addAt(std::size_t i, const dvec3& x) {
     for (std::size_t j = 0; j < row.size(); ++j) {
         const dvec3 now = residual_[j] + reflectancePerArea_[j] * (row[j] * x);
         residual_[j] = now;
-        largest =
-            glm::max(largest, glm::max(now, -now)); // the larger of r and -r is |r|; so said, it takes no branches
+        largest = glm::max(largest, glm::max(now, -now)); // |r| as the larger of r and -r, without a branch
     }
     largestResidual_ = largest;
-    largestRadiosity_ = glm::max(largestRadiosity_, glm::abs(radiosity_[i])); // of B before, or now: not too small
-    // What a patch receives, rho_j F_ji x, is at most q |x| and goes through three roundings; the rest is as in `add`.
+    largestRadiosity_ = glm::max(largestRadiosity_, glm::abs(radiosity_[i])); // an upper bound of the old and the new B
+    // What patch j receives, rho_j F_ji x, is at most q |x| and goes through three roundings; the other terms are those of `add`.
     const dvec3& q = reflects_.ofLargest;
     drift_ += kMargin * kRoundingUnit *
               (3.0 * q * glm::abs(x) + (1.0 + q) * glm::abs(radiosity_[i]) + largestResidual_ + differenceAt);
@@ -76,8 +75,8 @@ dvec3 Iterate::correction(std::size_t i) const {
 
 dvec3 Iterate::freshDrift() const {
     const dvec3 gatheredError = gatherRounding(size()) * reflects_.ofLargest * largestRadiosity_;
-    return kMargin *
-           (gatheredError + kRoundingUnit * (largestRadiosity_ + 2.0 * largestResidual_)); // |E + rho F B| = |B + r|
+    // |E + rho F B| = |B + r|
+    return kMargin * (gatheredError + kRoundingUnit * (largestRadiosity_ + 2.0 * largestResidual_));
 }
 
 glm::bvec3 Iterate::needsFreshResidual() const {
@@ -105,19 +104,19 @@ ErrorBound Iterate::errorBound() const { return errorBound(dvec3(1), dvec3(1), 0
 ErrorBound Iterate::errorBoundWithResidual() const { return errorBound(reflects_.ofLargest, reflects_.ofPower, 1); }
 
 ErrorBound Iterate::errorBound(const dvec3& factorLargest, const dvec3& factorPower, double inSum) const {
-    // The sum below is one of positive numbers, with one rounding more than there are patches.
+    // The sum below has only positive terms, with one rounding more than there are patches.
     const double sumMargin = 1 + 2 * (static_cast<double>(size()) + 2) * kRoundingUnit;
     dvec3 power(0);
     for (std::size_t i = 0; i < size(); ++i)
         power += problem_.areas[i] * glm::abs(residual_[i]);
-    // B + r^ is off by the drift of r^, and is rounded itself.
+    // B + r^ differs from B + r by the drift of r^, and is rounded itself.
     const dvec3 sumError = inSum * (drift_ + kRoundingUnit * (largestRadiosity_ + largestResidual_));
     ErrorBound bound;
     for (int c = 0; c < 3; ++c) {
         const double q = reflects_.ofLargest[c], qPower = reflects_.ofPower[c];
         bound.largest[c] = ratio(factorLargest[c] * (largestResidual_[c] + drift_[c]), 1 - q) + sumError[c];
         bound.largest[c] *= 1 + 4 * kRoundingUnit;
-        // Any bound of the largest error is one of the power, too; it is the only one where q' is 1 or more.
+        // A bound of the largest error is also one of the power, and the only one where q' is 1 or more.
         bound.power[c] = totalArea_ * bound.largest[c];
         if (qPower < 1) {
             const double residualPower = power[c] + totalArea_ * drift_[c];

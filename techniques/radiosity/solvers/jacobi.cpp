@@ -1,6 +1,6 @@
-// Jacobi's sweeps: B <- E + rho F B, all patches at once from the radiosity before. Since the residual is E + rho F B - B, that is
-// B <- B + r. From B = 0, sweep k adds the light that was reflected k - 1 times: what is seen is the light after so many bounces.
-// (A patch that sees itself is not treated apart; it is no patch of a flat surface.)
+// Jacobi sweeps: B <- E + rho F B, all patches at once from the previous radiosity. Since the residual is E + rho F B - B, that
+// is B <- B + r. From B = 0, sweep k adds the light that was reflected k - 1 times: after k sweeps one sees the light of so many
+// bounces. (F_ii needs no special treatment: flat patches do not see themselves.)
 // SPDX-License-Identifier: MIT
 #include "techniques/radiosity/solvers/solver_kinds.h"
 

@@ -1,10 +1,11 @@
 // Progressive refinement (M. Cohen, S. Chen, J. Wallace, D. Greenberg, "A Progressive Refinement Approach to Fast Radiosity Image
-// Generation", SIGGRAPH 1988): each step, the patch with the most unshot power shoots it to all others, which reflect their shares
-// and have those unshot in turn.
+// Generation", SIGGRAPH 1988): each step, the patch with the most unshot power shoots it to all others; they reflect their
+// shares, which are then unshot in turn.
 //
-// What was shot is an iterate x like any other, and the unshot radiosity is its residual: to shoot is to relax. What differs from
-// Southwell's steps is the choice (most power, not the largest residual) and what is seen: B = x + unshot, in which light counts
-// from when it is received. So no patch ever darkens or gets too bright, but for rounding, and of two pictures the later is better.
+// What was shot is an iterate x like any other, and the unshot radiosity is its residual: shooting is relaxation. It differs from
+// Southwell's steps in the choice of the patch (most power, not the largest residual) and in what is shown: B = x + unshot, in
+// which light counts as soon as it is received. So, but for rounding, radiosities only grow and never exceed the solution, and of
+// two pictures the later is better.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
@@ -40,9 +41,9 @@ public:
         return power;
     }
 
-    /// The ambient term: as if the unshot power were spread evenly, and reflected as often as it will be: R = 1 + k + k^2 ...
-    /// = 1 / (1 - k) times, k being the mean reflectance by area. The paper has closed rooms; here every patch counts with the
-    /// share of its surroundings that is there at all (its row sum, 1 in a closed room), for what escapes is not reflected.
+    /// The ambient term: an estimate that spreads the unshot power evenly over all surfaces and reflects it R = 1 + k + k^2 ... =
+    /// 1 / (1 - k) times, k being the mean reflectance by area. The paper has closed rooms; here every patch is weighted by its
+    /// row sum (1 in a closed room), because light that escapes is not reflected.
     [[nodiscard]] std::vector<dvec3> shown() const override {
         const dvec3 meanUnshot = *unshotPower() / totalArea_;
         dvec3 ambient(0);
@@ -59,7 +60,7 @@ private:
     [[nodiscard]] dvec3 powerOf(std::size_t i) const { return shot_.problem().areas[i] * shot_.residual()[i]; }
 
     void advance() override {
-        std::size_t brightest = 0; // the first of equals; the colours count as they add up
+        std::size_t brightest = 0; // the first of equals; the sum of the colours decides
         double most = 0;
         for (std::size_t i = 0; i < shot_.size(); ++i) {
             const dvec3 power = powerOf(i);

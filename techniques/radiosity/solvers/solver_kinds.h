@@ -1,4 +1,4 @@
-// Where solvers.cpp finds each of the solvers.
+// What makeSolver() chooses from, and what nearly all solvers have in common.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
@@ -16,7 +16,7 @@ std::unique_ptr<Solver> makeSouthwell(Problem problem);
 std::unique_ptr<Solver> makeShooting(Problem problem);
 std::unique_ptr<Solver> makeConjugateGradients(Problem problem);
 
-/// A solver whose iterate is the radiosity: all but shooting.
+/// A solver whose iterate is the radiosity that it reports: all but shooting.
 class IterateSolver : public Solver {
 public:
     [[nodiscard]] const std::vector<dvec3>& radiosity() const final { return iterate_.radiosity(); }

@@ -1,6 +1,5 @@
 // Southwell's relaxation (R. Southwell, "Relaxation Methods in Engineering Science", 1940), gathering: each step takes the patch
-// whose equation is furthest from true, the one with the largest residual of any colour, and makes that equation true.
-// Of patches with equal residuals it is the first.
+// with the largest residual of any colour and solves its equation. Of patches with equal residuals it takes the first.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>

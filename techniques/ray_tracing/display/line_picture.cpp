@@ -10,11 +10,11 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-constexpr float kHiddenShare = 0.25f; // seen to be there, and seen to be behind
-// A line on a surface is drawn on it: it counts as so much nearer.
+constexpr float kHiddenShare = 0.25f; // faint, but visible behind a surface
+// A line on a surface must be drawn over it, so its depth counts as a little smaller.
 constexpr double kNearer = 1 - 3e-3;
 
-/// Cuts the way from a to b, as shares of it, to where a + t (b - a) is at least 0. False: nothing is left.
+/// Clips the segment from a to b to where the linear function with these end values is at least 0. False: nothing is left.
 bool cut(double a, double b, double& from, double& to) {
     if (a < 0 && b < 0) return false;
     if (a < 0) from = std::max(from, a / (a - b));
@@ -31,7 +31,7 @@ LinePicture::LinePicture(std::vector<vec3> colors, std::vector<double> depths, c
 
 void LinePicture::draw(const dvec3& fromWorld, const dvec3& toWorld, const vec3& color, int radius) {
     dvec3 a = transformPoint(viewFromWorld_, fromWorld), b = transformPoint(viewFromWorld_, toWorld);
-    // To what lies before the near plane, and within the four planes of the picture, a little widened.
+    // Clipped to the near plane and the four sides of the view, enlarged by the line's width.
     const double wide = (0.5 * size_.x + radius + 1) / perHeight_, high = (0.5 * size_.y + radius + 1) / perHeight_;
     double from = 0, to = 1;
     if (!cut(-a.z - near_, -b.z - near_, from, to) || !cut(-a.z * wide - a.x, -b.z * wide - b.x, from, to) ||
@@ -49,7 +49,7 @@ void LinePicture::draw(const dvec3& fromWorld, const dvec3& toWorld, const vec3&
     ++line_;
     for (int i = 0; i <= steps; ++i) {
         const double share = static_cast<double>(i) / steps;
-        // In a picture it is the reciprocal of the depth that changes evenly.
+        // Along a line in the picture the reciprocal of the depth is linear.
         const double depth = 1 / ((1 - share) / -a.z + share / -b.z);
         stamp(start + share * along, depth, color, radius);
     }

@@ -1,5 +1,5 @@
-// Lines in the scene drawn over a picture that rays have made, on the processor: it has no depth buffer, but knows how far
-// away each pixel's surface is.
+// Draws lines of the scene over a traced picture, on the processor. There is no depth buffer, but the depth of each pixel's
+// surface is known.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
@@ -11,11 +11,10 @@ namespace shadowlab::ray_tracing {
 
 class LinePicture {
 public:
-    /// Linear display colours, and how far each pixel's surface lies along the camera's axis (infinity: there is none). Rows
-    /// from the top.
+    /// Linear display colours, and the depth of each pixel's surface along the camera's axis (infinity: none). Rows from the top.
     LinePicture(std::vector<vec3> colors, std::vector<double> depths, const scene::Camera& camera, ivec2 size);
 
-    /// A line of `radius` pixels to each side of its middle. What lies behind a surface shows through faintly.
+    /// Draws a line that extends `radius` pixels to each side of its middle. Behind surfaces it is drawn faintly.
     void draw(const dvec3& fromWorld, const dvec3& toWorld, const vec3& color, int radius);
 
     [[nodiscard]] const std::vector<vec3>& colors() const { return colors_; }
@@ -24,7 +23,7 @@ private:
     void stamp(dvec2 pixel, double depth, const vec3& color, int radius);
     std::vector<vec3> colors_;
     std::vector<double> depths_;
-    std::vector<std::uint32_t> drawnBy_; ///< the line that a pixel was last mixed with: each mixes once
+    std::vector<std::uint32_t> drawnBy_; ///< the last line drawn on each pixel: a line is mixed in once
     std::uint32_t line_ = 0;
     dmat4 viewFromWorld_;
     double near_, perHeight_; ///< perHeight_: pixels per unit of height at depth one

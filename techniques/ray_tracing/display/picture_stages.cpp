@@ -46,7 +46,8 @@ void publishCounts(Frame& frame, const RayCounts& counts) {
 
 void publishDistances(Frame& frame, const trace::SceneTracer& tracer, const Picture& picture) {
     Display display{.minimum = 0, .maximum = 1, .unit = "m from the eye", .key = {}};
-    // One pixel in fifty may lie beyond each end of the scale, or a horizon would make everything near one colour.
+    // One pixel in fifty may lie beyond each end of the scale; otherwise a distant horizon would leave one colour for everything
+    // near.
     const trace::EyeRays rays = tracer.eyeRays(frame.view().camera, frame.view().size);
     std::vector<double> distances;
     for (const PixelHit& point : picture.points())
@@ -121,7 +122,7 @@ void publishPenumbra(Frame& frame, const Picture& picture, int light, const Ligh
 
 void publishSamples(Frame& frame, const Picture& picture, const SampledPicture& sampled) {
     std::vector<std::uint32_t> counts = sampled.samples();
-    if (counts.empty()) counts.assign(picture.points().size(), 1); // the rays through the middle, and no others
+    if (counts.empty()) counts.assign(picture.points().size(), 1); // one ray through the middle of each pixel
     const double most = *std::ranges::max_element(counts);
     gl::Texture2D texture(GL_RG32F, picture.size(), "samples-per-pixel");
     upload(texture, counts, picture.size(),

@@ -1,4 +1,4 @@
-// The stages that show what the rays of a picture found.
+// The stages of ray tracing: each function publishes one.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/frame.h"
@@ -9,7 +9,7 @@
 
 namespace shadowlab::ray_tracing {
 
-/// How many rays were sent, and what came of them.
+/// How many rays were traced, and how many of them were blocked.
 struct RayCounts {
     std::size_t hits = 0; ///< of eye rays
     struct OfLight {
@@ -20,29 +20,29 @@ struct RayCounts {
 RayCounts countRays(const trace::SceneTracer& tracer, const Picture& picture);
 void publishCounts(Frame& frame, const RayCounts& counts);
 
-/// How far from the eye its rays end.
+/// Distances from the eye.
 void publishDistances(Frame& frame, const trace::SceneTracer& tracer, const Picture& picture);
 
-/// What came of the shadow rays to a light, and which of it is the visibility that all techniques publish.
+/// The results of the shadow rays to a light, and the visibility that all techniques publish.
 void publishShadowRays(Frame& frame, const Picture& picture, int light);
-/// `shares`: of the light's area, where that was asked; else nullptr.
+/// `shares`: the visible share of the light's area, where it was computed; else nullptr.
 void publishVisibility(Frame& frame, const Picture& picture, int light, const LightShares* shares);
-/// Where all, a part, or nothing of the light is seen.
+/// Lit, penumbra and umbra: where all, a part, or nothing of the light is seen.
 void publishPenumbra(Frame& frame, const Picture& picture, int light, const LightShares* shares);
 
-/// What reflection or refraction rays add; nothing at all where no tree was traced.
+/// What reflection or refraction rays add; black where no tree was traced.
 void publishAdded(Frame& frame, std::string_view stage, const Picture& picture, const Grid<vec3>& addedFromBelow);
 
 /// How many samples each pixel has.
 void publishSamples(Frame& frame, const Picture& picture, const SampledPicture& sampled);
 
-/// Of how many levels each pixel's tree is.
+/// The number of levels of each pixel's tree.
 void publishLevels(Frame& frame, const Picture& picture);
 
-/// Traces the picture's rays once more, and counts.
+/// Traces the picture's rays again, counting intersection tests.
 void publishTests(Frame& frame, const trace::SceneTracer& tracer, const StructureCache& structures);
 
-/// The structure's parts as lines over the picture, which is finished.
+/// Draws the volumes of the acceleration structure as lines over the finished picture.
 void publishStructure(Frame& frame, const trace::SceneTracer& tracer, const StructureCache& structures,
                       const Picture& picture);
 

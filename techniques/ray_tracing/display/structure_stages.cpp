@@ -23,7 +23,7 @@ void publishTests(Frame& frame, const trace::SceneTracer& tracer, const Structur
             for (std::size_t x = 0; x < width; ++x)
                 tests[y * width + x] = tracer.testsOf(engine, rays, dvec2(x, y) + 0.5).all();
         });
-    // One pixel in a hundred may lie beyond the scale: a few rays along edges try far more than all others.
+    // One pixel in a hundred may lie beyond the scale: a few rays along edges need far more tests than all others.
     Grid<std::uint64_t> sorted = tests;
     std::ranges::sort(sorted);
     const Display display{.minimum = 0,
@@ -50,7 +50,7 @@ void publishStructure(Frame& frame, const trace::SceneTracer& tracer, const Stru
             const std::size_t i = y * width + x;
             const vec3 radiance = picture.radianceFromBelow()[(height - 1 - y) * width + x];
             const float luminance = glm::dot(radiance, vec3(0.2126f, 0.7152f, 0.0722f)); // Rec. 709
-            // A little dimmed: white would outshine the lines.
+            // Dimmed a little, so that lines stand out from white.
             ground[i] = vec3(0.6f * std::min(1.0f, frame.scene().exposure * luminance));
             if (picture.points()[i])
                 depths[i] = glm::dot(tracer.positionWorld(picture.points()[i].surfacePoint()) - camera.positionWorld,
@@ -61,7 +61,7 @@ void publishStructure(Frame& frame, const trace::SceneTracer& tracer, const Stru
         structureShapes(structures.engine(), structures.chosen(), tracer.world().originWorld, camera.positionWorld);
     LinePicture lines(std::move(ground), std::move(depths), camera, size);
     Display display{.unit = "", .key = {}};
-    // The innermost first: the outer ones, which are few, are drawn over them.
+    // The innermost volumes first: the outer ones, which are few, are drawn over them.
     for (auto shape = shapes.rbegin(); shape != shapes.rend(); ++shape) {
         const bool isOuter = shape + 1 == shapes.rend() && structures.chosen() != trace::Structure::grid;
         const int radius = isOuter ? look::lineRadius(size.y) : look::lineRadius(size.y) - 1;

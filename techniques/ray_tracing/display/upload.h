@@ -1,4 +1,4 @@
-// From a picture on the processor to a texture.
+// Copies a picture from the processor to a texture.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/gl/texture.h"
@@ -6,8 +6,8 @@
 
 namespace shadowlab::ray_tracing {
 
-/// Writes one texel for each value: toTexel(value) gives a vec2 or a vec4. GL counts rows from the
-/// bottom and the picture from the top: here they are turned over.
+/// Writes one texel for each value: toTexel(value) returns a vec2 or a vec4. GL counts rows from the bottom and the picture from
+/// the top: rows are flipped here.
 template <typename Value, typename ToTexel>
 void upload(const gl::Texture2D& texture, const Grid<Value>& grid, ivec2 size, const ToTexel& toTexel) {
     using Texel = decltype(toTexel(grid[0]));
@@ -23,7 +23,7 @@ void upload(const gl::Texture2D& texture, const Grid<Value>& grid, ivec2 size, c
                     texels.data());
 }
 
-/// Writes colours whose rows count from the bottom already, as they are: no copy is made of the largest of all pictures.
+/// Writes colours whose rows already count from the bottom, without a copy.
 inline void uploadFromBelow(const gl::Texture2D& texture, const Grid<vec3>& colors, ivec2 size) {
     texture.bind(0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);

@@ -8,11 +8,11 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-// More than that no drawing shows, and trees of glass take milliseconds.
+// More are too many for a drawing, and trees of glass take milliseconds each.
 constexpr int kMostListed = 256;
-constexpr int kMostLines = 16; ///< that are told in words
+constexpr int kMostLines = 16; ///< samples listed as facts
 
-/// Where the shadow ray ends: at the place on the light, or at the first thing before it that casts a shadow.
+/// The end of a shadow ray: the point on the light, or the first hit on something that casts a shadow.
 dvec3 shadowEnd(const SampleQuery& query, const TreeNode& node, const dvec3& toPlace, double time) {
     const trace::SceneTracer& tracer = query.surfaces.tracer();
     trace::Ray ray;
@@ -26,7 +26,7 @@ dvec3 shadowEnd(const SampleQuery& query, const TreeNode& node, const dvec3& toP
         if (!hit) return node.positionCentred + toPlace;
         const dvec3 at = query.scene.positionCentred(hit, time);
         if (tracer.objectOf(hit).castsShadow) return at;
-        // What casts no shadow is passed: on from there.
+        // An object that casts no shadow does not block: continue from there.
         ray.nearest = glm::length(at - ray.originCentred) / glm::length(toPlace) + trace::kContact;
         leftOut = hit.primitive;
     }

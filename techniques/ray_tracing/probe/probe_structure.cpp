@@ -10,7 +10,7 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-// Of a tree: whole levels as long as no level has more volumes. More are no tree that can be read.
+// The most volumes of one level of a tree that are listed; more could not be read in a drawing.
 constexpr std::size_t kMostVolumes = 64;
 
 std::string objectOf(const trace::SceneTracer& tracer, std::uint32_t primitive) {

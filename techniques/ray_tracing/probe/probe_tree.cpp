@@ -100,7 +100,7 @@ private:
         if (node.point) facts.push_back(probeFact("N", node.normalWorld));
         if (node.end == RayEnd::splits) addSplit(node, facts);
         if (node.point) {
-            // A highlight's power of a small cosine is no light, and a number of 187 digits after the point tells nobody so.
+            // A high power of a small cosine may be 1e-187: shown as 0.
             constexpr double kNoLight = 1e-30;
             facts.push_back(probeFact(
                 "own light", glm::mix(node.local, dvec3(0), glm::lessThan(glm::abs(node.local), dvec3(kNoLight)))));
@@ -177,8 +177,8 @@ private:
     const scene::Bounds bounds_;
     const int light_;
     Probe& probe_;
-    std::vector<int> places_;  ///< of the tree's nodes in the probe's
-    std::vector<int> numbers_; ///< of their surfaces; 0: none
+    std::vector<int> places_;  ///< for each node of the tree its number in the probe
+    std::vector<int> numbers_; ///< for each node the number of its surface; 0: none
 };
 
 } // namespace

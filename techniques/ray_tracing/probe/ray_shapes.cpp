@@ -10,7 +10,7 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-// Toward the sun: a little beyond where the ray leaves the scene.
+// Rays to a directional light end a little beyond the scene's bounding box.
 constexpr double kBeyond = 1.05;
 
 } // namespace
@@ -44,20 +44,20 @@ dvec3 shadowRayEnd(const trace::SceneTracer& tracer, const trace::SurfacePoint& 
 
 namespace {
 
-// Few enough to follow each ray by eye, enough to meet every larger thing in the view.
+// Cells of the view with one path each: few enough to follow each ray by eye, enough to hit every larger object.
 constexpr int kColumns = 6, kRows = 4;
 
-// Points of a cell that are looked at, on a side: small shadows lie between the middles of the cells.
+// Points per side of a cell that are tested for shadow: small shadows lie between the centres of cells.
 constexpr int kTriedPixels = 8;
 
-/// Where the rays of one pixel go.
+/// The rays of one pixel.
 struct RayPath {
     dvec3 pointWorld;
-    bool isSent = false; ///< a ray to the light
+    bool isSent = false; ///< is a shadow ray sent?
     std::optional<dvec3> blockerWorld;
 };
 
-/// Of a cell of the picture, the point in shadow whose blocker is farthest away, not one in a corner; else the middle.
+/// The path of a cell: of its points in shadow the one whose blocker is farthest away; else its centre.
 std::optional<RayPath> pathIn(const trace::SceneTracer& tracer, const trace::EyeRays& rays, dvec2 corner, dvec2 size,
                               int light) {
     const auto pathAt = [&](dvec2 pixel) -> std::optional<RayPath> {

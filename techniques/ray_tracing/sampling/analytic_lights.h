@@ -1,4 +1,4 @@
-// The lights of a scene that have an area, ready to be asked in closed form how much of them a point sees, and what it receives.
+// The lights of a scene that have an area, prepared for closed-form visibility and irradiance.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
@@ -10,7 +10,7 @@ namespace shadowlab::ray_tracing {
 
 class AnalyticLights {
 public:
-    /// The tracer must live as long, with the scene that it has.
+    /// The tracer and its scene must outlive this object.
     explicit AnalyticLights(const trace::SceneTracer& tracer) {
         for (int light = 0; light < static_cast<int>(tracer.scene().lights.size()); ++light)
             areas_.push_back(scene::hasArea(tracer.scene().light(light))
@@ -22,8 +22,9 @@ public:
         return areas_[static_cast<std::size_t>(light)].get();
     }
 
+    /// Per light.
 private:
-    std::vector<std::unique_ptr<trace::AreaVisibility>> areas_; ///< per light
+    std::vector<std::unique_ptr<trace::AreaVisibility>> areas_;
 };
 
 } // namespace shadowlab::ray_tracing

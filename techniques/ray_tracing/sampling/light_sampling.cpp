@@ -10,30 +10,30 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-// Lower than this share of its distance over the light's plane, a point is in it: some roundings of double.
+// A point whose height over the light's plane is below this share of its distance lies in the plane: some roundings of double.
 constexpr double kInPlane = 1e-15;
 
-// Newton's method doubles the digits with every step: from here the next one is right to rounding.
+// Newton's method doubles the number of correct digits with every step: from here the next step is exact to rounding.
 constexpr double kNextIsLast = 1e-7;
 
-// Where Newton's step would leave the bracket it is halved instead; so many halvings use up all digits of a double.
+// Where Newton's step would leave the bracket, the bracket is halved instead; so many halvings exhaust the digits of a double.
 constexpr int kMostSteps = 60;
 
-// The tangent's denominator for a triangle has this share of its largest possible value, at least, or too few digits are left.
+// Below this share of its maximum, the denominator of the tangent formula has too few digits.
 constexpr double kFewDigits = 1e-4;
 
 double angleBetween(const dvec3& a, const dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-/// For a triangle whose corners are given by the vectors to them: 1 + cos + cos + cos of the angles between these. Half of its
-/// solid angle has the tangent volume / (lengths' product * this) (A. van Oosterom and J. Strackee, "The Solid Angle of a Plane
-/// Triangle", IEEE Transactions on Biomedical Engineering 1983).
+/// The denominator for a spherical triangle, given unit vectors to its corners: 1 + cos + cos + cos of the angles between them.
+/// Half of the solid angle has the tangent volume / (product of lengths * this) (A. van Oosterom and J. Strackee, "The Solid
+/// Angle of a Plane Triangle", IEEE Transactions on Biomedical Engineering 1983).
 double denominator(const dvec3& unitA, const dvec3& unitB, const dvec3& unitC) {
     return 1 + glm::dot(unitA, unitB) + glm::dot(unitB, unitC) + glm::dot(unitC, unitA);
 }
 
-/// A unit vector across the given one.
+/// A unit vector perpendicular to the given one.
 dvec3 across(const dvec3& unit) {
     const dvec3 size = glm::abs(unit);
     const int least = size.x < size.y ? (size.x < size.z ? 0 : 2) : (size.y < size.z ? 1 : 2);
@@ -42,17 +42,17 @@ dvec3 across(const dvec3& unit) {
     return glm::normalize(glm::cross(unit, helper));
 }
 
-/// The place on a line at a distance w from the point that divides its solid angle from y0 to y1 by that share. Along the line
-/// equal solid angles are equal steps of y / sqrt(y^2 + w^2), and of one minus that, which keeps its digits far out.
+/// The point on a line at distance w that splits the solid angle between y0 and y1 by `share`. Along the line, equal solid angles
+/// are equal steps of y / sqrt(y^2 + w^2), or of one minus that, which keeps its digits far out.
 double placeOnLine(double w, double y0, double y1, double share) {
-    const double side = std::abs(y0) > std::abs(y1) ? -1 : 1; // so that the farther end is at a positive y
+    const double side = std::abs(y0) > std::abs(y1) ? -1 : 1; // so that the farther end has a positive y
     const auto complement = [w](double y) {
         const double d = std::hypot(y, w);
         return y > 0 ? w / d * (w / (d + y)) : 1 - y / d;
     };
     const double value = glm::mix(complement(side * y0), complement(side * y1), share);
     const double y = side * w * (1 - value) / std::sqrt(value * (2 - value));
-    // Also where the root has no digits left: beyond 1e150 times the distance.
+    // If the root has no digits left (beyond 1e150 times the distance), interpolate linearly.
     return std::isfinite(y) ? std::clamp(y, y0, y1) : glm::mix(y0, y1, share);
 }
 
@@ -98,7 +98,7 @@ void LightSampler::setUpSphere(double radius, const dvec3& toCentre) {
     axisX_ = across(axisZ_);
     axisY_ = glm::cross(axisZ_, axisX_);
     const double sine = radius_ / distance_;
-    lowest_ = sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine))); // 1 - cos, without its cancellation
+    lowest_ = sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine))); // 1 - cos, without cancellation
     solidAngle_ = glm::two_pi<double>() * lowest_;
 }
 
@@ -107,7 +107,7 @@ LightSample LightSampler::sample(dvec2 random01) const {
     return isSphere_ ? onSphere(random01) : onRect(random01);
 }
 
-/// Of the part of the light from x0 to x. Two formulas, because each has its digits where the other has none.
+/// The solid angle of the part of the light from x0 to x. Two formulas, because each is accurate where the other is not.
 double LightSampler::solidAngleBefore(double x) const {
     const double y = yAtZero_ + slope_ * x;
     const dvec3 lower(x, y, height_), upper(x, y + width_, height_);
@@ -116,25 +116,25 @@ double LightSampler::solidAngleBefore(double x) const {
     const double first = denominator(firstUnits_[0], unitLower, unitUpper);
     const double second = denominator(firstUnits_[0], unitUpper, firstUnits_[1]);
     if (first > kFewDigits && second > kFewDigits) {
-        // Two triangles. Their volumes need no subtraction of products, so the smallest solid angle has all its digits; the
-        // two halves are added as the angles of complex numbers are.
+        // Two triangles. Their volumes are computed without subtracting products, so the smallest solid angle keeps all its
+        // digits; the two half angles are added like those of complex numbers.
         const double both = height_ / firstLengths_[0] * ((x - x0_) / lengthUpper) * width_;
         const double volume1 = both / lengthLower, volume2 = both / firstLengths_[1];
         return 2 * std::atan2(volume1 * second + volume2 * first, first * second - volume1 * volume2);
     }
-    // Near the light's border, or nearly surrounded by it: what the turns from side to side leave of 2 pi (A. Girard, 1629), by
-    // the normals, inward, of the planes through the point and each side.
+    // Near the light's border, or nearly surrounded by it: 2 pi minus the exterior angles (A. Girard, 1629), from the inward
+    // normals of the planes through the point and each side.
     const dvec3 left(height_, 0, -x0_), right(-height_, 0, x);
     const dvec3 bottom(-slope_ * height_, height_, -yAtZero_), top(slope_ * height_, -height_, yAtZero_ + width_);
     return glm::two_pi<double>() - angleBetween(left, bottom) - angleBetween(bottom, right) - angleBetween(right, top) -
            angleBetween(top, left);
 }
 
-/// Where the line is that is seen at that angle, along y, from the line of x0.
+/// The x of the line that is seen at that angle from the line of x0, in the plane perpendicular to y.
 double LightSampler::xAt(double angle) const {
     const double sine = std::sin(angle);
     double x = 0;
-    if (x0_ < 0 && x1_ > 0) { // straight above the light x is small beside its ends, and must not be their difference
+    if (x0_ < 0 && x1_ > 0) { // above the light x is small: it must not be a difference of large numbers
         const double cosine = std::cos(angle);
         x = height_ * (x0_ * cosine + height_ * sine) / (height_ * cosine - x0_ * sine);
     } else {
@@ -145,13 +145,13 @@ double LightSampler::xAt(double angle) const {
     return std::clamp(x, x0_, x1_);
 }
 
-/// Solid angle of the light per radian of that angle, at the line of x: between 0 and 2, however near or far the light.
+/// Solid angle of the light per radian of that angle, at the line of x: between 0 and 2, however near or far the light is.
 double LightSampler::densityAt(double x) const {
     const double y = yAtZero_ + slope_ * x, squared = x * x + height_ * height_;
     return (y + width_) / std::sqrt((y + width_) * (y + width_) + squared) - y / std::sqrt(y * y + squared);
 }
 
-/// By a density without bends.
+/// A first guess, from a quadratic density.
 double LightSampler::guessedAngle(double share) const {
     const double a = density_.x, b = density_.y, c = density_.z, whole = a + b / 2 + c / 3;
     double t = share;
@@ -160,14 +160,14 @@ double LightSampler::guessedAngle(double share) const {
     return t >= 0 && t <= 1 ? t * angle_ : share * angle_;
 }
 
-/// The x before which that share of the solid angle lies, found as an angle.
+/// The x that splits off that share of the solid angle; solved for the angle.
 double LightSampler::lineAt(double share) const {
     double lower = 0, upper = angle_, angle = guessedAngle(share);
     for (int step = 0; step < kMostSteps; ++step) {
         const double x = xAt(angle), excess = solidAngleBefore(x) - share * solidAngle_;
         (excess > 0 ? upper : lower) = angle;
         const double next = angle - excess / densityAt(x);
-        const bool isWithin = next >= lower && next <= upper; // false, too, for what is no number
+        const bool isWithin = next >= lower && next <= upper; // also false for NaN
         angle = isWithin ? next : 0.5 * (lower + upper);
         if (isWithin && std::abs(excess) <= kNextIsLast * solidAngle_) break;
     }
@@ -179,7 +179,7 @@ LightSample LightSampler::onRect(dvec2 random01) const {
     const double y = placeOnLine(std::hypot(x, height_), y0, y0 + width_, random01.y);
     const dvec3 offset = x * axisX_ + y * axisY_ + height_ * axisZ_;
     const double d = glm::length(dvec3(x, y, height_));
-    // A solid angle spreads over d^2 of its area, and over more by the cosine at the light, which is height / d.
+    // A solid angle covers an area of d^2 times its size, divided by the cosine at the light, which is height / d.
     const double area = (x1_ - x0_) * width_;
     return {offset / d, offset, solidAngle_, solidAngle_ * d / area * d * (d / height_)};
 }
@@ -189,11 +189,11 @@ LightSample LightSampler::onSphere(dvec2 random01) const {
     const double cosine = 1 - lower, sine = std::sqrt(lower * (2 - lower));
     const double turn = glm::two_pi<double>() * random01.y;
     const dvec3 toward = cosine * axisZ_ + sine * (std::cos(turn) * axisX_ + std::sin(turn) * axisY_);
-    // Of the two places in which the line meets the sphere the nearer one. Their product is the power of the point.
+    // The nearer of the two intersections with the sphere. Their product is the power of the point with respect to the sphere.
     const double aside = distance_ * sine, root = std::sqrt(std::max((radius_ - aside) * (radius_ + aside), 0.0));
     const double power = (distance_ - radius_) * (distance_ + radius_);
     const double length = power / (distance_ * cosine + root);
-    // The disc: power / distance away, straight on, and of the radius of the sphere times the cone's cosine.
+    // The disc: at distance power / distance along the axis, with the radius of the sphere times the cone's cosine.
     const double discDistance = power / distance_, ratio = discDistance / (radius_ * (1 - lowest_));
     const double weight = solidAngle_ * ratio * ratio / (glm::pi<double>() * cosine * cosine * cosine);
     return {toward, length * toward, solidAngle_, weight};

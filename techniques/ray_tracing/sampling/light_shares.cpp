@@ -50,7 +50,7 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
 
 bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, const scene::Camera& camera,
                           const trace::AreaVisibility& area, Deadline deadline) {
-    // Neighbours are asked together, in squares.
+    // Neighbouring points are computed together, in squares.
     constexpr int kSide = 8;
     const ivec2 size = picture.size();
     const Blocks squares{size, kSide};
@@ -91,7 +91,7 @@ double sampledShare(const RayWorld& world, const trace::SurfacePoint& point, con
     const Surfaces& surfaces = world.surfaces;
     const trace::SceneTracer& tracer = surfaces.tracer();
     if (!tracer.objectOf(point).receivesShadow) return 1.0;
-    TreeNode node; // the root of the picture's trees
+    TreeNode node; // as the root of a picture's tree
     node.point = point;
     node.u = -toViewerWorld;
     node.positionCentred = tracer.positionCentred(point);

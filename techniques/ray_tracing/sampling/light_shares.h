@@ -1,6 +1,6 @@
-// How much of a light's area each pixel sees: at the pixel's centre, through a pinhole, with everything as it stands, so that it
-// can be held against the exact share. Found with samples, at the places on the light that the picture's own rays go to; or in
-// closed form, and with it what the pixel receives.
+// The share of a light's area that each pixel sees: at the pixel's centre, through a pinhole, with nothing moving, so that it can
+// be compared with the exact share. Estimated with the same points on the light that the picture's shadow rays use; or in closed
+// form, which also gives the irradiance.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/ray_tracing/picture.h"
@@ -10,16 +10,16 @@ namespace shadowlab::ray_tracing {
 class LightShares {
 public:
     void restart(ivec2 size, int light);
-    /// Goes on until every pixel is asked (true) or the time has come (false), but always a bit.
+    /// Continues until every pixel is done (true) or the deadline has passed (false), but always does some work.
     bool advance(const Surfaces& surfaces, const Picture& picture, const scene::Camera& camera,
                  const SamplePattern& pattern, Deadline deadline);
     /// The same in closed form.
     bool advance(const Surfaces& surfaces, const Picture& picture, const scene::Camera& camera,
                  const trace::AreaVisibility& area, Deadline deadline);
     [[nodiscard]] int light() const { return light_; }
-    /// 0..1; of a pixel that was not asked yet, and of lights without an area, what the light's centre says.
+    /// 0..1; for pixels that are not done yet, and lights without an area, the visibility of the light's centre.
     [[nodiscard]] const Grid<float>& shares() const { return shares_; }
-    /// In closed form only: trace::AreaIrradiance::irradiance of each pixel.
+    /// Only in closed form: trace::AreaIrradiance::irradiance of each pixel.
     [[nodiscard]] const Grid<float>& irradiances() const { return irradiances_; }
 
 private:
@@ -28,8 +28,8 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Of all places on the light that the samples chose, the share that is seen from the point, weighted by the area that each stands
-/// for: exactly 0 in the umbra and exactly 1 where nothing hides the light. Up to 1 / N too large or too small in the mean.
+/// The share of the sampled points on the light that are visible, weighted by the area that each stands for: exactly 0 in the
+/// umbra, and exactly 1 where nothing hides the light. Its bias is at most 1 / N.
 double sampledShare(const RayWorld& world, const trace::SurfacePoint& point, const dvec3& toViewerWorld, int light,
                     const SamplePattern& pattern, ivec2 pixel);
 

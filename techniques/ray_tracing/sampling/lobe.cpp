@@ -9,8 +9,8 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-/// Two unit vectors at right angles to the axis and to each other. T. Duff and others, "Building an Orthonormal Basis,
-/// Revisited", Journal of Computer Graphics Techniques 2017.
+/// Two unit vectors perpendicular to the axis and to each other. T. Duff and others, "Building an Orthonormal Basis, Revisited",
+/// Journal of Computer Graphics Techniques 2017.
 void basisAround(const dvec3& axis, dvec3& first, dvec3& second) {
     const double sign = std::copysign(1.0, axis.z);
     const double a = -1.0 / (sign + axis.z), b = axis.x * axis.y * a;
@@ -36,7 +36,7 @@ dvec2 onDisc(dvec2 numbers) {
 }
 
 dvec3 lobeDirection(const dvec3& axis, double power, dvec2 numbers) {
-    // The disc's radius r is filled as 2 r dr; with 1 - r^2 in the place of a number, cos = (1 - r^2)^(1 / (n + 1)).
+    // Uniform points of the disc have the density 2 r dr; so 1 - r^2 is uniform, and cos = (1 - r^2)^(1 / (n + 1)).
     const dvec2 disc = onDisc(numbers);
     const double r2 = std::min(1.0, glm::dot(disc, disc));
     const double cosine = std::pow(1.0 - r2, 1.0 / (power + 1.0));

@@ -8,8 +8,8 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-/// Every bit of the key changes every bit of the answer. D. Stafford's constants for the last step of MurmurHash3, 2011, as in
-/// Steele, Lea and Flood's SplitMix64, 2014.
+/// A hash: every bit of the key affects every bit of the result. D. Stafford's constants for the last step of MurmurHash3, 2011,
+/// as in Steele, Lea and Flood's SplitMix64, 2014.
 std::uint64_t mixed(std::uint64_t key) {
     key += 0x9e3779b97f4a7c15u;
     key = (key ^ (key >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -19,15 +19,15 @@ std::uint64_t mixed(std::uint64_t key) {
 
 double fraction(std::uint32_t bits) { return bits * 0x1p-32; }
 
-/// Two numbers by chance.
+/// Two pseudo-random numbers.
 dvec2 chance(std::uint64_t key) {
     const std::uint64_t bits = mixed(key);
     return {fraction(static_cast<std::uint32_t>(bits)), fraction(static_cast<std::uint32_t>(bits >> 32))};
 }
 
-/// Where `place` goes when 0 ... count - 1 are put into an order that belongs to the key: four rounds that each map the
-/// numbers below a power of two onto themselves, and again while the result is not below `count` (cycle walking, Black and
-/// Rogaway 2002). Each round is undone by a multiplication and two shifts, so no two places meet.
+/// A random permutation of 0 ... count - 1 that belongs to the key, applied to `place`: four rounds that each permute the numbers
+/// below a power of two, repeated while the result is not below `count` (cycle walking, Black and Rogaway 2002). Each round can
+/// be undone by a multiplication and two shifts, so no two places map to the same number.
 std::uint32_t shuffled(std::uint32_t place, std::uint32_t count, std::uint64_t key) {
     if (count <= 1) return 0;
     std::uint32_t bits = 1;
@@ -46,8 +46,8 @@ std::uint32_t shuffled(std::uint32_t place, std::uint32_t count, std::uint64_t k
     return place;
 }
 
-/// A place of cell `cell`, out of `count` of equal area that fill the unit square in rows: as many rows as columns, or nearly, so
-/// that no count is refused. `within`: in the cell, (0.5, 0.5) is its middle.
+/// A point of cell `cell`, of `count` cells of equal area that fill the unit square in rows: about as many rows as columns, so
+/// that any count is possible. `within`: the position in the cell, (0.5, 0.5) is its centre.
 dvec2 inCell(int cell, int count, dvec2 within) {
     const int rows = std::max(1, static_cast<int>(std::lround(std::sqrt(count))));
     const int row = static_cast<int>((static_cast<std::int64_t>(cell + 1) * rows - 1) / count);
@@ -64,9 +64,9 @@ std::uint32_t reversed(std::uint32_t x) {
     return ((x & 0xaaaaaaaau) >> 1) | ((x & 0x55555555u) << 1);
 }
 
-/// Owen's scrambling: every half, quarter, eighth ... of the interval changes places with its neighbour or does not, by chance.
-/// Every step lets a bit depend only on those below it, in the reversed order on those above it. B. Burley, "Practical
-/// Hash-based Owen Scrambling", Journal of Computer Graphics Techniques 2020, after Laine and Karras 2011.
+/// Owen scrambling: every half, quarter, eighth ... of the interval is swapped with its neighbour or not, at random. Every step
+/// makes a bit depend only on lower ones, in reversed order on higher ones. B. Burley, "Practical Hash-based Owen Scrambling",
+/// Journal of Computer Graphics Techniques 2020, after Laine and Karras 2011.
 std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
     x = reversed(x);
     x += seed;
@@ -77,7 +77,7 @@ std::uint32_t scrambled(std::uint32_t x, std::uint32_t seed) {
     return reversed(x);
 }
 
-/// The second coordinate of Sobol's sequence (1967): its direction numbers are the rows of Pascal's triangle modulo 2.
+/// The second coordinate of the Sobol' sequence (1967): its direction numbers are the rows of Pascal's triangle modulo 2.
 std::uint32_t secondOfSobol(std::uint32_t index) {
     std::uint32_t result = 0;
     for (std::uint32_t direction = 0x80000000u; index != 0; index >>= 1, direction ^= direction >> 1)
@@ -85,10 +85,11 @@ std::uint32_t secondOfSobol(std::uint32_t index) {
     return result;
 }
 
-/// Point `index` of a sequence of which every power of two of points fills the square evenly.
+/// Point `index` of a sequence whose first 2^n points fill the square evenly, for every n.
 dvec2 evenPoint(std::uint32_t index, std::uint64_t key) {
     const std::uint64_t order = mixed(key), where = mixed(key + 1);
-    const std::uint32_t place = scrambled(index, static_cast<std::uint32_t>(order)); // another order in each dimension
+    // A different order in each dimension.
+    const std::uint32_t place = scrambled(index, static_cast<std::uint32_t>(order));
     return {fraction(scrambled(reversed(place), static_cast<std::uint32_t>(where))),
             fraction(scrambled(secondOfSobol(place), static_cast<std::uint32_t>(where >> 32)))};
 }
@@ -118,7 +119,7 @@ dvec2 SampleNumbers::pair(Purpose purpose, std::uint64_t place, std::uint32_t at
     return inCell(cellIn(dimension), pattern_.count, 0.5 + amount * (free - 0.5));
 }
 
-/// Which of `count` equal cells is the sample's.
+/// The sample's cell, of `count` equal ones.
 int SampleNumbers::cellIn(std::uint64_t dimension) const {
     const auto count = static_cast<std::uint32_t>(pattern_.count);
     return static_cast<int>(shuffled(sample_ % count, count, dimension));

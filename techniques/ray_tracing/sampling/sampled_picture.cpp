@@ -13,14 +13,14 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-// A block is the piece of work that a thread takes: some milliseconds for the slowest trees, so that a deadline is kept.
+// Side of a block, a thread's piece of work: some milliseconds for the slowest trees, so that deadlines are kept.
 constexpr int kSampledBlock = 16;
 
-// Adaptive sampling asks for the first time after so many samples, and then again after as many: with fewer an edge that covers
-// a tenth of a pixel is often not met at all, and its absence looks like certainty.
+// Adaptive sampling tests for convergence after every so many samples. With fewer, an edge that covers a tenth of a pixel is
+// often missed by all of them, and the pixel looks converged.
 constexpr int kSamplesBetweenChecks = 16;
 
-/// The step of 8-bit grey, as a fraction, that a linear value is shown as: IEC 61966-2-1 (sRGB).
+/// The 8-bit grey level, as a real number, of a linear value: IEC 61966-2-1 (sRGB).
 double grey(double linear) {
     const double x = std::clamp(linear, 0.0, 1.0);
     return 255.0 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
@@ -53,14 +53,14 @@ void SampledPicture::restart(ivec2 size) {
 bool SampledPicture::advance(const Surfaces& surfaces, const trace::MovingScene& scene, const AnalyticLights* analytic,
                              const scene::Camera& camera, const SampledSettings& settings, Deadline deadline) {
     const trace::EyeRays rays = surfaces.tracer().eyeRays(camera, size_);
-    // Simplified: the lens is small, so all of it is inside what its middle is in.
+    // Simplified: the lens is so small that all of it is inside the same solids as its centre.
     const DielectricStack aroundEye = surfaces.mediaAround(rays.eyeCentred());
     const dvec3 background(surfaces.scene().background);
     const Blocks blocks{size_, kSampledBlock};
     std::atomic<std::uint64_t> secondaryRays = 0;
     const auto traceBlock = [&](std::size_t block) {
         const ivec2 corner = blocks.corner(block), end = corner + blocks.sizeAt(corner);
-        RayTree tree; // its memory serves the whole block
+        RayTree tree; // its memory is reused for the whole block
         std::uint64_t below = 0;
         for (int y = corner.y; y < end.y; ++y)
             for (int x = corner.x; x < end.x; ++x) {
@@ -104,16 +104,16 @@ void SampledPicture::add(Pixel& pixel, const dvec3& radiance) const {
     pixel.squares += before * (value - pixel.mean);
 }
 
-/// Half the width, in steps of grey, of one standard error to either side of the mean, as it is shown: what is white or black
-/// anyway need not be known better. Of samples that are spread evenly the error is smaller than this says.
+/// The standard error of a pixel's mean as displayed, in steps of 8-bit grey: differences that are clipped to white or black do
+/// not count. Evenly distributed samples have a smaller error than this.
 double SampledPicture::standardErrorGrey(const Pixel& pixel, double exposure) const {
     const double n = pixel.count;
     const double error = std::sqrt(pixel.squares / (n * (n - 1)));
     return 0.5 * (grey(exposure * (pixel.mean + error)) - grey(exposure * (pixel.mean - error)));
 }
 
-/// A pixel goes on as long as it or one beside it is not known well enough: an edge that its own samples have not met yet is
-/// there in its neighbours'.
+/// A pixel stays active while it or one of its eight neighbours has not converged: an edge that its own samples have missed so
+/// far is visible in its neighbours.
 void SampledPicture::chooseActive(const SampledSettings& settings, double exposure) {
     std::vector<std::uint8_t> isUnsure(pixels_.size());
     std::ranges::transform(pixels_, isUnsure.begin(), [&](const Pixel& pixel) {

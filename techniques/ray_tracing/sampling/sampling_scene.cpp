@@ -7,7 +7,7 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-/// Lights may differ, and they are what moves most.
+/// Do all objects move alike? Lights may differ.
 bool sameMotion(const scene::Snapshot& a, const scene::Snapshot& b) {
     return a && b && a->revisions.geometry == b->revisions.geometry &&
            a->revisions.transforms == b->revisions.transforms &&

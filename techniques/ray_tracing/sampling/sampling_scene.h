@@ -1,4 +1,5 @@
-// What a scene needs beyond its rays' structure, for lights with an area in closed form and for motion. Kept from picture to picture.
+// What sampling needs of a scene besides the acceleration structure: lights with an area in closed form, and motion. Cached
+// between pictures.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -11,15 +12,15 @@ namespace shadowlab::ray_tracing {
 
 class SamplingScene {
 public:
-    /// The tracer must live as long.
+    /// The tracer must outlive this object.
     explicit SamplingScene(const trace::SceneTracer& tracer) : tracer_(tracer), atRest_(tracer) {}
 
-    /// Does what the scene and the parameters demand, once the tracer is ready; unconverged when the deadline passes.
+    /// Prepares what the scene and the parameters need, once the tracer is ready; not converged when the deadline has passed.
     Progress prepare(const scene::Snapshot& snapshot, trace::Structure structure, const SamplingParams& params,
                      Deadline deadline);
 
     [[nodiscard]] const trace::MovingScene& atRest() const { return atRest_; }
-    /// While the shutter is open; the scene at rest where that is no time at all.
+    /// The scene while the shutter is open; if that is no time, the scene at rest.
     [[nodiscard]] const trace::MovingScene& moving() const { return moving_ ? *moving_ : atRest_; }
     /// nullptr: not asked for.
     [[nodiscard]] const AnalyticLights* analytic() const { return analytic_ ? &*analytic_ : nullptr; }
@@ -29,7 +30,7 @@ private:
     trace::MovingScene atRest_;
     std::optional<trace::MovingScene> moving_;
     std::optional<AnalyticLights> analytic_;
-    // What they were made of.
+    // What they were built from.
     scene::Snapshot movingSnapshot_, analyticSnapshot_;
     trace::Structure movingStructure_ = trace::Structure::bvh;
 };

@@ -30,7 +30,7 @@ public:
     }
 
 private:
-    /// Depth first, in no order: a walk that is easily read, and slow. `anyHit`: the first that is found will do.
+    /// Traverses the tree depth first, without ordering children: simple and slow. `anyHit`: the first hit that is found will do.
     template <typename Count>
     trace::RayHit search(const trace::Ray& ray, const trace::MayHit& mayHit, bool anyHit, Count count) const {
         trace::RayHit best;
@@ -78,7 +78,8 @@ private:
         }
     }
 
-    static constexpr double kSlack = 1 + 1e-5; // a distance in float is wrong by less, but for edge-on triangles
+    // The relative error of a distance in float is smaller, except for edge-on triangles.
+    static constexpr double kSlack = 1 + 1e-5;
     const trace::Bvh& bvh_;
     float margin_;
 };

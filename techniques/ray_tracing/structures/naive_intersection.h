@@ -1,8 +1,8 @@
-// A ray-triangle test that is not watertight, to be held against the one that is (trace/ray_triangle.h).
+// A ray-triangle test that is not watertight, for comparison with the one that is (trace/ray_triangle.h).
 //
-// Moeller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal of Graphics Tools 2(1), 1997, in float and
-// as it is often written: a hit has to lie inside the edges by more than a margin against rounding. The triangles on the two
-// sides of an edge both refuse what comes close to it, and the ray passes between them.
+// T. Moeller and B. Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", Journal of Graphics Tools 2(1), 1997, in float
+// and as it is often written: a hit must lie inside the edges by more than a margin against rounding. Both triangles at an edge
+// then reject a ray that comes close to it, and the ray passes between them.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <memory>
@@ -17,11 +17,11 @@ struct NaiveHit {
     vec3 barycentric;
 };
 
-/// Where the ray, however long, hits the triangle, if its barycentric weights are all larger than `margin` there. A weight is
-/// how far inside one edge the hit lies, as a share of the triangle's height over that edge.
+/// The intersection of the ray's line with the triangle, if all its barycentric weights are larger than `margin`. A weight is the
+/// distance of the hit from one edge, relative to the triangle's height over that edge.
 std::optional<NaiveHit> naiveHit(const trace::Ray& ray, const trace::Triangle& triangle, float margin);
 
-/// An engine that walks the tree, which outlives it, and believes the naive test.
+/// An engine that traverses the tree, which must outlive it, with the naive test.
 std::unique_ptr<trace::Engine> makeNaiveEngine(const trace::Bvh& bvh, float margin);
 
 } // namespace shadowlab::ray_tracing

@@ -15,7 +15,7 @@ Progress StructureCache::prepare(std::shared_ptr<const trace::TracedGeometry> ge
     auto* engine = &built_[static_cast<std::size_t>(chosen_)];
     if (!*engine && chosen_ != trace::Structure::bvh)
         *engine = trace::makeEngine(chosen_, {geometry_->world.triangles, geometry_->world.firstOfObject});
-    if (!*engine) { // the tree is there already
+    if (!*engine) { // the tree of boxes already exists
         chosen_ = trace::Structure::bvh;
         engine = &built_[static_cast<std::size_t>(chosen_)];
         if (!*engine) *engine = trace::makeBvhEngine(geometry_->bvh);

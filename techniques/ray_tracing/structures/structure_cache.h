@@ -1,4 +1,4 @@
-// The structures that were asked for so far: each is built once, in slices, and kept until the geometry changes.
+// Caches acceleration structures: each is built when it is first asked for, in slices, and kept until the geometry changes.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -12,7 +12,7 @@ namespace shadowlab::ray_tracing {
 
 class StructureCache {
 public:
-    /// Goes on building the structure over that geometry; unconverged when the deadline passes.
+    /// Continues building the structure over that geometry; not converged when the deadline has passed.
     Progress prepare(std::shared_ptr<const trace::TracedGeometry> geometry, trace::Structure structure,
                      Deadline deadline);
 
@@ -23,12 +23,13 @@ public:
                engine().done() == 1.0;
     }
 
-    /// The structure last prepared: the tree where the program was built without the one that was asked for.
+    /// The structure last prepared: the tree of boxes where the program was built without the one that was asked for.
     [[nodiscard]] const trace::Engine& engine() const { return *built_[static_cast<std::size_t>(chosen_)]; }
     [[nodiscard]] trace::Structure chosen() const { return chosen_; }
 
+    /// What they are built over.
 private:
-    std::shared_ptr<const trace::TracedGeometry> geometry_; ///< what all of them are built over
+    std::shared_ptr<const trace::TracedGeometry> geometry_;
     std::array<std::unique_ptr<trace::Engine>, trace::kStructureCount> built_;
     trace::Structure chosen_ = trace::Structure::bvh;
 };

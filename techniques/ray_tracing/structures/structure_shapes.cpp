@@ -11,8 +11,8 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-/// What can still be told apart: of trees the levels that have no more parts than this; spheres overlap, so they must be
-/// fewer, and cells lie in order, so they may be more.
+/// The most parts of one level that are drawn, so that they can still be distinguished: spheres overlap, so there must be fewer,
+/// and cells lie in rows, so there may be more.
 std::size_t mostOf(trace::Structure structure) {
     switch (structure) {
     case trace::Structure::sphereTree: return 16;
@@ -44,12 +44,12 @@ void addCircle(std::vector<dvec3>& pointsWorld, const dvec3& centre, const dvec3
         pointsWorld.insert(pointsWorld.end(), {at(i), at(i + 1)});
 }
 
-/// Where rays from the eye graze the ball: a circle nearer to the eye than its middle. From within there is none.
+/// The outline of a ball, seen from the eye: a circle nearer to the eye than the ball's centre. From inside there is none.
 void addOutline(std::vector<dvec3>& pointsWorld, const dvec3& centre, double radius, const dvec3& eyeWorld) {
     const dvec3 toEye = eyeWorld - centre;
     const double away = glm::length(toEye);
     if (away <= radius) return;
-    const double share = radius / away; // sine of half the angle under which the eye sees it
+    const double share = radius / away; // sine of the ball's half angle
     addCircle(pointsWorld, centre + share * share * toEye, toEye, radius * std::sqrt(1 - share * share));
 }
 
@@ -81,7 +81,7 @@ std::string labelOf(trace::Structure structure, int level) {
 
 std::vector<SceneShape> structureShapes(const trace::Engine& engine, trace::Structure structure,
                                         const dvec3& originWorld, const std::optional<dvec3>& eyeWorld) {
-    // From the outside in: orange, then what stands out from it.
+    // From the outermost level inward; orange, then colours that differ well from it.
     static const std::array<vec3, 5> colors = {look::kLightFrustum, look::kEye, look::kEqualDepth, look::kMultipleEdge,
                                                look::kTowardLight};
     std::vector<SceneShape> shapes;

@@ -31,7 +31,8 @@ double DielectricStack::ior() const {
 bool DielectricStack::holds(const Medium& medium) const { return last(medium) != inside_.end(); }
 
 Crossing DielectricStack::crossing(const Medium& medium, bool entering) const {
-    // What is there without that solid; and does it win where it is? One that is not in the list is the last to be entered.
+    // The medium without that solid; and does the solid have priority over it? One that is not in the list counts as entered
+    // last.
     const Place held = entering ? inside_.end() : last(medium);
     const Place other = top(held);
     const double otherIor = other == inside_.end() ? kEmptySpace : other->ior;

@@ -8,7 +8,7 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-/// Squared cosine of the angle beyond the surface, by Snell's law; negative where there is none.
+/// The squared cosine of the refracted ray's angle, by Snell's law; negative in total internal reflection.
 double squaredCosBeyond(double cosIncident, double ratio) {
     return 1.0 - ratio * ratio * (1.0 - cosIncident * cosIncident);
 }
@@ -20,7 +20,7 @@ dvec3 reflected(const dvec3& u, const dvec3& normalWorld) {
 }
 
 std::optional<dvec3> refracted(const dvec3& u, const dvec3& normalWorld, double ratio) {
-    if (ratio == 1.0) return u; // not bent, to the last bit
+    if (ratio == 1.0) return u; // unbent, to the last bit
     const double cosIncident = -glm::dot(u, normalWorld);
     const double squared = squaredCosBeyond(cosIncident, ratio);
     if (!(squared > 0.0)) return std::nullopt;

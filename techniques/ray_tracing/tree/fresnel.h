@@ -1,10 +1,10 @@
-// What a smooth surface does to a ray: it throws a part of the light back and lets the rest through, bent.
+// Reflection and refraction at a smooth surface: the directions of the two rays, and the share of light in each.
 //
-// Directions are unit vectors in world space. `u` is the way the ray travels; the normal stands on the side it comes from,
-// so dot(u, normal) < 0. `ratio` is the index of refraction on that side over the one beyond.
-// Snell's law for the way, A. Fresnel's formulas (1823) for the shares, averaged over the two polarisations. The lecture
-// has constant coefficients instead; C. Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", Computer
-// Graphics Forum 1994, has a polynomial in between.
+// Directions are unit vectors in world space. `u` is the direction of the ray; the normal lies on the side it comes from, so
+// dot(u, normal) < 0. `ratio` is the index of refraction on that side over the one beyond. Snell's law gives the direction, A.
+// Fresnel's formulas (1823) the shares, averaged over the two polarisations. The lecture has constant coefficients instead; C.
+// Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", Computer Graphics Forum 1994, has a polynomial that
+// approximates Fresnel's.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -15,28 +15,27 @@ namespace shadowlab::ray_tracing {
 
 enum class Fresnel { exact, schlick, constant };
 
-/// Where a mirror sends the ray: R = u - 2 (u.N) N.
+/// The reflected direction: R = u - 2 (u.N) N.
 dvec3 reflected(const dvec3& u, const dvec3& normalWorld);
 
-/// Where the ray goes beyond the surface; nothing where no light gets through (total internal reflection).
+/// The refracted direction; nothing in total internal reflection.
 std::optional<dvec3> refracted(const dvec3& u, const dvec3& normalWorld, double ratio);
 
-/// The share that is thrown back, 0..1, of a ray that meets the surface under `cosIncident`; 1 in total reflection. The rest
-/// goes through.
+/// The reflected share, 0..1, for the cosine of the angle of incidence; 1 in total internal reflection. The rest is transmitted.
 double fresnelReflectance(double cosIncident, double ratio);
 
-/// Schlick's polynomial for the same. From the denser side it is given the angle on the thinner one, as it must.
+/// Schlick's approximation of the same. From the denser side it uses the angle on the thinner side, as it must.
 double schlickReflectance(double cosIncident, double ratio);
 
-/// What of the intensity that a reflection ray and a refraction ray bring counts at the surface.
+/// The weights of the intensities of the reflection ray and the refraction ray.
 struct Weights {
     double reflected = 0, transmitted = 0;
     bool isTotal = false; ///< total internal reflection
 };
 
-/// Of a surface that mirrors a share k_r and lets a share k_t pass. Constant coefficients are taken as they are. What
-/// Fresnel says divides their sum anew, as the angle wants it; a surface that lets nothing pass keeps its k_r, like metal.
-/// In total reflection all of the sum is thrown back.
+/// The weights for coefficients k_r (reflectivity) and k_t (transparency). With Fresnel::constant they are used as they are.
+/// Otherwise their sum is divided by Fresnel's formulas; an opaque surface keeps its k_r, like metal. In total internal
+/// reflection all of the sum is reflected.
 Weights weightsOf(double reflectivity, double transparency, double cosIncident, double ratio, Fresnel kind);
 
 } // namespace shadowlab::ray_tracing

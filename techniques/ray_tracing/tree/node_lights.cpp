@@ -10,21 +10,22 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-/// As every technique decides it, where nothing moves; else the same questions, asked in double at that time.
+/// The visibility of the light's centre: as in all techniques, where nothing moves; else by the same tests in double, at that
+/// time.
 trace::Visibility visibilityOfCentre(const RayWorld& world, const TreeSettings& settings, const TreeNode& node,
                                      int light, const dvec3& positionWorld) {
     const trace::SceneTracer& tracer = world.surfaces.tracer();
     if (!world.scene.moves() || world.time == 0) return tracer.visibility(node.point, light, settings.start);
     const scene::Light& source = tracer.scene().light(light);
     if (!scene::lightShinesTo(source, positionWorld)) return trace::Visibility::turnedAway;
-    // The sun is far beyond everything in the scene.
+    // A directional light is far beyond everything in the scene.
     const double far = 4 * tracer.largestCentred() + glm::length(node.positionCentred);
     return visibilityAlong(world, settings, node,
                            source.type == scene::LightType::directional ? -far * source.directionWorld
                                                                         : source.positionWorld - positionWorld);
 }
 
-/// One place on the light stands for all of it: what it would bring if all places were seen as it is.
+/// One sample on the light: its contribution if all of the light were as visible as this point.
 LightAtNode sampledLight(const RayWorld& world, const TreeSettings& settings, const TreeNode& node, int light,
                          const dvec3& positionWorld) {
     const Surfaces& surfaces = world.surfaces;
@@ -46,11 +47,11 @@ LightAtNode sampledLight(const RayWorld& world, const TreeSettings& settings, co
     return at;
 }
 
-// As a share of the cut-off, which is half a step of 8-bit grey among light colours: near black, where steps are thirteen
-// times smaller (sRGB), this is a ninth of half a step; many faint lights together stay below a step.
+// Relative to the cut-off, which is half a step of 8-bit grey among light colours. Near black, where sRGB steps are thirteen
+// times smaller, this is a ninth of half a step, so that many faint lights together stay below a step.
 constexpr double kFaint = 0.008;
 
-/// Most of glass: the highlight of a lamp is some pixels wide, and there is nothing else that a lamp does to it.
+/// Is the light's contribution invisible? On glass it mostly is: a lamp adds only a highlight some pixels wide.
 bool isFaint(const TreeNode& node, const TreeSettings& settings, const dvec3& intensity, double exposure) {
     const double most = std::max({intensity.x, intensity.y, intensity.z});
     return node.contribution * most * exposure < kFaint * settings.cutoff;

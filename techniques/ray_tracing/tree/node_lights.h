@@ -1,15 +1,15 @@
-// What one light does at a node of a tree of rays: by a shadow ray to the middle of the light, or to a place on it.
+// The contribution of one light at a node of a ray tree, by a shadow ray to its centre, or to a point on it.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/ray_tracing/tree/ray_tree.h"
 
 namespace shadowlab::ray_tracing {
 
-/// `node` has a point, its position and its normal.
+/// `node` must have its point, position and normal.
 LightAtNode lightAt(const RayWorld& world, const TreeSettings& settings, const TreeNode& node, int light);
 
-/// Does a shadow ray from the node's point arrive that goes that far (metres) in that direction? `offset` joins the point and
-/// the place on the light; `node.u` tells which side of the triangle is looked at.
+/// Is the segment from the node's point by `offset` (metres), to a point on the light, unblocked? `node.u` tells which side of
+/// the triangle is seen.
 trace::Visibility visibilityAlong(const RayWorld& world, const TreeSettings& settings, const TreeNode& node,
                                   const dvec3& offset);
 

@@ -10,7 +10,8 @@ namespace shadowlab::ray_tracing {
 
 namespace {
 
-/// What a ray finds where it ended. A sheet has its own medium within, too thin to bend a ray that comes out behind it.
+/// The indices of refraction on both sides of the surface. A sheet has its own medium inside, too thin to bend a ray that leaves
+/// it on the other side.
 Crossing crossingAt(const Surfaces& surfaces, const TreeNode& node) {
     if (surfaces.isSolid(node.point))
         return node.media.crossing(surfaces.mediumOf(node.point), surfaces.isEntered(node.point));
@@ -36,8 +37,8 @@ Optics opticsWith(const dvec3& normalWorld, const Surfaces& surfaces, const Tree
     return optics;
 }
 
-/// With the shading normal, so that a ball made of triangles mirrors like a ball; but where that would send a ray to the
-/// wrong side of the triangle, with the triangle's own.
+/// With the shading normal, so that a ball made of triangles reflects like a ball; but with the triangle's own normal where a ray
+/// would otherwise leave on the wrong side of the triangle.
 Optics opticsAt(const Surfaces& surfaces, const TreeNode& node, Fresnel fresnel) {
     const Optics smooth = opticsWith(node.normalWorld, surfaces, node, fresnel);
     const dvec3 flatWorld = surfaces.geometricNormalWorld(node.point);
@@ -46,11 +47,11 @@ Optics opticsAt(const Surfaces& surfaces, const TreeNode& node, Fresnel fresnel)
     return fits ? smooth : opticsWith(flatWorld, surfaces, node, fresnel);
 }
 
-/// Free tries for a direction on the right side of the surface. Of a lobe about an axis on that side at least half is there, so
-/// that all of them fail once in 2^32 rays; the axis itself is taken then.
+/// Attempts to find a direction on the right side of the surface. At least half of a lobe lies there, so all attempts fail once
+/// in 2^32 rays; then the axis itself is used.
 constexpr std::uint32_t kTries = 32;
 
-/// A direction of the lobe on the same side of the surface as `sideWorld`; nothing where lobes are cut and it fell below.
+/// A random direction of the lobe, on the same side of the surface as `sideWorld`; nothing where lobes are cut and it lies below.
 std::optional<dvec3> sampleLobe(const RayWorld& world, const TreeSettings& settings, const dvec3& axisWorld,
                                 double power, const dvec3& sideWorld, Purpose purpose, std::uint64_t path) {
     for (std::uint32_t attempt = 0; attempt < (settings.wholeLobes ? kTries : 1); ++attempt) {
@@ -61,10 +62,10 @@ std::optional<dvec3> sampleLobe(const RayWorld& world, const TreeSettings& setti
     return std::nullopt;
 }
 
-// Trees of glass have some dozens of rays; the vector grows where one has more.
+// Glass makes trees of some dozens of rays; the vector grows for larger ones.
 constexpr std::size_t kUsualNodes = 64;
 
-// Lambert's law: what a diffuse surface receives counts with the cosine to its normal.
+// Lambert's law: the irradiance of a diffuse surface is weighted by the cosine to its normal.
 constexpr double kLambertPower = 1;
 
 } // namespace
@@ -80,7 +81,7 @@ void RayTree::trace(const RayWorld& world, const TreeSettings& settings, const d
     eye.u = u;
     eye.media = aroundEye;
     eye.point = first;
-    // Going down: the list grows while it is gone through.
+    // From the root down: the list grows during the loop.
     // [anchor: tree-grows]
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
         if (nodes_[i].end == RayEnd::noTransmission || nodes_[i].end == RayEnd::depth ||
@@ -98,7 +99,8 @@ void RayTree::trace(const RayWorld& world, const TreeSettings& settings, const d
     evaluate(world.surfaces);
 }
 
-/// The first surface on the ray's way that is really there. Without any splitting all of them are, as in other techniques.
+/// The first surface on the ray's way that is not inside a medium of higher priority. Without splitting all surfaces count, as in
+/// other techniques.
 void RayTree::find(const RayWorld& world, const TreeSettings& settings, TreeNode& node) const {
     const Surfaces& surfaces = world.surfaces;
     const auto next = [&](const dvec3& fromCentred, std::uint32_t leftOut) {
@@ -122,8 +124,9 @@ void RayTree::find(const RayWorld& world, const TreeSettings& settings, TreeNode
     node.distance = glm::length(node.positionCentred - node.fromCentred);
 }
 
-/// The surface's own light: as in every other technique. Between diffuse surfaces ambient light stands for what they send each
-/// other, so it is left out where rays are sent for that; and of lights what was asked of them at the surface before.
+/// The light that the surface sends by itself and reflects of the lights, as in every other technique. Ambient light stands for
+/// interreflection, so it is left out where rays are sent for that; and so is the emission of lights whose light was already
+/// sampled at the surface before.
 void RayTree::light(const RayWorld& world, const TreeSettings& settings, TreeNode& node) {
     const Surfaces& surfaces = world.surfaces;
     node.normalWorld = surfaces.normalWorld(node.point, -node.u);
@@ -227,7 +230,7 @@ TreeNode& RayTree::add(const TreeSettings& settings, std::size_t parent, Branch 
     return child;
 }
 
-/// Coming up: every node has its children behind it.
+/// From the leaves up: children always come after their parent.
 void RayTree::evaluate(const Surfaces& surfaces) {
     // [anchor: tree-evaluates]
     for (std::size_t i = nodes_.size(); i-- > 0;) {

@@ -1,12 +1,11 @@
-// The binary tree of one pixel ray, as the lecture draws it: where the ray meets a surface it splits into a reflection ray
-// and a refraction ray, and these split again.
+// The binary tree of one pixel ray, as in the lecture: where the ray hits a surface it splits into a reflection ray and a
+// refraction ray, and these split again.
 //
-// T. Whitted, "An Improved Illumination Model for Shaded Display", Communications of the ACM 1980. The tree is built from
-// the root down, level by level, and then evaluated from its leaves up: a ray that meets nothing, or is not followed, has
-// the background's intensity, one that ends on a light source that light's; a surface adds to its own light what its two
-// rays bring, each weighted; and on its way back to where it came from every ray is attenuated by the distance.
-// Nodes lie in the order in which they were made, parents before children, so going down is a loop, and coming up the same
-// loop backward.
+// T. Whitted, "An Improved Illumination Model for Shaded Display", Communications of the ACM 1980. The tree is built from the
+// root down, level by level, and then evaluated from the leaves up. A ray that hits nothing, or is not followed, has the
+// background's intensity; one that ends on a light source has that light's. A surface adds to its own light the weighted
+// intensities of its two rays. Every ray is attenuated by the distance it travels. Nodes are stored in the order in which they
+// are made, parents before children: going down is a loop, and coming up the same loop backward.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
@@ -20,98 +19,97 @@
 
 namespace shadowlab::ray_tracing {
 
-/// What stands for a light that has an area.
+/// How a light with an area is treated.
 enum class AreaLights {
-    centre,  ///< the point in its middle: hard shadows
-    sampled, ///< a place on it, by chance: all samples of a pixel together see how much of it is hidden
+    centre,  ///< as its centre point: hard shadows
+    sampled, ///< by a random point on it: all samples of a pixel together estimate how much of it is hidden
     analytic ///< all of it, in closed form; only while nothing moves, else sampled
 };
 
 struct TreeSettings {
     int depth = 0;     ///< levels of rays below the eye ray; 0: nothing splits
-    double cutoff = 0; ///< a ray that can add no larger share to the pixel than this is not followed
+    double cutoff = 0; ///< a ray whose contribution to the pixel is smaller is not followed
     Fresnel fresnel = Fresnel::exact;
     dvec3 attenuation{1, 0, 0}; ///< c0, c1, c2: after d metres 1 / (c0 + c1 d + c2 d^2) is left
     trace::ShadowStart start = trace::ShadowStart::exact;
 
-    // What is left to chance; needs numbers (RayWorld).
+    // Random sampling; needs RayWorld::numbers.
     AreaLights areaLights = AreaLights::centre;
-    bool gloss = false, translucency = false; ///< rays spread into the lobes that materials ask for
-    bool wholeLobes = true;                   ///< what falls below the surface is drawn again; false: it is lost
-    bool interreflection = false;             ///< diffuse surfaces send a ray on, too
+    bool gloss = false, translucency = false; ///< rays are spread over the lobes of the materials
+    bool wholeLobes = true;       ///< directions below the surface are drawn again; false: their light is lost
+    bool interreflection = false; ///< diffuse surfaces send a ray, too
 
-    /// No shadow ray where the light could add less to the pixel than can be seen. For pictures; who asks for a tree wants to
-    /// know all of it.
+    /// No shadow ray where the light could not visibly change the pixel. For pictures; a probe lists all rays.
     bool skipsFaint = false;
 
     [[nodiscard]] bool attenuates() const { return attenuation != dvec3(1, 0, 0); }
-    /// Of a ray that has come that far.
+    /// The share of a ray's intensity that is left after that distance in metres.
     [[nodiscard]] double attenuationAt(double distance) const {
         return 1.0 / (attenuation.x + distance * (attenuation.y + distance * attenuation.z));
     }
 };
 
-/// Where and when a tree grows.
+/// The scene and the time that a tree is traced in.
 struct RayWorld {
     const Surfaces& surfaces;
     const trace::MovingScene& scene;
     double time = 0;                          ///< in units of shutter time
-    const SampleNumbers* numbers = nullptr;   ///< none: nothing is left to chance
+    const SampleNumbers* numbers = nullptr;   ///< nullptr: nothing is random
     const AnalyticLights* analytic = nullptr; ///< for AreaLights::analytic
 };
 
-/// Why a branch ends, or that it does not.
+/// Why a branch ends, if it does.
 enum class RayEnd : std::uint8_t {
-    splits,         ///< it goes on
+    splits,         ///< it does not end
     nothingHit,     ///< background
-    lightSource,    ///< one that does not reflect
-    opaque,         ///< a surface that neither reflects nor lets light pass
-    depth,          ///< the tree is deep enough
-    cutoff,         ///< it would add too little
-    noTransmission, ///< total reflection: there is no such ray
+    lightSource,    ///< hit a light source that does not reflect
+    opaque,         ///< hit a surface that neither reflects nor transmits
+    depth,          ///< the maximum depth is reached
+    cutoff,         ///< its contribution would be too small
+    noTransmission, ///< total internal reflection: there is no such ray
 };
 
 enum class Branch : std::uint8_t { eye, reflection, refraction, diffuse };
 
-/// What a light does at a node.
+/// A light at a node.
 struct LightAtNode {
     trace::Visibility visibility = trace::Visibility::noSurface;
-    dvec3 towardWorld{0.0};  ///< L: to its centre, or to the place on it that was chosen
+    dvec3 towardWorld{0.0};  ///< L: to its centre, or to the sampled point on it
     dvec3 halfwayWorld{0.0}; ///< H, between L and V
-    dvec3 intensity{0.0};    ///< sent toward the viewer; zero unless lit
-    dvec3 toPlace{0.0};      ///< from the surface to that place, metres; zero: none was chosen
-    double areaWeight = 1;   ///< of the sample, where the share of the light's area is asked that is seen
+    dvec3 intensity{0.0};    ///< its contribution toward the viewer; zero unless lit
+    dvec3 toPlace{0.0};      ///< from the surface to the sampled point, metres; zero: none was sampled
+    double areaWeight = 1;   ///< LightSample::areaWeight, for the visible share of the area
 };
 
-/// A ray, and the surface that it meets.
+/// A ray, and the surface that it hits.
 struct TreeNode {
     int parent = -1, level = 0;
-    std::uint64_t path = 1; ///< which node of all possible trees: the same number, the same branches on the way to it
+    std::uint64_t path = 1; ///< number of this node among those of all possible trees: the branches on the way to it
     Branch branch = Branch::eye;
     RayEnd end = RayEnd::opaque;
     dvec3 fromCentred{0.0};
-    dvec3 u{0.0};               ///< the way of the ray; V is -u
-    double contribution = 1;    ///< the share of the pixel that it carries where it begins
-    DielectricStack media;      ///< that it travels in
-    trace::SurfacePoint point;  ///< none: it meets nothing, or was not followed
-    dvec3 positionCentred{0.0}; ///< where it lies at that time
+    dvec3 u{0.0};               ///< direction of the ray; V is -u
+    double contribution = 1;    ///< the share of the pixel's intensity that it carries at its origin
+    DielectricStack media;      ///< that the ray is in
+    trace::SurfacePoint point;  ///< none: it hits nothing, or was not followed
+    dvec3 positionCentred{0.0}; ///< position at that time
     double distance = 0;        ///< metres
-    double attenuation = 1;     ///< what that leaves
+    double attenuation = 1;     ///< the share that is left after this distance
     dvec3 normalWorld{0.0};     ///< N, on the viewer's side
     dvec3 reflectedWorld{0.0};  ///< R; zero: there is none
     dvec3 refractedWorld{0.0};  ///< T; zero: there is none
     double iorHere = 1, iorBeyond = 1;
     Weights weights;
-    dvec3 diffuseWeight{0.0};                           ///< of what a diffuse surface receives from others
+    dvec3 diffuseWeight{0.0};                           ///< diffuse reflectance, if a diffuse ray was sent
     int reflection = -1, refraction = -1, diffuse = -1; ///< children
     std::size_t firstLight = 0;                         ///< in lightsOf()
-    dvec3 local{0.0};              ///< sent by the surface itself: emission, ambient light, lights that it sees
-    dvec3 reflectedIntensity{0.0}; ///< I_R
-    dvec3 refractedIntensity{0.0}; ///< I_T
-    dvec3 diffuseIntensity{0.0};   ///< of the ray that a diffuse surface sends on
-    dvec3 intensity{0.0};          ///< I, as it arrives where the ray began
+    dvec3 local{0.0};                                   ///< emission, ambient light, and reflected light of the lights
+    dvec3 reflectedIntensity{0.0};                      ///< I_R
+    dvec3 refractedIntensity{0.0};                      ///< I_T
+    dvec3 diffuseIntensity{0.0};                        ///< of the diffuse ray
+    dvec3 intensity{0.0};                               ///< I, as it arrives at the ray's origin
 
-    /// Which of all dimensions of SampleNumbers its samples of a light are, among so many lights.
+    /// The place (SampleNumbers::pair) of a light at this node, among so many lights.
     [[nodiscard]] std::uint64_t placeOf(int light, std::size_t lights) const {
         return path * lights + static_cast<std::size_t>(light);
     }
@@ -120,25 +118,25 @@ struct TreeNode {
 
 class RayTree {
 public:
-    /// Builds and evaluates the tree of a ray from the eye, in that unit direction, which ends at `first`.
+    /// Builds and evaluates the tree of an eye ray in that unit direction, which hits `first`.
     void trace(const RayWorld& world, const TreeSettings& settings, const dvec3& eyeCentred, const dvec3& u,
                const trace::SurfacePoint& first, const DielectricStack& aroundEye);
 
-    /// The root comes first, then level by level.
+    /// The root first, then level by level.
     [[nodiscard]] const std::vector<TreeNode>& nodes() const { return nodes_; }
     [[nodiscard]] const TreeNode& root() const { return nodes_.front(); }
-    /// One for each light of the scene, of a node that has a surface.
+    /// For a node with a surface, one entry for each light of the scene.
     [[nodiscard]] std::span<const LightAtNode> lightsOf(const TreeNode& node) const {
         return {lights_.data() + node.firstLight, node.point ? lightCount_ : 0};
     }
-    /// What its rays add to the pixel, by each of the root's branches.
+    /// The intensity that each of the root's branches adds to the pixel.
     [[nodiscard]] dvec3 addedByReflection() const {
         return root().attenuation * root().weights.reflected * root().reflectedIntensity;
     }
     [[nodiscard]] dvec3 addedByRefraction() const {
         return root().attenuation * root().weights.transmitted * root().refractedIntensity;
     }
-    /// Of rays that were followed, the eye ray's included.
+    /// The levels of rays that were followed, including the eye ray.
     [[nodiscard]] int levels() const;
 
 private:
@@ -146,7 +144,7 @@ private:
     void light(const RayWorld& world, const TreeSettings& settings, TreeNode& node);
     void split(const RayWorld& world, const TreeSettings& settings, std::size_t index);
     void splitByOptics(const RayWorld& world, const TreeSettings& settings, std::size_t index);
-    /// The new node; nodes may have moved.
+    /// Returns the new node; references to nodes become invalid.
     TreeNode& add(const TreeSettings& settings, std::size_t parent, Branch branch, const dvec3& u, double contribution);
     void evaluate(const Surfaces& surfaces);
 

@@ -22,7 +22,7 @@ double signedVolume(const scene::Mesh& mesh) {
     return sum;
 }
 
-// Along no axis and no diagonal, so that it is rarely aimed at an edge of a built-in shape.
+// Parallel to no axis and no diagonal, so that it rarely hits an edge of a built-in shape.
 const dvec3 kAwayFromScene = glm::normalize(dvec3(0.3178, 0.9021, 0.2913));
 
 } // namespace
@@ -83,7 +83,7 @@ dvec3 Surfaces::lit(const trace::SurfacePoint& point, int light, const dvec3& po
                     const dvec3& toViewerWorld) const {
     const scene::Light& source = scene().light(light);
     const dvec3 irradiance = scene::irradiance(source, positionWorld, normalWorld);
-    if (irradiance == dvec3(0.0)) return irradiance; // turned away: no need to ask what would be reflected
+    if (irradiance == dvec3(0.0)) return irradiance; // facing away: no reflectance needed
     return irradiance * scene::reflectance(materialOf(point), normalWorld,
                                            scene::towardLightWorld(source, positionWorld), toViewerWorld);
 }

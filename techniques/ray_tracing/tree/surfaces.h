@@ -1,5 +1,4 @@
-// What shading and optics want to know about the place where a ray ended: its material, its normals, what it sends back of
-// each light, and whether there is a solid behind it.
+// What shading and optics need at a hit: the material, normals, reflected light, and whether the surface encloses a solid.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>
@@ -11,7 +10,7 @@ namespace shadowlab::ray_tracing {
 
 class Surfaces {
 public:
-    /// The tracer must outlive it, and stay at the same scene.
+    /// The tracer must outlive this object, and keep its scene.
     explicit Surfaces(const trace::SceneTracer& tracer);
 
     [[nodiscard]] const trace::SceneTracer& tracer() const { return *tracer_; }
@@ -22,36 +21,36 @@ public:
     }
     /// A rect light's surface is dark on its back.
     [[nodiscard]] bool emitsHere(const trace::SurfacePoint& point) const;
-    /// What it sends toward the viewer of its own.
+    /// Emitted radiance toward the viewer.
     [[nodiscard]] vec3 emitted(const trace::SurfacePoint& point) const {
         return emitsHere(point) ? materialOf(point).emission : vec3(0.0f);
     }
-    /// What it sends toward the viewer with all lights off.
+    /// Radiance toward the viewer with all lights off.
     [[nodiscard]] vec3 lightsOff(const trace::SurfacePoint& point) const;
-    /// The shading normal: interpolated between the corners, turned to the viewer's side.
+    /// The shading normal: interpolated between the vertices, turned to the viewer's side.
     [[nodiscard]] dvec3 normalWorld(const trace::SurfacePoint& point, const dvec3& toViewerWorld) const;
-    /// Of the triangle itself, on the side that the ray came from.
+    /// The triangle's own normal, on the side that the ray came from.
     [[nodiscard]] dvec3 geometricNormalWorld(const trace::SurfacePoint& point) const;
-    /// What it sends toward the viewer of a light that it sees; `normalWorld` is normalWorld() there.
+    /// Reflected radiance toward the viewer of an unblocked light; `normalWorld` is normalWorld() there.
     [[nodiscard]] dvec3 lit(const trace::SurfacePoint& point, int light, const dvec3& positionWorld,
                             const dvec3& normalWorld, const dvec3& toViewerWorld) const;
 
-    /// The same for a light with an area that brings the point that irradiance (trace::AreaIrradiance, in parts of pi times the
-    /// light's radiance). Exact for what is diffuse. Simplified: a highlight is that of the light's centre.
+    /// The same for a light with an area, from its irradiance (trace::AreaIrradiance, in units of pi times the light's radiance).
+    /// Exact for diffuse reflection. Simplified: the highlight is that of the light's centre.
     [[nodiscard]] dvec3 litByArea(const trace::SurfacePoint& point, int light, double irradiance,
                                   const dvec3& positionWorld, const dvec3& normalWorld,
                                   const dvec3& toViewerWorld) const;
 
-    /// Does a ray split here: is any light mirrored, or let through?
+    /// Does a ray split here: is light reflected or transmitted?
     [[nodiscard]] bool splits(const trace::SurfacePoint& point) const {
         const scene::Material& material = materialOf(point);
         return material.reflectivity > 0 || material.transparency > 0;
     }
-    /// Does it anywhere in the scene?
+    /// Does a ray split anywhere in the scene?
     [[nodiscard]] bool anySplits() const { return anySplits_; }
 
-    /// Does the surface enclose a solid that light passes through? Only a closed surface, wound alike all over, tells what
-    /// is inside. Any other is a sheet: light passes straight through.
+    /// Does the surface enclose a transparent solid? Only a closed, consistently wound surface has an inside. Any other is a
+    /// sheet: light passes straight through.
     [[nodiscard]] bool isSolid(const trace::SurfacePoint& point) const {
         return materialOf(point).transparency > 0 && outsides_[objectOf(point)] != Outside::unknown;
     }
@@ -59,15 +58,15 @@ public:
         const scene::Material& material = materialOf(point);
         return {objectOf(point), material.priority, material.ior};
     }
-    /// Does a ray that ends there come from outside the solid?
+    /// Does the ray enter the solid at this hit?
     [[nodiscard]] bool isEntered(const trace::SurfacePoint& point) const {
         return point.eyeOnFront == (outsides_[objectOf(point)] == Outside::front);
     }
-    /// The solids around a place. A ray is sent from it out of the scene: what it leaves and never entered is around it.
+    /// The solids that contain a point: those that a ray out of the scene leaves without having entered them.
     [[nodiscard]] DielectricStack mediaAround(const dvec3& positionCentred) const;
 
 private:
-    /// On which side of an object's triangles (as they lie in the world) is the outside?
+    /// The side of an object's triangles, as they lie in the world, that is outside.
     enum class Outside : std::uint8_t { unknown, front, back };
     [[nodiscard]] Outside outsideOf(const scene::Object& object) const;
     [[nodiscard]] std::uint32_t objectOf(const trace::SurfacePoint& point) const {
@@ -80,7 +79,7 @@ private:
     const trace::SceneTracer* tracer_;
     std::vector<std::uint32_t> materials_;   ///< per triangle of the scene
     std::vector<dmat3> normalWorldFromMesh_; ///< per object
-    std::vector<Outside> outsides_;          ///< per object; looked for only where something is transparent
+    std::vector<Outside> outsides_;          ///< per object; determined only for transparent ones
     bool anySplits_ = false, anySolid_ = false;
 };
 
