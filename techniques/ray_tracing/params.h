@@ -50,7 +50,7 @@ struct SamplingParams {
     friend bool operator==(const SamplingParams&, const SamplingParams&) = default;
 
     [[nodiscard]] bool areMany() const { return pattern.count > 1; }
-    /// Also with a single sample.
+    /// Lights with an area in closed form, also with a single sample.
     [[nodiscard]] bool isAnalytic() const { return softShadows == SoftShadows::analytic; }
     /// `tree`: the settings that do not depend on sampling.
     [[nodiscard]] SampledSettings settings(const TreeSettings& tree, const scene::Camera& camera) const;

@@ -23,7 +23,7 @@
 #include "techniques/ray_tracing/probe/ray_shapes.h"
 #include "techniques/ray_tracing/sampling/light_shares.h"
 #include "techniques/ray_tracing/sampling/sampling_scene.h"
-#include "techniques/ray_tracing/structures/naive_intersection.h"
+#include "techniques/ray_tracing/structures/ray_scene.h"
 #include "techniques/ray_tracing/structures/structure_shapes.h"
 
 namespace shadowlab::ray_tracing {
@@ -39,23 +39,9 @@ public:
         return list;
     }
     Progress prepare(const scene::Snapshot& snapshot, Deadline deadline) override {
-        tracer_.askInstead(nullptr);
-        if (!tracer_.advance(snapshot, deadline)) return {tracer_.done(), false};
-        // Surfaces do not depend on lights, which move most often: they are kept then.
-        const scene::Revisions& now = snapshot->revisions;
-        if (now.geometry != surfacesRevisions_.geometry || now.transforms != surfacesRevisions_.transforms ||
-            now.materials != surfacesRevisions_.materials)
-            surfaces_.emplace(tracer_);
-        surfacesRevisions_ = now;
-        const Progress progress = structures_.prepare(tracer_.geometry(), structureParams_.structure, deadline);
+        const Progress progress = scene_.prepare(snapshot, structureParams_, deadline);
         if (!progress.converged) return progress;
-        if (structures_.chosen() != trace::Structure::bvh) tracer_.askInstead(&structures_.engine());
-        naive_.reset();
-        if (structureParams_.intersection == StructureParams::Intersection::naive) {
-            naive_ = makeNaiveEngine(tracer_.geometry()->bvh, static_cast<float>(structureParams_.edgeMargin));
-            tracer_.askInstead(naive_.get());
-        }
-        return sampling_.prepare(snapshot, structures_.chosen(), samplingParams_, deadline);
+        return sampling_.prepare(snapshot, scene_.structures().chosen(), samplingParams_, deadline);
     }
 
     Progress render(Frame& frame) override {
@@ -70,7 +56,7 @@ public:
         const bool hasFirst = hasAreas && traceTrees(frame);
         const bool isFinished = hasFirst && traceSamples(frame);
         const bool hasAnswers = !hasFirst || publishShares(frame);
-        publishStages(frame);
+        publishStages(frame, {scene_.tracer(), scene_.structures(), picture_, sampled_, shares_});
         isFinished_ = isFinished && hasAnswers;
         if (isFinished_) return {};
         if (!frame.refines()) return {picture_.done(hasTrees()), false};
@@ -85,12 +71,12 @@ public:
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::vector<SceneShape> shapes(const scene::Snapshot&, const View& view, int light) override {
         if (view.picked) return {}; // the probe of that pixel has its rays
-        std::vector<SceneShape> shapes = rayShapes(tracer_, view, light);
+        std::vector<SceneShape> shapes = rayShapes(scene_.tracer(), view, light);
         // The tree of boxes is always there; a structure is drawn only where another one was chosen.
-        if (structures_.chosen() != trace::Structure::bvh)
-            std::ranges::move(
-                structureShapes(structures_.engine(), structures_.chosen(), tracer_.world().originWorld, std::nullopt),
-                std::back_inserter(shapes));
+        if (scene_.structures().chosen() != trace::Structure::bvh)
+            std::ranges::move(structureShapes(scene_.structures().engine(), scene_.structures().chosen(),
+                                              scene_.tracer().world().originWorld, std::nullopt),
+                              std::back_inserter(shapes));
         return shapes;
     }
     std::string remark(const scene::MeshReport& report, const scene::Mesh&) const override {
@@ -119,7 +105,7 @@ private:
         isFinished_ = false;
         if (goesOn) return;
         pictureKey_ = std::move(key);
-        picture_.restart(tracer_, view.camera, view.size);
+        picture_.restart(scene_.tracer(), view.camera, view.size);
         sampled_.restart(samplingParams_.areMany() ? view.size : ivec2(0)); // its memory is large
         shares_.clear();
         isShaded_ = false;
@@ -137,9 +123,9 @@ private:
             settings.receivers = receivers;
         }
         frame.pass(passInfo(kPasses, "visibility"), [&] {
-            if (!picture_.isTraced()) picture_.trace(tracer_, settings, frame.deadline());
+            if (!picture_.isTraced()) picture_.trace(scene_.tracer(), settings, frame.deadline());
         });
-        if (!isShaded_) counts_ = countRays(tracer_, picture_);
+        if (!isShaded_) counts_ = countRays(scene_.tracer(), picture_);
         publishCounts(frame, counts_);
     }
 
@@ -153,8 +139,9 @@ private:
                     passInfo(kPasses, "areas"),
                     [&] {
                         LightShares& shares = sharesOf(light);
-                        finished = shares.advance(*surfaces_, picture_, frame.view().camera, *area, frame.deadline()) &&
-                                   finished;
+                        finished =
+                            shares.advance(scene_.surfaces(), picture_, frame.view().camera, *area, frame.deadline()) &&
+                            finished;
                     },
                     light);
         return finished;
@@ -167,7 +154,7 @@ private:
 
     /// Shades again while rays are still being traced, and when a single pass is shown; otherwise the shaded picture is kept.
     void shade(Frame& frame, bool tracedAll) {
-        const Surfaces& surfaces = *surfaces_;
+        const Surfaces& surfaces = scene_.surfaces();
         const int lights = static_cast<int>(frame.scene().lights.size());
         const bool stays = isShaded_ && !frame.wants("lights-off") && !frame.stopsAfter();
         frame.pass(passInfo(kPasses, "lights-off"), [&] {
@@ -191,7 +178,7 @@ private:
 
     [[nodiscard]] bool hasTrees() const {
         const TreeSettings tree = treeSettings();
-        return (tree.depth > 0 && surfaces_->anySplits()) || tree.attenuates();
+        return (tree.depth > 0 && scene_.surfaces().anySplits()) || tree.attenuates();
     }
 
     /// True when the picture of one sample is finished, or the frame stops after an earlier pass.
@@ -199,8 +186,9 @@ private:
         bool finished = true;
         if (hasTrees())
             frame.pass(passInfo(kPasses, "trees"), [&] {
-                finished = picture_.traceTrees({*surfaces_, sampling_.atRest(), 0, nullptr, sampling_.analytic()},
-                                               treeSettings(), frame.deadline());
+                finished =
+                    picture_.traceTrees({scene_.surfaces(), sampling_.atRest(), 0, nullptr, sampling_.analytic()},
+                                        treeSettings(), frame.deadline());
                 show(frame);
             });
         frame.count("trees", static_cast<double>(picture_.trees()), static_cast<double>(picture_.points().size()),
@@ -216,7 +204,7 @@ private:
             finished = false;
             if (frame.refines())
                 finished =
-                    sampled_.advance(*surfaces_, sampling_.moving(), sampling_.analytic(), frame.view().camera,
+                    sampled_.advance(scene_.surfaces(), sampling_.moving(), sampling_.analytic(), frame.view().camera,
                                      samplingParams_.settings(treeSettings(), frame.view().camera), frame.deadline());
             if (sampled_.isComplete())
                 uploadFromBelow(frame.target().color, sampled_.radianceFromBelow(), sampled_.size());
@@ -235,29 +223,11 @@ private:
                 !(frame.wants("visibility", light) || frame.wants("penumbra", light)))
                 continue;
             if (samplingParams_.isAnalytic()) continue; // traceAreas() has found them
-            finished = sharesOf(light).advance(*surfaces_, picture_, frame.view().camera, samplingParams_.pattern,
-                                               frame.deadline()) &&
+            finished = sharesOf(light).advance(scene_.surfaces(), picture_, frame.view().camera,
+                                               samplingParams_.pattern, frame.deadline()) &&
                        finished;
         }
         return finished;
-    }
-
-    void publishStages(Frame& frame) {
-        if (frame.wants("primary-hits")) publishDistances(frame, tracer_, picture_);
-        for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
-            const auto shares = shares_.find(light);
-            if (frame.wants("shadow-rays", light)) publishShadowRays(frame, picture_, light);
-            if (frame.wants("visibility", light))
-                publishVisibility(frame, picture_, light, shares == shares_.end() ? nullptr : &shares->second);
-            if (frame.wants("penumbra", light))
-                publishPenumbra(frame, picture_, light, shares == shares_.end() ? nullptr : &shares->second);
-        }
-        if (frame.wants("reflected")) publishAdded(frame, "reflected", picture_, picture_.reflectedFromBelow());
-        if (frame.wants("transmitted")) publishAdded(frame, "transmitted", picture_, picture_.transmittedFromBelow());
-        if (frame.wants("tree-depth")) publishLevels(frame, picture_);
-        if (frame.wants("samples-per-pixel")) publishSamples(frame, picture_, sampled_);
-        if (frame.wants(kTestsStage.id)) publishTests(frame, tracer_, structures_);
-        if (frame.wants(kStructureStage.id)) publishStructure(frame, tracer_, structures_, picture_);
     }
 
     void show(const Frame& frame) const {
@@ -274,12 +244,8 @@ private:
 
     RayTracedParams params_;
     StructureParams structureParams_;
-    StructureCache structures_;
-    std::unique_ptr<trace::Engine> naive_; ///< traces in place of the structure; nullptr: intersection is watertight
-    trace::SceneTracer tracer_;
-    scene::Revisions surfacesRevisions_{0, 0, 0, 0}; ///< of surfaces_; no scene has zeros
-    std::optional<Surfaces> surfaces_;
-    SamplingScene sampling_{tracer_};
+    RayScene scene_;
+    SamplingScene sampling_{scene_.tracer()};
     SamplingParams samplingParams_;
 
     PictureCacheKey pictureKey_; // of all that follows
@@ -296,9 +262,9 @@ Probe RayTraced::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
     Probe probe = Technique::probe(snapshot, view, pixel, light);
     prepare(snapshot, Deadline::max());
     const bool asksArea = light >= 0 && samplesArea(*snapshot, light);
-    describePixel(
-        {tracer_, *surfaces_, structures_, sampling_, samplingParams_, treeSettings(), view, pixel, light, asksArea},
-        probe);
+    describePixel({scene_.tracer(), scene_.surfaces(), scene_.structures(), sampling_, samplingParams_, treeSettings(),
+                   view, pixel, light, asksArea},
+                  probe);
     return probe;
 }
 

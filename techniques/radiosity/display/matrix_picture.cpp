@@ -19,7 +19,7 @@ vec3 colorOf(double formFactor) {
 }
 
 const vec3 kPaper = look::linearFromSrgb8(0x24, 0x24, 0x28);
-const vec3 kBar = look::linearFromSrgb8(0xE6, 0x9F, 0x00);
+const vec3& kBar = look::kPatchJ; // row j
 const vec3 kOne = look::linearFromSrgb8(0xF2, 0xF2, 0xF2);
 
 /// The range of rows or columns that a pixel covers: at least one.

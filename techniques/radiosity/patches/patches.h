@@ -22,7 +22,7 @@ Patch pieceOf(const Patch& patch, const Polygon& polygon);
 /// of their own shape.
 std::vector<Patch> cutIntoPatches(const Faces& faces, double size);
 
-/// The smallest size that leaves at most `most` patches (or one per face), among the scene's extent times 2^(-k/16), k = 0, 1, 2
+/// The smallest size that leaves at most `most` patches (or one per face), among the longest edge times 2^(-k/16), k = 0, 1, 2
 /// ...
 double sizeForBudget(const Faces& faces, std::size_t most);
 

@@ -73,7 +73,8 @@ void Room::cut() {
     requireMemory(scene_, exchangingFaces_.all.size()); // each is at least one patch, and more where they touch
     const double size = cutWithinBudget();
     requireMemory(scene_, patches_.size());
-    // A side that exchanges light with nothing, such as the underside of a large floor, need not be cut as finely as the others.
+    // Loose sides may be very large compared with the rest of the scene (the underside of a ground plane), so they may be cut
+    // more coarsely.
     const double sizeOfLoose = std::max(size, sizeForBudget(loose, settings_.patches));
     allPatches_ = cutIntoPatches(loose, sizeOfLoose); // only the loose ones so far
     for (Patch& patch : allPatches_)
