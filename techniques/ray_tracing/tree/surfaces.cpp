@@ -5,8 +5,8 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "techniques/foundation/scene/query/mesh_topology.h"
 #include "techniques/foundation/scene/query/shading.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::ray_tracing {
