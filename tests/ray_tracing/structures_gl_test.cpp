@@ -116,7 +116,7 @@ TEST_F(RayStructuresTest, WithHolesAndReceiversFromAnIdBuffer) {
     }
 }
 
-TEST(KeptStructuresTest, AreBuiltOnceAndInSlices) {
+TEST(StructureCacheTest, AreBuiltOnceAndInSlices) {
     const auto geometryOf = [](const scene::Scene& scene) {
         trace::SceneTracer tracer;
         tracer.advance(testing::snapshot(scene), Deadline::max());
