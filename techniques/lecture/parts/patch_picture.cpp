@@ -39,7 +39,7 @@ void PatchPicture::begin(const Frame& frame, const RayScene& rays, const Divided
     const vec3& background = frame.scene().background;
     glClearColor(background.r, background.g, background.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    for (const gl::Program* program : {&lightsOff_.cutting(), &std::as_const(lightsOff_)}) {
+    for (const gl::Program* program : {&lightsOff_.alphaTested(), &std::as_const(lightsOff_)}) {
         program->use();
         program->set("ambient", vec3(0.0f)); // it stands for what is computed here
     }
