@@ -18,7 +18,7 @@ namespace shadowlab::cli {
 namespace {
 
 const std::vector<std::string> kLayouts = {"single", "side", "split", "grid",
-                                           "diff"}; ///< in the order of session::Layout
+                                           "diff"}; ///< in the order of picture::Layout
 
 picture::Layout layoutFor(const GivenOptions& given, std::size_t slots) {
     if (!given.has("--layout")) return slots > 1 ? picture::Layout::side : picture::Layout::single;

@@ -21,7 +21,7 @@ std::vector<vec4> texelsOf(const scene::Snapshot& snapshot, const std::vector<st
     std::vector<std::string> full;
     for (const std::string& setting : settings)
         full.push_back(technique + "." + setting);
-    session::applySettings(slots, full);
+    lab::applySettings(slots, full);
     View view;
     view.camera = snapshot->camera;
     view.size = size;

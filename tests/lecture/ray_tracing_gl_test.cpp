@@ -79,7 +79,7 @@ vec4 middleOf(scene::Scene scene, const std::vector<std::string>& settings, std:
     std::vector<std::string> full;
     for (const std::string& setting : settings)
         full.push_back(std::string(kTechnique) + "." + setting);
-    session::applySettings(slots, full);
+    lab::applySettings(slots, full);
     View view;
     view.camera = session.snapshot()->camera;
     view.size = {3, 3};
@@ -214,7 +214,7 @@ TEST_F(LectureRayTracingTest, MirrorsAndGlassAreThoseOfTheProductionTechnique) {
         picture::Session session(snapshot);
         std::vector<picture::Slot> slots;
         slots.push_back(picture::Session::makeSlot(technique));
-        session::applySettings(slots, settings);
+        lab::applySettings(slots, settings);
         View view;
         view.camera = snapshot->camera;
         view.size = {240, 160};
