@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parent.parent
 SIZE = "640x360"
-FRAMES = 24  # of a light that turns by 2 degrees in all: every frame is a new one, and the picture stays nearly the same
+FRAMES = 12  # of a light that turns by 2 degrees in all: every frame is a new one, and the picture stays nearly the same
 
 
 class Refinement(NamedTuple):
@@ -51,7 +51,7 @@ PAGES = {
         Refinement("A shadow ends where its plane's surface ends (stencil)", "still-life", ("stencil=false",), (), ("planar/drawing.cpp",)),
         Refinement("A point under several faces is darkened once", "still-life", ("once=false",), (), ("planar/drawing.cpp",)),
         Refinement("All flat faces in view receive, not the largest alone", "room-with-lamps", ("receivers=1",), (), ("planar/receivers",)),
-        Refinement("What cannot shadow anything in view is left out", "lattice", ("cull=false",), (), ("planar/flattening.cpp", "planar/casters.cpp")),
+        Refinement("What cannot shadow anything in view is left out", "colonnade", ("cull=false",), (), ("planar/flattening.cpp", "planar/casters.cpp")),
     )),
     "shadow-map": Page("shadow-map", "lecture-shadow-map", ("lecture/shadow_map.cpp",), ("shadow_map",), "still-life", (
         Refinement("A bias from the receiver's plane", "still-life", ("bias-mode=none",), (), ("shadow_map/bias_receiver_plane.glsl",)),
@@ -60,7 +60,7 @@ PAGES = {
                    ("shadow_map/fit",)),
         Refinement("Casters before the near plane are kept", "room-with-lamps", ("depth-clamp=false",), (), ("shadow_map/fit",)),
         Refinement("Four cascades", "colonnade", (), ("cascades=4",), ("shadow_map/fit",)),
-        Refinement("What cannot shadow anything in view is left out", "lattice", ("cull=false",), (), ("shadow_map/fit",)),
+        Refinement("What cannot shadow anything in view is left out", "colonnade", ("cull=false",), (), ("shadow_map/fit",)),
         Refinement("Exact: rays where the map is not certain", "still-life", (), ("exact=true",), ("shadow_map/exact",)),
         Refinement("Alias-free: the light is asked for each visible point", "still-life", (), ("alias-free=true",), ("shadow_map/irregular",)),
     )),
@@ -69,23 +69,23 @@ PAGES = {
         Refinement("Rays decide where the rasteriser may have miscounted", "colonnade", (), ("repair=true",), ("shadow_volume/repair",)),
         Refinement("Volumes of any triangles, not of closed meshes alone", "leafy", ("construction=lecture",), (),
                    ("shadow_volume/count",)),
-        Refinement("What cannot shadow anything in view is left out", "lattice", ("cull=false",), (), ("shadow_volume/cull",)),
+        Refinement("What cannot shadow anything in view is left out", "colonnade", ("cull=false",), (), ("shadow_volume/cull",)),
     )),
     "shadow-volume-zfail": Page("shadow-volume-zfail", "lecture-zfail", ("lecture/zfail.cpp",), ("shadow_volume",), "still-life", (
         Refinement("Caps close the volumes", "still-life", ("caps=false",), (), ("shadow_volume/count",)),
         Refinement("No far plane cuts them open", "sphere-on-plane", ("far-plane=clip", "volume-end=infinity"), ("volume-end=infinity",),
                    ("shadow_volume/count",)),
-        Refinement("Volumes end behind the last receiver", "lattice", ("volume-end=infinity",), (), ("shadow_volume/count",)),
+        Refinement("Volumes end behind the last receiver", "colonnade", ("volume-end=infinity",), (), ("shadow_volume/count",)),
         Refinement("Volumes of any triangles, not of closed meshes alone", "leafy", ("construction=lecture",), (),
                    ("shadow_volume/count",)),
         Refinement("Rays decide where the rasteriser may have miscounted", "colonnade", (), ("repair=true",), ("shadow_volume/repair",)),
-        Refinement("What cannot shadow anything in view is left out", "lattice", ("cull=false",), (), ("shadow_volume/cull",)),
+        Refinement("What cannot shadow anything in view is left out", "colonnade", ("cull=false",), (), ("shadow_volume/cull",)),
     )),
     "shadow-volume": Page("shadow-volume", "lecture-zfail", ("lecture/zfail.cpp",), ("shadow_volume",), "still-life", (
         Refinement("Each volume is counted in the cheaper way that is right", "still-life", ("repair=false",), ("repair=false",),
                    ("shadow_volume/automatic.cpp",), "shadow-volume-zfail"),
         Refinement("Rays decide where the rasteriser may have miscounted", "colonnade", ("repair=false",), (), ("shadow_volume/repair",)),
-        Refinement("What cannot shadow anything in view is left out", "lattice", ("cull=false",), (), ("shadow_volume/cull",)),
+        Refinement("What cannot shadow anything in view is left out", "colonnade", ("cull=false",), (), ("shadow_volume/cull",)),
     )),
     "ray-traced": Page("ray-traced", "lecture-ray-tracing", ("lecture/ray_tracing.cpp",), ("ray_tracing",), "still-life", (
         Refinement("A tree of boxes over all triangles", "still-life", ("structure=object-boxes",), (), ("foundation/trace/bvh",)),
@@ -138,7 +138,7 @@ def row(what, scene, figures, lines):
 def table(program, technique):
     page = PAGES[technique]
     lines = [f"Wrong pixels of {SIZE.replace('x', ' x ')}, and milliseconds of a whole frame while the light moves "
-             "(`python3 docs/refinements.py`; two cores, Mesa llvmpipe).", "",
+             "(`python3 docs/refinements.py`; two busy cores, Mesa llvmpipe).", "",
              "| what it does | scene | wrong pixels | ms | lines of code |", "|---|---|---|---|---|",
              row(f"**All of it**: `{page.lecture}` → `{technique}`", page.scene,
                  measured(program, page.scene, (page.lecture, ()), (technique, ())),
