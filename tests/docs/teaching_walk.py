@@ -15,7 +15,7 @@ from pathlib import Path
 from script import scripts_of
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "tests/ui"))
+sys.path.insert(0, str(ROOT / "tests/window"))
 from window_driver import Display, Window  # noqa: E402 (it lies in another folder)
 
 LEFT_OUT = 77

@@ -19,7 +19,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "ui"))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "window"))
 from window_driver import Display  # noqa: E402
 
 SCENES = ("still-life", "colonnade", "leafy")  # curved meshes; many casters; holes

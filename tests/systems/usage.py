@@ -11,7 +11,7 @@ from pathlib import Path
 
 from places import expect
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "ui"))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "window"))
 from window_driver import Display  # noqa: E402
 
 FIRST_FRAME = 60  # seconds; on a busy machine a software driver compiles its shaders for some

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import outputs
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "ui"))
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "window"))
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 from osmesa import WITHOUT, may_lack_osmesa  # noqa: E402
 from window_driver import Display  # noqa: E402
