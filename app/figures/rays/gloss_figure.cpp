@@ -85,7 +85,7 @@ Diagram drawLobe(const FigureSource& source, const Lobe& lobe) {
     vector(at, at + kIdeal * unit * toward(idealWorld), {lobe.color, 7, false});
     drawing.circle(at, 8, "#1a1a1a", {"#ffffff", 2, false}, "surface");
     labels.avoid({at - 9.0, dvec2(18)});
-    const drawing::TextStyle letter{.size = drawing::kLetter, .isBold = true, .isItalic = true};
+    const drawing::TextStyle letter{.size = kLetter, .isBold = true, .isItalic = true};
     labels.place(drawing, at - dvec2(0, kNormalShare * unit), "N", letter, 10);
     labels.place(drawing, at + kIdeal * unit * toward(idealWorld), lobe.letter, letter, 12);
     labels.place(drawing, at - 0.25 * kIncoming * unit * toward(u), "u", letter, 12);
