@@ -93,7 +93,7 @@ def check_faults_of_code(program, plugin):
 
 def check_plugin_is_everywhere(program, place, plugin):
     out = succeed(program, "--plugin", plugin, "list", "techniques").out
-    expect(f"my-own\tMy own\tnone\tevery cast shadow\t{plugin}\n" in out, out)
+    expect(f"my-own\tMy own\tnone\tevery cast shadow\t{plugin}\tproduction\t\n" in out, out)
     expect(len(out.splitlines()) >= 9, "ours are still there")
     expect("my-own.darkness\t0\t0..1" in succeed(program, "list", "parameters", f"--plugin={plugin}").out, "its parameter")
     visibility = place / "own.png"
