@@ -46,19 +46,18 @@ class Page(NamedTuple):
 
 PAGES = {
     "planar": Page("planar", "lecture-planar", ("lecture/planar.cpp",), ("planar",), "still-life", (
-        Refinement("Only what lies between light and plane is flattened", "sphere-on-plane", ("clip=false",), (),
+        Refinement("Only what lies between light and plane is flattened", "billiards", ("clip=false",), (),
                    ("planar/projection.cpp", "planar/behind.vert")),
         Refinement("A shadow ends where its plane's surface ends (stencil)", "still-life", ("stencil=false",), (), ("planar/drawing.cpp",)),
-        Refinement("A point under several faces is darkened once", "still-life", ("once=false",), (), ("planar/drawing.cpp",)),
         Refinement("All flat faces in view receive, not the largest alone", "room-with-lamps", ("receivers=1",), (), ("planar/receivers",)),
         Refinement("What cannot shadow anything in view is left out", "colonnade", ("cull=false",), (), ("planar/flattening.cpp", "planar/casters.cpp")),
     )),
     "shadow-map": Page("shadow-map", "lecture-shadow-map", ("lecture/shadow_map.cpp",), ("shadow_map",), "still-life", (
         Refinement("A bias from the receiver's plane", "still-life", ("bias-mode=none",), (), ("shadow_map/bias_receiver_plane.glsl",)),
-        Refinement("The map holds what is in view", "colonnade", ("fit=scene",), (), ("shadow_map/fit",)),
+        Refinement("The map holds what is in view", "hung-ring", ("fit=scene",), (), ("shadow_map/fit",)),
         Refinement("The range of depths fits the receivers", "still-life", ("depth-range=wide", "depth-format=16"), ("depth-format=16",),
                    ("shadow_map/fit",)),
-        Refinement("Casters before the near plane are kept", "room-with-lamps", ("depth-clamp=false",), (), ("shadow_map/fit",)),
+        Refinement("Casters before the near plane are kept", "eye-in-shadow", ("depth-clamp=false",), (), ("shadow_map/fit",)),
         Refinement("Four cascades", "colonnade", (), ("cascades=4",), ("shadow_map/fit",)),
         Refinement("What cannot shadow anything in view is left out", "colonnade", ("cull=false",), (), ("shadow_map/fit",)),
         Refinement("Exact: rays where the map is not certain", "still-life", (), ("exact=true",), ("shadow_map/exact",)),
@@ -73,7 +72,7 @@ PAGES = {
     )),
     "shadow-volume-zfail": Page("shadow-volume-zfail", "lecture-zfail", ("lecture/zfail.cpp",), ("shadow_volume",), "still-life", (
         Refinement("Caps close the volumes", "still-life", ("caps=false",), (), ("shadow_volume/count",)),
-        Refinement("No far plane cuts them open", "sphere-on-plane", ("far-plane=clip", "volume-end=infinity"), ("volume-end=infinity",),
+        Refinement("No far plane cuts them open", "billiards", ("far-plane=clip", "volume-end=infinity"), ("volume-end=infinity",),
                    ("shadow_volume/count",)),
         Refinement("Volumes end behind the last receiver", "colonnade", ("volume-end=infinity",), (), ("shadow_volume/count",)),
         Refinement("Volumes of any triangles, not of closed meshes alone", "leafy", ("construction=lecture",), (),
@@ -138,7 +137,7 @@ def row(what, scene, figures, lines):
 def table(program, technique):
     page = PAGES[technique]
     lines = [f"Wrong pixels of {SIZE.replace('x', ' x ')}, and milliseconds of a whole frame while the light moves "
-             "(`python3 docs/refinements.py`; two busy cores, Mesa llvmpipe).", "",
+             "(`python3 docs/refinements.py`; two cores, Mesa llvmpipe).", "",
              "| what it does | scene | wrong pixels | ms | lines of code |", "|---|---|---|---|---|",
              row(f"**All of it**: `{page.lecture}` → `{technique}`", page.scene,
                  measured(program, page.scene, (page.lecture, ()), (technique, ())),
