@@ -17,7 +17,7 @@ uniform sampler2DArray shadowMap, edgeDepths;
 uniform int receivesShadow, castsShadow;
 uniform int isDrawn;                // is the object in the map?
 uniform float certainTexels;        // a centre nearer than this to an edge may be either triangle's, as the rasteriser rounds
-uniform float apart;                // depths that differ by less may be of surfaces that touch
+uniform float depthEpsilon;                // depths that differ by less may be of surfaces that touch
 out vec4 result;
 
 const uint kNothing = 0xffffffffu;
@@ -35,11 +35,11 @@ bool isBefore(uint triangle, MapPlace place, vec2 texel, float certain) {
     vec2 depth = depthAndSlopeAt(t, vec2(0.0));
     float ownSlope = (abs(place.slope.x) + abs(place.slope.y)) / resolution;
     return t.beforeLight && !t.mayHaveHoles && min(inside.x, min(inside.y, inside.z)) > certain &&
-           depth.x + apart + certain * (depth.y + ownSlope) < place.depth;
+           depth.x + depthEpsilon + certain * (depth.y + ownSlope) < place.depth;
 }
 
 float shadowedBeyond(vec2 depth, ivec3 address, float certain) {
-    return depth.x > texelFetch(shadowMap, address, 0).r + apart + certain * depth.y ? kShadowed : kAskRay;
+    return depth.x > texelFetch(shadowMap, address, 0).r + depthEpsilon + certain * depth.y ? kShadowed : kAskRay;
 }
 
 // The point's surface is not the first at the texel's centre: `first` is. Is it before the point, or is the point on it after
@@ -54,7 +54,7 @@ float decideBehind(uint first, uint own, MapPlace place, vec2 texel, ivec3 addre
         return edge < 1.0 || castsShadow == 0 ? kAskRay : shadowedBeyond(depth, address, certain);
     }
     WalkEnd end = walk(own, place.layer, texel, centre);
-    float farthest = max(place.depth + slope, end.farthest + certain * end.depth.y) + apart;
+    float farthest = max(place.depth + slope, end.farthest + certain * end.depth.y) + depthEpsilon;
     if (!end.arrived || edge <= farthest) return kAskRay;
     if (end.triangle == first) return kLit;
     return end.inside < certain ? kAskRay : shadowedBeyond(end.depth, address, certain);
@@ -73,7 +73,7 @@ float decide(int layer) {
     float edge = texelFetch(edgeDepths, address, 0).r;
     if (first == kNothing) return edge < 1.0 ? kAskRay : kLit;
     float slope = (abs(place.slope.x) + abs(place.slope.y)) / resolution;
-    if (first == own) return edge <= place.depth + slope + apart ? kAskRay : kLit;
+    if (first == own) return edge <= place.depth + slope + depthEpsilon ? kAskRay : kLit;
     return decideBehind(first, own, place, texel, address, edge, certain);
 }
 

@@ -32,7 +32,7 @@ LightShape lightShape(int layer) {
         halfU = lightRadius * normalize(cross(toward, aside));
         halfV = cross(toward, halfU);
     }
-    vec4 clip = biasedClip(lightClipIn(layer), layer) * pullScale + pullClip[layer];
+    vec4 clip = biasedClip(lightClipIn(layer), layer) * roundingBiasScale + roundingBiasClip[layer];
     vec4 clipU = lightClipFromLightRelative[layer] * vec4(halfU, 0.0);
     vec4 clipV = lightClipFromLightRelative[layer] * vec4(halfV, 0.0);
     vec2 alongU = clipU.xy - clip.xy / clip.w * clipU.w, alongV = clipV.xy - clip.xy / clip.w * clipV.w;

@@ -1,12 +1,12 @@
 // From a point relative to the light to its place in the shadow map: lecture 2's (s, t, r), or (u, v) and z.
 //
-// Wants positionView declared before, and shadow_map/point.glsl, shadow_map/layer.glsl and shadow_map/bias.glsl chosen among the
-// files of those names: where the point is, which map to ask, and what keeps a surface from shadowing itself.
-#include "shadow_map/point.glsl"
+// Wants positionView declared before. Of point_*.glsl (where the point is), layer_*.glsl (which map holds it) and bias_*.glsl
+// (what keeps a surface from shadowing itself) the simplest are included here; the program puts the chosen ones in their place.
+#include "shadow_map/point_light.glsl"
 uniform mat4 lightClipFromLightRelative[6];
 uniform vec3 towardLightRelative; // unit, of a directional light; zero for one that is at the origin
-uniform float pullScale;          // Against rounding points are moved toward the light by a hundred-thousandth of the way. In clip
-uniform vec4 pullClip[6];         // space that is a point times pullScale plus pullClip, of each map.
+uniform float roundingBiasScale;  // Against rounding points are moved toward the light by a hundred-thousandth of the way. In clip
+uniform vec4 roundingBiasClip[6]; // space that is a point times this scale plus this vector, one for each map.
 uniform float resolution;         // texels along a side of the map
 
 // From this pixel to the next, to the right and upward, along the surface. Taken before main(): a difference between neighbours is
@@ -18,7 +18,7 @@ struct LightSteps {
     vec4 alongX, alongY;
 };
 
-#include "shadow_map/layer.glsl"
+#include "shadow_map/layer_one.glsl"
 
 // The point's place in one of the maps.
 struct MapPlace {
@@ -57,11 +57,11 @@ float texelMetres(vec4 lightClip, int layer) {
     return 2.0 / (resolution * least);
 }
 
-#include "shadow_map/bias.glsl"
+#include "shadow_map/bias_none.glsl"
 
 // [anchor: map-place]
 MapPlace mapPlaceIn(int layer) {
-    vec4 lightClip = biasedClip(lightClipIn(layer), layer) * pullScale + pullClip[layer];
+    vec4 lightClip = biasedClip(lightClipIn(layer), layer) * roundingBiasScale + roundingBiasClip[layer];
     vec3 lightNdc = lightClip.xyz / lightClip.w;
     vec3 shadowUv = lightNdc * 0.5 + 0.5;
     LightSteps steps = lightStepsIn(layer);

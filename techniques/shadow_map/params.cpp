@@ -66,41 +66,6 @@ params::ParamList describeProjection(ProjectionParams& p) {
     };
 }
 
-params::ParamList describeBias(BiasParams& p) {
-    using params::onlyIf;
-    using enum BiasParams::Mode;
-    const auto is = [&p](BiasParams::Mode mode) { return [&p, mode] { return p.mode == mode; }; };
-    const auto takesSlope = [&p] { return p.mode == slopeScaled || p.mode == receiverPlane || p.mode == dualDepth; };
-    const auto isAny = [&p] { return p.mode != none; };
-    return {
-        params::choice(
-            "bias-mode", p.mode,
-            {"none", "constant", "slope-scaled", "normal-offset", "receiver-plane", "dual-depth", "adaptive"},
-            "What keeps a surface from shadowing itself: nothing; a constant; an offset by the caster's "
-            "slope; a step along the receiver's normal; the receiver's plane under each texel; the middle "
-            "between two depths; the plane's depth at the texel's centre."),
-        onlyIf(is(constant), params::real("constant-bias", p.constantTexels, 0, 1000, "",
-                                          "bias-mode constant: how far, in bias-unit.")),
-        onlyIf(
-            is(constant),
-            params::choice("bias-unit", p.unit, {"texels", "metres"},
-                           "Unit of constant-bias; in metres it is right for one scale of the scene only (teaching).")),
-        onlyIf(takesSlope,
-               params::real(
-                   "slope-bias", p.slope, 0, 16, "",
-                   "slope-scaled, receiver-plane and dual-depth: offset in proportion to the slope; 1 is what the "
-                   "kernel needs on a plane, 0 shows acne (teaching).")),
-        onlyIf(is(normalOffset),
-               params::real("normal-offset", p.normalOffset, 0, 16, "",
-                            "bias-mode normal-offset: how far; 1 is what the kernel needs on a plane.")),
-        onlyIf(isAny,
-               params::real(
-                   "rounding-bias", p.rounding, 0, 1000, "",
-                   "Offset against rounding, in every mode but none; 1 is what float positions and the depth's own "
-                   "bits need.")),
-    };
-}
-
 params::ParamList describeExact(ShadowMapParams& p) {
     return {
         params::boolean("exact", p.exact,
@@ -162,7 +127,7 @@ params::ParamList describe(ShadowMapParams& p) {
                         "answers; 1: one from its centre. Not with exact or alias-free."),
         isCompared);
     add(describeExact(p), {});
-    add(describeBias(p.bias), isCompared);
+    add(describe(p.bias), isCompared);
     add(describeProjection(p.projection), hasMap);
     add(describeLimits(p), hasMap);
     add(describeCoordinates(p), isCompared);

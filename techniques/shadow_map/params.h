@@ -3,6 +3,7 @@
 #pragma once
 #include "techniques/foundation/gl/handle.h"
 #include "techniques/foundation/scene/query/light_points.h"
+#include "techniques/shadow_map/bias/biases.h"
 #include "techniques/shadow_map/filters/filter_params.h"
 
 namespace shadowlab::shadow_map {
@@ -19,25 +20,6 @@ struct ProjectionParams {
     enum class DepthRange { fitted, wide } depthRange = DepthRange::fitted;
     enum class CubeSeams { guarded, bare } cubeSeams = CubeSeams::guarded;
     friend bool operator==(const ProjectionParams&, const ProjectionParams&) = default;
-};
-
-/// What keeps a surface from shadowing itself, where a texel holds one depth for a piece of it.
-struct BiasParams {
-    enum class Mode {
-        none,
-        constant,
-        slopeScaled,
-        normalOffset,
-        receiverPlane,
-        dualDepth,
-        adaptive
-    } mode = Mode::receiverPlane;
-    double constantTexels = 1.5;
-    double slope = 1.0;
-    double normalOffset = 1.0;
-    double rounding = 1.0;
-    enum class Unit { texels, metres } unit = Unit::texels;
-    friend bool operator==(const BiasParams&, const BiasParams&) = default;
 };
 
 struct ShadowMapParams {

@@ -1,97 +1,128 @@
-// Drawing the receivers with a light's map: asked only where the shadow of a caster can fall.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_map/filters/filter_uniforms.h"
-#include "techniques/shadow_map/fit/near_plane.h"
-#include "techniques/shadow_map/technique.h"
+#include "techniques/shadow_map/receivers.h"
+
+#include "techniques/shadow_map/filters/filters.h"
 
 namespace shadowlab::shadow_map {
 
-const gl::Program& ShadowMap::lightProgram(const DrawnMap& map, bool visibilityOnly) {
+namespace {
+
+/// How a point finds its map among several.
+const char* layerShader(Layout layout, bool inWorld) {
+    switch (layout) {
+    case Layout::cube: return "shadow_map/layer_cube.glsl";
+    case Layout::cascades: return "shadow_map/layer_cascades.glsl";
+    case Layout::one: break;
+    }
+    return inWorld ? "shadow_map/layer_one_world.glsl" : "shadow_map/layer_one.glsl";
+}
+
+} // namespace
+
+Receivers::Programs Receivers::makePrograms(const Choice& choice) {
+    // Each include is of a file that exists, the simplest of its kind, and the chosen file takes its place.
+    const std::vector<gl::Substitution> chosen = {
+        {"shadow_visibility.glsl", "shadow_map/visibility.glsl"},
+        {"shadow_map/point_light.glsl", choice.inWorld ? "shadow_map/point_world.glsl" : "shadow_map/point_light.glsl"},
+        {"shadow_map/layer_one.glsl", layerShader(choice.layout, choice.inWorld)},
+        {"shadow_map/bias_none.glsl", std::string(biasInfo(choice.bias).shader)},
+        {"shadow_map/filter_hard.glsl", std::string(filterInfo(choice.filter).shader)}};
+    std::vector<std::string> defines;
+    if (biasInfo(choice.bias).comparesWithOneDepth) defines.emplace_back("ONE_DEPTH");
+    std::vector<std::string> visibilityDefines = defines;
+    visibilityDefines.emplace_back("VISIBILITY_ONLY");
+    return {gl::Program("surface.vert", "shade_light.frag", defines, chosen),
+            gl::Program("surface.vert", "shade_light.frag", visibilityDefines, chosen),
+            gl::Program("surface.vert", "shadow_map/project.frag", {}, chosen),
+            gl::Program("surface.vert", "shadow_map/texel_size.frag", {}, chosen),
+            gl::Program("surface.vert", "shadow_map/layers.frag", {}, chosen),
+            gl::Program("surface.vert", "shadow_map/penumbra.frag", {}, chosen),
+            gl::Program("surface.vert", "shadow_map/kernel.frag", {}, chosen),
+            gl::Program("surface.vert", "shadow_map/decide.frag", {}, {chosen[1], chosen[2]})};
+}
+
+const Receivers::Programs& Receivers::programsFor(const LightShadowMap& map) {
+    const Choice choice{map.maps.layout, params_.bias.mode, map.query.filter.kind, params_.looksUpInWorld()};
+    const auto known = programs_.find(choice);
+    return known != programs_.end() ? known->second : programs_.emplace(choice, makePrograms(choice)).first->second;
+}
+
+const gl::Program& Receivers::lightProgram(const LightShadowMap& map, bool visibilityOnly) {
     if (map.decided) return visibilityOnly ? decidedVisibility_ : decidedShade_;
     if (!map.depth) return visibilityOnly ? unshadowedVisibility_ : unshadowed_;
-    map.depth->sample(depthSampling(map.asked.filter, params_.bias.mode));
+    map.depth->sample(depthSampling(map.query.filter, biasInfo(params_.bias.mode).comparesWithOneDepth));
     const Programs& programs = programsFor(map);
     return visibilityOnly ? programs.visibility : programs.shade;
 }
 
-void ShadowMap::drawAsked(const Frame& frame, const gl::Program& asking, const gl::Program& plain, int light,
-                          const DrawnMap& map) {
-    // Streaks and mirror images lie outside of what the map is for.
+void Receivers::drawWhereNeeded(const Frame& frame, const gl::Program& lookup, const gl::Program& plain, int light,
+                                const LightShadowMap& map, const OwnUniforms& own) {
+    // Outside of the map there is no shadow, unless its border or its mirror image is to be seen there.
     const bool outsideIsLit = params_.border == ShadowMapParams::Border::lit && params_.rejectBehind;
     if (!params_.cull || !map.depth || !outsideIsLit) {
-        drawReceivers(frame, asking, light, map);
+        draw(frame, lookup, light, map, own);
         return;
     }
-    // The maps of the frame may be asked in the next one as well, those of single points of a light are asked once.
-    const bool isOfFrame = map.maps == fitted_[static_cast<std::size_t>(light)];
-    std::vector<Asking> own;
-    std::vector<Asking>& ways = isOfFrame ? askings_[light] : own;
-    if (ways.empty()) ways = askings(frame, map.maps);
-    useForReceivers(frame, plain, light, map);
-    useForReceivers(frame, asking, light, map);
+    const std::vector<Asking>& askings = fitter_.askings(frame, light, map.maps);
+    use(frame, plain, light, map, own);
+    use(frame, lookup, light, map, own);
     // Object by object, as gl::drawSurfaces does: of two surfaces at one depth the first drawn is the visible one. The stencil
-    // lets each pixel be lit once: what was asked is not drawn again with the rest of its object.
+    // lets each pixel be lit only once, so the second drawing of an object leaves out the pixels of the first.
     for (std::size_t object = 0; object < frame.scene().objects.size(); ++object) {
-        const Asking& how = ways[object];
-        const auto draw = [&](const gl::Program& program) {
+        const Asking& how = askings[object];
+        const auto drawObject = [&](const gl::Program& program) {
             program.use();
-            gl::drawSurface(program, frame.scene(), frame.buffers(), frame.eye(), object,
-                            [&](const scene::Object&) { return setReceiver(frame, program, light, map, object); });
+            gl::drawSurface(program, frame.scene(), frame.buffers(), frame.eye(), object, [&](const scene::Object&) {
+                setObject(frame, program, map, object, own);
+                return true;
+            });
         };
         frame.scissorTo(how.where);
-        if (how.asks) draw(asking);
+        if (how.asks) drawObject(lookup);
         frame.scissorTo(std::nullopt);
-        if (how.rest) draw(plain);
+        if (how.rest) drawObject(plain);
     }
 }
 
-std::vector<Asking> ShadowMap::askings(const Frame& frame, const LightMaps& maps) const {
-    const dmat4 clipFromWorld = frame.eye().clipFromView * frame.eye().viewFromWorld;
-    std::vector<Asking> ways;
-    for (const scene::Bounds& box : bounds_)
-        ways.push_back(askingOf(maps, box, clipFromWorld));
-    return ways;
+void Receivers::draw(const Frame& frame, const gl::Program& program, int light, const LightShadowMap& map,
+                     const OwnUniforms& own) {
+    use(frame, program, light, map, own);
+    for (std::size_t object = 0; object < frame.scene().objects.size(); ++object)
+        gl::drawSurface(program, frame.scene(), frame.buffers(), frame.eye(), object, [&](const scene::Object&) {
+            setObject(frame, program, map, object, own);
+            return true;
+        });
 }
 
-void ShadowMap::drawReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map,
-                              const std::function<void()>& setUniforms) {
-    useForReceivers(frame, program, light, map);
-    if (setUniforms) setUniforms();
-    gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye(), [&](const scene::Object& object) {
-        const auto index = static_cast<std::size_t>(&object - frame.scene().objects.data());
-        return setReceiver(frame, program, light, map, index);
-    });
-}
-
-void ShadowMap::useForReceivers(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map) const {
+void Receivers::use(const Frame& frame, const gl::Program& program, int light, const LightShadowMap& map,
+                    const OwnUniforms& own) const {
     gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
     program.set("shadowMap", kMapUnit); // also where there is none: no unit holds textures of two kinds
     if (map.depth) {
-        setReceiverUniforms(program, map.maps, params_, map.asked.filter);
-        setFilterUniforms(program, map.asked.light, map.asked.filter, map.maps);
+        setReceiverUniforms(program, map.maps, params_, map.query.filter);
+        setFilterUniforms(program, map.query.light, map.query.filter, map.maps);
         program.set("outsideIsLit", params_.border == ShadowMapParams::Border::lit ? 1 : 0);
         map.depth->bind(kMapUnit);
     }
     program.set("moments", kMomentsUnit);
     if (map.moments) map.moments->bind(kMomentsUnit);
-    if (map.exact) setExactUniforms(program, light, map);
     if (map.decided) {
         map.decided->bind(kDecidedUnit);
         program.set("decided", kDecidedUnit);
     }
+    if (own.once) own.once(program);
 }
 
-bool ShadowMap::setReceiver(const Frame& frame, const gl::Program& program, int light, const DrawnMap& map,
-                            std::size_t object) const {
+void Receivers::setObject(const Frame& frame, const gl::Program& program, const LightShadowMap& map, std::size_t object,
+                          const OwnUniforms& own) const {
     const dmat4 lightRelative = lightRelativeFromMesh(map.maps, frame.scene().objects[object]);
     program.set("lightRelativeFromMesh", mat4(lightRelative));
     if (params_.looksUpInWorld())
         program.set("worldFromMesh", mat4(scene::worldFromMesh(frame.scene().objects[object])));
     if (map.maps.layers() > 0) // where there is one map; of several the fragment chooses
         program.set("lightClipFromMesh", mat4(map.maps.lightClipFromLightRelative(0) * lightRelative));
-    program.set("leastReference", static_cast<float>(leastReference(map.maps, bounds_[object])));
-    if (map.exact) setObjectUniforms(frame, program, light, object);
-    return true;
+    program.set("minReferenceDepth", static_cast<float>(minReferenceDepth(map.maps, fitter_.bounds()[object])));
+    if (own.perObject) own.perObject(program, object);
 }
 
 } // namespace shadowlab::shadow_map

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/technique.h"
 
-#include "techniques/foundation/scene/query/casters.h"
 #include "techniques/lights_in_view.h"
 #include "techniques/shadow_map/described.h"
-#include "techniques/shadow_map/filters/filter_uniforms.h"
-#include "techniques/shadow_map/fit/frusta.h"
+#include "techniques/shadow_map/filters/filters.h"
+#include "techniques/shadow_map/probe/probe.h"
+#include "techniques/shadow_map/stages/frusta.h"
 
 namespace shadowlab::shadow_map {
 
@@ -13,100 +13,81 @@ Progress ShadowMap::prepare(const scene::Snapshot& snapshot, Deadline deadline) 
     const bool ready = (!params_.exact || exact_.prepare(snapshot, deadline)) &&
                        (!params_.aliasFree || aliasFree_.prepare(snapshot, deadline));
     if (!ready) return {.done = 0.5, .converged = false};
-    if (preparedFor_ == snapshot) return {};
-    bounds_ = scene::objectBounds(*snapshot);
-    usefulCasters_.clear();
-    for (const scene::Light& light : snapshot->lights)
-        usefulCasters_.push_back(scene::usefulCasters(*snapshot, light, bounds_));
-    preparedFor_ = snapshot;
-    seen_.reset();
+    tools_.fitter.prepare(snapshot);
     return {};
 }
 
 Progress ShadowMap::render(Frame& frame) {
     const scene::Scene& scene = frame.scene();
     if (!params_.cull) frame.drawWhatIsOutOfView();
-    frame.pass(passInfo(kPasses, "lights-off"),
-               [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
-    if (frame.wants("without-shadows")) publishWithoutShadows(frame);
-    lookAt(frame);
+    const auto pass = [&](std::string_view id, int light, const std::function<void()>& draw) {
+        frame.pass(passInfo(passes(), id), draw, light);
+    };
+    pass("lights-off", kNoLight, [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
+    if (frame.wants("without-shadows")) lessonStages_.publishWithoutShadows(frame);
+    tools_.fitter.fitMaps(frame);
     exact_.beginFrame();
     aliasFree_.beginFrame();
 
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
-        DrawnMap map{.maps = fitted_[static_cast<std::size_t>(light)], .asked = asked(scene, light)};
+        LightShadowMap map{.maps = tools_.fitter.fitted(light), .query = tools_.fitter.query(scene, light)};
         if (params_.aliasFree) {
-            frame.pass(
-                passInfo(kPasses, "samples"), [&] { map.decided = &aliasFree_.decide(frame, light); }, light);
-        } else if (averagesOver(scene.light(light))) {
-            frame.pass(
-                passInfo(kPasses, "average"), [&] { map.decided = &averageOverLight(frame, light); }, light);
+            pass("samples", light, [&] { map.decided = &aliasFree_.decide(frame, light); });
+        } else if (averaged_.averagesOver(scene.lights[static_cast<std::size_t>(light)])) {
+            pass("average", light, [&] { map.decided = &averaged_.average(frame, light); });
+        } else if (params_.exact) {
+            pass("depth", light, [&] { map = exact_.updateMap(frame, light); });
+            if (map.depth) pass("decide", light, [&] { map.decided = &exact_.decide(frame, light, map); });
         } else {
-            frame.pass(
-                passInfo(kPasses, "depth"), [&] { map = updateMap(frame, light); }, light);
-            if (map.kept && map.asked.filter.usesMoments())
-                frame.pass(
-                    passInfo(kPasses, "moments"), [&] { map.moments = &updateMoments(frame, *map.kept, map.maps); },
-                    light);
-            if (params_.exact && map.depth)
-                frame.pass(
-                    passInfo(kPasses, "decide"), [&] { map.decided = &decide(frame, light, map); }, light);
+            pass("depth", light, [&] { map = tools_.drawer.updateMap(frame, light); });
+            if (map.cached && map.query.filter.usesMoments())
+                pass("moments", light, [&] { tools_.drawer.updateMoments(frame, map); });
         }
         publishStages(frame, light, map);
-        frame.pass(
-            passInfo(kPasses, "light"),
-            [&] {
-                if (params_.cull && !mayLight(frame, light)) return;
-                glClear(GL_STENCIL_BUFFER_BIT);
-                gl::setAddLightState();
-                drawAsked(frame, lightProgram(map, false), unshadowed_, light, map);
-            },
-            light);
-        if (frame.wants("kernel", light)) publishKernel(frame, light, map);
+        pass("light", light, [&] {
+            if (params_.cull && !mayLight(frame, light)) return;
+            glClear(GL_STENCIL_BUFFER_BIT);
+            gl::setAddLightState();
+            tools_.receivers.drawLight(frame, light, map, false);
+        });
+        if (frame.wants("kernel", light)) filterStages_.publishKernel(frame, light, map);
     }
     return {};
 }
 
-ShadowMap::Programs ShadowMap::makePrograms(const Choice& choice) {
-    static constexpr const char* layers[] = {"layer_one", "layer_cube", "layer_cascades"};
-    static constexpr const char* biases[] = {"bias_none",          "bias_constant",       "bias_slope_scaled",
-                                             "bias_normal_offset", "bias_receiver_plane", "bias_dual_depth",
-                                             "bias_adaptive"};
-    static constexpr const char* filters[] = {"filter_hard", "filter_hw2x2", "filter_pcf",
-                                              "filter_disc", "filter_pcss",  "filter_vsm",
-                                              "filter_esm",  "filter_evsm",  "filter_msm"};
-    const auto file = [](const char* name) { return std::string("shadow_map/") + name + ".glsl"; };
-    const bool isOneInWorld = choice.inWorld && choice.layout == Layout::one;
-    const std::vector<gl::Substitution> chosen = {
-        {"shadow_visibility.glsl", "shadow_map/visibility.glsl"},
-        {"shadow_map/point.glsl", file(choice.inWorld ? "point_world" : "point_light")},
-        {"shadow_map/layer.glsl", file(isOneInWorld ? "layer_one_world" : layers[static_cast<int>(choice.layout)])},
-        {"shadow_map/bias.glsl", file(biases[static_cast<int>(choice.bias)])},
-        {"shadow_map/filter.glsl", file(filters[static_cast<int>(choice.filter)])}};
-    std::vector<std::string> defines;
-    if (comparesWithOneDepth(choice.bias)) defines.emplace_back("ONE_DEPTH");
-    std::vector<std::string> visibilityDefines = defines;
-    visibilityDefines.emplace_back("VISIBILITY_ONLY");
-    return {gl::Program("surface.vert", "shade_light.frag", defines, chosen),
-            gl::Program("surface.vert", "shade_light.frag", visibilityDefines, chosen),
-            gl::Program("surface.vert", "shadow_map/project.frag", {}, chosen),
-            gl::Program("surface.vert", "shadow_map/texel_size.frag", {}, chosen),
-            gl::Program("surface.vert", "shadow_map/layers.frag", {}, chosen),
-            gl::Program("surface.vert", "shadow_map/penumbra.frag", {}, chosen),
-            gl::Program("surface.vert", "shadow_map/kernel.frag", {}, chosen),
-            gl::Program("surface.vert", "shadow_map/decide.frag", {},
-                        {chosen[1], chosen[2], {"shadow_map/bias.glsl", "shadow_map/bias_none.glsl"}})};
+void ShadowMap::publishStages(Frame& frame, int light, const LightShadowMap& map) {
+    if (frame.wants("visibility", light))
+        frame.drawStage("visibility", light, GL_RG32F, [&] {
+            glClear(GL_STENCIL_BUFFER_BIT);
+            gl::setVisibilityState();
+            tools_.receivers.drawLight(frame, light, map, true);
+        });
+    if (frame.wants("eye-samples", light)) aliasFree_.publishSamples(frame, light);
+    if (frame.wants("traced", light)) exact_.publishTraced(frame, light, map);
+    publishTexelStages(tools_, frame, light, map);
+    filterStages_.publish(frame, light, map);
+    lessonStages_.publish(frame, light, map);
 }
 
-const ShadowMap::Programs& ShadowMap::programsFor(const DrawnMap& map) {
-    const Choice choice{map.maps.layout, params_.bias.mode, map.asked.filter.kind, params_.looksUpInWorld()};
-    const auto known = programs_.find(choice);
-    return known != programs_.end() ? known->second : programs_.emplace(choice, makePrograms(choice)).first->second;
+bool ShadowMap::samplesArea(const scene::Scene& scene, int light) const {
+    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+    // Rays and triangles decide about the light's centre, whatever the filter.
+    const bool isFiltered = !params_.exact && !params_.aliasFree;
+    const bool hasPenumbra = isFiltered && filterInfo(params_.filter.kind).searchesBlockers && scene::hasArea(source);
+    return hasPenumbra || averaged_.averagesOver(source);
+}
+
+Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
+    Probe probe = Technique::probe(snapshot, view, pixel, light);
+    if (light < 0 || light >= static_cast<int>(snapshot->lights.size())) return probe;
+    prepare(snapshot, Deadline::max());
+    probeShadowMap(probe, {params_, tools_.fitter, averaged_, exact_, aliasFree_, samplesArea(*snapshot, light)},
+                   snapshot, view, pixel, light);
+    return probe;
 }
 
 std::vector<SceneShape> ShadowMap::shapes(const scene::Snapshot& snapshot, const View& view, int light) {
-    return frustumShapes(
-        fit(*snapshot, view, asked(*snapshot, light), receiversInView(*snapshot, view), FitRequest::Cover::needed));
+    return frustumShapes(tools_.fitter.fitToView(*snapshot, view, tools_.fitter.query(*snapshot, light)));
 }
 
 std::string ShadowMap::remark(const scene::MeshReport& report, const scene::Mesh&) const {
@@ -123,7 +104,7 @@ std::span<const TechniqueInfo> techniques() {
         .getsWrong = "shadow edges are as coarse as its texels; contact shadows shrink with the bias",
         .order = 20,
         .lightTypes = {point, directional, spot, rect, sphere},
-        .passes = {std::begin(kPasses), std::end(kPasses)},
+        .passes = {passes().begin(), passes().end()},
         .stages = {std::begin(kStages), std::end(kStages)},
         .pseudocode = kProcedure,
         .values = {{"d(u,v)", "d(u,v) as it is compared"},

@@ -24,11 +24,13 @@ using testing::FilledMap;
 using testing::FilterParams;
 using testing::LightShares;
 using testing::ShadowMapSlot;
-using Kind = FilterParams::Kind;
+using Kind = shadow_map::FilterKind;
 using Format = FilterParams::MomentFormat;
 using OverflowTest = testing::GlTest;
 
-constexpr Kind kMomentKinds[] = {Kind::vsm, Kind::esm, Kind::evsm, Kind::msm};
+const Kind kVsm = shadow_map::filterNamed("vsm"), kEsm = shadow_map::filterNamed("esm"),
+           kEvsm = shadow_map::filterNamed("evsm"), kMsm = shadow_map::filterNamed("msm");
+const Kind kMomentKinds[] = {kVsm, kEsm, kEvsm, kMsm};
 
 int notNumbers(const std::vector<vec4>& texels) {
     int count = 0;
@@ -68,7 +70,7 @@ TEST_F(OverflowTest, ExponentialsOverflowWhereTheirFormatEnds) {
     FarEnd end;
     // How much what is stored, of evsm the square, differs from what it should be, as a share of that.
     const auto error = [&](Kind kind, Format format, double exponent) {
-        const int channel = kind == Kind::evsm ? 1 : 0;
+        const int channel = kind == kEvsm ? 1 : 0;
         double largest = 0;
         for (const vec4& texel : end.texels(unlimited(kind, format, exponent)))
             largest = std::max(largest, std::abs(texel[channel] / std::exp((channel + 1) * exponent) - 1));
@@ -79,8 +81,8 @@ TEST_F(OverflowTest, ExponentialsOverflowWhereTheirFormatEnds) {
         Format format;
         double finite, infinite;
     };
-    for (const End& e : {End{Kind::esm, Format::float32, 88.7, 88.8}, End{Kind::esm, Format::float16, 11.08, 11.1},
-                         End{Kind::evsm, Format::float32, 44.36, 44.4}, End{Kind::evsm, Format::float16, 5.54, 5.55}}) {
+    for (const End& e : {End{kEsm, Format::float32, 88.7, 88.8}, End{kEsm, Format::float16, 11.08, 11.1},
+                         End{kEvsm, Format::float32, 44.36, 44.4}, End{kEvsm, Format::float16, 5.54, 5.55}}) {
         // 16 bits have eleven digits, and moments are stored twice; 32 bits lose more in the exponent than in storing.
         EXPECT_LE(error(e.kind, e.format, e.finite), 2.0 / 2048) << e.finite;
         EXPECT_GE(error(e.kind, e.format, e.infinite), 0.005) << e.infinite;
@@ -92,7 +94,7 @@ TEST_F(OverflowTest, ExponentialsOverflowWhereTheirFormatEnds) {
 
 TEST_F(OverflowTest, WithItsLimitNothingOverflows) {
     FarEnd end;
-    for (const Kind kind : {Kind::esm, Kind::evsm})
+    for (const Kind kind : {kEsm, kEvsm})
         for (const Format format : {Format::float32, Format::float16})
             for (const int blurRadius : {0, 1, 7, 31})
                 for (const bool logarithms : {false, true}) {
@@ -102,7 +104,7 @@ TEST_F(OverflowTest, WithItsLimitNothingOverflows) {
                     params.blurRadius = blurRadius;
                     EXPECT_EQ(end.notNumbers(params), 0) << int(kind) << " " << int(format) << " " << blurRadius;
                 }
-    FilterParams logarithms = unlimited(Kind::esm, Format::float16, 400);
+    FilterParams logarithms = unlimited(kEsm, Format::float16, 400);
     logarithms.esmLogarithms = true; // 400 itself is far from the end of either format
     EXPECT_EQ(end.notNumbers(logarithms), 0);
 }
@@ -110,7 +112,7 @@ TEST_F(OverflowTest, WithItsLimitNothingOverflows) {
 // In a kernel three exponentials are added before they are divided by three: the limit has to leave room for that.
 TEST_F(OverflowTest, SumsOverflowBeforeTheirTermsDo) {
     FarEnd end;
-    FilterParams params = unlimited(Kind::esm, Format::float32, 88.7);
+    FilterParams params = unlimited(kEsm, Format::float32, 88.7);
     params.blurRadius = 1;
     EXPECT_GT(end.notNumbers(params), 0);
     params.exponentLimit = true;
@@ -161,7 +163,7 @@ TEST_F(OverflowTest, BehindOneDepthTheFilterIsTheExponential) {
     for (const auto& [exponent, logarithms] :
          {std::pair{200.0, true}, {400.0, true}, {40.0, true}, {400.0, false}, {40.0, false}, {5.0, false}}) {
         FilterParams params;
-        params.kind = Kind::esm;
+        params.kind = kEsm;
         params.esmExponent = exponent;
         params.esmLogarithms = logarithms;
         const double used = shadow_map::exponents(params).esm;

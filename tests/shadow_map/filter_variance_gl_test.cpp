@@ -48,7 +48,7 @@ struct Variances {
 
 FilterParams vsm(Format format) {
     FilterParams params;
-    params.kind = FilterParams::Kind::vsm;
+    params.kind = shadow_map::filterNamed("vsm");
     params.momentFormat = format;
     return params;
 }
@@ -96,11 +96,11 @@ TEST_F(VarianceTest, MomentsAreOfDepthsAroundZero) {
     MomentMaker maker;
     for (const double depth : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         const FilledMap filled = testing::filledMap(4, [&](int, int) { return depth; });
-        for (const FilterParams::Kind kind : {FilterParams::Kind::vsm, FilterParams::Kind::msm}) {
+        for (const shadow_map::FilterKind kind : {shadow_map::filterNamed("vsm"), shadow_map::filterNamed("msm")}) {
             FilterParams params;
             params.kind = kind;
             const vec4 moments = testing::momentTexels(maker, filled, params)[5];
-            const int powers = kind == FilterParams::Kind::vsm ? 2 : 4;
+            const int powers = kind == shadow_map::filterNamed("vsm") ? 2 : 4;
             for (int i = 0; i < powers;
                  ++i) // z itself is off by two roundings, and its fourth power by four times that
                 EXPECT_NEAR(moments[i], std::pow(2 * depth - 1, i + 1), 1e-6) << depth << ", power " << i + 1;

@@ -1,6 +1,6 @@
 // The frusta that are shown are those of the maps: closed forms, and every caster inside.
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_map/fit/frusta.h"
+#include "techniques/shadow_map/stages/frusta.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-// The part of the technique that is exact: one light's pixels decided by the map where it is certain, and by rays elsewhere.
 // SPDX-License-Identifier: MIT
+#include "techniques/shadow_map/exact/exact_light.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/scene/query/casters.h"
-#include "techniques/shadow_map/technique.h"
 
 namespace shadowlab::shadow_map {
 
@@ -20,74 +20,82 @@ constexpr float kRounding = 1e-5f;
 
 } // namespace
 
-std::vector<std::size_t> ShadowMap::drawnCasters(const scene::Scene& scene, int light) const {
-    return params_.cull ? usefulCasters_[static_cast<std::size_t>(light)] : scene::allCasters(scene);
+std::vector<std::size_t> ExactLight::drawnCasters(const scene::Scene& scene, int light) const {
+    return tools_.params.cull ? tools_.fitter.usefulCasters(light) : scene::allCasters(scene);
 }
 
-const gl::Texture2D& ShadowMap::decide(Frame& frame, int light, const DrawnMap& map) {
+LightShadowMap ExactLight::updateMap(Frame& frame, int light) {
+    const LightMaps& maps = tools_.fitter.fitted(light);
+    return tools_.drawer.updateMap(frame, light,
+                                   [&](int layer, std::span<const std::size_t> casters, CachedMap& cached) {
+                                       drawLayer(frame, light, maps, layer, casters, cached.depth, *cached.exact);
+                                   });
+}
+
+const gl::Texture2D& ExactLight::decide(Frame& frame, int light, const LightShadowMap& map) {
     gl::setBaselineState();
     map.depth->sample(gl::DepthSampling::depths);
-    const gl::Program& program = programsFor(map).decide;
-    const Decisions& decisions =
-        exact_.decide(frame, light, [&] { drawAsked(frame, program, unshadowedVisibility_, light, map); });
-    return decisions.visibility;
+    const std::vector<std::size_t> drawn = drawnCasters(frame.scene(), light);
+    const OwnUniforms own{.once = [&](const gl::Program& program) { setUniforms(program, light, map); },
+                          .perObject =
+                              [&](const gl::Program& program, std::size_t object) {
+                                  program.set("castsShadow", frame.scene().objects[object].castsShadow ? 1 : 0);
+                                  program.set("isDrawn", std::ranges::binary_search(drawn, object) ? 1 : 0);
+                              }};
+    Receivers& receivers = tools_.receivers;
+    const gl::Program& program = receivers.programsFor(map).decide;
+    return pass_
+        .decide(frame, light,
+                [&] { receivers.drawWhereNeeded(frame, program, receivers.unshadowed(true), light, map, own); })
+        .visibility;
 }
 
-void ShadowMap::drawExact(const Frame& frame, int light, const LightMaps& maps, int layer,
-                          std::span<const std::size_t> casters, const gl::DepthTextureArray& depth,
-                          const ExactMap& exact) {
-    depthPass_.drawWithIds(frame, maps, layer, casters, depth, exact.triangles, {});
-    exact_.findEdges(frame.scene(), light, maps, drawnCasters(frame.scene(), light));
-    exact_.drawEdges(frame, maps, light, layer, casters, exact.edges);
+void ExactLight::drawLayer(const Frame& frame, int light, const LightMaps& maps, int layer,
+                           std::span<const std::size_t> casters, const gl::DepthTextureArray& depth,
+                           const ExactTextures& textures) {
+    tools_.drawer.depthPass().drawWithIds(frame, maps, layer, casters, depth, textures.triangles, {});
+    pass_.findEdges(frame.scene(), light, maps, drawnCasters(frame.scene(), light));
+    pass_.drawEdges(frame, maps, light, layer, casters, textures.edges);
 }
 
-void ShadowMap::publishTraced(Frame& frame, int light, const DrawnMap& map) {
-    if (exact_.isDecided(light)) {
-        exact_.publishTraced(frame, light);
+void ExactLight::publishTraced(Frame& frame, int light, const LightShadowMap& map) {
+    if (pass_.isDecided(light)) {
+        pass_.publishTraced(frame, light);
         return;
     }
-    // As it would be with exact = true.
-    if (!map.depth) {
-        exact_.prepare(frame.snapshot(), Deadline::max());
-        exact_.decide(frame, light, [&] { drawReceivers(frame, unshadowedVisibility_, light, map); });
-    } else {
-        exact_.prepare(frame.snapshot(), Deadline::max());
+    pass_.prepare(frame.snapshot(), Deadline::max());
+    if (map.depth) {
+        const ShadowMapParams& params = tools_.params;
         const int layers = map.maps.layers();
-        const gl::DepthTextureArray depth(params_.glDepthFormat(), params_.resolution, layers, "exact shadow map");
-        const ExactMap exact(params_.resolution, layers, params_.glDepthFormat());
+        const gl::DepthTextureArray depth(params.glDepthFormat(), params.resolution, layers, "exact shadow map");
+        const ExactTextures exact(params.resolution, layers, params.glDepthFormat());
         for (int layer = 0; layer < layers; ++layer) {
             gl::setBaselineState();
-            drawExact(frame, light, map.maps, layer, castersOf(frame.scene(), map.maps, map.asked, layer), depth,
-                      exact);
+            drawLayer(frame, light, map.maps, layer, tools_.fitter.castersOf(frame.scene(), map.maps, map.query, layer),
+                      depth, exact);
         }
-        decide(frame, light, {.maps = map.maps, .asked = map.asked, .depth = &depth, .exact = &exact});
+        decide(frame, light, {.maps = map.maps, .query = map.query, .depth = &depth, .exact = &exact});
+    } else {
+        Receivers& receivers = tools_.receivers;
+        pass_.decide(frame, light, [&] { receivers.draw(frame, receivers.unshadowed(true), light, map); });
     }
-    exact_.publishTraced(frame, light);
-    exact_.beginFrame();
+    pass_.publishTraced(frame, light);
+    pass_.beginFrame();
 }
 
-void ShadowMap::setExactUniforms(const gl::Program& program, int light, const DrawnMap& map) const {
+void ExactLight::setUniforms(const gl::Program& program, int light, const LightShadowMap& map) const {
     map.exact->triangles.bind(kIdUnit);
     program.set("firstTriangles", kIdUnit);
     map.exact->edges.bind(kEdgeUnit);
     program.set("edgeDepths", kEdgeUnit);
-    exact_.bindWalk(program, light, kPositionUnit, kTriangleUnit);
-    const bool fixed16 = params_.depthFormat == ShadowMapParams::DepthFormat::fixed16;
+    pass_.bindWalk(program, light, kPositionUnit, kTriangleUnit);
+    const bool fixed16 = tools_.params.depthFormat == ShadowMapParams::DepthFormat::fixed16;
     // The rasteriser moves corners to its grid, of 256 steps a texel with 8 bits (GL promises 4): an edge by up to 0.71 of a step.
     // Where the grid is coarser, more texels are left to rays, and with fewer than 6 bits all of them.
     GLint subPixelBits = 0;
     glGetIntegerv(GL_SUBPIXEL_BITS, &subPixelBits);
     program.set("certainTexels", 0.02f * std::ldexp(1.0f, std::max(8 - subPixelBits, 0)));
-    program.set("apart", std::max(kRounding, 4.0f / static_cast<float>(1 << (fixed16 ? 16 : 24))));
-}
-
-void ShadowMap::setObjectUniforms(const Frame& frame, const gl::Program& program, int light, std::size_t index) const {
-    const scene::Object& object = frame.scene().objects[index];
-    program.set("castsShadow", object.castsShadow ? 1 : 0);
-    const bool isDrawn = params_.cull
-                             ? std::ranges::binary_search(usefulCasters_[static_cast<std::size_t>(light)], index)
-                             : object.castsShadow;
-    program.set("isDrawn", isDrawn ? 1 : 0);
+    program.set("depthEpsilon", std::max(kRounding, 4.0f / static_cast<float>(1 << (fixed16 ? 16 : 24))));
 }
 
 } // namespace shadowlab::shadow_map

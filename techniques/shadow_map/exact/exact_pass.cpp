@@ -6,7 +6,6 @@
 #include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/query/facing.h"
 #include "techniques/foundation/trace/packets/pixel_rays.h"
-#include "techniques/shadow_map/exact/loose_edges.h"
 
 namespace shadowlab::shadow_map {
 
@@ -23,6 +22,23 @@ void forEachTriangleWithHoles(const scene::Scene& scene, const scene::Object& ob
         const scene::MeshPart& part = object.mesh->parts[p];
         for (std::uint32_t t = part.firstTriangle; t < part.firstTriangle + part.triangleCount; ++t)
             visit(object.mesh->triangles[t]);
+    }
+}
+
+/// Calls found(a, b) with the welded vertices of each edge at which the surface does not simply go on as the light sees it: it does
+/// so only between two triangles that lie to either side of the edge. `facing` is one sign per triangle (scene/query/facing.h).
+void forEachLooseEdge(const scene::MeshTopology& topology, std::span<const std::int8_t> facing,
+                      const std::function<void(std::uint32_t a, std::uint32_t b)>& found) {
+    for (const scene::Edge& edge : topology.edges) {
+        // A triangle that runs a -> b and faces the light lies to the left of the edge; turn over one, and it is the right.
+        int left = 0, right = 0;
+        for (std::uint32_t u = edge.firstUse; u < edge.firstUse + edge.useCount; ++u) {
+            const int side = topology.uses[u].direction * facing[topology.uses[u].triangle];
+            left += side > 0;
+            right += side < 0;
+        }
+        const bool goesOn = edge.useCount == 2 && left == 1 && right == 1;
+        if (!goesOn) found(edge.a, edge.b);
     }
 }
 

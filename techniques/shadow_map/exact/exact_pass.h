@@ -1,10 +1,12 @@
 // The shadow map that is never wrong: what a map cannot be certain of is decided by rays.
 //
-// Beside each depth the map keeps which triangle was seen. A second map holds all edges at which a surface ends, begins or
-// passes through another, as wide as it takes to mark every texel they touch. In a texel without such an edge the map
-// knows which sheet is the first, not only at its centre but everywhere (loose_edges.h); shaders/shadow_map/decide.frag
-// asks whether the visible point lies on it. For the other pixels the tracer does.
-// After Hertel, Hormann and Westermann, "A Hybrid GPU Rendering Pipeline for Alias-Free Hard Shadows", Eurographics 2009.
+// Beside each depth the map keeps which triangle was seen. A second map marks the texels touched by *loose edges*: those at which, as
+// the light sees the scene, a surface may end, begin, or pass through another. In a texel that no such edge touches the surfaces lie
+// over each other like sheets of paper: each covers the whole texel, and their order is the same everywhere in it. So what one light
+// ray through the texel's centre finds is true of all rays through it. shaders/shadow_map/decide.frag asks whether the visible point
+// lies on the first sheet; for all other pixels a ray is traced.
+// After Hertel, Hormann and Westermann, "A Hybrid GPU Rendering Pipeline for Alias-Free Hard Shadows", Eurographics 2009, who call a
+// texel uncertain where a triangle covers a part of it; here edges inside a surface do not count.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>

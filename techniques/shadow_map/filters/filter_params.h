@@ -1,4 +1,4 @@
-// The knobs of the shadow map's filters.
+// The parameters of the shadow map's filters.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/gl/texture.h"
@@ -6,9 +6,14 @@
 
 namespace shadowlab::shadow_map {
 
-/// How the answers of several texels become one (shaders/shadow_map/filter_*.glsl).
+/// A filter, by its place in the table of filters (filters.h).
+enum class FilterKind : int {};
+/// Throws Error (bug) where there is none of that name.
+FilterKind filterNamed(std::string_view name);
+
+/// How the answers of several texels become one. All filters' parameters are here; which of them one reads, its entry says.
 struct FilterParams {
-    enum class Kind { hard, hw2x2, pcf, disc, pcss, vsm, esm, evsm, msm } kind = Kind::pcf;
+    FilterKind kind = filterNamed("pcf");
     int pcfRadius = 1;
     double discRadius = 2.0;
     int samples = 16;
@@ -29,17 +34,17 @@ struct FilterParams {
     double msmBias = 1e-6;
     friend bool operator==(const FilterParams&, const FilterParams&) = default;
 
-    /// Does it average what the map's depths become, and not comparisons with them?
-    [[nodiscard]] bool usesMoments() const { return kind >= Kind::vsm; }
-    /// Does it need the depths of what stands before the receivers, and not only that something does?
-    [[nodiscard]] bool usesDistances() const { return usesMoments() || kind == Kind::pcss; }
-    /// Texels around the point's own that may be asked as well; pcss: beside those of the penumbra.
+    /// Does it read averaged moments of the depths, instead of comparing depths?
+    [[nodiscard]] bool usesMoments() const;
+    /// Does it need the depths of the casters themselves? A plain comparison only needs to know that one is nearer.
+    [[nodiscard]] bool usesDistances() const;
+    /// Texels on each side of the point's own that may be read as well; pcss: beside those of the penumbra.
     [[nodiscard]] int kernelRadius() const;
-    /// The same for what a bias has to cover: how far beside its own texel a point is compared.
+    /// The radius that a bias has to cover, in texels: how far from its own texel a point is compared.
     [[nodiscard]] double comparedRadius() const;
 };
 
-/// The descriptions refer to the fields of `params`.
+/// The descriptions refer to the fields of `params`. Each has an effect only with the filters whose entries name it.
 params::ParamList describe(FilterParams& params);
 
 } // namespace shadowlab::shadow_map

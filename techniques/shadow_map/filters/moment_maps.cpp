@@ -4,13 +4,13 @@
 #include <algorithm>
 
 #include "techniques/foundation/gl/baseline.h"
+#include "techniques/shadow_map/filters/filters.h"
+#include "techniques/shadow_map/filters/moment_filters.h"
 #include "techniques/shadow_map/receiver_uniforms.h"
 
 namespace shadowlab::shadow_map {
 
 namespace {
-
-using Kind = FilterParams::Kind;
 
 /// The largest number that a moment's format holds, as an exponent of e: ln(3.4e38), ln(65504).
 double largestExponent(const FilterParams& params) {
@@ -24,21 +24,12 @@ double usableExponent(const FilterParams& params) {
     return 0.995 * (largestExponent(params) - kernel);
 }
 
-/// One, two or four numbers to a texel.
 GLenum formatOf(const FilterParams& params) {
     const bool wide = params.momentFormat == FilterParams::MomentFormat::float32;
-    const bool two =
-        params.kind == Kind::vsm || (params.kind == Kind::evsm && params.evsmMoments == FilterParams::EvsmMoments::two);
-    if (params.kind == Kind::esm) return wide ? GL_R32F : GL_R16F;
-    return two ? (wide ? GL_RG32F : GL_RG16F) : (wide ? GL_RGBA32F : GL_RGBA16F);
-}
-
-const char* momentsFile(Kind kind) {
-    switch (kind) {
-    case Kind::esm: return "shadow_map/moments_of_esm.glsl";
-    case Kind::evsm: return "shadow_map/moments_of_evsm.glsl";
-    case Kind::msm: return "shadow_map/moments_of_msm.glsl";
-    default: return "shadow_map/moments_of_vsm.glsl";
+    switch (filterInfo(params.kind).moments->count(params)) {
+    case 1: return wide ? GL_R32F : GL_R16F;
+    case 2: return wide ? GL_RG32F : GL_RG16F;
+    default: return wide ? GL_RGBA32F : GL_RGBA16F;
     }
 }
 
@@ -56,7 +47,9 @@ Exponents exponents(const FilterParams& params) {
 // Along a row 2 r + 1 numbers are added and the sum is divided, which may lose as much as five sums do: 2 r + 6 roundings.
 double msmBias(const FilterParams& params) { return std::min(0.5, params.msmBias * (2 * params.blurRadius + 6) / 8); }
 
-bool averagesLogarithms(const FilterParams& params) { return params.kind == Kind::esm && params.esmLogarithms; }
+bool averagesLogarithms(const FilterParams& params) {
+    return filterInfo(params.kind).reads("esm-logarithms") && params.esmLogarithms;
+}
 
 FilterParams momentParams(const FilterParams& params) {
     FilterParams result;
@@ -83,9 +76,11 @@ vec2 momentDepthRange(const LightMaps& maps) { return {dvec2(maps.nearest, maps.
 const MomentMaker::Programs& MomentMaker::programsFor(const FilterParams& params) {
     const std::pair choice(params.kind, averagesLogarithms(params));
     if (const auto known = programs_.find(choice); known != programs_.end()) return known->second;
-    const gl::Substitution average{"shadow_map/average.glsl", choice.second ? "shadow_map/average_logarithms.glsl"
-                                                                            : "shadow_map/average_values.glsl"};
-    const gl::Substitution moments{"shadow_map/moments_of.glsl", momentsFile(params.kind)};
+    const gl::Substitution average{"shadow_map/average_values.glsl", choice.second
+                                                                         ? "shadow_map/average_logarithms.glsl"
+                                                                         : "shadow_map/average_values.glsl"};
+    const gl::Substitution moments{"shadow_map/moments_of_vsm.glsl",
+                                   std::string(filterInfo(params.kind).moments->shader)};
     return programs_
         .emplace(choice,
                  Programs{gl::Program("fullscreen.vert", "shadow_map/make_moments.frag", {}, {average, moments}),

@@ -44,8 +44,7 @@ private:
     };
     const Programs& programsFor(const FilterParams& params);
 
-    std::map<std::pair<FilterParams::Kind, bool>, Programs>
-        programs_;               ///< of a filter, and whether it averages logarithms
+    std::map<std::pair<FilterKind, bool>, Programs> programs_; ///< of a filter, and whether it averages logarithms
     gl::Texture2D averagedRows_; ///< kept: to make it anew costs a renderer on the processor as much as to fill it
 };
 

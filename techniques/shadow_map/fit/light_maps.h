@@ -75,4 +75,12 @@ dmat4 parallelProjection(const Box& box);
 /// A perspective camera whose picture spans those tangents (x / -z and y / -z), and that range of distances.
 dmat4 perspectiveProjection(const dvec2& lowerTangent, const dvec2& upperTangent, double nearest, double farthest);
 
+/// The least depth that a point of an object compares with these maps, so that a 0 in the map is always nearer.
+///
+/// What stands before a map's near plane is kept at depth 0 ("pancaked"): all that is known of it is that it is nearer. Where the light
+/// grazes a receiver, its plane beside a point may seem to reach before the near plane, too, and a comparison with 0 would then say
+/// lit. Where all of the object is beyond the near planes the result is above 0: the object itself has left no 0 in any texel. Else
+/// there is no bound: its own surface may be what is kept at 0.
+double minReferenceDepth(const LightMaps& maps, const scene::Bounds& objectWorld);
+
 } // namespace shadowlab::shadow_map

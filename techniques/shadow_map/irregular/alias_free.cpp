@@ -22,38 +22,38 @@ struct TriangleRun {
 };
 
 /// Per plane, runs that together hold all triangles that may cover a sample.
-std::vector<std::vector<TriangleRun>> seeTriangles(const Question& question, const Samples& samples) {
-    const std::vector<trace::Triangle>& triangles = question.tracer.world().triangles;
-    const std::span<const std::uint8_t> blocks = question.tracer.blockers(question.light);
+std::vector<std::vector<TriangleRun>> seeTriangles(const ShadowQuery& query, const Samples& samples) {
+    const std::vector<trace::Triangle>& triangles = query.tracer.world().triangles;
+    const std::span<const std::uint8_t> blocks = query.tracer.blockers(query.light);
     const std::vector<TriangleRun> none((triangles.size() + kTrianglePiece - 1) / kTrianglePiece);
     std::vector<std::vector<TriangleRun>> runs(samples.planes.size(), none);
-    inPieces(
-        triangles.size(), kTrianglePiece, question.threads, [&](std::size_t piece, std::size_t first, std::size_t end) {
-            for (std::size_t p = 0; p < runs.size(); ++p) {
-                const LightPlane& plane = samples.planes[p];
-                const auto& [box, count] = samples.regions[p];
-                const Asked asked{box.rect, box.largestCoordinate(plane.parallel), question.extent()};
-                TriangleRun& run = runs[p][piece];
-                for (std::size_t i = first; i < end && count > 0; ++i) {
-                    if (!blocks[i]) continue;
-                    const auto rect = coveredRect(plane, triangles[i], asked);
-                    if (!rect) continue;
-                    run.triangles.push_back(seenFrom(plane, triangles[i], static_cast<std::uint32_t>(i), asked));
-                    run.triangles.back().mayHaveHoles = question.tracer.mayHaveHoles(static_cast<std::uint32_t>(i));
-                    run.lower.emplace_back(rect->lower);
-                    run.upper.emplace_back(rect->upper);
-                    run.rect.include(*rect);
-                }
-            }
-        });
+    inPieces(triangles.size(), kTrianglePiece, query.threads,
+             [&](std::size_t piece, std::size_t first, std::size_t end) {
+                 for (std::size_t p = 0; p < runs.size(); ++p) {
+                     const LightPlane& plane = samples.planes[p];
+                     const auto& [box, count] = samples.regions[p];
+                     const Asked asked{box.rect, box.largestCoordinate(plane.parallel), query.extent()};
+                     TriangleRun& run = runs[p][piece];
+                     for (std::size_t i = first; i < end && count > 0; ++i) {
+                         if (!blocks[i]) continue;
+                         const auto rect = coveredRect(plane, triangles[i], asked);
+                         if (!rect) continue;
+                         run.triangles.push_back(seenFrom(plane, triangles[i], static_cast<std::uint32_t>(i), asked));
+                         run.triangles.back().mayHaveHoles = query.tracer.mayHaveHoles(static_cast<std::uint32_t>(i));
+                         run.lower.emplace_back(rect->lower);
+                         run.upper.emplace_back(rect->upper);
+                         run.rect.include(*rect);
+                     }
+                 }
+             });
     return runs;
 }
 
 /// One strip of samples, and all triangles.
 class StripTest {
 public:
-    StripTest(const Question& question, SampleStrip& strip)
-        : strip_(strip), triangles_(strip.buckets.size(), 0), test_(question) {}
+    StripTest(const ShadowQuery& query, SampleStrip& strip)
+        : strip_(strip), triangles_(strip.buckets.size(), 0), test_(query) {}
 
     void test(const TriangleRun& run) {
         if (run.rect.lower.x > strip_.rect.upper.x || run.rect.upper.x < strip_.rect.lower.x) return;
@@ -92,10 +92,10 @@ private:
 
 void aliasFreeVisibilities(const trace::SceneTracer& tracer, std::span<const trace::SurfacePoint> points, int light,
                            std::span<trace::Visibility> answers, AliasFreeRecord* record, int threads) {
-    const Question question{tracer, points, light, answers, threads};
-    const Samples samples = findSamples(question);
+    const ShadowQuery query{tracer, points, light, answers, threads};
+    const Samples samples = findSamples(query);
     const StripLists lists = cutIntoStrips(samples, threads);
-    const std::vector<std::vector<TriangleRun>> runs = seeTriangles(question, samples);
+    const std::vector<std::vector<TriangleRun>> runs = seeTriangles(query, samples);
     std::vector<AliasFreeRecord> records(record ? lists.strips.size() : 0);
     trace::parallelFor(
         lists.strips.size(),
@@ -104,11 +104,11 @@ void aliasFreeVisibilities(const trace::SceneTracer& tracer, std::span<const tra
             const auto p = static_cast<std::size_t>(plane);
             // Twice the way within which SceneTracer calls it contact, in metres toward the sun. Toward other lights contact is
             // a share of the way so small that rounding to float covers it.
-            const double contact = question.isParallel() ? 2 * trace::kContactPerMetre *
-                                                               (1 + 2 * samples.regions[p].box.largestCoordinate(true))
-                                                         : 0;
-            SampleStrip strip = makeStrip(question, samples, std::span(lists.indices).subspan(first, count), contact);
-            StripTest test(question, strip);
+            const double contact = query.isParallel() ? 2 * trace::kContactPerMetre *
+                                                            (1 + 2 * samples.regions[p].box.largestCoordinate(true))
+                                                      : 0;
+            SampleStrip strip = makeStrip(query, samples, std::span(lists.indices).subspan(first, count), contact);
+            StripTest test(query, strip);
             for (const TriangleRun& run : runs[p])
                 test.test(run);
             if (record) test.record(plane, records[s]);

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "techniques/foundation/trace/scene_tracer.h"
-#include "techniques/shadow_map/fit/light_plane.h"
+#include "techniques/shadow_map/irregular/light_plane.h"
 
 namespace shadowlab::shadow_map {
 

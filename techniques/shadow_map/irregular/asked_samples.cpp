@@ -23,21 +23,21 @@ struct BoxCentred {
 
 /// Sets answers; puts the positions of those that ask into samples.places, as yet in centred space, and marks them. Returns
 /// the middle of the box around them.
-dvec3 gate(const Question& question, Samples& samples) {
-    const std::size_t count = question.points.size();
+dvec3 gate(const ShadowQuery& query, Samples& samples) {
+    const std::size_t count = query.points.size();
     samples.places.resize(count);
     samples.planeOf.assign(count, kNotAsked);
     std::vector<BoxCentred> boxes(count / kPointPiece + 1);
-    inPieces(count, kPointPiece, question.threads, [&](std::size_t piece, std::size_t first, std::size_t end) {
+    inPieces(count, kPointPiece, query.threads, [&](std::size_t piece, std::size_t first, std::size_t end) {
         for (std::size_t i = first; i < end; ++i) {
-            const trace::SurfacePoint& point = question.points[i];
-            question.answers[i] = trace::Visibility::noSurface;
+            const trace::SurfacePoint& point = query.points[i];
+            query.answers[i] = trace::Visibility::noSurface;
             if (!point) continue;
-            const bool faces = question.tracer.facesLight(point, question.light);
-            question.answers[i] = faces ? trace::Visibility::lit : trace::Visibility::turnedAway;
-            if (!faces || !question.tracer.objectOf(point).receivesShadow) continue;
+            const bool faces = query.tracer.facesLight(point, query.light);
+            query.answers[i] = faces ? trace::Visibility::lit : trace::Visibility::turnedAway;
+            if (!faces || !query.tracer.objectOf(point).receivesShadow) continue;
             samples.planeOf[i] = 0;
-            samples.places[i] = question.tracer.positionCentred(point);
+            samples.places[i] = query.tracer.positionCentred(point);
             boxes[piece].include(samples.places[i]);
         }
     });
@@ -48,29 +48,28 @@ dvec3 gate(const Question& question, Samples& samples) {
 }
 
 /// Has every sample a place in one of the planes?
-bool fitInto(const LightPlanes& planes, const Question& question, const Samples& samples) {
+bool fitInto(const LightPlanes& planes, const ShadowQuery& query, const Samples& samples) {
     std::atomic<bool> fit = true;
-    inPieces(samples.places.size(), kPointPiece, question.threads,
-             [&](std::size_t, std::size_t first, std::size_t end) {
-                 for (std::size_t i = first; i < end && fit; ++i)
-                     if (samples.planeOf[i] != kNotAsked && planes.planeOf(samples.places[i]) < 0) fit = false;
-             });
+    inPieces(samples.places.size(), kPointPiece, query.threads, [&](std::size_t, std::size_t first, std::size_t end) {
+        for (std::size_t i = first; i < end && fit; ++i)
+            if (samples.planeOf[i] != kNotAsked && planes.planeOf(samples.places[i]) < 0) fit = false;
+    });
     return fit;
 }
 
 /// From centred space to the planes. A point that has no place there is answered by a ray.
-void place(const Question& question, const LightPlanes& planes, Samples& samples) {
+void place(const ShadowQuery& query, const LightPlanes& planes, Samples& samples) {
     samples.planes.assign(planes.all().begin(), planes.all().end());
     const std::vector<PlaneRegion> none(samples.planes.size());
     std::vector<std::vector<PlaneRegion>> regions(samples.places.size() / kPointPiece + 1, none);
-    inPieces(samples.places.size(), kPointPiece, question.threads,
+    inPieces(samples.places.size(), kPointPiece, query.threads,
              [&](std::size_t piece, std::size_t first, std::size_t end) {
                  for (std::size_t i = first; i < end; ++i) {
                      if (samples.planeOf[i] == kNotAsked) continue;
                      const int plane = planes.planeOf(samples.places[i]);
                      samples.planeOf[i] = plane < 0 ? kNotAsked : static_cast<std::uint8_t>(plane);
                      if (plane < 0) {
-                         question.answers[i] = question.tracer.visibility(question.points[i], question.light);
+                         query.answers[i] = query.tracer.visibility(query.points[i], query.light);
                          continue;
                      }
                      samples.places[i] = samples.planes[samples.planeOf[i]].place(samples.places[i]);
@@ -89,15 +88,15 @@ void place(const Question& question, const LightPlanes& planes, Samples& samples
 
 } // namespace
 
-Samples findSamples(const Question& question) {
+Samples findSamples(const ShadowQuery& query) {
     Samples samples;
-    const dvec3 middleCentred = gate(question, samples);
-    const dvec3& originWorld = question.tracer.world().originWorld;
-    const LightPlanes one = LightPlanes::one(question.source(), originWorld, middleCentred);
-    if (question.isParallel() || fitInto(one, question, samples))
-        place(question, one, samples);
+    const dvec3 middleCentred = gate(query, samples);
+    const dvec3& originWorld = query.tracer.world().originWorld;
+    const LightPlanes one = LightPlanes::one(query.source(), originWorld, middleCentred);
+    if (query.isParallel() || fitInto(one, query, samples))
+        place(query, one, samples);
     else
-        place(question, LightPlanes::cube(question.source(), originWorld), samples);
+        place(query, LightPlanes::cube(query.source(), originWorld), samples);
     return samples;
 }
 

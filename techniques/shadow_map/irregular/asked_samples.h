@@ -8,12 +8,12 @@
 
 #include "techniques/foundation/trace/parallel.h"
 #include "techniques/foundation/trace/scene_tracer.h"
-#include "techniques/shadow_map/fit/light_plane.h"
+#include "techniques/shadow_map/irregular/light_plane.h"
 
 namespace shadowlab::shadow_map {
 
 /// What is asked, and of whom: read by all steps.
-struct Question {
+struct ShadowQuery {
     const trace::SceneTracer& tracer;
     std::span<const trace::SurfacePoint> points;
     int light;
@@ -43,7 +43,7 @@ struct Samples {
 
 /// Answers what needs no look at other triangles: background, what is turned away, what receives no shadow. All others are
 /// answered `lit`, until something is found before them, and are in the samples.
-Samples findSamples(const Question& question);
+Samples findSamples(const ShadowQuery& query);
 
 /// Calls work(piece, first, end) for pieces of 0 ... count, on several threads.
 template <typename Work>

@@ -92,16 +92,16 @@ bool BucketTest::test(const SeenTriangle& triangle, Bucket& bucket) {
 // [anchor: samples-in-the-light]
 bool BucketTest::isBlocked(const Bucket& bucket, unsigned sample, const SeenTriangle& triangle, bool certain) {
     ++askedExactly_;
-    const trace::SurfacePoint& point = question_.points[bucket.indices[sample]];
+    const trace::SurfacePoint& point = query_.points[bucket.indices[sample]];
     // A triangle in doubt is hit anywhere along itself. Where that may be behind the sample, or behind the light, too, what a
     // ray finds depends on the boxes of the tree it goes through.
     const bool between = certain || triangle.farthest - bucket.clearance > bucket.nearness[sample];
-    return between ? question_.tracer.isBlockedBy(triangle.primitive, point, question_.light)
-                   : question_.tracer.visibility(point, question_.light) == trace::Visibility::shadowed;
+    return between ? query_.tracer.isBlockedBy(triangle.primitive, point, query_.light)
+                   : query_.tracer.visibility(point, query_.light) == trace::Visibility::shadowed;
 }
 
 void BucketTest::drop(Bucket& bucket, unsigned sample) {
-    question_.answers[bucket.indices[sample]] = trace::Visibility::shadowed;
+    query_.answers[bucket.indices[sample]] = trace::Visibility::shadowed;
     const unsigned last = --bucket.live;
     bucket.u[sample] = bucket.u[last];
     bucket.v[sample] = bucket.v[last];

@@ -13,8 +13,8 @@ namespace shadowlab::shadow_map {
 
 class BucketTest {
 public:
-    explicit BucketTest(const Question& question)
-        : question_(question), parallel_(question.isParallel()), extent_(question.extent()) {}
+    explicit BucketTest(const ShadowQuery& query)
+        : query_(query), parallel_(query.isParallel()), extent_(query.extent()) {}
 
     /// Answers `shadowed` for all living samples that the triangle blocks, and takes them out of the bucket. False when the
     /// bucket as a whole could be passed over.
@@ -27,7 +27,7 @@ private:
     /// In shadow: nobody need ask for it again.
     void drop(Bucket& bucket, unsigned sample);
 
-    const Question& question_;
+    const ShadowQuery& query_;
     bool parallel_;
     double extent_;
     std::uint64_t askedExactly_ = 0;

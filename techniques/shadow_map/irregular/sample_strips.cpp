@@ -40,14 +40,14 @@ void sortBuckets(std::span<Key> keys) {
 }
 
 /// Returns the rectangle that holds the samples.
-PlaneRect fill(Bucket& bucket, const Question& question, const Samples& samples, std::span<const Key> keys,
+PlaneRect fill(Bucket& bucket, const ShadowQuery& query, const Samples& samples, std::span<const Key> keys,
                double contact) {
     PlaceBox box;
     for (const Key& key : keys)
         box.include(samples.places[key.index]);
     bucket.middle = 0.5 * (box.rect.lower + box.rect.upper);
     bucket.farthest = box.farthest;
-    bucket.largest = box.largestCoordinate(question.isParallel());
+    bucket.largest = box.largestCoordinate(query.isParallel());
     vec2 half(0.0f);
     for (const Key& key : keys) {
         const dvec3& place = samples.places[key.index];
@@ -55,7 +55,7 @@ PlaneRect fill(Bucket& bucket, const Question& question, const Samples& samples,
         bucket.u[bucket.count] = here.x;
         bucket.v[bucket.count] = here.y;
         bucket.nearness[bucket.count] = static_cast<float>(place.z);
-        bucket.primitives[bucket.count] = question.points[key.index].primitive;
+        bucket.primitives[bucket.count] = query.points[key.index].primitive;
         bucket.indices[bucket.count++] = key.index;
         half = glm::max(half, glm::abs(here));
     }
@@ -115,7 +115,7 @@ StripLists cutIntoStrips(const Samples& samples, int threads) {
     return lists;
 }
 
-SampleStrip makeStrip(const Question& question, const Samples& samples, std::span<const std::uint32_t> indices,
+SampleStrip makeStrip(const ShadowQuery& query, const Samples& samples, std::span<const std::uint32_t> indices,
                       double contact) {
     std::vector<Key> keys;
     keys.reserve(indices.size());
@@ -127,7 +127,7 @@ SampleStrip makeStrip(const Question& question, const Samples& samples, std::spa
     for (std::size_t b = 0; b < strip.buckets.size(); ++b) {
         const std::size_t first = b * kBucketSamples;
         const PlaneRect rect =
-            fill(strip.buckets[b], question, samples,
+            fill(strip.buckets[b], query, samples,
                  std::span(keys).subspan(first, std::min(kBucketSamples, keys.size() - first)), contact);
         strip.lower.emplace_back(rect.lower);
         strip.upper.emplace_back(rect.upper);

@@ -52,7 +52,7 @@ struct SampleStrip {
 };
 
 /// Sorts the samples of one strip. `contact`: by how much a blocker's nearness must differ from the sample's at least.
-SampleStrip makeStrip(const Question& question, const Samples& samples, std::span<const std::uint32_t> indices,
+SampleStrip makeStrip(const ShadowQuery& query, const Samples& samples, std::span<const std::uint32_t> indices,
                       double contact);
 
 } // namespace shadowlab::shadow_map

@@ -21,7 +21,7 @@
 #include <optional>
 
 #include "techniques/foundation/trace/ray_triangle.h"
-#include "techniques/shadow_map/fit/light_plane.h"
+#include "techniques/shadow_map/irregular/light_plane.h"
 
 namespace shadowlab::shadow_map {
 

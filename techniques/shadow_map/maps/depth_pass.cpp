@@ -27,20 +27,12 @@ void pushBack(const DepthRules& rules, double slopeFactor) {
 
 DepthRules depthRules(const ShadowMapParams& params, const FilterParams& filter) {
     DepthRules rules;
-    using enum BiasParams::Mode;
-    const BiasParams& bias = params.bias;
+    const BiasInfo& bias = biasInfo(params.bias.mode);
     rules.depthClamp = params.depthClamp || params.exact;
     if (params.exact) return rules; // the depths themselves: the comparison has a margin of its own
-    const double radius = filter.comparedRadius();
-    // Of a kernel's texels the farthest centre is radius + 1/2 away in both directions; the factor is for the larger of the
-    // two slopes, of which the other may be as large.
-    if (bias.mode == slopeScaled || bias.mode == dualDepth) rules.slopeFactor = bias.slope * (2 * radius + 1);
-    // The receiver's slope (bias_receiver_plane.glsl) covers its own plane and convex corners. In a concave corner the
-    // kernel also meets a steeper neighbour: its depths are pushed back by its slope, one texel for a single comparison and
-    // one more for each texel of the kernel's radius.
-    if (bias.mode == receiverPlane) rules.slopeFactor = bias.slope * (1 + radius);
-    if (bias.mode != none) rules.units = 2 * bias.rounding;
-    rules.dual = bias.mode == dualDepth;
+    if (bias.slopeFactor) rules.slopeFactor = bias.slopeFactor(params.bias, filter.comparedRadius());
+    if (bias.reads("rounding-bias")) rules.units = 2 * params.bias.rounding;
+    rules.dual = bias.isDualDepth;
     return rules;
 }
 
@@ -108,7 +100,7 @@ void DepthPass::drawDual(const Frame& frame, const LightMaps& maps, int layer, s
     for (const gl::Program* program : {&secondDepth_, &secondDepth_.alphaTested()}) {
         program->use();
         program->set("firstDepth", kFirstUnit);
-        program->set("apart", depthEpsilon(format));
+        program->set("depthEpsilon", depthEpsilon(format));
     }
     drawInto(second, 0, secondDepth_);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "techniques/shadow_map/filters/filter_uniforms.h"
+#include "techniques/shadow_map/filters/filters.h"
 
 namespace shadowlab::shadow_map {
 
@@ -45,7 +45,7 @@ double metresOf(const LightMaps& maps, int layer, const dvec2& uv, double depth)
 
 std::optional<MapProbe> probeMap(const ComparedPoint& point) {
     const Maps maps{point};
-    const DepthComparison comparison(point.maps, point.layer, point.params, point.filter, point.leastReference);
+    const DepthComparison comparison(point.maps, point.layer, point.params, point.filter, point.minReferenceDepth);
     const dvec3 pointLightRelative = point.pointWorld - point.maps.originWorld;
     const dvec4 clip = comparison.lightClipFromLightRelative() * dvec4(pointLightRelative, 1.0);
     if (clip.w <= 0) return std::nullopt;
@@ -85,7 +85,7 @@ std::optional<MapProbe> probeMap(const ComparedPoint& point) {
 
 void addCells(MapProbe& probe, const ComparedPoint& point, const LightSection& section) {
     const Maps maps{point};
-    const DepthComparison comparison(point.maps, point.layer, point.params, point.filter, point.leastReference);
+    const DepthComparison comparison(point.maps, point.layer, point.params, point.filter, point.minReferenceDepth);
     const dvec3 pointLightRelative = point.pointWorld - point.maps.originWorld;
     const dvec3 towardLight = point.maps.parallel ? point.maps.towardLight : -glm::normalize(pointLightRelative);
     // Across the light's ray within the plane: the plane holds the light, so it is a line in the map.

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "techniques/probe.h"
-#include "techniques/shadow_map/probe/compared_depth.h"
+#include "techniques/shadow_map/bias/compared_depth.h"
 #include "techniques/shadow_map/probe/texel_depths.h"
 
 namespace shadowlab::shadow_map {
@@ -21,7 +21,7 @@ struct ComparedPoint {
     dvec3 pointWorld{0.0};
     std::array<dvec3, 3> cornersWorld{}; ///< of the triangle that the point lies on
     ivec2 fragment{0};                   ///< the pixel, rows counted from below: it may turn the samples
-    double leastReference = 0;           ///< of the object that the point is on (near_plane.h)
+    double minReferenceDepth = 0;        ///< of the object that the point is on (light_maps.h)
 };
 
 /// What a filter reads for the point, and what it makes of that.
@@ -31,16 +31,15 @@ struct FilterAnswer {
     std::optional<MapProbe::Moments> moments{};
     double visibility = 1;
 };
-FilterAnswer answerOf(const ComparedPoint& point);
 
-/// Of the filters hard, hw2x2, pcf and disc: the comparisons, with their shares.
-std::vector<MapProbe::Tap> tapsOf(const ComparedPoint& point);
-
-/// Of the filter pcss: the search, and the comparisons that follow from it (none where it finds no blocker).
-FilterAnswer softShadowOf(const ComparedPoint& point);
-
-/// Of the filters vsm to msm, without coarser moments than the finest.
-MapProbe::Moments momentsOf(const ComparedPoint& point);
+/// The filters' own answers, as their entries in the table name them (filters/filters.cpp). softShadowAnswer: the comparisons are
+/// those that the search leads to, none where it finds no blocker; momentAnswer: without coarser moments than the finest.
+FilterAnswer hardAnswer(const ComparedPoint& point);
+FilterAnswer fourTexelsAnswer(const ComparedPoint& point);
+FilterAnswer squareAnswer(const ComparedPoint& point);
+FilterAnswer discAnswer(const ComparedPoint& point);
+FilterAnswer softShadowAnswer(const ComparedPoint& point);
+FilterAnswer momentAnswer(const ComparedPoint& point);
 
 /// All but what the filter reads and the drawing's cells. Nothing where the point is behind the light's camera.
 std::optional<MapProbe> probeMap(const ComparedPoint& point);

@@ -1,5 +1,6 @@
-// What the shadow map knows of one pixel: the way from the point to its texel, what the texel holds, and the comparison.
 // SPDX-License-Identifier: MIT
+#include "techniques/shadow_map/probe/probe.h"
+
 #include <algorithm>
 #include <optional>
 
@@ -8,9 +9,9 @@
 #include "techniques/foundation/trace/area/area_visibility.h"
 #include "techniques/probe_decision.h"
 #include "techniques/shadow_map/exact/exact_probe.h"
-#include "techniques/shadow_map/filters/filter_tell.h"
-#include "techniques/shadow_map/fit/near_plane.h"
-#include "techniques/shadow_map/technique.h"
+#include "techniques/shadow_map/filters/filters.h"
+#include "techniques/shadow_map/irregular/alias_free.h"
+#include "techniques/shadow_map/probe/filter_facts.h"
 
 namespace shadowlab::shadow_map {
 
@@ -136,180 +137,229 @@ std::vector<SceneShape> texelShapes(const MapProbe& map, const LightMaps& maps) 
     return shapes;
 }
 
-} // namespace
+/// The probe of one pixel for one light: its steps, in the order of the facts that they add.
+class PixelProbe {
+public:
+    PixelProbe(Probe& probe, const ProbedMap& of, const scene::Snapshot& snapshot, const View& view, ivec2 pixel,
+               int light, const trace::EyeHit& hit)
+        : probe_(probe), of_(of), snapshot_(snapshot), view_(view), pixel_(pixel), light_(light), hit_(hit),
+          query_(of.fitter.query(*snapshot, light)), maps_(of.fitter.fitToView(*snapshot, view, query_)),
+          eyeDepth_(-transformPoint(scene::viewFromWorld(view.camera), hit.positionWorld).z),
+          truth_(exactJudge(snapshot)->visibility(hit, view.camera, light)) {}
 
-Probe ShadowMap::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) {
-    Probe probe = Technique::probe(snapshot, view, pixel, light);
-    const auto hit = exactJudge(snapshot)->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
-    if (!hit || light < 0 || light >= static_cast<int>(snapshot->lights.size())) return probe;
-    prepare(snapshot, Deadline::max());
-    probe.passes = drawnPasses(*snapshot, view);
-    const LightMaps maps =
-        fit(*snapshot, view, asked(*snapshot, light), receiversInView(*snapshot, view), FitRequest::Cover::needed);
-    const dvec3 pointLightRelative = hit->positionWorld - maps.originWorld;
-    const double eyeDepth = -transformPoint(scene::viewFromWorld(view.camera), hit->positionWorld).z;
-    const std::optional<int> layer = layerOf(maps, pointLightRelative, eyeDepth);
-    const auto add = [&](const char* label, std::string value, const char* unit = "") {
-        probe.facts.push_back({label, std::move(value), unit});
-    };
-    const auto truthOf = [&] { return exactJudge(snapshot)->visibility(*hit, view.camera, light); };
-    const auto decideByTriangles = [&](const ExactDecision& own) {
+    void tell() {
+        const std::optional<int> layer = layerOf(maps_, hit_.positionWorld - maps_.originWorld, eyeDepth_);
+        if (!layer) {
+            add("map", "none: nothing in view can be in this light's shadow");
+            decideWithoutMap();
+            return;
+        }
+        layer_ = *layer;
+        if (!tellPlaceInMap()) return;
+        const TexelDepths depths = depthsOf(layer_);
+        const ComparedPoint point = comparedPoint(layer_, depths);
+        probe_.map = probeMap(point);
+        probe_.map->layerName = layerName(maps_, layer_);
+        const TexelDepth texel = depths.at(probe_.map->texel);
+        tellTexel(texel);
+        if (probe_.section) addCells(*probe_.map, point, *probe_.section);
+        for (SceneShape& shape : texelShapes(*probe_.map, maps_))
+            probe_.visited.push_back(std::move(shape));
+        if (of_.params.aliasFree)
+            decideByTriangles(decideAliasFree(of_.aliasFree.tracer(), view_, pixel_, light_));
+        else if (of_.params.exact)
+            decideByTriangles(decideExactly(of_.exact.tracer(), view_, pixel_, light_, texel));
+        else if (of_.averaged.averagesOver(snapshot_->lights[static_cast<std::size_t>(light_)]))
+            add("who decides", "the mean of maps from many points of the light; this is the one of its centre");
+        else
+            decideByFilter(point, texel);
+    }
+
+private:
+    void add(const char* label, std::string value, const char* unit = "") {
+        probe_.facts.push_back({label, std::move(value), unit});
+    }
+    template <typename Vector>
+    void addVector(const char* label, const Vector& vector, const char* unit = "") {
+        probe_.facts.push_back(vectorFact(label, vector, unit));
+    }
+
+    /// The chain of matrices, from the world to (s, t, r). False where the projection has no place for the point.
+    bool tellPlaceInMap() {
+        add("map", layerName(maps_, layer_));
+        const auto index = static_cast<std::size_t>(layer_);
+        const dvec3 pointLightRelative = hit_.positionWorld - maps_.originWorld;
+        addVector("point in the world", hit_.positionWorld, "m");
+        addVector("lightRelativeFromWorld: less the light's origin", maps_.originWorld, "m");
+        addVector("point, light-relative", pointLightRelative, "m");
+        probe_.facts.push_back(matrixFact("lightViewFromLightRelative", maps_.lightViewFromLightRelative[index]));
+        addVector("point in the light's view",
+                  transformPoint(maps_.lightViewFromLightRelative[index], pointLightRelative), "m");
+        probe_.facts.push_back(matrixFact("lightClipFromLightView", maps_.lightClipFromLightView[index]));
+        const dvec4 clip = maps_.lightClipFromLightRelative(layer_) * dvec4(pointLightRelative, 1.0);
+        addVector("point in the light's clip space", clip);
+        if (clip.w <= 0) {
+            add("(s, t, r)", "none: behind the light's camera, where the projection would mirror it");
+            if (of_.params.rejectBehind) decideWithoutMap();
+            return false;
+        }
+        const dvec3 str = dvec3(clip) / clip.w * 0.5 + 0.5;
+        addVector("(s, t, r) = clip / w / 2 + 1/2", str);
+        if (glm::any(glm::lessThan(dvec2(str), dvec2(0))) || glm::any(glm::greaterThanEqual(dvec2(str), dvec2(1))))
+            add("place", of_.params.border == ShadowMapParams::Border::lit
+                             ? "outside the map, so lit"
+                             : "outside the map: its outermost texels go on");
+        return true;
+    }
+
+    [[nodiscard]] TexelDepths depthsOf(int layer) const {
+        return TexelDepths({*snapshot_, maps_, layer, of_.fitter.castersOf(*snapshot_, maps_, query_, layer),
+                            of_.fitter.bounds(), of_.params, depthRules(of_.params, query_.filter)});
+    }
+
+    [[nodiscard]] ComparedPoint comparedPoint(int layer, const TexelDepths& depths) const {
+        dvec3 pointWorld = hit_.positionWorld;
+        if (of_.params.looksUpInWorld()) // as point_world.glsl has it
+            pointWorld = maps_.originWorld + dvec3(vec3(pointWorld)) - dvec3(vec3(maps_.originWorld));
+        return {*snapshot_,
+                maps_,
+                layer,
+                of_.params,
+                query_.filter,
+                depths,
+                query_.light,
+                pointWorld,
+                cornersOfHit(*snapshot_, hit_),
+                {pixel_.x, view_.size.y - 1 - pixel_.y},
+                minReferenceDepth(maps_, of_.fitter.bounds()[hit_.object])};
+    }
+
+    /// What the texel holds, what the point compares with it, and how that ends.
+    void tellTexel(const TexelDepth& texel) {
+        const MapProbe& map = *probe_.map;
+        const std::string blocker = nameOf(texel);
+        probe_.facts.push_back({"texel (column, row)",
+                                std::to_string(map.texel.x) + ", " + std::to_string(map.texel.y),
+                                "",
+                                {static_cast<double>(map.texel.x), static_cast<double>(map.texel.y)}});
+        probe_.facts.push_back(probeFact("width of a texel at the point", map.texelMetres, "m"));
+        probe_.facts.push_back({"d(u,v): depth at the texel's centre, before any bias",
+                                texel.isEmpty() ? "1 (nothing there)" : probeText(map.first),
+                                "",
+                                {texel.isEmpty() ? 1.0 : map.first}});
+        if (!texel.isEmpty()) add("of", blocker + ", triangle " + std::to_string(texel.triangle));
+        probe_.facts.push_back(
+            {"d(u,v) as it is compared",
+             texel.isEmpty() ? "1 (nothing there)"
+                             : probeText(map.stored) + (map.stored != map.first ? ", pushed back by its slope" : ""),
+             "",
+             {texel.isEmpty() ? 1.0 : map.stored}});
+        probe_.facts.push_back(probeFact("z(u,v): depth of the point itself", map.str.z));
+        probe_.facts.push_back(probeFact("z(u,v) as it is compared, the bias taken off", map.compared));
+        if (!texel.isEmpty()) probe_.facts.push_back(probeFact("d(u,v) in metres", map.firstMetres, "m"));
+        if (map.stored != map.first)
+            probe_.facts.push_back(probeFact("d(u,v) as it is stored in metres", map.storedMetres, "m"));
+        probe_.facts.push_back(probeFact("z(u,v) in metres", map.pointMetres, "m"));
+        probe_.facts.push_back(probeFact("bias of the point in metres", map.pointMetres - map.comparedMetres, "m"));
+        add("if d(u,v) < z(u,v) then pixel is shadowed",
+            texel.isEmpty()             ? "no: nothing is in the way"
+            : map.stored < map.compared ? "yes, by " + probeText(map.compared - map.stored) + " of the map's range"
+                                        : "no: d is not less, by " + probeText(map.stored - map.compared));
+    }
+
+    [[nodiscard]] std::string nameOf(const TexelDepth& texel) const {
+        return texel.isEmpty() ? "" : snapshot_->objects[texel.object].name;
+    }
+
+    void decideByTriangles(const ExactDecision& own) {
         add("who decides", own.who);
-        addDecision(probe, own.visibility == trace::Visibility::lit ? 1 : 0, truthOf(),
+        addDecision(probe_, own.visibility == trace::Visibility::lit ? 1 : 0, truth_,
                     "the technique's own rays disagree with the judge's");
         if (own.blocker) {
             add("blocked by", "triangle " + std::to_string(own.blocker->triangle) + " of " + own.blocker->object);
             const auto& c = own.blocker->cornersWorld;
-            probe.visited.push_back(
+            probe_.visited.push_back(
                 {"the face that blocks the light", look::kOccluded, SceneShape::Kind::faces, {c[0], c[1], c[2]}});
         }
-        probe.decision->blocker = own.blocker;
-    };
-    const auto decideLit = [&] {
-        if (params_.aliasFree)
-            decideByTriangles(decideAliasFree(aliasFree_.tracer(), view, pixel, light));
-        else
-            addDecision(probe, truthOf() == trace::Visibility::turnedAway ? 0 : 1, truthOf(), "no map is asked there");
-    };
-    const bool isAveraged = averagesOver(snapshot->light(light));
-    if (!layer) {
-        add("map", "none: nothing in view can be in this light's shadow");
-        decideLit();
-        return probe;
+        probe_.decision->blocker = own.blocker;
     }
-    add("map", layerName(maps, *layer));
-    // The chain of matrices, from the world to (s, t, r).
-    const auto index = static_cast<std::size_t>(*layer);
-    const auto addVector = [&](const char* label, const auto& vector, const char* unit = "") {
-        probe.facts.push_back(vectorFact(label, vector, unit));
-    };
-    addVector("point in the world", hit->positionWorld, "m");
-    addVector("lightRelativeFromWorld: less the light's origin", maps.originWorld, "m");
-    addVector("point, light-relative", pointLightRelative, "m");
-    probe.facts.push_back(matrixFact("lightViewFromLightRelative", maps.lightViewFromLightRelative[index]));
-    addVector("point in the light's view", transformPoint(maps.lightViewFromLightRelative[index], pointLightRelative),
-              "m");
-    probe.facts.push_back(matrixFact("lightClipFromLightView", maps.lightClipFromLightView[index]));
-    const dvec4 clip = maps.lightClipFromLightRelative(*layer) * dvec4(pointLightRelative, 1.0);
-    addVector("point in the light's clip space", clip);
-    if (clip.w <= 0) {
-        add("(s, t, r)", "none: behind the light's camera, where the projection would mirror it");
-        if (params_.rejectBehind) decideLit();
-        return probe;
-    }
-    const dvec3 str = dvec3(clip) / clip.w * 0.5 + 0.5;
-    addVector("(s, t, r) = clip / w / 2 + 1/2", str);
-    if (glm::any(glm::lessThan(dvec2(str), dvec2(0))) || glm::any(glm::greaterThanEqual(dvec2(str), dvec2(1))))
-        add("place", params_.border == ShadowMapParams::Border::lit ? "outside the map, so lit"
-                                                                    : "outside the map: its outermost texels go on");
-    const AskedLight asked = this->asked(*snapshot, light);
-    const TexelDepths depths({*snapshot, maps, *layer, castersOf(*snapshot, maps, asked, *layer), bounds_, params_,
-                              depthRules(params_, asked.filter)});
-    dvec3 pointWorld = hit->positionWorld;
-    if (params_.looksUpInWorld()) // as point_world.glsl has it
-        pointWorld = maps.originWorld + dvec3(vec3(pointWorld)) - dvec3(vec3(maps.originWorld));
-    const ComparedPoint point{*snapshot,
-                              maps,
-                              *layer,
-                              params_,
-                              asked.filter,
-                              depths,
-                              asked.light,
-                              pointWorld,
-                              cornersOfHit(*snapshot, *hit),
-                              {pixel.x, view.size.y - 1 - pixel.y},
-                              leastReference(maps, bounds_[hit->object])};
-    probe.map = probeMap(point);
-    MapProbe& map = *probe.map;
-    map.layerName = layerName(maps, *layer);
-    const TexelDepth texel = depths.at(map.texel);
-    const std::string blocker = texel.isEmpty() ? "" : snapshot->objects[texel.object].name;
-    probe.facts.push_back({"texel (column, row)",
-                           std::to_string(map.texel.x) + ", " + std::to_string(map.texel.y),
-                           "",
-                           {static_cast<double>(map.texel.x), static_cast<double>(map.texel.y)}});
-    probe.facts.push_back(probeFact("width of a texel at the point", map.texelMetres, "m"));
-    probe.facts.push_back({"d(u,v): depth at the texel's centre, before any bias",
-                           texel.isEmpty() ? "1 (nothing there)" : probeText(map.first),
-                           "",
-                           {texel.isEmpty() ? 1.0 : map.first}});
-    if (!texel.isEmpty()) add("of", blocker + ", triangle " + std::to_string(texel.triangle));
-    probe.facts.push_back({"d(u,v) as it is compared",
-                           texel.isEmpty()
-                               ? "1 (nothing there)"
-                               : probeText(map.stored) + (map.stored != map.first ? ", pushed back by its slope" : ""),
-                           "",
-                           {texel.isEmpty() ? 1.0 : map.stored}});
-    probe.facts.push_back(probeFact("z(u,v): depth of the point itself", map.str.z));
-    probe.facts.push_back(probeFact("z(u,v) as it is compared, the bias taken off", map.compared));
-    if (!texel.isEmpty()) probe.facts.push_back(probeFact("d(u,v) in metres", map.firstMetres, "m"));
-    if (map.stored != map.first)
-        probe.facts.push_back(probeFact("d(u,v) as it is stored in metres", map.storedMetres, "m"));
-    probe.facts.push_back(probeFact("z(u,v) in metres", map.pointMetres, "m"));
-    probe.facts.push_back(probeFact("bias of the point in metres", map.pointMetres - map.comparedMetres, "m"));
-    add("if d(u,v) < z(u,v) then pixel is shadowed",
-        texel.isEmpty()             ? "no: nothing is in the way"
-        : map.stored < map.compared ? "yes, by " + probeText(map.compared - map.stored) + " of the map's range"
-                                    : "no: d is not less, by " + probeText(map.stored - map.compared));
-    if (probe.section) addCells(map, point, *probe.section);
-    for (SceneShape& shape : texelShapes(map, maps))
-        probe.visited.push_back(std::move(shape));
 
-    const auto truth = truthOf();
-    const bool gate = truth != trace::Visibility::turnedAway;
-    const auto decide = [&](double visibility, const std::string& why, trace::Visibility truth) {
-        const bool receives = snapshot->objects[hit->object].receivesShadow;
-        addDecision(probe, !gate ? 0 : receives ? visibility : 1, truth, why);
-    };
-    if (params_.aliasFree) {
-        decideByTriangles(decideAliasFree(aliasFree_.tracer(), view, pixel, light));
-        return probe;
+    void decideWithoutMap() {
+        if (of_.params.aliasFree)
+            decideByTriangles(decideAliasFree(of_.aliasFree.tracer(), view_, pixel_, light_));
+        else
+            addDecision(probe_, truth_ == trace::Visibility::turnedAway ? 0 : 1, truth_, "no map is asked there");
     }
-    if (params_.exact) {
-        decideByTriangles(decideExactly(exact_.tracer(), view, pixel, light, texel));
-        return probe;
+
+    void decideByFilter(const ComparedPoint& point, const TexelDepth& texel) {
+        const FilterInfo& filter = filterInfo(query_.filter.kind);
+        if (!filter.answer) {
+            add("who decides", "filter " + std::string(filter.name) + ", which the probe cannot follow");
+            return;
+        }
+        const FilterAnswer answer = filter.answer(point);
+        MapProbe& map = *probe_.map;
+        map.taps = answer.taps;
+        map.search = answer.search;
+        map.moments = answer.moments;
+        tellFilter(probe_, answer);
+        if (query_.filter.usesMoments() && query_.filter.mipmaps && !averagesLogarithms(query_.filter)) {
+            add("who decides", "coarser moments, over as many texels as the pixel covers; told are the finest");
+            return;
+        }
+        if (map.moments && !map.moments->isFinite) {
+            add("who decides", "numbers that the format does not hold: what a graphics card makes of them is its own");
+            return;
+        }
+        const double visibility = fadedIntoNextCascade(answer.visibility, filter);
+        const bool isLit = visibility > 0.5;
+        const std::string why =
+            map.search || map.moments ? whyWrongFiltered(map, isLit) : whyWrong(map, texel, hit_, isLit, nameOf(texel));
+        const bool facesLight = truth_ != trace::Visibility::turnedAway;
+        const bool receives = snapshot_->objects[hit_.object].receivesShadow;
+        const double decided = !facesLight ? 0 : receives ? visibility : 1;
+        if (of_.samplesArea && facesLight) {
+            const double seen = seenShare(snapshot_, view_, pixel_, light_);
+            probe_.facts.push_back(probeFact("truth: share of the light that is seen", seen));
+            addDecision(probe_, decided, seen > 0.5 ? trace::Visibility::lit : trace::Visibility::shadowed, why);
+        } else {
+            addDecision(probe_, decided, truth_, why);
+        }
+        tellTaps(probe_, answer);
+        for (SceneShape& shape : tapShapes(answer, map.texelMetres))
+            probe_.visited.push_back(std::move(shape));
     }
-    if (isAveraged) {
-        add("who decides", "the mean of maps from many points of the light; this is the one of its centre");
-        return probe;
-    }
-    const FilterAnswer answer = answerOf(point);
-    map.taps = answer.taps;
-    map.search = answer.search;
-    map.moments = answer.moments;
-    tellFilter(probe, answer);
-    if (asked.filter.usesMoments() && asked.filter.mipmaps && !averagesLogarithms(asked.filter)) {
-        add("who decides", "coarser moments, over as many texels as the pixel covers; told are the finest");
-        return probe;
-    }
-    if (map.moments && !map.moments->isFinite) {
-        add("who decides", "numbers that the format does not hold: what a graphics card makes of them is its own");
-        return probe;
-    }
-    double visibility = answer.visibility;
-    if (const double fade = fadeToNext(maps, *layer, eyeDepth); fade > 0) {
-        const TexelDepths nextDepths({*snapshot, maps, *layer + 1, castersOf(*snapshot, maps, asked, *layer + 1),
-                                      bounds_, params_, depthRules(params_, asked.filter)});
-        const ComparedPoint next{*snapshot,          maps,           *layer + 1,          params_,
-                                 asked.filter,       nextDepths,     asked.light,         point.pointWorld,
-                                 point.cornersWorld, point.fragment, point.leastReference};
+
+    double fadedIntoNextCascade(double visibility, const FilterInfo& filter) {
+        const double fade = fadeToNext(maps_, layer_, eyeDepth_);
+        if (!(fade > 0)) return visibility;
         add("share of the next cascade in the answer", probeText(fade));
-        visibility = glm::mix(visibility, answerOf(next).visibility, fade);
+        const TexelDepths depths = depthsOf(layer_ + 1);
+        return glm::mix(visibility, filter.answer(comparedPoint(layer_ + 1, depths)).visibility, fade);
     }
-    const bool isLit = visibility > 0.5;
-    const std::string why =
-        map.search || map.moments ? whyWrongFiltered(map, isLit) : whyWrong(map, texel, *hit, isLit, blocker);
-    if (samplesArea(*snapshot, light) && gate) {
-        const double seen = seenShare(snapshot, view, pixel, light);
-        probe.facts.push_back(probeFact("truth: share of the light that is seen", seen));
-        decide(visibility, why, seen > 0.5 ? trace::Visibility::lit : trace::Visibility::shadowed);
-    } else {
-        decide(visibility, why, truth);
-    }
-    tellTaps(probe, answer);
-    for (SceneShape& shape : tapShapes(answer, map.texelMetres))
-        probe.visited.push_back(std::move(shape));
-    return probe;
+
+    Probe& probe_;
+    const ProbedMap& of_;
+    const scene::Snapshot& snapshot_;
+    const View& view_;
+    ivec2 pixel_;
+    int light_;
+    const trace::EyeHit& hit_;
+    MapQuery query_;
+    LightMaps maps_;
+    double eyeDepth_; ///< metres along the eye's axis
+    trace::Visibility truth_;
+    int layer_ = 0;
+};
+
+} // namespace
+
+void probeShadowMap(Probe& probe, const ProbedMap& of, const scene::Snapshot& snapshot, const View& view, ivec2 pixel,
+                    int light) {
+    const auto hit = exactJudge(snapshot)->eyeHit(view.camera, dvec2(pixel) + 0.5, view.size);
+    if (!hit) return;
+    probe.passes = drawnPasses(of, *snapshot, view);
+    PixelProbe(probe, of, snapshot, view, pixel, light, *hit).tell();
 }
 
 } // namespace shadowlab::shadow_map

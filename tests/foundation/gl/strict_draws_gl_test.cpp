@@ -101,9 +101,7 @@ TEST_F(StrictDraws, NoVertexArray) {
 
 TEST_F(StrictDraws, SamplersThatNoPassSetsShareNoUnit) {
     const gl::Program program("surface.vert", "shadow_map/decide.frag", {},
-                              {{"shadow_map/point.glsl", "shadow_map/point_light.glsl"},
-                               {"shadow_map/layer.glsl", "shadow_map/layer_cube.glsl"},
-                               {"shadow_map/bias.glsl", "shadow_map/bias_none.glsl"}});
+                              {{"shadow_map/layer_one.glsl", "shadow_map/layer_cube.glsl"}});
     program.use();
     std::set<GLint> units;
     for (const char* name :

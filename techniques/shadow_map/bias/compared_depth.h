@@ -25,9 +25,9 @@ struct ComparedPlace {
 /// One layer, and what the bias depends on.
 class DepthComparison {
 public:
-    /// `leastReference` is of the object that the points are on (near_plane.h).
+    /// `minReferenceDepth` is of the object that the points are on (light_maps.h).
     DepthComparison(const LightMaps& maps, int layer, const ShadowMapParams& params, const FilterParams& filter,
-                    double leastReference);
+                    double minReferenceDepth);
 
     /// `cornersLightRelative` span the plane that the point lies on.
     [[nodiscard]] ComparedPlace placeOf(const dvec3& pointLightRelative,
@@ -38,12 +38,16 @@ public:
     [[nodiscard]] double texelMetres(const dvec4& lightClip) const;
     [[nodiscard]] const dmat4& lightClipFromLightRelative() const { return lightClip_; }
 
-private:
-    [[nodiscard]] dvec4 biasedClip(const dvec4& lightClip, const dvec3& pointLightRelative, const dvec3& normal) const;
+    /// Unit vector from the point to the light.
+    [[nodiscard]] dvec3 towardLight(const dvec3& pointLightRelative) const;
+    [[nodiscard]] const ShadowMapParams& params() const { return params_; }
+    /// How far beside the point's place a kernel compares, in texels.
+    [[nodiscard]] double kernelTexels() const { return kernelTexels_; }
 
+private:
     const LightMaps& maps_;
     ShadowMapParams params_;
-    double kernelTexels_, leastReference_;
+    double kernelTexels_, minReferenceDepth_;
     dmat4 lightClip_;
 };
 

@@ -1,13 +1,14 @@
-// What filters do, in pictures: the moments, the search for blockers, the penumbra, the kernel of one pixel.
 // SPDX-License-Identifier: MIT
+#include "techniques/shadow_map/stages/stages.h"
+
 #include <algorithm>
 
 #include "techniques/foundation/base/look.h"
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/read_back.h"
-#include "techniques/shadow_map/filters/filter_uniforms.h"
+#include "techniques/shadow_map/filters/filters.h"
 #include "techniques/shadow_map/maps/sheet.h"
-#include "techniques/shadow_map/technique.h"
+#include "techniques/shadow_map/stages/projected.h"
 
 namespace shadowlab::shadow_map {
 
@@ -28,20 +29,19 @@ double usualMaximum(const gl::Texture2D& texture) {
 
 } // namespace
 
-void ShadowMap::publishFilterStages(Frame& frame, int light, const DrawnMap& map) {
+void FilterStages::publish(Frame& frame, int light, const LightShadowMap& map) {
     if (frame.wants("moments", light)) publishMoments(frame, light, map);
     if (frame.wants("blocker-search", light)) publishPenumbra(frame, light, map, "blocker-search", kBlockerDistance);
     if (frame.wants("penumbra-width", light)) publishPenumbra(frame, light, map, "penumbra-width", kPenumbraWidth);
 }
 
 // Of the mean and the mean square: as filter=vsm has them, with the same blur.
-void ShadowMap::publishMoments(Frame& frame, int light, const DrawnMap& map) {
-    AskedLight asked = map.asked;
-    asked.filter.kind = FilterParams::Kind::vsm;
-    const LightMaps maps = fit(frame.scene(), frame.view(), asked, receiversInView(frame.scene(), frame.view()),
-                               FitRequest::Cover::needed);
-    OwnMap own;
-    const DrawnMap drawn = drawAnew(frame, asked, maps, own);
+void FilterStages::publishMoments(Frame& frame, int light, const LightShadowMap& map) {
+    MapQuery query = map.query;
+    query.filter.kind = filterNamed("vsm");
+    const LightMaps maps = tools_.fitter.fitToView(frame.scene(), frame.view(), query);
+    MapDrawer::OwnMap own;
+    const LightShadowMap drawn = tools_.drawer.drawAnew(frame, query, maps, own);
     const Sheet sheet(maps, frame.view().size);
     gl::Texture2D picture(GL_RG32F, sheet.size(), "moments");
     const gl::Framebuffer framebuffer(&picture, nullptr, "moments");
@@ -67,40 +67,42 @@ void ShadowMap::publishMoments(Frame& frame, int light, const DrawnMap& map) {
 }
 
 // As filter=pcss finds it, whatever filter is chosen.
-gl::Texture2D ShadowMap::drawPenumbra(const Frame& frame, int light, const DrawnMap& map, int mode) {
+gl::Texture2D FilterStages::drawPenumbra(const Frame& frame, int light, const LightShadowMap& map, int mode) {
     gl::Texture2D texture(GL_RG32F, frame.target().size(), "penumbra");
-    AskedLight asked = map.asked;
-    asked.filter.kind = FilterParams::Kind::pcss;
-    OwnMap own;
-    const LightMaps maps = fit(frame.scene(), frame.view(), asked, receiversInView(frame.scene(), frame.view()),
-                               FitRequest::Cover::needed);
-    const DrawnMap drawn = drawAnew(frame, asked, maps, own);
+    MapQuery query = map.query;
+    query.filter.kind = filterNamed("pcss");
+    MapDrawer::OwnMap own;
+    const LightMaps maps = tools_.fitter.fitToView(frame.scene(), frame.view(), query);
+    const LightShadowMap drawn = tools_.drawer.drawAnew(frame, query, maps, own);
     const gl::Framebuffer framebuffer(&texture, &frame.target().depthStencil, "penumbra");
     gl::setBaselineState();
     framebuffer.bind();
     frame.scissorTo(std::nullopt);
     glClear(GL_COLOR_BUFFER_BIT);
-    if (!drawn.depth || !(lightReach(asked.light, asked.filter) > 0)) return texture;
+    if (!drawn.depth || !(lightReach(query.light, query.filter) > 0)) return texture;
     drawn.depth->sample(gl::DepthSampling::depths);
     glDepthFunc(GL_EQUAL);
-    const gl::Program& program = programsFor(drawn).penumbra;
-    drawReceivers(frame, program, light, drawn, [&] { program.set("mode", mode); });
+    const gl::Program& program = tools_.receivers.programsFor(drawn).penumbra;
+    tools_.receivers.draw(frame, program, light, drawn,
+                          {.once = [&](const gl::Program&) { program.set("mode", mode); }});
     return texture;
 }
 
-void ShadowMap::publishPenumbra(Frame& frame, int light, const DrawnMap& map, std::string_view stage, int mode) {
+void FilterStages::publishPenumbra(Frame& frame, int light, const LightShadowMap& map, std::string_view stage,
+                                   int mode) {
     gl::Texture2D texture = drawPenumbra(frame, light, map, mode);
     const char* unit = mode == kBlockerDistance ? "m before the point, on average" : "m: width of the penumbra";
     Display display{.minimum = 0, .maximum = usualMaximum(texture), .unit = unit, .key = {}};
     frame.publish(stage, light, std::move(texture), display);
 }
 
-std::optional<KernelShape> ShadowMap::kernelShape(const Frame& frame, int light, const DrawnMap& map, ivec2 pixel) {
+std::optional<FilterStages::KernelShape> FilterStages::kernelShape(const Frame& frame, int light,
+                                                                   const LightShadowMap& map, ivec2 pixel) {
     const auto at = [&](const std::vector<vec4>& texels) {
         return texels[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(frame.view().size.x) +
                       static_cast<std::size_t>(pixel.x)];
     };
-    const vec4 seen = at(projectedTexels(frame, light, map, kProjectedPosition));
+    const vec4 seen = at(projectedTexels(tools_, frame, light, map, Projected::position));
     if (seen.a < 0.5f || !map.depth) return std::nullopt;
     const dvec3 point(seen);
     const double eyeDepth = -transformPoint(frame.eye().viewFromWorld, map.maps.originWorld + point).z;
@@ -111,27 +113,28 @@ std::optional<KernelShape> ShadowMap::kernelShape(const Frame& frame, int light,
         return dvec2(clip) / clip.w * 0.5 + 0.5;
     };
     const dvec2 uv = uvOf(point);
-    const FilterParams& filter = map.asked.filter;
-    const double texel = 1.0 / params_.resolution;
+    const FilterParams& filter = map.query.filter;
+    const double texel = 1.0 / tools_.params.resolution;
     const auto square = [&](const dvec2& middle, double halfTexels) {
         return KernelShape{kernel.layer, middle, {halfTexels * texel, 0}, {0, halfTexels * texel}, false};
     };
     const dvec2 nearest = (glm::floor(uv / texel) + 0.5) * texel;
-    switch (filter.kind) {
-    case FilterParams::Kind::hard: return square(nearest, 0.5);
-    case FilterParams::Kind::hw2x2: return square((glm::floor(uv / texel - 0.5) + 1.0) * texel, 1);
-    case FilterParams::Kind::pcf: return square(nearest, filter.pcfRadius + 0.5);
-    case FilterParams::Kind::disc: {
-        KernelShape disc = square(uv, filter.discRadius);
+    const FilterInfo& info = filterInfo(filter.kind);
+    const double radius = info.radiusTexels(filter);
+    switch (info.kernel) {
+    case KernelForm::texels: return square(nearest, radius + 0.5);
+    case KernelForm::fourTexels: return square((glm::floor(uv / texel - 0.5) + 1.0) * texel, 1);
+    case KernelForm::square: return square(uv, radius);
+    case KernelForm::disc: {
+        KernelShape disc = square(uv, radius);
         disc.isRound = true;
         return disc;
     }
-    case FilterParams::Kind::pcss: break;
-    default: return square(uv, filter.blurRadius + 1); // the tent of the blur and of the interpolation
+    case KernelForm::penumbra: break;
     }
     const vec4 width = at(gl::readTexels(drawPenumbra(frame, light, map, kPenumbraWidth)));
     if (width.g < 0.5f) return std::nullopt;
-    const scene::Light& source = map.asked.light;
+    const scene::Light& source = map.query.light;
     kernel.isRound = source.type != scene::LightType::rect;
     const dvec3 toward = map.maps.parallel ? map.maps.towardLight : -glm::normalize(point);
     const dvec3 aside = glm::normalize(glm::cross(toward, std::abs(toward.x) < 0.8 ? dvec3(1, 0, 0) : dvec3(0, 1, 0)));
@@ -145,13 +148,13 @@ std::optional<KernelShape> ShadowMap::kernelShape(const Frame& frame, int light,
     return kernel;
 }
 
-void ShadowMap::publishKernel(Frame& frame, int light, const DrawnMap& map) {
+void FilterStages::publishKernel(Frame& frame, int light, const LightShadowMap& map) {
     const ivec2 size = frame.view().size;
-    const ivec2 pixel = glm::min(ivec2(params_.kernelAt * dvec2(size)), size - 1);
+    const ivec2 pixel = glm::min(ivec2(tools_.params.kernelAt * dvec2(size)), size - 1);
     std::optional<KernelShape> kernel = kernelShape(frame, light, map, pixel);
     if (kernel)
-        kernel->plane = vec3(
-            projectedTexels(frame, light, map, kProjectedPlane)[static_cast<std::size_t>(pixel.y * size.x + pixel.x)]);
+        kernel->plane = vec3(projectedTexels(tools_, frame, light, map,
+                                             Projected::plane)[static_cast<std::size_t>(pixel.y * size.x + pixel.x)]);
     const vec3 white(1.0f);
     Display display;
     display.key = {{look::kEqualDepth, "asked: nothing is nearer than the pixel's surface"},
@@ -168,9 +171,9 @@ void ShadowMap::publishKernel(Frame& frame, int light, const DrawnMap& map) {
             glEnable(GL_BLEND);
             glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
             map.depth->sample(gl::DepthSampling::depths);
-            const gl::Program& program = programsFor(map).kernel;
+            const gl::Program& program = tools_.receivers.programsFor(map).kernel;
             const glm::dmat2 kernelFromUv = glm::inverse(glm::dmat2(kernel->halfU, kernel->halfV));
-            drawReceivers(frame, program, light, map, [&] {
+            const auto setUniforms = [&](const gl::Program&) {
                 program.set("kernelLayer", kernel->layer);
                 program.set("kernelUv", vec2(kernel->middleUv));
                 program.set("kernelX", vec2(kernelFromUv[0][0], kernelFromUv[1][0]));
@@ -181,7 +184,8 @@ void ShadowMap::publishKernel(Frame& frame, int light, const DrawnMap& map) {
                 program.set("litColor", look::kEqualDepth);
                 program.set("occludedColor", look::kOccluded);
                 program.set("pixelColor", white);
-            });
+            };
+            tools_.receivers.draw(frame, program, light, map, {.once = setUniforms});
         },
         display);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_map/filters/filter_tell.h"
+#include "techniques/shadow_map/probe/filter_facts.h"
 
 #include <algorithm>
 

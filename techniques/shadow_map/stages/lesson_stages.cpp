@@ -1,49 +1,33 @@
-// The pictures of the lecture's walk through shadow mapping, in its order.
 // SPDX-License-Identifier: MIT
+#include "techniques/shadow_map/stages/stages.h"
+
 #include <algorithm>
 
 #include "techniques/foundation/base/look.h"
 #include "techniques/foundation/gl/baseline.h"
-#include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/scene/query/casters.h"
 #include "techniques/shadow_map/maps/sheet.h"
-#include "techniques/shadow_map/technique.h"
+#include "techniques/shadow_map/stages/projected.h"
 
 namespace shadowlab::shadow_map {
 
-namespace {
-
-// Modes of shaders/shadow_map/project.frag.
-constexpr int kMapDepth = 0, kPointDistance = 1, kComparison = 2;
-
-} // namespace
-
-void ShadowMap::publishStages(Frame& frame, int light, const DrawnMap& map) {
-    if (frame.wants("visibility", light))
-        frame.drawStage("visibility", light, GL_RG32F, [&] {
-            glClear(GL_STENCIL_BUFFER_BIT);
-            gl::setVisibilityState();
-            drawAsked(frame, lightProgram(map, true), unshadowedVisibility_, light, map);
-        });
-    if (frame.wants("eye-samples", light)) aliasFree_.publishSamples(frame, light);
-    if (frame.wants("traced", light)) publishTraced(frame, light, map);
-    publishTexelStages(frame, light, map);
-    publishFilterStages(frame, light, map);
+void LessonStages::publish(Frame& frame, int light, const LightShadowMap& map) {
     const std::string_view lessons[] = {"light-view", "light-depth", "depth-on-view", "distance-on-view", "comparison"};
     if (std::ranges::none_of(lessons, [&](std::string_view stage) { return frame.wants(stage, light); })) return;
     gl::DepthTextureArray depth;
-    const DrawnMap lesson = lessonMap(frame, light, map, depth);
+    const LightShadowMap lesson = lessonMap(frame, light, map, depth);
     const Display range = distanceRange(frame, light, lesson);
     if (frame.wants("light-view", light)) publishLightView(frame, light, lesson);
     if (frame.wants("light-depth", light)) publishLightDepth(frame, light, lesson, range);
     publishProjected(frame, light, lesson, range);
 }
 
-// The map that is used is cut close around what casters and receivers share, and a floor that shadows nothing is not in it.
-// The map that is shown covers what the eye sees, and every caster: the lesson is the same, and the floor has a depth.
-DrawnMap ShadowMap::lessonMap(const Frame& frame, int light, const DrawnMap& map, gl::DepthTextureArray& depth) {
+// The map that the picture uses covers only what casters and receivers share, and a floor that shadows nothing is not in it. The map
+// that these stages show covers all casters and what the eye sees, so that the floor has a depth, too.
+LightShadowMap LessonStages::lessonMap(const Frame& frame, int light, const LightShadowMap& map,
+                                       gl::DepthTextureArray& depth) {
     std::vector<double> seen[3];
-    for (const vec4& texel : projectedTexels(frame, light, map, kProjectedPosition))
+    for (const vec4& texel : projectedTexels(tools_, frame, light, map, Projected::position))
         if (texel.a > 0.5f)
             for (int axis = 0; axis < 3; ++axis)
                 seen[axis].push_back(texel[axis]);
@@ -60,38 +44,43 @@ DrawnMap ShadowMap::lessonMap(const Frame& frame, int light, const DrawnMap& map
         region.include(map.maps.originWorld + lower);
         region.include(map.maps.originWorld + upper);
     }
-    const std::vector<scene::Bounds> receivers = region.isEmpty() ? bounds_ : std::vector{region};
-    DrawnMap lesson{.maps = fit(frame.scene(), frame.view(), map.asked, receivers, FitRequest::Cover::shown),
-                    .asked = map.asked,
-                    .depth = &depth};
-    const GLenum format = params_.glDepthFormat();
-    depth = gl::DepthTextureArray(format, params_.resolution, lesson.maps.layers(), "shadow map shown");
+    const std::vector<scene::Bounds> receivers =
+        region.isEmpty() ? std::vector(tools_.fitter.bounds().begin(), tools_.fitter.bounds().end())
+                         : std::vector{region};
+    LightShadowMap lesson{
+        .maps = tools_.fitter.fit(frame.scene(), frame.view(), map.query, receivers, FitRequest::Cover::shown),
+        .query = map.query,
+        .depth = &depth};
+    const GLenum format = tools_.params.glDepthFormat();
+    depth = gl::DepthTextureArray(format, tools_.params.resolution, lesson.maps.layers(), "shadow map shown");
     const std::vector<std::size_t> casters = scene::allCasters(frame.scene());
-    ShadowMapParams compared = params_;
+    ShadowMapParams compared = tools_.params;
     compared.exact = false; // the lesson is the comparison
-    const DepthRules rules = depthRules(compared, map.asked.filter);
+    const DepthRules rules = depthRules(compared, map.query.filter);
     for (int layer = 0; layer < lesson.maps.layers(); ++layer) {
         gl::setBaselineState();
-        depthPass_.draw(frame, lesson.maps, layer, casters, depth, format, rules);
+        tools_.drawer.depthPass().draw(frame, lesson.maps, layer, casters, depth, format, rules);
     }
     return lesson;
 }
 
-void ShadowMap::publishWithoutShadows(Frame& frame) const {
+void LessonStages::publishWithoutShadows(Frame& frame) const {
+    const gl::Program& unshadowed = tools_.receivers.unshadowed(false);
     frame.drawOverTarget("without-shadows", kNoLight, false, [&] {
         for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
             glClear(GL_STENCIL_BUFFER_BIT);
             gl::setAddLightState();
-            gl::useForLight(unshadowed_, frame.scene(), frame.buffers(), frame.eye(), light);
-            gl::drawSurfaces(unshadowed_, frame.scene(), frame.buffers(), frame.eye());
+            gl::useForLight(unshadowed, frame.scene(), frame.buffers(), frame.eye(), light);
+            gl::drawSurfaces(unshadowed, frame.scene(), frame.buffers(), frame.eye());
         }
     });
 }
 
-void ShadowMap::publishLightView(Frame& frame, int light, const DrawnMap& map) const {
+void LessonStages::publishLightView(Frame& frame, int light, const LightShadowMap& map) const {
     const LightMaps& maps = map.maps;
     const Sheet sheet(maps, frame.view().size);
-    // A flame around its light blocks nothing, and would hide everything from the light's eye.
+    const gl::Program& unshadowed = tools_.receivers.unshadowed(false);
+    // A flame around its light casts no shadow, but would hide everything in a picture taken from the light.
     const auto isSeen = [&](const scene::Object& object) {
         const scene::Bounds bounds = scene::boundsWorld(object);
         const bool around = glm::all(glm::lessThan(bounds.lowerWorld, maps.originWorld)) &&
@@ -114,13 +103,13 @@ void ShadowMap::publishLightView(Frame& frame, int light, const DrawnMap& map) c
         sheet.setViewport(layer);
         gl::drawLightsOff(lightsOff_, frame.scene(), frame.buffers(), lightEye, isSeen);
         gl::setAddLightState();
-        gl::useForLight(unshadowed_, frame.scene(), frame.buffers(), lightEye, light);
-        gl::drawSurfaces(unshadowed_, frame.scene(), frame.buffers(), lightEye, isSeen);
+        gl::useForLight(unshadowed, frame.scene(), frame.buffers(), lightEye, light);
+        gl::drawSurfaces(unshadowed, frame.scene(), frame.buffers(), lightEye, isSeen);
     }
     frame.publish("light-view", light, std::move(target.color));
 }
 
-void ShadowMap::publishLightDepth(Frame& frame, int light, const DrawnMap& map, const Display& range) const {
+void LessonStages::publishLightDepth(Frame& frame, int light, const LightShadowMap& map, const Display& range) const {
     const LightMaps& maps = map.maps;
     const Sheet sheet(maps, frame.view().size);
     gl::Texture2D picture(GL_RG32F, sheet.size(), "light-depth");
@@ -132,7 +121,7 @@ void ShadowMap::publishLightDepth(Frame& frame, int light, const DrawnMap& map, 
     showDepth_.use();
     map.depth->bind(kMapUnit);
     showDepth_.set("shadowMap", kMapUnit);
-    setReceiverUniforms(showDepth_, maps, params_, map.asked.filter);
+    setReceiverUniforms(showDepth_, maps, tools_.params, map.query.filter);
     showDepth_.set("cellSize", sheet.cellSize);
     for (int layer = 0; layer < maps.layers(); ++layer) {
         sheet.setViewport(layer);
@@ -145,38 +134,10 @@ void ShadowMap::publishLightDepth(Frame& frame, int light, const DrawnMap& map, 
     frame.publish("light-depth", light, std::move(picture), display);
 }
 
-void ShadowMap::drawProjected(const Frame& frame, int light, const DrawnMap& map, int mode) {
-    glDepthFunc(GL_EQUAL);
-    // Positions can be asked for before there is a map; the sampler wants a texture all the same.
-    const gl::DepthTextureArray none =
-        map.depth ? gl::DepthTextureArray() : gl::DepthTextureArray(GL_DEPTH_COMPONENT24, 1, 1, "no shadow map");
-    const gl::DepthTextureArray& depth = map.depth ? *map.depth : none;
-    depth.sample(gl::DepthSampling::depths);
-    depth.bind(kMapUnit);
-    const gl::Program& project = programsFor(map).project;
-    drawReceivers(frame, project, light, map, [&] {
-        project.set("mode", mode);
-        project.set("equalColor", look::kEqualDepth);
-        project.set("occludedColor", look::kOccluded);
-        project.set("nothingStoredColor", look::kNothingStored);
-        project.set("notAskedColor", look::kNotAsked);
-    });
-}
-
-std::vector<vec4> ShadowMap::projectedTexels(const Frame& frame, int light, const DrawnMap& map, int mode) {
-    gl::Texture2D texture(GL_RGBA32F, frame.target().size(), "projected texels");
-    const gl::Framebuffer framebuffer(&texture, &frame.target().depthStencil, "projected texels");
-    gl::setBaselineState();
-    framebuffer.bind();
-    glClear(GL_COLOR_BUFFER_BIT);
-    drawProjected(frame, light, map, mode);
-    return gl::readTexels(texture);
-}
-
 // One scale for all pictures of depth, so that they can be compared: the distances of what the eye sees.
-Display ShadowMap::distanceRange(const Frame& frame, int light, const DrawnMap& map) {
+Display LessonStages::distanceRange(const Frame& frame, int light, const LightShadowMap& map) {
     std::vector<float> seen;
-    for (const vec4& texel : projectedTexels(frame, light, map, kPointDistance))
+    for (const vec4& texel : projectedTexels(tools_, frame, light, map, Projected::pointDistance))
         if (texel.g > 0.5f) seen.push_back(texel.r);
     Display range{.minimum = 0,
                   .maximum = map.maps.farthest,
@@ -190,20 +151,20 @@ Display ShadowMap::distanceRange(const Frame& frame, int light, const DrawnMap& 
     return range;
 }
 
-void ShadowMap::publishProjected(Frame& frame, int light, const DrawnMap& map, const Display& range) {
+void LessonStages::publishProjected(Frame& frame, int light, const LightShadowMap& map, const Display& range) {
     const Display comparison = {.unit = "",
                                 .key = {{look::kEqualDepth, "d = z: equal, lit"},
                                         {look::kOccluded, "d < z: something is nearer, in shadow"},
                                         {look::kNothingStored, "no d here: nothing in the way, lit"},
                                         {look::kNotAsked, "faces away or outside the light: not asked"}}};
-    const auto publish = [&](std::string_view stage, int mode, GLenum format, const Display& display) {
+    const auto publish = [&](std::string_view stage, Projected what, GLenum format, const Display& display) {
         if (frame.wants(stage, light))
             frame.drawStage(
-                stage, light, format, [&] { drawProjected(frame, light, map, mode); }, display);
+                stage, light, format, [&] { drawProjected(tools_, frame, light, map, what); }, display);
     };
-    publish("depth-on-view", kMapDepth, GL_RG32F, range);
-    publish("distance-on-view", kPointDistance, GL_RG32F, range);
-    publish("comparison", kComparison, GL_RGBA16F, comparison);
+    publish("depth-on-view", Projected::mapDepth, GL_RG32F, range);
+    publish("distance-on-view", Projected::pointDistance, GL_RG32F, range);
+    publish("comparison", Projected::comparison, GL_RGBA16F, comparison);
 }
 
 } // namespace shadowlab::shadow_map

@@ -1,14 +1,45 @@
-// What the filters read that compare: the texels, the points of a disc, or those that a search for blockers leads to.
+// The filters that compare depths, on the processor and in double, for the probe: what filter_hard.glsl to filter_pcss.glsl and
+// sample_points.glsl compute.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
-#include "techniques/shadow_map/filters/filter_samples.h"
-#include "techniques/shadow_map/filters/filter_uniforms.h"
+#include "techniques/shadow_map/bias/biases.h"
+#include "techniques/shadow_map/filters/filters.h"
 #include "techniques/shadow_map/probe/map_probe.h"
 
 namespace shadowlab::shadow_map {
 
 namespace {
+
+// As sample_points.glsl writes them: a shader's constants are floats.
+constexpr double kGoldenAngle = 2.39996323, kTurn = 6.2831853;
+constexpr dvec2 kPlastic{0.7548776662, 0.5698402910};
+
+/// pcg3d: Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020.
+dvec2 hash(uvec3 v) {
+    v = v * 1664525u + 1013904223u;
+    v += uvec3(v.y, v.z, v.x) * uvec3(v.z, v.x, v.y);
+    v ^= v >> 16u;
+    v += uvec3(v.y, v.z, v.x) * uvec3(v.z, v.x, v.y);
+    return dvec2(v.x >> 8u, v.y >> 8u) / 16777216.0;
+}
+
+/// Two numbers in 0..1 that turn a pixel's samples. `fragment`: the pixel, rows counted from below.
+dvec2 sampleNoise(FilterParams::Noise noise, const ivec2& fragment, const ivec2& texel, int layer) {
+    if (noise == FilterParams::Noise::none) return dvec2(0.0);
+    const ivec2 seed = noise == FilterParams::Noise::pixel ? fragment : texel;
+    return hash(uvec3(glm::uvec2(seed), static_cast<unsigned>(layer)));
+}
+
+/// Of `count` points in the unit circle, the seeds of a sunflower (Vogel 1979).
+dvec2 pointInDisc(int i, int count, const dvec2& chance) {
+    const double angle = i * kGoldenAngle + kTurn * chance.x;
+    return std::sqrt((i + 0.5) / count) * dvec2(std::cos(angle), std::sin(angle));
+}
+
+/// Of any number of points in the square from -1 to 1 (Roberts 2018).
+dvec2 pointInSquare(int i, const dvec2& chance) { return 2.0 * glm::fract(chance + (i + 1.0) * kPlastic) - 1.0; }
 
 std::array<dvec3, 3> cornersLightRelative(const ComparedPoint& point) {
     std::array<dvec3, 3> corners = point.cornersWorld;
@@ -78,10 +109,15 @@ double farthestTexels(const std::vector<MapProbe::Tap>& taps, const AskedMap& ma
     return farthest;
 }
 
+MapProbe::Tap weighted(MapProbe::Tap tap, double weight) {
+    tap.weight = weight;
+    return tap;
+}
+
 } // namespace
 
 AskedMap::AskedMap(const ComparedPoint& point)
-    : point_(point), comparison_(point.maps, point.layer, point.params, point.filter, point.leastReference),
+    : point_(point), comparison_(point.maps, point.layer, point.params, point.filter, point.minReferenceDepth),
       lightRelativeFromClip_(glm::inverse(comparison_.lightClipFromLightRelative())),
       place_(comparison_.placeOf(point.pointWorld - point.maps.originWorld, cornersLightRelative(point))) {}
 
@@ -99,50 +135,65 @@ MapProbe::Tap AskedMap::tap(const dvec2& offsetUv, double compared) const {
     return tap;
 }
 
-std::vector<MapProbe::Tap> tapsOf(const ComparedPoint& point) {
-    const AskedMap map(point);
-    std::vector<MapProbe::Tap> taps;
-    const auto add = [&](MapProbe::Tap tap, double weight) {
-        tap.weight = weight;
-        taps.push_back(tap);
-    };
-    const double step = 1.0 / map.resolution();
-    using enum FilterParams::Kind;
-    if (point.filter.kind == hard) add(map.tap(dvec2(0.0)), 1);
-    if (point.filter.kind == hw2x2) {
-        const dvec2 lowerLeft = glm::floor(map.place().uv * map.resolution() - 0.5);
-        const dvec2 share = map.place().uv * map.resolution() - 0.5 - lowerLeft;
-        const dvec2 toCentre = (lowerLeft + 0.5) * step - map.place().uv;
-        const std::array corners{dvec2(0, 0), dvec2(1, 0), dvec2(0, 1), dvec2(1, 1)};
-        double compared = 1;
-        for (const dvec2& corner : corners)
-            compared = std::min(compared, map.depthAt(toCentre + step * corner));
-        for (const dvec2& corner : corners) {
-            const dvec2 weight = glm::mix(1.0 - share, share, corner);
-            add(map.tap(toCentre + step * corner, compared), weight.x * weight.y);
-        }
-    }
-    if (point.filter.kind == pcf) {
-        const bool oneDepth = comparesWithOneDepth(point.params.bias.mode);
-        const int radius = point.filter.pcfRadius;
-        const double weight = 1.0 / ((2 * radius + 1) * (2 * radius + 1));
-        for (int row = -radius; row <= radius; ++row)
-            for (int column = -radius; column <= radius; ++column) {
-                const dvec2 offset = dvec2(column, row) * step;
-                add(map.tap(offset, map.depthAt(oneDepth ? dvec2(0.0) : offset)), weight);
-            }
-    }
-    if (point.filter.kind == disc) {
-        const ivec2 texel = map.texelOf(map.place().uv);
-        const dvec2 chance = sampleNoise(point.filter.noise, point.fragment, texel, point.layer);
-        for (int i = 0; i < point.filter.samples; ++i)
-            add(map.tap(point.filter.discRadius * step * pointInDisc(i, point.filter.samples, chance)),
-                1.0 / point.filter.samples);
-    }
-    return taps;
+namespace {
+
+FilterAnswer answerOfTaps(std::vector<MapProbe::Tap> taps) {
+    const double share = litShare(taps);
+    return {.taps = std::move(taps), .visibility = share};
 }
 
-FilterAnswer softShadowOf(const ComparedPoint& point) {
+} // namespace
+
+FilterAnswer hardAnswer(const ComparedPoint& point) {
+    return answerOfTaps({weighted(AskedMap(point).tap(dvec2(0.0)), 1)});
+}
+
+FilterAnswer fourTexelsAnswer(const ComparedPoint& point) {
+    const AskedMap map(point);
+    const double step = 1.0 / map.resolution();
+    const dvec2 lowerLeft = glm::floor(map.place().uv * map.resolution() - 0.5);
+    const dvec2 share = map.place().uv * map.resolution() - 0.5 - lowerLeft;
+    const dvec2 toCentre = (lowerLeft + 0.5) * step - map.place().uv;
+    const std::array corners{dvec2(0, 0), dvec2(1, 0), dvec2(0, 1), dvec2(1, 1)};
+    double compared = 1;
+    for (const dvec2& corner : corners)
+        compared = std::min(compared, map.depthAt(toCentre + step * corner));
+    std::vector<MapProbe::Tap> taps;
+    for (const dvec2& corner : corners) {
+        const dvec2 weight = glm::mix(1.0 - share, share, corner);
+        taps.push_back(weighted(map.tap(toCentre + step * corner, compared), weight.x * weight.y));
+    }
+    return answerOfTaps(std::move(taps));
+}
+
+FilterAnswer squareAnswer(const ComparedPoint& point) {
+    const AskedMap map(point);
+    const double step = 1.0 / map.resolution();
+    const bool oneDepth = biasInfo(point.params.bias.mode).comparesWithOneDepth;
+    const int radius = point.filter.pcfRadius;
+    const double weight = 1.0 / ((2 * radius + 1) * (2 * radius + 1));
+    std::vector<MapProbe::Tap> taps;
+    for (int row = -radius; row <= radius; ++row)
+        for (int column = -radius; column <= radius; ++column) {
+            const dvec2 offset = dvec2(column, row) * step;
+            taps.push_back(weighted(map.tap(offset, map.depthAt(oneDepth ? dvec2(0.0) : offset)), weight));
+        }
+    return answerOfTaps(std::move(taps));
+}
+
+FilterAnswer discAnswer(const ComparedPoint& point) {
+    const AskedMap map(point);
+    const double step = 1.0 / map.resolution();
+    const ivec2 texel = map.texelOf(map.place().uv);
+    const dvec2 chance = sampleNoise(point.filter.noise, point.fragment, texel, point.layer);
+    std::vector<MapProbe::Tap> taps;
+    for (int i = 0; i < point.filter.samples; ++i)
+        taps.push_back(weighted(map.tap(point.filter.discRadius * step * pointInDisc(i, point.filter.samples, chance)),
+                                1.0 / point.filter.samples));
+    return answerOfTaps(std::move(taps));
+}
+
+FilterAnswer softShadowAnswer(const ComparedPoint& point) {
     const AskedMap map(point);
     const LightShape shape = lightShape(point, map);
     const dvec2 chance = sampleNoise(point.filter.noise, point.fragment, map.texelOf(map.place().uv), point.layer);
@@ -184,19 +235,6 @@ FilterAnswer softShadowOf(const ComparedPoint& point) {
         search.kernelTexels = farthestTexels(answer.taps, map);
     }
     answer.search = std::move(search);
-    return answer;
-}
-
-FilterAnswer answerOf(const ComparedPoint& point) {
-    FilterAnswer answer;
-    if (point.filter.kind == FilterParams::Kind::pcss) return softShadowOf(point);
-    if (point.filter.usesMoments()) {
-        answer.moments = momentsOf(point);
-        answer.visibility = answer.moments->visibility;
-    } else {
-        answer.taps = tapsOf(point);
-        answer.visibility = litShare(answer.taps);
-    }
     return answer;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_map/fit/frusta.h"
+#include "techniques/shadow_map/stages/frusta.h"
 
 #include "techniques/foundation/base/look.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_map/fit/light_plane.h"
+#include "techniques/shadow_map/irregular/light_plane.h"
 
 #include <cmath>
 
