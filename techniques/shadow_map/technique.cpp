@@ -33,7 +33,7 @@ Progress ShadowMap::render(Frame& frame) {
         LightShadowMap map{.maps = tools_.fitter.fitted(light), .query = tools_.fitter.query(scene, light)};
         if (params_.aliasFree) {
             pass("samples", light, [&] { map.decided = &aliasFree_.decide(frame, light); });
-        } else if (averaged_.averagesOver(scene.lights[static_cast<std::size_t>(light)])) {
+        } else if (averaged_.averagesOver(scene.light(light))) {
             pass("average", light, [&] { map.decided = &averaged_.average(frame, light); });
         } else if (params_.exact) {
             pass("depth", light, [&] { map = exact_.updateMap(frame, light); });
@@ -70,7 +70,7 @@ void ShadowMap::publishStages(Frame& frame, int light, const LightShadowMap& map
 }
 
 bool ShadowMap::samplesArea(const scene::Scene& scene, int light) const {
-    const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = scene.light(light);
     // Rays and triangles decide about the light's centre, whatever the filter.
     const bool isFiltered = !params_.exact && !params_.aliasFree;
     const bool hasPenumbra = isFiltered && filterInfo(params_.filter.kind).searchesBlockers && scene::hasArea(source);

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "techniques/foundation/gl/texture.h"
-#include "techniques/foundation/scene/query/mesh_topology.h"
+#include "techniques/foundation/scene/query/topology/mesh_topology.h"
 #include "techniques/shadow_map/fit/light_maps.h"
 
 namespace shadowlab::shadow_map {

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "techniques/foundation/scene/query/casters.h"
-#include "techniques/foundation/scene/query/depth_fit.h"
-#include "techniques/foundation/scene/query/visible_receivers.h"
+#include "techniques/foundation/scene/query/view/depth_fit.h"
+#include "techniques/foundation/scene/query/view/visible_receivers.h"
 #include "techniques/lights_in_view.h"
 #include "techniques/shadow_map/filters/filters.h"
 
@@ -59,7 +59,7 @@ std::vector<scene::Bounds> MapFitter::receiversInView(const scene::Scene& scene,
 }
 
 MapQuery MapFitter::query(const scene::Scene& scene, int light) const {
-    MapQuery result{scene.lights[static_cast<std::size_t>(light)], usefulCasters(light), params_.filter};
+    MapQuery result{scene.light(light), usefulCasters(light), params_.filter};
     if (params_.exact) result.filter.kind = filterNamed("hard"); // exact answers are not filtered
     return result;
 }

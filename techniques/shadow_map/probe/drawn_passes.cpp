@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/scene/query/casters.h"
-#include "techniques/foundation/scene/query/picture_part.h"
+#include "techniques/foundation/scene/query/view/picture_part.h"
 #include "techniques/shadow_map/probe/probe.h"
 
 namespace shadowlab::shadow_map {

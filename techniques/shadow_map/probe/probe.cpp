@@ -169,7 +169,7 @@ public:
             decideByTriangles(decideAliasFree(of_.aliasFree.tracer(), view_, pixel_, light_));
         else if (of_.params.exact)
             decideByTriangles(decideExactly(of_.exact.tracer(), view_, pixel_, light_, texel));
-        else if (of_.averaged.averagesOver(snapshot_->lights[static_cast<std::size_t>(light_)]))
+        else if (of_.averaged.averagesOver(snapshot_->light(light_)))
             add("who decides", "the mean of maps from many points of the light; this is the one of its centre");
         else
             decideByFilter(point, texel);
