@@ -33,9 +33,9 @@ float hamburgerVisibility(vec4 m, float d) {
 // [anchor: compare-msm]
 float filteredVisibility(MapPlace place) {
     if (isOutside(place)) return 1.0;
-    // Rounding may leave moments that no depths have. A little of the moments of three depths at once, -1, 0 and 1, mends it.
+    // Rounding may leave moments that no depths can have. Mixing in a little of the moments of three depths, -1, 0 and 1, is the remedy.
     // Peters, Muenstermann, Wetzstein and Klein, "Improved Moment Shadow Maps", JCGT 6(1), 2017.
     vec4 m = mix(momentsAt(place), vec4(0.0, 0.375, 0.0, 0.375), msmBias);
-    // Of that little any part may count as light; the bound is for the rest, and what is lit is so to the last bit.
+    // The part that was mixed in may count as lit, and the bound holds for the rest: so a fully lit point gets exactly 1.
     return withoutBleeding(hamburgerVisibility(m, receiverMomentDepth(place)) / (1.0 - msmBias));
 }

@@ -1,5 +1,5 @@
 #version 330 core
-// The kernel of one pixel, as it lies on what the eye sees: which texels are asked for it, and what each would answer.
+// The kernel of one pixel, drawn where it lies on the visible surfaces: which texels are read, and what each comparison says.
 #include "light.glsl"
 #include "facing.glsl"
 in vec3 positionView;

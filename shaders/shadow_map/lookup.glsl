@@ -5,7 +5,7 @@
 #include "shadow_map/point_light.glsl"
 uniform mat4 lightClipFromLightRelative[6];
 uniform vec3 towardLightRelative; // unit, of a directional light; zero for one that is at the origin
-uniform float roundingBiasScale;  // Against rounding points are moved toward the light by a hundred-thousandth of the way. In clip
+uniform float roundingBiasScale;  // Against rounding a point is moved toward the light by 1e-5 of the distance. In clip
 uniform vec4 roundingBiasClip[6]; // space that is a point times this scale plus this vector, one for each map.
 uniform float resolution;         // texels along a side of the map
 

@@ -1,4 +1,4 @@
-// The knobs of the shadow map: four axes (projection, bias, filter, how exact), each on its own.
+// The parameters of the shadow map. They form four groups that can be combined freely: projection, bias, filter, and whether rays decide.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/gl/handle.h"
@@ -39,7 +39,7 @@ struct ShadowMapParams {
     dvec2 kernelAt{0.5};
     friend bool operator==(const ShadowMapParams&, const ShadowMapParams&) = default;
 
-    /// Are points looked up as floats that count from the world's origin? Not where rays decide: teaching faults have no place there.
+    /// Are points looked up as floats relative to the world's origin? It is a fault for teaching, and left out where rays decide.
     [[nodiscard]] bool looksUpInWorld() const { return coordinates == Coordinates::world && !exact; }
     /// As OpenGL names it.
     [[nodiscard]] GLenum glDepthFormat() const;

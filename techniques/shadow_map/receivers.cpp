@@ -63,13 +63,13 @@ void Receivers::drawWhereNeeded(const Frame& frame, const gl::Program& lookup, c
         draw(frame, lookup, light, map, own);
         return;
     }
-    const std::vector<Asking>& askings = fitter_.askings(frame, light, map.maps);
+    const std::vector<ReceiverLookup>& lookups = fitter_.lookups(frame, light, map.maps);
     use(frame, plain, light, map, own);
     use(frame, lookup, light, map, own);
     // Object by object, as gl::drawSurfaces does: of two surfaces at one depth the first drawn is the visible one. The stencil
     // lets each pixel be lit only once, so the second drawing of an object leaves out the pixels of the first.
     for (std::size_t object = 0; object < frame.scene().objects.size(); ++object) {
-        const Asking& how = askings[object];
+        const ReceiverLookup& how = lookups[object];
         const auto drawObject = [&](const gl::Program& program) {
             program.use();
             gl::drawSurface(program, frame.scene(), frame.buffers(), frame.eye(), object, [&](const scene::Object&) {
@@ -78,7 +78,7 @@ void Receivers::drawWhereNeeded(const Frame& frame, const gl::Program& lookup, c
             });
         };
         frame.scissorTo(how.where);
-        if (how.asks) drawObject(lookup);
+        if (how.looksUp) drawObject(lookup);
         frame.scissorTo(std::nullopt);
         if (how.rest) drawObject(plain);
     }

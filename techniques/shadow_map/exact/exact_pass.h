@@ -1,4 +1,4 @@
-// The shadow map that is never wrong: what a map cannot be certain of is decided by rays.
+// The exact shadow map: where the map cannot be certain of its answer, a ray is traced.
 //
 // Beside each depth the map keeps which triangle was seen. A second map marks the texels touched by *loose edges*: those at which, as
 // the light sees the scene, a surface may end, begin, or pass through another. In a texel that no such edge touches the surfaces lie

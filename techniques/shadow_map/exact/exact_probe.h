@@ -1,5 +1,4 @@
-// What the parameters `exact` and `alias-free` decide about one pixel, found by their own tests and not by the judge that they
-// are held against.
+// What the parameters `exact` and `alias-free` decide about one pixel, found by their own tests: the judge that they are compared with plays no part.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>

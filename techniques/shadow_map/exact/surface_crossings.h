@@ -17,8 +17,7 @@ struct Crossing {
 /// Moller, "A Fast Triangle-Triangle Intersection Test", Journal of Graphics Tools 2(2), 1997.
 std::optional<Crossing> crossingOf(const trace::Triangle& first, const trace::Triangle& second);
 
-/// All crossings of triangles of the objects that have a flag set. Two that share an edge are taken to meet only there. The
-/// tree is of the same triangles: each is looked for what its box overlaps.
+/// All crossings of triangles of the objects that have a flag set. Two that share an edge are taken to meet only there. The tree is of the same triangles; each triangle is tested against those whose boxes its own box overlaps.
 std::vector<Crossing> surfaceCrossings(const trace::Bvh& bvh, const trace::WorldTriangles& world,
                                        std::span<const std::uint8_t> objects);
 

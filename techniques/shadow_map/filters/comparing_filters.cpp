@@ -65,7 +65,7 @@ struct LightShape {
     double mostMagnified = 0; ///< so that a kernel is no wider than it may be
 };
 
-LightShape lightShape(const ComparedPoint& point, const AskedMap& map) {
+LightShape lightShape(const ComparedPoint& point, const ProbedLayer& map) {
     const bool isRect = point.light.type == scene::LightType::rect;
     const double radius = isRect ? 0.0 : lightReach(point.light, point.filter);
     const dvec3 fromLight = point.pointWorld - point.maps.originWorld;
@@ -97,12 +97,12 @@ double magnification(bool isParallel, double receiver, double blocker) {
     return isParallel ? between : between / std::max(blocker, 1e-3 * receiver);
 }
 
-dvec2 offsetThrough(const LightShape& shape, const AskedMap& map, const dvec2& onLight, double magnified) {
+dvec2 offsetThrough(const LightShape& shape, const ProbedLayer& map, const dvec2& onLight, double magnified) {
     const dvec4 clip = map.place().clip + magnified * (onLight.x * shape.clipU + onLight.y * shape.clipV);
     return dvec2(clip) / clip.w * 0.5 + 0.5 - map.place().uv;
 }
 
-double farthestTexels(const std::vector<MapProbe::Tap>& taps, const AskedMap& map) {
+double farthestTexels(const std::vector<MapProbe::Tap>& taps, const ProbedLayer& map) {
     double farthest = 0;
     for (const MapProbe::Tap& tap : taps)
         farthest = std::max(farthest, glm::length(tap.placeTexels - map.place().uv * map.resolution()));
@@ -116,12 +116,12 @@ MapProbe::Tap weighted(MapProbe::Tap tap, double weight) {
 
 } // namespace
 
-AskedMap::AskedMap(const ComparedPoint& point)
+ProbedLayer::ProbedLayer(const ComparedPoint& point)
     : point_(point), comparison_(point.maps, point.layer, point.params, point.filter, point.minReferenceDepth),
       lightRelativeFromClip_(glm::inverse(comparison_.lightClipFromLightRelative())),
       place_(comparison_.placeOf(point.pointWorld - point.maps.originWorld, cornersLightRelative(point))) {}
 
-MapProbe::Tap AskedMap::tap(const dvec2& offsetUv, double compared) const {
+MapProbe::Tap ProbedLayer::tap(const dvec2& offsetUv, double compared) const {
     const dvec2 uv = place_.uv + offsetUv;
     MapProbe::Tap tap;
     tap.texel = texelOf(uv);
@@ -145,11 +145,11 @@ FilterAnswer answerOfTaps(std::vector<MapProbe::Tap> taps) {
 } // namespace
 
 FilterAnswer hardAnswer(const ComparedPoint& point) {
-    return answerOfTaps({weighted(AskedMap(point).tap(dvec2(0.0)), 1)});
+    return answerOfTaps({weighted(ProbedLayer(point).tap(dvec2(0.0)), 1)});
 }
 
 FilterAnswer fourTexelsAnswer(const ComparedPoint& point) {
-    const AskedMap map(point);
+    const ProbedLayer map(point);
     const double step = 1.0 / map.resolution();
     const dvec2 lowerLeft = glm::floor(map.place().uv * map.resolution() - 0.5);
     const dvec2 share = map.place().uv * map.resolution() - 0.5 - lowerLeft;
@@ -167,7 +167,7 @@ FilterAnswer fourTexelsAnswer(const ComparedPoint& point) {
 }
 
 FilterAnswer squareAnswer(const ComparedPoint& point) {
-    const AskedMap map(point);
+    const ProbedLayer map(point);
     const double step = 1.0 / map.resolution();
     const bool oneDepth = biasInfo(point.params.bias.mode).comparesWithOneDepth;
     const int radius = point.filter.pcfRadius;
@@ -182,7 +182,7 @@ FilterAnswer squareAnswer(const ComparedPoint& point) {
 }
 
 FilterAnswer discAnswer(const ComparedPoint& point) {
-    const AskedMap map(point);
+    const ProbedLayer map(point);
     const double step = 1.0 / map.resolution();
     const ivec2 texel = map.texelOf(map.place().uv);
     const dvec2 chance = sampleNoise(point.filter.noise, point.fragment, texel, point.layer);
@@ -194,7 +194,7 @@ FilterAnswer discAnswer(const ComparedPoint& point) {
 }
 
 FilterAnswer softShadowAnswer(const ComparedPoint& point) {
-    const AskedMap map(point);
+    const ProbedLayer map(point);
     const LightShape shape = lightShape(point, map);
     const dvec2 chance = sampleNoise(point.filter.noise, point.fragment, map.texelOf(map.place().uv), point.layer);
     const auto comparisons = [&](int count, double magnified) {

@@ -1,4 +1,5 @@
-// Maps that can be averaged: of the depths around each texel, what the filters vsm to msm ask (shaders/shadow_map/moments_of_*).
+// Maps of moments, which can be averaged: functions of the depths around each texel, for the filters vsm to msm
+// (shaders/shadow_map/moments_of_*.glsl).
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <map>
@@ -17,7 +18,8 @@ struct Exponents {
 };
 Exponents exponents(const FilterParams& params);
 
-/// The share of made-up moments that is used: msmBias in kernels of radius 1, and more where more is added up, and rounded.
+/// The share of valid moments that is mixed in against rounding: msmBias for kernels of radius 1, more for wider ones, whose sums round
+/// more often.
 double msmBias(const FilterParams& params);
 
 /// Are logarithms averaged, and not what they stand for?
@@ -45,7 +47,7 @@ private:
     const Programs& programsFor(const FilterParams& params);
 
     std::map<std::pair<FilterKind, bool>, Programs> programs_; ///< of a filter, and whether it averages logarithms
-    gl::Texture2D averagedRows_; ///< kept: to make it anew costs a renderer on the processor as much as to fill it
+    gl::Texture2D averagedRows_; ///< kept: for a software renderer, allocating it costs as much as filling it
 };
 
 } // namespace shadowlab::shadow_map

@@ -17,7 +17,7 @@ namespace shadowlab::shadow_map {
 
 namespace {
 
-/// As a texture of that format keeps a number.
+/// The number as it is after it was stored in a texture of that format.
 double asKept(FilterParams::MomentFormat format, double value) {
     const double largest = std::numeric_limits<float>::max();
     if (std::abs(value) > largest) return std::copysign(std::numeric_limits<double>::infinity(), value);
@@ -32,7 +32,7 @@ dvec4 asKept(FilterParams::MomentFormat format, dvec4 values) {
     return values;
 }
 
-/// The moments of one layer, made where they are asked for.
+/// The moments of one layer, computed for a texel when they are first needed.
 class MomentTexels {
 public:
     explicit MomentTexels(const ComparedPoint& point)
@@ -110,7 +110,7 @@ private:
 } // namespace
 
 FilterAnswer momentAnswer(const ComparedPoint& point) {
-    const AskedMap map(point);
+    const ProbedLayer map(point);
     MomentTexels texels(point);
     FilterAnswer answer;
     MapProbe::Moments& result = answer.moments.emplace();

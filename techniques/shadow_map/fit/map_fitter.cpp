@@ -13,7 +13,7 @@ namespace shadowlab::shadow_map {
 
 namespace {
 
-// Boxes around what is in view: more would make a fit slow, and hardly closer.
+// Boxes around what is in view: with more of them a fit takes longer and is hardly tighter.
 constexpr std::size_t kMostReceivers = 64;
 
 /// Metres along the eye's axis to the nearest and the farthest visible point, of a picture whose depths have been drawn;
@@ -110,7 +110,7 @@ void MapFitter::fitMaps(const Frame& frame) {
     if (now == fittedFor_) return;
     const std::vector<scene::Bounds> receivers = receiversInView(frame.scene(), view);
     fitted_.clear();
-    askings_.clear();
+    lookups_.clear();
     for (int light = 0; light < lights; ++light)
         fitted_.push_back(now.mayLight[static_cast<std::size_t>(light)]
                               ? fit(frame.scene(), view, query(frame.scene(), light), receivers)
@@ -129,15 +129,15 @@ std::vector<std::size_t> MapFitter::castersOf(const scene::Scene& scene, const L
     return casters;
 }
 
-const std::vector<Asking>& MapFitter::askings(const Frame& frame, int light, const LightMaps& maps) {
+const std::vector<ReceiverLookup>& MapFitter::lookups(const Frame& frame, int light, const LightMaps& maps) {
     // The fitted maps may be looked up again in the next frame; those of single points of a light are looked up once.
     const bool isFitted = maps == fitted(light);
-    std::vector<Asking>& found = isFitted ? askings_[light] : otherAskings_;
+    std::vector<ReceiverLookup>& found = isFitted ? lookups_[light] : otherLookups_;
     if (isFitted && !found.empty()) return found;
     found.clear();
     const dmat4 clipFromWorld = frame.eye().clipFromView * frame.eye().viewFromWorld;
     for (const scene::Bounds& box : bounds_)
-        found.push_back(askingOf(maps, box, clipFromWorld));
+        found.push_back(receiverLookup(maps, box, clipFromWorld));
     return found;
 }
 

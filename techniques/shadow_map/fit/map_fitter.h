@@ -46,7 +46,7 @@ public:
         return usefulCasters_[static_cast<std::size_t>(light)];
     }
     /// How each object is drawn with these maps; found once for the fitted maps of a light.
-    const std::vector<Asking>& askings(const Frame& frame, int light, const LightMaps& maps);
+    const std::vector<ReceiverLookup>& lookups(const Frame& frame, int light, const LightMaps& maps);
 
 private:
     /// All that the fit of a frame's maps depends on.
@@ -73,8 +73,8 @@ private:
     std::optional<SeenDepth> seen_;
     std::vector<LightMaps> fitted_;
     FitCacheKey fittedFor_;
-    std::map<int, std::vector<Asking>> askings_; ///< by light, of the fitted maps
-    std::vector<Asking> otherAskings_;           ///< of the last maps that were not the fitted ones
+    std::map<int, std::vector<ReceiverLookup>> lookups_; ///< by light, of the fitted maps
+    std::vector<ReceiverLookup> otherLookups_;           ///< of the last maps that were not the fitted ones
 };
 
 } // namespace shadowlab::shadow_map

@@ -97,18 +97,18 @@ std::optional<scene::PicturePart> shadowedPart(const LightMaps& maps, std::span<
     return inPicture(part);
 }
 
-Asking askingOf(const LightMaps& maps, const scene::Bounds& object, const dmat4& clipFromWorld) {
+ReceiverLookup receiverLookup(const LightMaps& maps, const scene::Bounds& object, const dmat4& clipFromWorld) {
     const std::optional<scene::PicturePart> part = shadowedPart(maps, std::span(&object, 1), clipFromWorld);
     if (!part) return {};
-    if (!glm::all(glm::lessThan(part->lower, part->upper))) return {.asks = false, .where = part, .rest = true};
-    if (isWithin(object, *part, clipFromWorld)) return {.asks = true, .where = part, .rest = false};
+    if (!glm::all(glm::lessThan(part->lower, part->upper))) return {.looksUp = false, .where = part, .rest = true};
+    if (isWithin(object, *part, clipFromWorld)) return {.looksUp = true, .where = part, .rest = false};
     scene::PicturePart all{dvec2(1), dvec2(-1)};
     const dvec4 nearWorld = nearPlaneWorld(clipFromWorld);
     include(all, object, std::span(&nearWorld, 1), clipFromWorld);
     // A second time all of its vertices are transformed and all of its pixels tested: measured, with a software renderer, as
     // much as a map costs in half of them.
     if (area(*part) > 0.5 * area(inPicture(all))) return {};
-    return {.asks = true, .where = part, .rest = true};
+    return {.looksUp = true, .where = part, .rest = true};
 }
 
 } // namespace shadowlab::shadow_map

@@ -1,4 +1,4 @@
-// The part of the picture in which a light's maps have to be asked at all: elsewhere no caster's shadow can fall.
+// The part of the picture in which a light's maps have to be looked up: elsewhere no caster's shadow can fall.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -14,13 +14,13 @@ namespace shadowlab::shadow_map {
 std::optional<scene::PicturePart> shadowedPart(const LightMaps& maps, std::span<const scene::Bounds> receivers,
                                                const dmat4& clipFromWorld);
 
-/// How an object is drawn with a light's maps.
-struct Asking {
-    bool asks = true;                        ///< the maps, for some of its pixels,
-    std::optional<scene::PicturePart> where; ///< which lie here; none: anywhere
-    bool rest = false;                       ///< and once more without asking, for its other pixels
+/// How an object is drawn with a light's maps: looked up where a shadow can fall, and plainly lit elsewhere.
+struct ReceiverLookup {
+    bool looksUp = true;                     ///< it is drawn with the maps looked up
+    std::optional<scene::PicturePart> where; ///< in this part of the picture; none: everywhere
+    bool rest = false;                       ///< it is drawn once more, without any lookup, for its other pixels
 };
-/// What to do with the object in these bounds. To draw it twice pays only where the maps need not be asked for most of it.
-Asking askingOf(const LightMaps& maps, const scene::Bounds& object, const dmat4& clipFromWorld);
+/// For the object in these bounds. Drawing it twice pays only where most of it needs no lookup.
+ReceiverLookup receiverLookup(const LightMaps& maps, const scene::Bounds& object, const dmat4& clipFromWorld);
 
 } // namespace shadowlab::shadow_map

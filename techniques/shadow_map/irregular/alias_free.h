@@ -1,13 +1,13 @@
 // The alias-free shadow map: Aila and Laine, "Alias-Free Shadow Maps", EGSR 2004.
 //
-// A shadow map asks the light for the depth at the middles of its texels, and then compares points that lie elsewhere: all
-// its faults come from that. Here the light is asked exactly where the eye looks. The visible points are projected into the
+// A shadow map samples depth at the centres of its texels, and then compares points that lie elsewhere: all its faults come from
+// that. Here depth is sampled exactly where the eye looks. The visible points are projected into the
 // light's picture plane and put into buckets there; every casting triangle is rasterised over the buckets, and tested
 // against each sample in the buckets that it touches: within its three edges, and nearer to the light? No tree, no
 // resolution, no bias. What it costs is a pass over all triangles for each picture, and for each light.
 //
-// The tests are made in float and know how wrong they can be; what that leaves open is asked of the tracer, triangle by
-// sample. So the answers are those of shadow rays, to the last.
+// The tests are made in float, with a bound for their error; where the bound leaves the answer open, the tracer tests this triangle
+// and this sample. So every answer is that of a shadow ray.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The alias-free shadow map as a pass: every visible point is asked of the light itself, and no map is drawn.
+// The alias-free shadow map as a pass: every visible point is tested in the light's picture, and no map is drawn.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <map>

@@ -1,4 +1,4 @@
-// The first steps of the alias-free shadow map: which points need to ask a light at all, and where it sees them.
+// The first steps of the alias-free shadow map: which points need a test at all, and where the light sees them.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace shadowlab::shadow_map {
 
-/// What is asked, and of whom: read by all steps.
+/// The question that all steps work on: which of these points does the light reach?
 struct ShadowQuery {
     const trace::SceneTracer& tracer;
     std::span<const trace::SurfacePoint> points;
@@ -33,7 +33,7 @@ struct PlaneRegion {
 
 constexpr std::uint8_t kNotAsked = 0xff;
 
-/// All points that ask the light, as it sees them.
+/// The points whose visibility is not known yet, as the light sees them.
 struct Samples {
     std::vector<LightPlane> planes;
     std::vector<PlaneRegion> regions;  ///< of each plane

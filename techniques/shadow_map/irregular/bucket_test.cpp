@@ -50,8 +50,8 @@ bool BucketTest::test(const SeenTriangle& triangle, Bucket& bucket) {
         outside |= side.middle + side.spread < -bound;
         inFront |= side.middle - side.spread > bound;
     }
-    // Of a triangle in doubt nobody knows which is the inner side of its edges: then sides of both signs are a miss, and the
-    // nearness says nothing.
+    // For a triangle in doubt the inner side of its edges is not known: then only sides of both signs are a miss, and the nearness
+    // says nothing.
     const bool certain = isCertain(triangle.determinant, sizes, parallel_);
     if (outside && (certain || inFront)) return false;
     const InBucket plane(triangle.nearness, bucket);
@@ -62,7 +62,7 @@ bool BucketTest::test(const SeenTriangle& triangle, Bucket& bucket) {
     const OfFour side[3] = {OfFour(sides[0]), OfFour(sides[1]), OfFour(sides[2])}, nearness(plane);
     const Float4 above = Float4::all(static_cast<float>(bound)), below = Float4::all(static_cast<float>(-bound));
     const Float4 clearance = Float4::all(static_cast<float>(error));
-    // From the last to the first: who leaves is replaced by the last, which then has been tested.
+    // From the last sample to the first: a sample that is dropped is replaced by the last one, which has been tested by then.
     for (unsigned four = (bucket.live + 3) / 4; four-- > 0;) {
         const unsigned first = 4 * four;
         const Float4 u = Float4::load(bucket.u + first), v = Float4::load(bucket.v + first);

@@ -1,7 +1,7 @@
 // A triangle against the samples of a bucket, four at a time: the inner loop of the alias-free shadow map.
 //
-// In float, with bounds for what it gets wrong. Within them nothing is decided: the tracer is asked, with the same shadow ray
-// as if it had been asked in the first place.
+// In float, with bounds for the rounding error. A result within its bound decides nothing: then a shadow ray is traced, the same one
+// that would be traced without any buckets.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -24,7 +24,7 @@ public:
 
 private:
     bool isBlocked(const Bucket& bucket, unsigned sample, const SeenTriangle& triangle, bool certain);
-    /// In shadow: nobody need ask for it again.
+    /// Takes out a sample that is in shadow: no other triangle need be tested against it.
     void drop(Bucket& bucket, unsigned sample);
 
     const ShadowQuery& query_;

@@ -1,8 +1,8 @@
 // The light's picture plane: where points lie in it, as the light sees them. Not a picture: no pixels, no resolution.
 //
-// The sun needs one plane, across its rays. A light that is a point needs one when all that is asked lies within a cone
-// before it, and six, the faces of a cube around it, when it does not. Unlike a shadow map's cameras (light_maps.h) they
-// are fitted to points that are asked, not to casters, and composed in double throughout.
+// A directional light needs one plane, at right angles to its rays. A point light needs one when all samples lie within a cone before
+// it, and otherwise six, the faces of a cube around it. Unlike a shadow map's cameras (light_maps.h) they
+// are fitted to the samples, not to casters, and composed in double throughout.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>

@@ -72,7 +72,8 @@ PlaneRect fill(Bucket& bucket, const ShadowQuery& query, const Samples& samples,
 } // namespace
 
 StripLists cutIntoStrips(const Samples& samples, int threads) {
-    // Where to cut is told by a poll; which points are polled, and so the strips, does not depend on who does the work.
+    // The cuts are estimated from a subset of the samples. Which samples are in it does not depend on the number of threads, so neither
+    // do the strips.
     const std::size_t planes = samples.regions.size(), count = samples.places.size();
     std::vector<std::vector<double>> polled(planes), borders(planes);
     for (std::size_t i = 0; i < count; ++i)

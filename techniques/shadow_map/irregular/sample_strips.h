@@ -37,7 +37,7 @@ struct Bucket {
     std::uint32_t primitives[kBucketSamples]; ///< that the samples lie on
     std::uint32_t indices[kBucketSamples];    ///< of the samples
     std::uint32_t count = 0;                  ///< of samples
-    std::uint32_t live = 0;                   ///< those that nobody has put in shadow; they come first
+    std::uint32_t live = 0;                   ///< those that no triangle has put in shadow yet; they come first
     dvec2 middle{0.0}, half{0.0};             ///< all samples are within
     double largest = 0;                       ///< PlaceBox::largestCoordinate() of its samples
     double farthest = 0;                      ///< least nearness of those that live

@@ -16,7 +16,7 @@ double largestOf(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y)
 // Of the largest coordinate: a corner that is less deep has no place that could be relied on.
 constexpr double kShallow = 0x1p-20;
 // What a place is wrong by, as a share of itself and of one (parallel: of the largest coordinate): with the depth above,
-// 12 e M / (kShallow M) is less than 2^-28. The rest is for whoever keeps places as floats.
+// 12 e M / (kShallow M) is less than 2^-28. The rest covers places that are kept as floats.
 constexpr double kPlaceError = 0x1p-22;
 // Of the largest coordinate: a corner is certainly outside a plane through the light that it is farther away from.
 constexpr double kCertainlyOutside = 0x1p-40;

@@ -2,7 +2,7 @@
 // plane. They hold, without clipping, also for a triangle that reaches behind the light: Olano and Greer, "Triangle Scan
 // Conversion using 2D Homogeneous Coordinates", Graphics Hardware 1997.
 //
-// How wrong are they? Let M be the largest coordinate along the plane's axes, of the triangle and of who is asked, s the
+// How large is their rounding error? Let M be the largest coordinate along the plane's axes, of the triangle and of the samples, s the
 // longest part of an edge along one, and e = 2^-53. Turned into these axes, a corner is wrong by 12 e M and an edge by 12 e s;
 // so a coefficient of a side, a sum of two products of corner and edge, by 110 e M s, the side at a place by 540 e M s. A
 // sample's own place is wrong by 80 e (310 e M s), the sum of three terms is rounded (40 e M s), and the shadow ray that a

@@ -7,7 +7,7 @@ namespace {
 
 constexpr int kFirstUnit = gl::kFirstFreeUnit, kSecondUnit = kFirstUnit + 1, kPushedUnit = kFirstUnit + 2;
 
-/// Depths that differ by less are of one surface: four steps of the format.
+/// Two depths that differ by less belong to one surface: four steps of the format.
 float depthEpsilon(GLenum format) { return format == GL_DEPTH_COMPONENT16 ? 4.0f / (1 << 16) : 4.0f / (1 << 24); }
 
 /// Does the light see a front face wherever it sees the object? Then half of its triangles need not be drawn.

@@ -33,7 +33,7 @@ struct ExactTextures {
 
 struct CachedMap {
     gl::DepthTextureArray depth;
-    std::optional<ExactTextures> exact;                 ///< only where that is asked for
+    std::optional<ExactTextures> exact;                 ///< only of the exact map
     std::optional<gl::ColorTextureArray> moments;       ///< only where the filter asks for them
     FilterParams momentsFor;                            ///< what they were made for
     bool momentsAreCurrent = false;                     ///< made from these depths

@@ -1,4 +1,4 @@
-// How the layers of a map lie beside each other in a picture of it.
+// Where the layers of a map are drawn in a picture that shows all of them.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <algorithm>

@@ -39,8 +39,9 @@ std::vector<Probe::DrawnPass> drawnPasses(const ProbedMap& of, const scene::Scen
         std::uint64_t lit = 0;
         for (std::size_t object = 0; object < scene.objects.size(); ++object) {
             if (!isSeen(object)) continue;
-            const Asking how = splits ? askingOf(maps, of.fitter.bounds()[object], clipFromWorld) : Asking{};
-            lit += triangles(object) * (static_cast<std::uint64_t>(how.asks) + static_cast<std::uint64_t>(how.rest));
+            const ReceiverLookup how =
+                splits ? receiverLookup(maps, of.fitter.bounds()[object], clipFromWorld) : ReceiverLookup{};
+            lit += triangles(object) * (static_cast<std::uint64_t>(how.looksUp) + static_cast<std::uint64_t>(how.rest));
         }
         passes.push_back({"light", light, lit, "from the eye, with the map"});
     }

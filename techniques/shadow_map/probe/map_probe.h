@@ -24,7 +24,7 @@ struct ComparedPoint {
     double minReferenceDepth = 0;        ///< of the object that the point is on (light_maps.h)
 };
 
-/// What a filter reads for the point, and what it makes of that.
+/// What a filter reads for the point, and the visibility that follows.
 struct FilterAnswer {
     std::vector<MapProbe::Tap> taps;
     std::optional<MapProbe::BlockerSearch> search{};
@@ -51,10 +51,10 @@ void addCells(MapProbe& probe, const ComparedPoint& point, const LightSection& s
 double metresOf(const LightMaps& maps, int layer, const dvec2& uv, double depth);
 
 /// One layer of a point's map, and its comparison.
-class AskedMap {
+class ProbedLayer {
 public:
-    explicit AskedMap(const ComparedPoint& point);
-    /// A comparison there; the share is left to who asks.
+    explicit ProbedLayer(const ComparedPoint& point);
+    /// A comparison at that offset; its weight is set by the caller.
     [[nodiscard]] MapProbe::Tap tap(const dvec2& offsetUv) const { return tap(offsetUv, depthAt(offsetUv)); }
     [[nodiscard]] MapProbe::Tap tap(const dvec2& offsetUv, double compared) const;
     /// What a comparison at that offset from the point's place compares.
