@@ -152,6 +152,10 @@ Frame::Result Frame::takeResult() {
     return std::move(result_);
 }
 
+bool publishes(const TechniqueInfo& info, std::string_view stage) {
+    return std::ranges::find(info.stages, stage, &StageInfo::id) != info.stages.end();
+}
+
 std::string pseudocodeOf(const TechniqueInfo& info, const PassInfo& pass) {
     std::string lines;
     std::istringstream stream{std::string(info.pseudocode)};

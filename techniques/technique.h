@@ -175,6 +175,13 @@ struct TechniqueInfo {
     std::unique_ptr<Technique> (*make)() = nullptr;
 };
 
+/// Stages that the program asks every technique for: what it says of one light, and how many pixels a texel of its shadow map
+/// covers.
+inline constexpr std::string_view kVisibilityStage = "visibility", kTexelSizeStage = "texel-size";
+
+/// Does the technique draw that stage itself?
+bool publishes(const TechniqueInfo& info, std::string_view stage);
+
 /// The lines of the technique's pseudocode that a step carries out; empty: there are none.
 std::string pseudocodeOf(const TechniqueInfo& info, const PassInfo& pass);
 

@@ -18,6 +18,7 @@
 #include "app/picture/limits.h"
 #include "app/picture/picture.h"
 #include "app/picture/session.h"
+#include "app/picture/stage_ref.h"
 #include "app/picture/steps/step_captions.h"
 #include "app/picture/steps/stepping.h"
 #include "techniques/foundation/base/error.h"
@@ -51,7 +52,7 @@ class Capture {
 public:
     explicit Capture(const CaptureOptions& options)
         : options_(options), exactVisibility_(options.techniques.size() == 1 && !options.stages.empty() &&
-                                              options.stages[0].substr(0, options.stages[0].find('@')) == "visibility"),
+                                              options.stages[0].isVisibility()),
           size_(options.size) {}
 
     int run() {
@@ -69,8 +70,8 @@ public:
                 refuseOutput("--stats", options_.stats, "the picture " + picture.string() + " that is written");
         for (std::size_t i = 0; i < slots_.size(); ++i) {
             stages_.emplace_back();
-            if (i < options_.stages.size() && !options_.stages[i].empty())
-                stages_[i] = picture::parseStage(options_.stages[i], *slots_[i].info, *base_, defaultLight_);
+            if (i < options_.stages.size())
+                stages_[i] = picture::resolve(options_.stages[i], *slots_[i].info, *base_, defaultLight_);
         }
 
         context_ = context::createContext(options_.backend);
@@ -157,8 +158,8 @@ private:
                         "size, or --labels false");
         for (step_ = 0; step_ < passes.size(); ++step_) {
             context::throwIfInterrupted();
-            const int light = base_->lights.empty() ? kNoLight : std::max(defaultLight_, 0);
-            stages_[0] = picture::shownInStep({passes[step_], true}, *slots_[0].info, light);
+            stages_[0] = picture::shownInStep({passes[step_], true}, *slots_[0].info,
+                                              picture::stageLight(*base_, defaultLight_));
             renderFrame(0);
         }
         film_->finish();
@@ -186,25 +187,25 @@ private:
                            ivec2(cells[i].width, cells[i].height) * options_.supersample};
             FrameRequest request;
             request.timePasses = !options_.stats.empty();
-            const std::optional<picture::StageChoice>& stage = stages_[i];
+            const picture::ResolvedStage& stage = stages_[i];
             view.picked = view.partner = std::nullopt;
-            if (stage && picture::followsPicked(*slot.info, stage->key.id)) {
+            if (picture::followsPicked(*slot.info, stage.key.id)) {
                 view.picked = within("--pixel", options_.pixel, cells[i].pictureSize);
                 view.partner = within("--partner", options_.partner, cells[i].pictureSize);
             }
-            if (stage && stage->isPass) request.stopAfter = stage->key;
-            if (stage && !stage->isPass) request.stages = picture::neededFor(stage->key);
+            if (stage.isPass) request.stopAfter = stage.key;
+            if (stage.isStage()) request.stages = picture::neededFor(stage.key);
             const picture::RenderedFrame rendered = session_->render(slot, view, request);
             stats_->add(i, rendered);
 
             if (exactVisibility_) {
                 const picture::VisibilityImage visibility =
-                    picture::readVisibility(picture::findStage(rendered, stage->key));
+                    picture::readVisibility(picture::findStage(rendered, stage.key));
                 image::writeWhole(path, image::encodeGreyAlpha(visibility.width, visibility.height,
                                                                visibility.greyAlpha, stats_->pngText()));
                 return;
             }
-            if (stage && stage->key.id == "outside") { // a picture of its own, no band of a larger one
+            if (stage.isOutside()) { // a picture of its own, no band of a larger one
                 cells[i].pictureSize = {cells[i].width, cells[i].height};
                 cells[i].cropX = 0;
             }
@@ -237,7 +238,7 @@ private:
         for (std::size_t i = 0; i < slots_.size(); ++i) {
             FrameRequest request;
             request.timePasses = !options_.stats.empty();
-            request.stages = {picture::parseStage("visibility", *slots_[i].info, *base_, light).key};
+            request.stages = {picture::resolve({std::string(kVisibilityStage)}, *slots_[i].info, *base_, light).key};
             const picture::RenderedFrame rendered = session_->render(slots_[i], view, request);
             stats_->add(i, rendered);
             judgements[i] =
@@ -290,17 +291,17 @@ private:
     picture::Panel pictureOf(std::size_t i, const picture::RenderedFrame& rendered, const View& view,
                              const picture::Cell& cell) {
         picture::Slot& slot = slots_[i];
-        const std::optional<picture::StageChoice>& chosen = stages_[i];
+        const picture::ResolvedStage& chosen = stages_[i];
         picture::Panel panel;
-        if (chosen && !chosen->isPass && picture::isDerived(chosen->key.id))
+        if (chosen.isDerived())
             return picture::derivedPanel(*session_, slot, rendered, *encoder_,
-                                         {chosen->key, view, options_.row, &font(), outsideCamera(), cell.pictureSize});
-        if (!chosen || chosen->isPass) {
-            if (chosen) picture::requirePassRan(rendered, chosen->key, *slot.info);
+                                         {chosen.key, view, options_.row, &font(), outsideCamera(), cell.pictureSize});
+        if (!chosen.isStage()) {
+            if (chosen.isPass) picture::requirePassRan(rendered, chosen.key, *slot.info);
             panel.picture = encoder_->encode(slot.target.color, base_->exposure, options_.supersample);
             return panel;
         }
-        const Stage& stage = picture::findStage(rendered, chosen->key);
+        const Stage& stage = picture::findStage(rendered, chosen.key);
         const StageInfo& info = picture::stageInfo(*slot.info, stage.key.id);
         // A stage of a size of its own (a light's view of the scene) is averaged only if it would not fit otherwise.
         const ivec2 size = stage.texture.size();
@@ -320,7 +321,7 @@ private:
     std::unique_ptr<picture::Session> session_;
     std::unique_ptr<picture::PictureEncoder> encoder_;
     std::vector<picture::Slot> slots_;
-    std::vector<std::optional<picture::StageChoice>> stages_; ///< one for each slot
+    std::vector<picture::ResolvedStage> stages_; ///< one for each slot
     std::unique_ptr<CaptureStats> stats_;
     ivec2 size_;                          ///< of the picture, without what stands below it
     std::unique_ptr<film::Film> film_; ///< none: a file for each picture

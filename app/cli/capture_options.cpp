@@ -45,8 +45,8 @@ double splitFor(const GivenOptions& given, picture::Layout layout, std::size_t s
 
 /// The stage of each technique: `STAGE` is that of all of them, `2:STAGE` that of the second. (pass:ID has a colon, too,
 /// but no number before it.)
-std::vector<std::string> stagesFor(const GivenOptions& given, std::size_t slots) {
-    std::vector<std::string> stages(slots);
+std::vector<picture::StageRef> stagesFor(const GivenOptions& given, std::size_t slots) {
+    std::vector<picture::StageRef> stages(slots);
     for (const std::string& text : given.texts("--stage")) {
         std::size_t number = 0;
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -58,18 +58,18 @@ std::vector<std::string> stagesFor(const GivenOptions& given, std::size_t slots)
         if (stage.empty()) refuseUsage("--stage: '" + text + "' names no stage; `list stages` shows what there is");
         for (std::size_t i = 0; i < slots; ++i) {
             if (ofOne && i + 1 != number) continue;
-            if (!stages[i].empty())
+            if (!stages[i].isPicture())
                 refuseUsage("--stage: technique " + std::to_string(i + 1) + " has a stage already; give it one");
-            stages[i] = stage;
+            stages[i] = picture::StageRef::parse(stage);
         }
     }
     return stages;
 }
 
 /// "3,2,5,0,0,0": where the second camera stands, and where it looks.
-std::array<double, 6> outsideFor(const GivenOptions& given, const std::vector<std::string>& stages) {
+std::array<double, 6> outsideFor(const GivenOptions& given, const std::vector<picture::StageRef>& stages) {
     const std::string text = given.text("--outside");
-    if (std::ranges::none_of(stages, [](const std::string& stage) { return stage.starts_with("outside"); }))
+    if (std::ranges::none_of(stages, &picture::StageRef::isOutside))
         refuseUsage("--outside: only the stage outside has a second camera; add --stage outside");
     std::array<double, 6> numbers{};
     const char *at = text.data(), *const last = text.data() + text.size();
@@ -85,13 +85,12 @@ std::array<double, 6> outsideFor(const GivenOptions& given, const std::vector<st
     return numbers;
 }
 
-std::string stageId(const std::string& stage) { return stage.substr(0, stage.find('@')); }
-
 /// A pixel that the window has picked, or that a stage is about.
 ivec2 pickedFor(const std::string& option, const GivenOptions& given, const CaptureOptions& options) {
     bool isUsed = options.ui;
     for (std::size_t i = 0; i < options.stages.size(); ++i)
-        isUsed = isUsed || picture::followsPicked(findTechnique(options.techniques[i]), stageId(options.stages[i]));
+        isUsed = isUsed || (!options.stages[i].isPass &&
+                            picture::followsPicked(findTechnique(options.techniques[i]), options.stages[i].id));
     if (!isUsed)
         refuseUsage(option +
                     ": only the window and stages about one pixel, as outside and radiosity's form-factors, show "
@@ -99,8 +98,8 @@ ivec2 pickedFor(const std::string& option, const GivenOptions& given, const Capt
     return pixelFrom(option, given.text(option), options.size);
 }
 
-int rowFor(const GivenOptions& given, const std::vector<std::string>& stages, ivec2 size) {
-    if (std::ranges::find(stages, "scanline", stageId) == stages.end())
+int rowFor(const GivenOptions& given, const std::vector<picture::StageRef>& stages, ivec2 size) {
+    if (std::ranges::none_of(stages, &picture::StageRef::isScanline))
         refuseUsage("--row: only the stage scanline is about one row; add --stage scanline");
     const std::string text = given.text("--row");
     int row = -1;
@@ -120,7 +119,7 @@ void checkFilm(const CaptureOptions& options) {
     if (options.animate) {
         if (options.motion.frames.value_or(1) == 1 && options.motion.path.empty())
             refuseUsage("--animate: one frame is no animation; add --frames N");
-        if (!options.ui && options.techniques.size() == 1 && stageId(options.stages[0]) == "visibility")
+        if (!options.ui && options.techniques.size() == 1 && options.stages[0].isVisibility())
             refuseUsage("--animate: the visibility image holds measured shares, not colours; write its frames to "
                         "name_####.png, or choose another stage");
         return;
@@ -128,7 +127,7 @@ void checkFilm(const CaptureOptions& options) {
     if (options.techniques.size() > 1)
         refuseUsage("--steps: " + std::to_string(options.techniques.size()) +
                     " techniques are given with -t, and each has steps of its own; give one");
-    if (!options.stages[0].empty()) refuseUsage("--steps: every step has a picture of its own; leave --stage out");
+    if (!options.stages[0].isPicture()) refuseUsage("--steps: every step has a picture of its own; leave --stage out");
     if (options.motion.frames || options.motion.orbitLightDegrees || options.motion.orbitCameraDegrees ||
         !options.motion.path.empty())
         refuseUsage(
@@ -238,7 +237,7 @@ CaptureOptions captureOptions(const CLI::App& command) {
     options.layout = layoutFor(given, options.techniques.size());
     options.labels = booleanFrom("--labels", given.text("--labels", "true"));
     options.stages = stagesFor(given, options.techniques.size());
-    const bool anyStage = std::ranges::any_of(options.stages, [](const std::string& s) { return !s.empty(); });
+    const bool anyStage = !std::ranges::all_of(options.stages, &picture::StageRef::isPicture);
     if (options.layout == picture::Layout::diff && anyStage)
         refuseUsage("--stage: --layout diff compares the finished pictures; leave one of them out");
     if (given.has("--split")) options.split = splitFor(given, options.layout, options.techniques.size());
@@ -258,8 +257,8 @@ CaptureOptions captureOptions(const CLI::App& command) {
     options.size = sizeFrom("--size", given.text("--size", "1280x720"), "picture-side");
     options.supersample = limitedCountFrom("--supersample", given.text("--supersample", "1"), "supersample");
     // A visibility image, and what is derived from one, holds the answers at the pixels' centres, not an average.
-    if (options.layout == picture::Layout::diff || std::ranges::any_of(options.stages, [](const std::string& stage) {
-            return stageId(stage) == "visibility" || picture::isDerived(stageId(stage));
+    if (options.layout == picture::Layout::diff || std::ranges::any_of(options.stages, [](const picture::StageRef& stage) {
+            return stage.isVisibility() || stage.isDerived();
         }))
         options.supersample = 1;
     if (given.has("--outside")) options.outside = outsideFor(given, options.stages);

@@ -11,6 +11,7 @@
 #include "app/context/context.h"
 #include "app/film/film.h"
 #include "app/picture/figure.h"
+#include "app/picture/stage_ref.h"
 #include "techniques/foundation/math/types.h"
 
 namespace CLI {
@@ -29,7 +30,7 @@ struct CaptureOptions {
     bool presenter = false;                       ///< its large type
     bool keys = false;                            ///< its list of keys
     bool source = false;                          ///< its text of the step: formula, pseudocode, source
-    std::vector<std::string> stages;              ///< one for each technique; empty: the picture
+    std::vector<picture::StageRef> stages;        ///< one for each technique
     double split = 0.5;                           ///< share of the width that the left one of two bands has
     std::optional<int> row;                       ///< of stage `scanline`
     std::optional<std::array<double, 6>> outside; ///< position and target of the second camera; none: a good place

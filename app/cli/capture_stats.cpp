@@ -46,9 +46,9 @@ CaptureStats::CaptureStats(const scene::Scene& scene, const CaptureOptions& opti
         std::ranges::adjacent_find(options.stages, std::ranges::not_equal_to()) == options.stages.end();
     for (std::size_t i = 0; i < (sameForAll ? std::min<std::size_t>(1, options.stages.size()) : options.stages.size());
          ++i)
-        if (!options.stages[i].empty())
+        if (!options.stages[i].isPicture())
             stages +=
-                (stages.empty() ? "" : "\n") + (sameForAll ? "" : std::to_string(i + 1) + ":") + options.stages[i];
+                (stages.empty() ? "" : "\n") + (sameForAll ? "" : std::to_string(i + 1) + ":") + options.stages[i].text();
     if (!stages.empty()) pngText_.push_back({"Stage", stages});
     if (!options.light.empty()) pngText_.push_back({"Light", options.light});
     if (!settings.empty()) pngText_.push_back({"Settings", settings});

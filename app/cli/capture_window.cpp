@@ -41,7 +41,7 @@ lab::Document documentFor(const CaptureOptions& options, const scene::Snapshot& 
         lab::PaneState& state = document.panes[i];
         state.technique = options.techniques[i];
         state.stage = options.stages[i];
-        if (!state.stage.empty()) picture::parseStage(state.stage, *slots[i].info, *scene, document.light);
+        picture::resolve(state.stage, *slots[i].info, *scene, document.light); // refuses what there is not
         for (const params::Param& param : slots[i].params)
             if (params::valueText(param) != params::initialText(param))
                 state.settings[state.technique][param.id] = params::valueText(param);
@@ -115,7 +115,7 @@ int captureWindow(const CaptureOptions& options) {
         settle(screen); // which passes run is known when they have run
         for (const StageKey& pass :
              std::vector(desk.bench.pane(0).passesOf(desk.bench.document().panes[0].technique, *scene))) {
-            window::chooseStage(desk, picture::passStage(pass, *scene));
+            window::chooseStage(desk, picture::refOf(pass, true, *scene));
             write(0);
         }
     }

@@ -15,6 +15,7 @@
 #include "app/figures/figures.h"
 #include "app/film/path.h"
 #include "app/picture/derived_stages.h"
+#include "app/picture/stage_ref.h"
 #include "app/picture/limits.h"
 #include "app/student/plugins.h"
 #include "app/window/actions.h"
@@ -92,7 +93,7 @@ Table stagesTable() {
                                   std::string(stage.caption), "", "", "",
                                   picture::isDerived(stage.id) ? "true" : "false"});
         for (const PassInfo& pass : technique.info->passes)
-            table.rows.push_back({id, "pass:" + std::string(pass.id), pass.perLight ? "true" : "false",
+            table.rows.push_back({id, picture::StageRef{std::string(pass.id), {}, true}.text(), pass.perLight ? "true" : "false",
                                   std::string(pass.title), std::string(pass.why),
                                   inOneLine(pseudocodeOf(*technique.info, pass)), std::string(pass.glState), "false"});
     }

@@ -25,8 +25,7 @@ int lightToMeasure(const scene::Scene& scene, const std::string& asked, const st
 }
 
 void requireVisibility(const TechniqueInfo& info) {
-    for (const StageInfo& stage : info.stages)
-        if (stage.id == "visibility") return;
+    if (publishes(info, kVisibilityStage)) return;
     throw Error(ExitStatus::usage, "'" + std::string(info.id) +
                                        "' does not say what it makes of one light, so it has no error to be measured; "
                                        "choose other techniques with -t");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/measure_options.h"
 
-#include <algorithm>
 #include <optional>
 
 #include <CLI/CLI.hpp>
@@ -20,7 +19,7 @@ std::vector<std::string> measuredTechniquesFrom(const std::vector<std::string>& 
     if (!group) return ids;
     ids.clear();
     for (const RegisteredTechnique& technique : techniquesOf(*group))
-        if (std::ranges::find(technique.info->stages, "visibility", &StageInfo::id) != technique.info->stages.end())
+        if (publishes(*technique.info, kVisibilityStage))
             ids.emplace_back(technique.info->id);
     return ids;
 }

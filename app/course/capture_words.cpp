@@ -31,14 +31,12 @@ std::string pixelText(ivec2 pixel) { return std::to_string(pixel.x) + "," + std:
 
 /// What the pane shows, as `--stage` has it: for a step the stage that shows what the pass wrote, if there is one.
 std::string stageWord(const lab::Document& document, const lab::PaneState& state) {
-    if (!state.stage.starts_with("pass:")) return state.stage;
+    if (!state.stage.isPass) return state.stage.text();
     const TechniqueInfo& info = findTechnique(state.technique);
-    const auto& lights = document.scene->lights;
-    const int light = lights.empty() ? kNoLight : std::max(0, document.light);
-    const picture::StageChoice shown = picture::shownInStep(picture::parseStage(state.stage, info, *document.scene, light), info, light);
-    if (shown.isPass) return state.stage;
-    return shown.key.light == kNoLight ? shown.key.id
-                                       : shown.key.id + "@" + lights[static_cast<std::size_t>(shown.key.light)].name;
+    const int light = picture::stageLight(*document.scene, document.light);
+    const picture::ResolvedStage shown =
+        picture::shownInStep(picture::resolve(state.stage, info, *document.scene, light), info, light);
+    return shown.isPass ? state.stage.text() : picture::refOf(shown.key, false, *document.scene).text();
 }
 
 } // namespace
@@ -58,7 +56,7 @@ std::vector<std::string> captureWords(const lab::Document& document, const std::
         const lab::PaneState& state = document.panes[static_cast<std::size_t>(single ? document.active : i)];
         const std::string slot = single ? "" : std::to_string(i + 1) + ":";
         techniques += (i ? "," : "") + state.technique;
-        if (!state.stage.empty()) more.insert(more.end(), {"--stage", slot + stageWord(document, state)});
+        if (!state.stage.isPicture()) more.insert(more.end(), {"--stage", slot + stageWord(document, state)});
         for (const auto& [param, value] : state.values())
             more.insert(more.end(), {"--set", slot + state.technique + "." + param + "=" + value});
     }
@@ -70,7 +68,7 @@ std::vector<std::string> captureWords(const lab::Document& document, const std::
     bool outside = false, isAboutPicked = false;
     for (int i = 0; i < count; ++i) {
         const lab::PaneState& state = document.panes[static_cast<std::size_t>(single ? document.active : i)];
-        outside = outside || state.stage.starts_with("outside");
+        outside = outside || state.stage.isOutside();
         isAboutPicked = isAboutPicked || picture::windowFollowsPicked(findTechnique(state.technique), state.stage);
     }
     if (outside) {

@@ -24,8 +24,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view kPass = "pass:";
-
 Json numbers(const dvec3& v) { return {v.x, v.y, v.z}; }
 
 /// All of it: what is left out is taken from the scene's own camera.
@@ -49,10 +47,8 @@ std::vector<const lab::PaneState*> shownStates(const lab::Document& document) {
 }
 
 std::string stageCaption(const lab::PaneState& state) {
-    const std::string id = state.stage.substr(0, state.stage.find('@'));
-    for (const StageInfo& stage : picture::stagesOf(findTechnique(state.technique)))
-        if (stage.id == id) return std::string(stage.caption);
-    return id.starts_with(kPass) ? "after the step " + id.substr(kPass.size()) : "";
+    if (state.stage.isPass) return "after the step " + state.stage.id;
+    return picture::captionOf(findTechnique(state.technique), state.stage.id);
 }
 
 /// "still-life-2": of small letters, digits and -, and neither a slide nor a file is called so.
@@ -121,15 +117,15 @@ std::string slideText(const lab::Document& document, const std::string& scene, c
         if (const std::string caption = stageCaption(state); !caption.empty())
             stages += (stages.empty() ? "" : "; ") + caption;
         Json slot{{"technique", state.technique}};
-        if (state.stage.starts_with(kPass))
-            slot["step"] = state.stage.substr(kPass.size());
-        else if (!state.stage.empty())
-            slot["stage"] = state.stage;
+        if (state.stage.isPass)
+            slot["step"] = state.stage.idAndLight();
+        else if (!state.stage.isPicture())
+            slot["stage"] = state.stage.text();
         slots.push_back(std::move(slot));
         const std::string place = states.size() == 1 ? "" : std::to_string(i + 1) + ":";
         for (const auto& [param, value] : state.values())
             settings.push_back(place + state.technique + "." + param + "=" + value);
-        isOutside = isOutside || state.stage.starts_with("outside");
+        isOutside = isOutside || state.stage.isOutside();
     }
     slide["title"] = techniques;
     slide["scene"] = scene;

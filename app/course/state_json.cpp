@@ -73,15 +73,16 @@ ShownState StateReader::read(std::span<const JsonObject* const> levels) {
 }
 
 /// As `capture --stage` takes it; a step is the pass of that name.
-std::string StateReader::readStage(const JsonObject& object, const TechniqueInfo& info, const ShownState& state) {
+picture::StageRef StateReader::readStage(const JsonObject& object, const TechniqueInfo& info, const ShownState& state) {
     if (!hasStage(object)) return {};
     const char* const key = object.find("step") ? "step" : "stage";
     if (object.find("stage") && object.find("step"))
         object.fail("step", "is a pass, and \"stage\" what to show in its place; write either");
-    const std::string stage = (object.find("step") ? "pass:" : "") + object.text(key);
-    if (!object.find("step") && stage.empty()) return {};
+    const std::string text = object.text(key);
+    const picture::StageRef stage =
+        object.find("step") ? picture::StageRef::parsePass(text) : picture::StageRef::parse(text);
     saidAt(document_, object.require(key, "").offset,
-           [&] { return picture::parseStage(stage, info, *state.scene, state.light); });
+           [&] { return picture::resolve(stage, info, *state.scene, state.light); });
     return stage;
 }
 

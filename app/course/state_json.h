@@ -29,7 +29,7 @@ private:
     void loadScene(const scene::JsonObject& object, ShownState& state);
     void readSlots(const scene::JsonObject& object, const scene::JsonObject* stageOf, ShownState& state);
     void readSlot(const scene::JsonObject& slot, const scene::JsonObject* stageOf, ShownState& state);
-    std::string readStage(const scene::JsonObject& object, const TechniqueInfo& info, const ShownState& state);
+    picture::StageRef readStage(const scene::JsonObject& object, const TechniqueInfo& info, const ShownState& state);
     void readSettings(std::span<const scene::JsonObject* const> levels, ShownState& state);
 
     const scene::JsonDocument& document_;

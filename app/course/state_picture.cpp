@@ -32,42 +32,40 @@ public:
 private:
     picture::Panel panel(std::size_t i, picture::Cell& cell) {
         picture::Slot& slot = slots_[i];
-        std::optional<picture::StageChoice> stage;
-        if (!state_.slots[i].stage.empty())
-            stage = picture::parseStage(state_.slots[i].stage, *slot.info, *state_.scene, state_.light);
-        if (stage && stage->isPass) // as the window shows a step
-            stage = picture::shownInStep(*stage, *slot.info, state_.scene->lights.empty() ? kNoLight : state_.light);
-        const bool derived = stage && !stage->isPass && picture::isDerived(stage->key.id);
+        const picture::ResolvedStage stage = picture::shownInStep( // as the window shows a step
+            picture::resolve(state_.slots[i].stage, *slot.info, *state_.scene, state_.light), *slot.info,
+            picture::stageLight(*state_.scene, state_.light));
+        const bool derived = stage.isDerived();
         const int supersample = derived ? 1 : request_.supersample; // what is derived is about single pixels
         View view;
         view.camera = state_.camera;
         view.size = cell.pictureSize * supersample;
         view.region = {ivec2(cell.cropX, 0) * supersample, ivec2(cell.width, cell.height) * supersample};
-        if (stage && picture::followsPicked(*slot.info, stage->key.id)) {
+        if (picture::followsPicked(*slot.info, stage.key.id)) {
             if (request_.picked) view.picked = lab::pixelAt(*request_.picked, view.size);
             if (request_.partner) view.partner = lab::pixelAt(*request_.partner, view.size);
         }
         FrameRequest request;
-        if (stage && stage->isPass) request.stopAfter = stage->key;
-        if (stage && !stage->isPass) request.stages = picture::neededFor(stage->key);
+        if (stage.isPass) request.stopAfter = stage.key;
+        if (stage.isStage()) request.stages = picture::neededFor(stage.key);
         const picture::RenderedFrame rendered = session_.render(slot, view, request);
         picture::Panel panel;
-        if (stage && stage->key.id == "outside") { // a picture of its own, no band of a larger one
+        if (stage.isOutside()) { // a picture of its own, no band of a larger one
             cell.pictureSize = {cell.width, cell.height};
             cell.cropX = 0;
         }
         if (derived) {
             panel = picture::derivedPanel(session_, slot, rendered, encoder_,
-                                 {stage->key, view, std::nullopt, &font_, request_.outside, cell.pictureSize});
-        } else if (stage && !stage->isPass) {
-            const Stage& published = picture::findStage(rendered, stage->key);
+                                 {stage.key, view, std::nullopt, &font_, request_.outside, cell.pictureSize});
+        } else if (stage.isStage()) {
+            const Stage& published = picture::findStage(rendered, stage.key);
             panel.kind = picture::stageInfo(*slot.info, published.key.id).kind;
             // A stage of a size of its own (a light's view of the scene) is averaged only if it would not fit otherwise.
             const bool fits = glm::all(glm::lessThanEqual(published.texture.size(), cell.pictureSize));
             panel.picture = encoder_.encode(published, panel.kind, state_.scene->exposure, fits ? 1 : supersample);
             panel.display = published.display;
         } else {
-            if (stage) picture::requirePassRan(rendered, stage->key, *slot.info);
+            if (stage.isPass) picture::requirePassRan(rendered, stage.key, *slot.info);
             panel.picture = encoder_.encode(slot.target.color, state_.scene->exposure, supersample);
         }
         if (slots_.size() > 1) panel.title = slot.info->title;
@@ -81,7 +79,7 @@ private:
         std::array<judge::Judgement, 2> judgements;
         for (std::size_t i = 0; i < judgements.size(); ++i) {
             FrameRequest request;
-            request.stages = {{"visibility", state_.light}};
+            request.stages = {picture::visibilityOf(state_.light)};
             const picture::RenderedFrame rendered = session_.render(slots_[i], view, request);
             judgements[i] = judge::judge(session_.truth(view, session_.truthFor(slots_[i], state_.light)),
                                            picture::readVisibility(picture::findStage(rendered, request.stages[0])).greyAlpha);

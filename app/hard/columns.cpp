@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/hard/columns.h"
 
-#include <algorithm>
-
 #include "techniques/registry.h"
 
 namespace shadowlab::hard {
@@ -40,7 +38,7 @@ std::vector<Column> columns() {
     std::vector<Column> columns;
     for (const RegisteredTechnique& registered : techniquesOf(TechniqueGroup::production)) {
         const TechniqueInfo& info = *registered.info;
-        if (std::ranges::find(info.stages, "visibility", &StageInfo::id) == info.stages.end()) continue;
+        if (!publishes(info, kVisibilityStage)) continue;
         columns.push_back({std::string(info.id), {}, false});
         for (const ExactWay& way : exactWays()) {
             if (way.technique != info.id) continue;

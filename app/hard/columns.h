@@ -18,7 +18,7 @@ struct Column {
     [[nodiscard]] std::string title() const;
     /// As the reader of cases makes it: what has only defaults has no settings at all.
     [[nodiscard]] lab::PaneState state() const {
-        lab::PaneState state{technique, "", {}};
+        lab::PaneState state{technique, {}, {}};
         if (!values.empty()) state.settings[technique] = values;
         return state;
     }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/hard/judged_scene.h"
 
-#include <algorithm>
-
 #include "app/film/motion.h"
 #include "app/report/judge.h"
 #include "techniques/foundation/base/error.h"
@@ -17,17 +15,14 @@ JudgedScene::JudgedScene(const course::ShownState& state, ivec2 size) : session_
 JudgedFrame JudgedScene::draw(const lab::PaneState& technique, Timing timing) {
     std::vector<picture::Slot> slots = course::slotsOf({technique});
     picture::Slot& slot = slots.front();
-    const auto publishes = [&](std::string_view stage) {
-        return std::ranges::find(slot.info->stages, stage, &StageInfo::id) != slot.info->stages.end();
-    };
-    if (!publishes("visibility"))
+    if (!publishes(*slot.info, kVisibilityStage))
         throw Error(ExitStatus::badInput,
                     "'" + technique.technique +
                         "' does not say what it makes of one light, so no hard case can judge it; "
                         "choose another technique");
     FrameRequest request;
     request.stages = {{"visibility", light_}};
-    if (publishes("texel-size")) request.stages.push_back({"texel-size", light_});
+    if (publishes(*slot.info, kTexelSizeStage)) request.stages.push_back({"texel-size", light_});
     const picture::RenderedFrame rendered = session_.render(slot, view_, request);
     JudgedFrame frame;
     frame.ms = rendered.frameMs;
@@ -36,7 +31,7 @@ JudgedFrame JudgedScene::draw(const lab::PaneState& technique, Timing timing) {
     frame.picture = encoder_.encode(slot.target.color, session_.snapshot()->exposure);
     frame.visibility = picture::readVisibility(picture::findStage(rendered, {"visibility", light_}));
     std::optional<judge::Grid<float>> texelPx;
-    if (publishes("texel-size"))
+    if (publishes(*slot.info, kTexelSizeStage))
         texelPx = picture::readTexelSizes(picture::findStage(rendered, {"texel-size", light_}));
     const judge::Truth& truth = session_.truth(view_, session_.truthFor(slot, light_));
     const std::vector<judge::BoundaryEdge> boundary = judge::trueBoundary(truth);

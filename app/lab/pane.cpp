@@ -40,7 +40,7 @@ const Values& PaneState::values() const {
 }
 
 bool operator==(const PaneRequest& a, const PaneRequest& b) {
-    const bool outside = a.state.stage.starts_with("outside");
+    const bool outside = a.state.stage.isOutside();
     const bool isAboutPicked =
         !a.state.technique.empty() && picture::windowFollowsPicked(findTechnique(a.state.technique), a.state.stage);
     return a.state.technique == b.state.technique && a.state.stage == b.state.stage &&
@@ -74,15 +74,10 @@ judge::TruthOf Pane::judgedBy() const {
 
 std::optional<Probe> Pane::probe(const View& view) {
     // Samples may still be added to the picture; from outside a pane draws only what is ready.
-    const bool isReady = converged_ || (progress_ >= 1 && !drawnFor_.state.stage.starts_with("outside"));
+    const bool isReady = converged_ || (progress_ >= 1 && !drawnFor_.state.stage.isOutside());
     if (!view.picked || !isReady || !failure_.empty() || !drawnFor_.snapshot) return std::nullopt;
     const int light = drawnFor_.snapshot->lights.empty() ? kNoLight : drawnFor_.light;
     return slotFor(drawnFor_.state).technique->probe(drawnFor_.snapshot, view, *view.picked, light);
-}
-
-bool isJudged(std::string_view stage) {
-    const std::string_view id = stage.substr(0, stage.find('@'));
-    return id == "truth" || id == "error" || id == "scanline";
 }
 
 gl::Texture2D textureOf(const image::Image& image) {
@@ -101,7 +96,7 @@ gl::Texture2D textureOf(const image::Image& image) {
 
 const Stage* Pane::visibility(int light) const {
     if (!isDrawn_) return nullptr;
-    const auto found = std::ranges::find(rendered_.result.stages, StageKey{"visibility", light}, &Stage::key);
+    const auto found = std::ranges::find(rendered_.result.stages, picture::visibilityOf(light), &Stage::key);
     return found == rendered_.result.stages.end() ? nullptr : &*found;
 }
 
@@ -122,29 +117,27 @@ bool Pane::update(picture::Session& session, const picture::PictureEncoder& enco
 void Pane::draw(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, const PaneWork& work) {
     picture::Slot& slot = slotFor(request.state);
     const scene::Scene& scene = *request.snapshot;
-    std::optional<picture::StageChoice> stage;
-    if (!request.state.stage.empty()) stage = picture::parseStage(request.state.stage, *slot.info, scene, request.light);
-    const std::optional<StageKey> step = stage && stage->isPass ? std::optional(stage->key) : std::nullopt;
-    if (step) stage = picture::shownInStep(*stage, *slot.info, scene.lights.empty() ? kNoLight : std::max(0, request.light));
+    const picture::ResolvedStage asked = picture::resolve(request.state.stage, *slot.info, scene, request.light);
+    const picture::ResolvedStage stage =
+        picture::shownInStep(asked, *slot.info, picture::stageLight(scene, request.light));
 
     FrameRequest frame;
     frame.timePasses = frame.waitForGl = work.timePasses;
     frame.deadline = work.deadline;
     frame.refine = work.refine;
-    if (stage && stage->isPass) frame.stopAfter = stage->key;
-    if (stage && !stage->isPass && !picture::isDerived(stage->key.id)) frame.stages = {stage->key};
-    const StageKey answers{"visibility", request.light};
-    const bool published = std::ranges::find(slot.info->stages, answers.id, &StageInfo::id) != slot.info->stages.end();
-    if (work.visibility && published && !frame.stopAfter &&
+    if (stage.isPass) frame.stopAfter = stage.key;
+    if (stage.isStage() && !stage.isDerived()) frame.stages = {stage.key};
+    const StageKey answers = picture::visibilityOf(request.light);
+    if (work.visibility && publishes(*slot.info, answers.id) && !frame.stopAfter &&
         std::ranges::find(frame.stages, answers) == frame.stages.end())
         frame.stages.push_back(answers);
 
     session.setScene(request.snapshot);
-    if (stage && stage->key.id == "outside") {
+    if (stage.isOutside()) {
         converged_ = drawOutside(session, encoder, request, slot, work);
         return;
     }
-    if (stage && stage->key.id == "shadow-outline") {
+    if (stage.isShadowOutline()) {
         progress_ = session.prepareTruth(work.deadline);
         converged_ = progress_ == 1;
         if (!converged_) return; // the last picture stays
@@ -157,7 +150,7 @@ void Pane::draw(picture::Session& session, const picture::PictureEncoder& encode
     converged_ = rendered.converged;
     progress_ = rendered.prepared;
     if (!converged_ && rendered.prepared < 1) return; // nothing drawn yet: the last picture stays
-    if (step) picture::requirePassRan(rendered, *step, *slot.info);
+    if (asked.isPass) picture::requirePassRan(rendered, asked.key, *slot.info);
     encode(session, encoder, request, slot, stage, rendered);
     if (!frame.stopAfter) keepPasses(request, rendered.result.passes);
     // Times are taken now and then; between, the last ones stand.
@@ -204,32 +197,30 @@ bool Pane::drawOutside(picture::Session& session, const picture::PictureEncoder&
     const int light = request.snapshot->lights.empty() ? kNoLight : request.light;
     const std::optional<Stage> seen = outside_->render(session, slot, request.view, outside, light, work.deadline);
     if (!seen) return false;
-    const std::vector<StageInfo> known = picture::stagesOf(*slot.info);
     picture_ = {encoder.encodeInPlace(*seen, StageKind::swatches, request.snapshot->exposure), StageKind::swatches,
-                seen->display, std::string(std::ranges::find(known, seen->key.id, &StageInfo::id)->caption)};
+                seen->display, picture::captionOf(*slot.info, seen->key.id)};
     drawn_ = request.state;
     return true;
 }
 
 void Pane::encode(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot,
-                  const std::optional<picture::StageChoice>& stage, const picture::RenderedFrame& rendered) {
+                  const picture::ResolvedStage& stage, const picture::RenderedFrame& rendered) {
     const float exposure = request.snapshot->exposure;
-    if (!stage || stage->isPass) {
+    if (!stage.isStage()) {
         picture_ = {
             encoder.encodeInPlace(slot.target.color, exposure, 1, request.view.region), StageKind::radiance, {}, ""};
         return;
     }
-    const std::vector<StageInfo> known = picture::stagesOf(*slot.info);
-    const std::string caption(std::ranges::find(known, stage->key.id, &StageInfo::id)->caption);
-    if (isJudged(stage->key.id)) {
+    const std::string caption = picture::captionOf(*slot.info, stage.key.id);
+    if (stage.isJudged()) {
         picture_ = {
             encoder.encodeGround(slot.target.color, exposure, request.view.region), StageKind::swatches, {}, caption};
-    } else if (picture::isDerived(stage->key.id)) {
-        const picture::Panel panel = picture::derivedPanel(session, slot, rendered, encoder, {stage->key, request.view, {}, nullptr});
+    } else if (stage.isDerived()) {
+        const picture::Panel panel = picture::derivedPanel(session, slot, rendered, encoder, {stage.key, request.view, {}, nullptr});
         picture_ = {textureOf(panel.picture), panel.kind, panel.display, caption};
     } else {
-        const Stage& published = picture::findStage(rendered, stage->key);
-        const StageInfo& info = picture::stageInfo(*slot.info, stage->key.id);
+        const Stage& published = picture::findStage(rendered, stage.key);
+        const StageInfo& info = picture::stageInfo(*slot.info, stage.key.id);
         picture_ = {encoder.encodeInPlace(published, info.kind, exposure), info.kind, published.display, caption};
     }
 }

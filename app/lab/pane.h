@@ -8,6 +8,7 @@
 #include "app/picture/outside/outside_view.h"
 #include "app/picture/picture.h"
 #include "app/picture/session.h"
+#include "app/picture/stage_ref.h"
 
 namespace shadowlab::lab {
 
@@ -17,7 +18,7 @@ using Values = std::map<std::string, std::string>;
 /// What a pane is told to show: plain values, so that it can be kept, compared, undone and written down.
 struct PaneState {
     std::string technique;
-    std::string stage;                      ///< as `capture --stage` takes it; empty: the finished picture
+    picture::StageRef stage;                ///< what of it
     std::map<std::string, Values> settings; ///< by technique: what differs from its defaults
     friend bool operator==(const PaneState&, const PaneState&) = default;
 
@@ -80,7 +81,7 @@ public:
     /// Whether what is shown is seen by the eye; a light's view of the scene and that of the second camera are not.
     [[nodiscard]] bool showsTheEyesView() const {
         return picture_.texture && picture_.texture.size() == drawnFor_.view.size &&
-               !drawnFor_.state.stage.starts_with("outside");
+               !drawnFor_.state.stage.isOutside();
     }
     [[nodiscard]] const PaneRequest& drawnFor() const { return drawnFor_; }
     /// The technique's passes that run with the settings of the picture, in order, also where it stops after one of them. None
@@ -99,7 +100,7 @@ private:
     bool drawOutside(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot,
                      const PaneWork& work);
     void encode(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot,
-                const std::optional<picture::StageChoice>& stage, const picture::RenderedFrame& rendered);
+                const picture::ResolvedStage& stage, const picture::RenderedFrame& rendered);
 
     std::map<std::string, picture::Slot> slots_;    ///< by technique
     std::unique_ptr<picture::OutsideView> outside_; ///< made when it is first looked from there
@@ -115,9 +116,6 @@ private:
     double progress_ = 1;
     bool converged_ = true, timed_ = false;
 };
-
-/// Is that a stage that has to be judged first: `truth`, `error`, `scanline`?
-bool isJudged(std::string_view stage);
 
 /// A picture of the processor's on the graphics card, as the encoder leaves one: row 0 at the bottom.
 gl::Texture2D textureOf(const image::Image& image);

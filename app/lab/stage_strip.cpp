@@ -20,7 +20,7 @@ int reduction(ivec2 stage, ivec2 thumbnail) {
 
 bool StageStrip::update(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& pane, ivec2 size) {
     PaneRequest request = pane;
-    request.state.stage.clear();
+    request.state.stage = {};
     request.view.size = size * kFiner;
     request.view.region = {};
     request.view.picked.reset(); // a pixel of a larger picture
@@ -42,12 +42,12 @@ void StageStrip::draw(picture::Session& session, const picture::PictureEncoder& 
             frame.stages.push_back({std::string(stage.id), stage.perLight ? request.light : kNoLight});
     const picture::RenderedFrame rendered = session.render(slot, request.view, frame);
     thumbnails_.push_back(
-        {"", "the finished picture", {encoder.encodeInPlace(slot.target.color, scene.exposure, kFiner), {}, {}, ""}});
+        {{}, "the finished picture", {encoder.encodeInPlace(slot.target.color, scene.exposure, kFiner), {}, {}, ""}});
     for (const StageKey& key : frame.stages) {
         const Stage& published = picture::findStage(rendered, key);
         const StageInfo& info = picture::stageInfo(*slot.info, key.id);
         thumbnails_.push_back(
-            {key.id,
+            {{key.id},
              std::string(info.caption),
              {encoder.encodeInPlace(published, info.kind, scene.exposure, reduction(published.texture.size(), size)),
               info.kind, published.display, ""}});
@@ -55,7 +55,7 @@ void StageStrip::draw(picture::Session& session, const picture::PictureEncoder& 
     // What the session derives is exact and slow, or from elsewhere: it is named here and drawn when it is chosen.
     for (const StageInfo& stage : picture::stagesOf(*slot.info))
         if (picture::isDerived(stage.id) && (!stage.perLight || !scene.lights.empty()))
-            thumbnails_.push_back({std::string(stage.id), std::string(stage.caption), {}});
+            thumbnails_.push_back({{std::string(stage.id)}, std::string(stage.caption), {}});
 }
 
 } // namespace shadowlab::lab

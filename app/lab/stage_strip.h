@@ -11,9 +11,9 @@ namespace shadowlab::lab {
 
 /// One small picture.
 struct Thumbnail {
-    std::string stage;   ///< as `capture --stage` takes it; empty: the finished picture
-    std::string caption; ///< what is seen there
-    PanePicture picture; ///< without a texture where the stage could not be drawn
+    picture::StageRef stage; ///< of the light that all stages are about
+    std::string caption;     ///< what is seen there
+    PanePicture picture;     ///< without a texture where the stage could not be drawn
 };
 
 class StageStrip {

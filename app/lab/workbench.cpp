@@ -219,7 +219,7 @@ void Workbench::showScene(scene::Snapshot scene, std::string sceneName) {
     document_.sceneName = std::move(sceneName);
     // A stage of a light that this scene does not have is no stage of it.
     for (PaneState& pane : document_.panes)
-        pane.stage = pane.stage.substr(0, pane.stage.find('@'));
+        pane.stage = pane.stage.ofAnyLight();
     shown_ = document_.scene;
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/judge/verdict.h"
 #include "app/picture/outside/outside_view.h"
+#include "app/picture/stage_ref.h"
 #include "app/picture/stages/mesh_edges.h"
 #include "app/picture/stages/scanline_plot.h"
 #include "app/picture/stages/shadow_outline.h"
@@ -46,7 +47,7 @@ Panel outsidePanel(Session& session, Slot& slot, const PictureEncoder& encoder, 
 
 std::vector<StageInfo> stagesOf(const TechniqueInfo& info) {
     std::vector<StageInfo> stages = info.stages;
-    if (std::ranges::find(stages, "visibility", &StageInfo::id) != stages.end())
+    if (publishes(info, kVisibilityStage))
         stages.insert(stages.end(), std::begin(kDerived), std::end(kDerived));
     stages.push_back(kShadowOutline);
     stages.push_back(kMeshEdges);
@@ -59,14 +60,21 @@ bool isDerived(std::string_view stage) {
            std::ranges::find(kDerived, stage, &StageInfo::id) != std::end(kDerived);
 }
 
+std::string captionOf(const TechniqueInfo& info, std::string_view stage) {
+    const std::vector<StageInfo> known = stagesOf(info);
+    const auto found = std::ranges::find(known, stage, &StageInfo::id);
+    return found == known.end() ? "" : std::string(found->caption);
+}
+
 bool followsPicked(const TechniqueInfo& info, std::string_view stage) {
     return std::ranges::any_of(stagesOf(info),
                                [&](const StageInfo& one) { return one.followsPicked && one.id == stage; });
 }
 
 std::vector<StageKey> neededFor(const StageKey& stage) {
-    if (!isDerived(stage.id)) return {stage};
-    if (stage.id == "error" || stage.id == "scanline") return {{"visibility", stage.light}};
+    const StageRef ref{stage.id};
+    if (!ref.isDerived()) return {stage};
+    if (ref.isError() || ref.isScanline()) return {visibilityOf(stage.light)};
     return {};
 }
 
@@ -82,12 +90,14 @@ Panel derivedPanel(Session& session, Slot& slot, const RenderedFrame& rendered, 
                                   session.outline(request.view, light), session.snapshot()->light(light).name,
                                   request.view.region);
     const judge::Truth& truth = session.truth(request.view, session.truthFor(slot, light));
-    if (request.stage.id == "truth") return truthPanel(truth, request.view.region);
+    const StageRef stage{request.stage.id};
+    if (stage.isTruth()) return truthPanel(truth, request.view.region);
     image::Image picture = encoder.encode(slot.target.color, session.snapshot()->exposure);
-    const VisibilityImage visibility = readVisibility(findStage(rendered, {"visibility", light}));
+    const VisibilityImage visibility = readVisibility(findStage(rendered, visibilityOf(light)));
     const judge::Judgement judgement = judge::judge(truth, visibility.greyAlpha);
-    if (request.stage.id == "error") return errorPanel(std::move(picture), truth, judgement, request.view.region);
-    const Scanline scanline{truth, judgement, visibility, session.snapshot()->light(light).name,
+    if (stage.isError()) return errorPanel(std::move(picture), truth, judgement, request.view.region);
+    const Scanline scanline{truth, judgement, visibility,
+                            session.snapshot()->lights[static_cast<std::size_t>(light)].name,
                             std::string(slot.info->title)};
     return scanlinePanel(std::move(picture), scanline, request.row, request.view.region, request.font);
 }

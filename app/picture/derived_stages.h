@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/picture/figure.h"
@@ -16,6 +17,9 @@ std::vector<StageInfo> stagesOf(const TechniqueInfo& info);
 
 /// Is it one that the session makes?
 bool isDerived(std::string_view stage);
+
+/// The words under a stage of the technique or one derived from it; empty for what is none of them.
+std::string captionOf(const TechniqueInfo& info, std::string_view stage);
 
 /// Is it about View::picked, where there is one?
 bool followsPicked(const TechniqueInfo& info, std::string_view stage);

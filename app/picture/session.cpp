@@ -98,39 +98,4 @@ int lightIndex(const scene::Scene& scene, std::string_view name) {
                                        (known.empty() ? "it has no lights" : suggestion(name, known)));
 }
 
-StageChoice parseStage(std::string_view text, const TechniqueInfo& info, const scene::Scene& scene, int defaultLight) {
-    const std::size_t at = text.rfind('@');
-    std::string id(text.substr(0, at));
-    int light = at == std::string_view::npos ? defaultLight : lightIndex(scene, text.substr(at + 1));
-
-    const bool isPass = id.starts_with("pass:");
-    if (isPass) id.erase(0, 5);
-    std::vector<std::string> known;
-    std::optional<bool> perLight;
-    for (const PassInfo& pass : info.passes) {
-        known.push_back("pass:" + std::string(pass.id));
-        if (isPass && pass.id == id) perLight = pass.perLight;
-    }
-    for (const StageInfo& stage : stagesOf(info)) {
-        known.emplace_back(stage.id);
-        if (!isPass && stage.id == id) perLight = stage.perLight;
-    }
-    if (!perLight)
-        throw Error(ExitStatus::usage, "'" + std::string(info.id) + "' has no stage '" + std::string(text) + "'; " +
-                                           suggestion(isPass ? "pass:" + id : id, known));
-    if (!*perLight) {
-        if (at != std::string_view::npos)
-            throw Error(ExitStatus::usage, "stage '" + id + "' of '" + std::string(info.id) +
-                                               "' does not belong to one light; leave out '" +
-                                               std::string(text.substr(at)) + "'");
-        light = kNoLight;
-    } else if (scene.lights.empty()) {
-        throw Error(ExitStatus::usage, "stage '" + id + "' needs a light and scene '" + scene.name +
-                                           "' has none; choose another stage or scene");
-    } else if (light == kNoLight) {
-        light = 0;
-    }
-    return {{id, light}, isPass};
-}
-
 } // namespace shadowlab::picture

@@ -77,14 +77,6 @@ private:
     ExactView exact_;
 };
 
-/// `STAGE`, `STAGE@LIGHT` or `pass:ID[@LIGHT]` as the command line writes it; a stage of one light without a name takes
-/// `defaultLight` (-1: the first). Throws Error (usage) naming what there is.
-struct StageChoice {
-    StageKey key;
-    bool isPass = false;
-};
-StageChoice parseStage(std::string_view text, const TechniqueInfo& info, const scene::Scene& scene, int defaultLight);
-
 /// What was published under that key. Throws std::logic_error if the technique did not keep its promise.
 const Stage& findStage(const RenderedFrame& rendered, const StageKey& key);
 

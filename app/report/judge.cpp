@@ -43,10 +43,6 @@ bool isWrong(Verdict verdict) {
 
 int factorFor(int from, int to) { return std::max(1, from / to); }
 
-bool publishes(const TechniqueInfo& info, std::string_view stage) {
-    return std::ranges::find(info.stages, stage, &StageInfo::id) != info.stages.end();
-}
-
 } // namespace
 
 Image reduced(const Image& picture, int width) {
@@ -102,7 +98,7 @@ Judge::Judged Judge::judge(picture::Slot& slot) {
 
     FrameRequest request;
     request.stages = {{"visibility", light_}};
-    if (publishes(*slot.info, "texel-size")) request.stages.push_back({"texel-size", light_});
+    if (publishes(*slot.info, kTexelSizeStage)) request.stages.push_back({"texel-size", light_});
     const picture::RenderedFrame rendered = session_.render(slot, view_, request);
     const picture::VisibilityImage visibility =
         picture::readVisibility(picture::findStage(rendered, {"visibility", light_}));

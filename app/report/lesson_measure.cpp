@@ -70,10 +70,6 @@ private:
         std::optional<judge::Grid<float>> texelPx;
     };
 
-    static bool publishes(const picture::Slot& slot, std::string_view stage) {
-        return std::ranges::find(slot.info->stages, stage, &StageInfo::id) != slot.info->stages.end();
-    }
-
     const Drawn& drawn(int number) {
         std::optional<Drawn>& frame = frames_[static_cast<std::size_t>(number)];
         if (!frame) frame = draw(slots_[static_cast<std::size_t>(number)]);
@@ -83,7 +79,7 @@ private:
     Drawn draw(picture::Slot& slot) {
         FrameRequest request;
         for (const char* stage : {"visibility", "texel-size"})
-            if (publishes(slot, stage) && !state_.scene->lights.empty())
+            if (publishes(*slot.info, stage) && !state_.scene->lights.empty())
                 request.stages.push_back({stage, state_.light});
         Drawn drawn;
         drawn.rendered = session_.render(slot, view_, request);

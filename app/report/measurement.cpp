@@ -21,10 +21,6 @@ using namespace judge;
 using SteadyClock = std::chrono::steady_clock;
 using trace::Visibility;
 
-bool hasStage(const TechniqueInfo& info, std::string_view stage) {
-    return std::ranges::find(info.stages, stage, &StageInfo::id) != info.stages.end();
-}
-
 /// Is each pixel lit? Turned away and empty pixels are not.
 std::vector<std::uint8_t> litMask(const picture::VisibilityImage& visibility) {
     std::vector<std::uint8_t> lit(visibility.greyAlpha.size() / 2);
@@ -72,7 +68,7 @@ void Measurement::addFrame(const film::Moment& moment) {
 
         FrameRequest request;
         request.stages = {{"visibility", light_}};
-        if (hasStage(*slot.info, "texel-size")) request.stages.push_back({"texel-size", light_});
+        if (publishes(*slot.info, kTexelSizeStage)) request.stages.push_back({"texel-size", light_});
         const picture::RenderedFrame rendered = session_.render(slot, view, request);
         const picture::VisibilityImage visibility = picture::readVisibility(picture::findStage(rendered, {"visibility", light_}));
         measured.flips.addFrame(litOutsideTies(visibility, judged.truth, asked, view), litMask(judged.truth),
@@ -147,7 +143,7 @@ void Measurement::judgeFirst(Entry& measured, const picture::RenderedFrame& rend
     result.edgeErrorPx = errors.edgeErrorPx;
     result.boundaryPx = displacement(truth, boundary, visibility.greyAlpha);
     std::optional<Grid<float>> texelPx;
-    if (hasStage(*measured.slot->info, "texel-size"))
+    if (publishes(*measured.slot->info, kTexelSizeStage))
         texelPx = picture::readTexelSizes(picture::findStage(rendered, {"texel-size", light_}));
     result.coreErrors = coreErrors(truth, errors.judgement, distanceToBoundary(boundary, size_), texelPx);
     result.converged = rendered.converged;

@@ -67,9 +67,6 @@ void lift(Desk& desk, double up) {
                  "move by keys");
 }
 
-void toggleStage(Desk& desk, const char* stage) {
-    chooseStage(desk, desk.bench.activeState().stage == stage ? "" : stage);
-}
 void moveSplit(Desk& desk, double by) {
     desk.bench.change("split",
                       [&](lab::Document& document) { document.split = std::clamp(document.split + by, 0.0, 1.0); });
@@ -120,8 +117,8 @@ void leave(Desk& desk) {
         leaveLesson(desk);
     else if (desk.slides.isOn())
         leaveSlides(desk);
-    else if (!desk.bench.activeState().stage.empty())
-        chooseStage(desk, "");
+    else if (!desk.bench.activeState().stage.isPicture())
+        chooseStage(desk, {});
     else
         desk.shown.blink = desk.shown.magnifier = false;
 }
@@ -186,11 +183,11 @@ const Action kActions[] = {
     {"strip", "Steps and stages", "T", "all stages as small pictures", GLFW_KEY_T, false, false, false,
      [](Desk& d) { d.shown.strip = !d.shown.strip; }},
     {"error", "Steps and stages", "E", "where the technique is wrong", GLFW_KEY_E, false, false, false,
-     [](Desk& d) { toggleStage(d, "error"); }},
+     [](Desk& d) { toggleStage(d, {"error"}); }},
     {"truth", "Steps and stages", "U", "the exact answer", GLFW_KEY_U, false, false, false,
-     [](Desk& d) { toggleStage(d, "truth"); }},
+     [](Desk& d) { toggleStage(d, {"truth"}); }},
     {"outside", "Steps and stages", "O", "the second camera, which looks on from outside", GLFW_KEY_O, false, false,
-     false, [](Desk& d) { toggleStage(d, "outside"); }},
+     false, [](Desk& d) { toggleStage(d, {"outside"}); }},
     {"pick", "Steps and stages", "X", "picks the pixel under the mouse: all that is known about it", GLFW_KEY_X, false,
      false, false, [](Desk& d) { d.requests.pick = true; }},
     {"pick-partner", "Steps and stages", "Shift+X", "picks a second pixel: what radiosity's patches there exchange",

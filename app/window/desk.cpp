@@ -17,10 +17,9 @@ void chooseTechnique(Desk& desk, std::string_view id) {
         if (state.technique == id) return;
         state.technique = id;
         // What is derived from any technique's picture stays on show; the stages are each technique's own.
-        const std::string stage = state.stage.substr(0, state.stage.find('@'));
         const auto known = picture::stagesOf(findTechnique(id));
-        if (!picture::isDerived(stage) || std::ranges::find(known, stage, &StageInfo::id) == known.end())
-            state.stage.clear();
+        if (!state.stage.isDerived() || std::ranges::find(known, state.stage.id, &StageInfo::id) == known.end())
+            state.stage = {};
     });
 }
 
@@ -32,11 +31,15 @@ void chooseSister(Desk& desk) {
         complain(desk, "the lecture has no version of '" + std::string(shown.title) + "'");
 }
 
-void chooseStage(Desk& desk, const std::string& stage) {
+void chooseStage(Desk& desk, const picture::StageRef& stage) {
     desk.bench.change("stage", [&](lab::Document& document) {
         document.panes[static_cast<std::size_t>(document.active)].stage = stage;
     });
     desk.bench.endGesture();
+}
+
+void toggleStage(Desk& desk, const picture::StageRef& stage) {
+    chooseStage(desk, desk.bench.activeState().stage == stage ? picture::StageRef() : stage);
 }
 
 void chooseLayout(Desk& desk, picture::Layout layout) {
@@ -107,7 +110,7 @@ void resetCamera(Desk& desk) {
 
 bool looksFromOutside(const Desk& desk) {
     const lab::Document& document = desk.bench.document();
-    return document.panes[static_cast<std::size_t>(document.active)].stage.starts_with("outside");
+    return document.panes[static_cast<std::size_t>(document.active)].stage.isOutside();
 }
 
 void moveCamera(Desk& desk, const std::function<scene::Camera(const scene::Camera&)>& move) {

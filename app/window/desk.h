@@ -91,8 +91,10 @@ struct Desk {
 void chooseTechnique(Desk& desk, std::string_view id);
 /// The lecture's version of the active pane's technique, or back from it to the one that refines it.
 void chooseSister(Desk& desk);
-/// What the active pane shows of its technique; empty: the finished picture.
-void chooseStage(Desk& desk, const std::string& stage);
+/// What the active pane shows of its technique.
+void chooseStage(Desk& desk, const picture::StageRef& stage);
+/// That, or the finished picture where the pane shows it already.
+void toggleStage(Desk& desk, const picture::StageRef& stage);
 void chooseLayout(Desk& desk, picture::Layout layout);
 void step(Desk& desk, int by);
 /// Where the selected thing is, or the point at which the arrow of a directional light is held.

@@ -22,7 +22,7 @@ lab::Document documentOf(const Lesson& lesson, LessonStep step) {
     course::ShownState state = lesson.states[step == LessonStep::mend ? 1 : asked];
     const bool isMark = lesson.question && lesson.question->kind == Question::Kind::mark;
     if (isMark && (step == LessonStep::question || step == LessonStep::reveal)) {
-        state.slots = {{.technique = "unshadowed", .stage = "", .settings = {}}};
+        state.slots = {{.technique = "unshadowed", .stage = {}, .settings = {}}};
         state.layout = picture::Layout::single;
     }
     return course::documentOf(state);

@@ -48,7 +48,7 @@ std::string titleOf(const Desk& desk, int pane) {
     if (twice)
         for (const auto& [param, value] : state.values())
             title += "\n" + param + " = " + value;
-    if (!drawn.picture().caption.empty() && !state.stage.empty()) title += "\n" + drawn.picture().caption;
+    if (!drawn.picture().caption.empty() && !state.stage.isPicture()) title += "\n" + drawn.picture().caption;
     return title;
 }
 
@@ -152,7 +152,7 @@ void drawPane(ImDrawList& list, Desk& desk, const lab::LiveErrors& errors, Shown
     if (document.layout == Layout::diff) {
         title += " against " + titleOf(desk, 1 - shown.pane);
         drawJudged(list, errors.difference(), pane, shown, theme);
-    } else if (lab::isJudged(document.panes[static_cast<std::size_t>(shown.pane)].stage)) {
+    } else if (document.panes[static_cast<std::size_t>(shown.pane)].stage.isJudged()) {
         drawJudged(list, errors.picture(shown.pane), pane, shown, theme);
     } else if (const gl::Texture2D& texture = pane.picture().texture) {
         if (pane.showsTheEyesView())

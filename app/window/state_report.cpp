@@ -44,7 +44,7 @@ std::string stateReport(Desk& desk, const Screen& screen) {
         const lab::PaneState& state = document.panes[static_cast<std::size_t>(i)];
         const lab::Pane& pane = desk.bench.pane(i);
         json["panes"].push_back({{"technique", state.technique},
-                                 {"stage", state.stage},
+                                 {"stage", state.stage.text()},
                                  {"settings", state.values()},
                                  {"frameMs", pane.rendered().frameMs},
                                  {"fault", pane.failure()}});

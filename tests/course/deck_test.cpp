@@ -77,7 +77,7 @@ TEST_F(DeckTest, LevelsAddUp) {
     ASSERT_EQ(two.pictures.size(), 2u);
     EXPECT_EQ(two.pictures[0].state.slots[0].values(), (lab::Values{{"resolution", "512"}}));
     EXPECT_EQ(two.pictures[1].state.slots[0].values(), (lab::Values{{"resolution", "256"}}));
-    EXPECT_EQ(two.pictures[1].state.slots[0].stage, "light-depth");
+    EXPECT_EQ(two.pictures[1].state.slots[0].stage.text(), "light-depth");
     EXPECT_TRUE(three.pictures.empty());
     EXPECT_EQ(three.marked, std::vector<int>{2});
 }

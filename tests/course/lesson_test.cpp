@@ -38,8 +38,8 @@ TEST(Lesson, StatesShareWhatStandsAboveThem) {
     const auto& [before, after] = lesson.states;
     EXPECT_EQ(before.slots[0].values(), (lab::Values{{"bias-mode", "none"}, {"resolution", "512"}}));
     EXPECT_EQ(after.slots[0].values(), (lab::Values{{"resolution", "512"}}));
-    EXPECT_EQ(before.slots[0].stage, "");
-    EXPECT_EQ(after.slots[0].stage, "visibility@key");
+    EXPECT_TRUE(before.slots[0].stage.isPicture());
+    EXPECT_EQ(after.slots[0].stage.text(), "visibility@key");
     EXPECT_EQ(before.scene->lights[0].intensity, 18);
     EXPECT_EQ(after.scene->lights[0].intensity, 3);
     EXPECT_EQ(before.settings, std::vector<std::string>{"shadow-map.bias-mode=none"}); // those of the state alone

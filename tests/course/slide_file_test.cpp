@@ -39,7 +39,7 @@ protected:
                 saved.panes[static_cast<std::size_t>(saved.layout == picture::Layout::single ? saved.active : i)];
             const lab::PaneState& is = read.panes[static_cast<std::size_t>(i)];
             EXPECT_EQ(was.technique, is.technique);
-            EXPECT_EQ(was.stage, is.stage);
+            EXPECT_EQ(was.stage.text(), is.stage.text());
             EXPECT_EQ(was.values(), is.values());
         }
         EXPECT_EQ(saved.camera, read.camera);
@@ -64,21 +64,21 @@ TEST_F(SlideFileTest, EveryStateComesBackAsItWas) {
     states.back().active = 1;
     states.back().light = 2;
     states.back().panes[1] = {
-        "shadow-map", "light-depth", {{"shadow-map", {{"resolution", "256"}, {"filter", "hard"}}}}};
+        "shadow-map", {"light-depth"}, {{"shadow-map", {{"resolution", "256"}, {"filter", "hard"}}}}};
     states.push_back(shown("still-life")); // in the middle of an algorithm, in two panes
     states.back().layout = picture::Layout::side;
-    states.back().panes[0].stage = "pass:depth@key";
-    states.back().panes[1].stage = "pass:lights-off";
+    states.back().panes[0].stage = picture::StageRef::parse("pass:depth@key");
+    states.back().panes[1].stage = picture::StageRef::parse("pass:lights-off");
     states.push_back(shown("cornell-room"));
     states.back().layout = picture::Layout::grid;
     states.back().picked = dvec2(0.25, 2.0 / 3);
     states.back().partner = dvec2(0.1, 0.7);
-    states.back().panes[2] = {"radiosity", "form-factors", {}};
+    states.back().panes[2] = {"radiosity", {"form-factors"}, {}};
     states.push_back(shown("billiards"));
     states.back().layout = picture::Layout::diff;
     states.push_back(shown("billiards"));
     states.back().layout = picture::Layout::single;
-    states.back().panes[0] = {"shadow-volume", "outside", {}};
+    states.back().panes[0] = {"shadow-volume", {"outside"}, {}};
     states.back().outsideCamera.positionWorld = {3, 4, 1.0 / 7};
     for (std::size_t i = 0; i < states.size(); ++i) {
         const SavedSlide saved = save(states[i]);

@@ -47,25 +47,32 @@ TEST(Stepping, GoesThroughThePassesAndOutAtBothEnds) {
     const lab::Document document = someDocument();
     const scene::Scene& scene = *document.scene;
     const std::vector<StageKey> passes = {{"lights-off", kNoLight}, {"light", 0}, {"light", 1}};
+    const auto stepped = [&](const char* stage, int by) {
+        return picture::stepped(picture::StageRef::parse(stage), passes, scene, 0, by).text();
+    };
+    const auto stepOf = [&](const char* stage, int light) {
+        return picture::stepOf(picture::StageRef::parse(stage), passes, scene, light);
+    };
     std::string stage;
     std::vector<std::string> seen;
     for (int i = 0; i < 5; ++i)
-        seen.push_back(stage = picture::stepped(stage, passes, scene, 0, 1));
+        seen.push_back(stage = stepped(stage.c_str(), 1));
     EXPECT_EQ(seen, (std::vector<std::string>{"pass:lights-off", "pass:light@key", "pass:light@the sun", "",
                                               "pass:lights-off"}));
-    EXPECT_EQ(picture::stepped("", passes, scene, 0, -1), "pass:light@the sun");
-    EXPECT_EQ(picture::stepped("pass:lights-off", passes, scene, 0, -1), "");
-    EXPECT_EQ(picture::stepOf("pass:light", passes, scene, 1), 2u) << "of the light that is asked about";
-    EXPECT_FALSE(picture::stepOf("visibility", passes, scene, 0));
-    EXPECT_EQ(picture::stepped("pass:gone", passes, scene, 0, 1), "pass:lights-off");
-    EXPECT_EQ(picture::stepped("", {}, scene, 0, 1), "");
+    EXPECT_EQ(stepped("", -1), "pass:light@the sun");
+    EXPECT_EQ(stepped("pass:lights-off", -1), "");
+    EXPECT_EQ(stepOf("pass:light", 1), 2u) << "of the light that is asked about";
+    EXPECT_FALSE(stepOf("visibility", 0));
+    EXPECT_EQ(stepped("pass:gone", 1), "pass:lights-off");
+    EXPECT_TRUE(picture::stepped({}, {}, scene, 0, 1).isPicture());
 }
 
 TEST(Stepping, AStepThatWritesNoPictureIsShownByItsStage) {
     lab::Document document = someDocument();
     const auto shown = [&](const char* technique, const char* pass) {
         const TechniqueInfo& info = findTechnique(technique);
-        const picture::StageChoice choice = picture::shownInStep(picture::parseStage(pass, info, *document.scene, 1), info, 1);
+        const picture::ResolvedStage choice = picture::shownInStep(
+            picture::resolve(picture::StageRef::parse(pass), info, *document.scene, 1), info, 1);
         return choice.key.id + (choice.key.light == kNoLight ? "" : std::to_string(choice.key.light)) +
                (choice.isPass ? " itself" : "");
     };
@@ -79,8 +86,8 @@ TEST(Stepping, AStepThatWritesNoPictureIsShownByItsStage) {
         << "no lights, no answers of rays";
 
     document.layout = picture::Layout::single;
-    document.panes[0].stage = "pass:depth@the sun";
-    const std::string line = course::asCommandLine(course::captureWords(document, "s.json", "o.png", {10, 20}));
+    document.panes[0].stage = picture::StageRef::parse("pass:depth@the sun");
+    const std::string line = asCommandLine(captureWords(document, "s.json", "o.png", {10, 20}));
     EXPECT_NE(line.find("--stage 'light-depth@the sun'"), std::string::npos) << line;
 }
 
@@ -88,7 +95,7 @@ TEST(CaptureWords, SayAllThatThePictureDependsOn) {
     lab::Document document = someDocument();
     document.split = 0.3125;
     document.light = 1;
-    document.panes[0].stage = "error@the sun";
+    document.panes[0].stage = picture::StageRef::parse("error@the sun");
     document.panes[1].settings["shadow-volume-zfail"]["caps"] = "false";
     document.panes[1].settings["shadow-map"]["resolution"] = "64"; // of a technique that is not shown there
     const std::string line = course::asCommandLine(course::captureWords(document, "/a b/scene.json", "out.png", {1000, 500}));
@@ -110,11 +117,11 @@ TEST(CaptureWords, NameAPickedPixelWhereItsRaysAreSeen) {
     document.picked = dvec2(0.255, 0.75);
     const auto line = [&](ivec2 size) { return course::asCommandLine(course::captureWords(document, "s.json", "o.png", size)); };
     EXPECT_EQ(line({100, 40}).find("--pixel"), std::string::npos);
-    document.panes[2].stage = "outside";
+    document.panes[2].stage = {"outside"};
     EXPECT_NE(line({100, 40}).find(" --pixel 25,30"), std::string::npos) << line({100, 40});
     EXPECT_NE(line({200, 60}).find(" --pixel 51,45"), std::string::npos) << line({200, 60});
     document.layout = picture::Layout::grid; // each of its pictures is half as wide and half as high
-    document.panes[0].stage = "outside";
+    document.panes[0].stage = {"outside"};
     EXPECT_NE(line({200, 80}).find(" --pixel 25,30"), std::string::npos) << line({200, 80});
     EXPECT_EQ(lab::pixelAt({1, 1}, {100, 40}), ivec2(99, 39));
 }
@@ -128,10 +135,10 @@ TEST(CaptureWords, NameBothPickedPixelsWhereAStageIsAboutThem) {
     document.panes[0].technique = "radiosity";
     const auto line = [&] { return course::asCommandLine(course::captureWords(document, "s.json", "o.png", {100, 40})); };
     EXPECT_EQ(line().find("--p"), std::string::npos) << line();
-    document.panes[0].stage = "row-sums"; // of all patches
+    document.panes[0].stage = {"row-sums"}; // of all patches
     EXPECT_EQ(line().find("--p"), std::string::npos) << line();
     for (const char* stage : {"form-factors", "outside", "outside@the sun"}) {
-        document.panes[0].stage = stage;
+        document.panes[0].stage = picture::StageRef::parse(stage);
         EXPECT_NE(line().find(" --pixel 25,30 --partner 50,4 "), std::string::npos) << line();
     }
     document.partner.reset();

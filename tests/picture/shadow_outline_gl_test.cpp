@@ -191,7 +191,7 @@ TEST_F(ShadowOutline, ComesToAPaneWhenItsTimeWasEnough) {
     Session session(testing::snapshot(scene));
     const PictureEncoder encoder;
     lab::PaneRequest request;
-    request.state = {"shadow-map", "shadow-outline", {}};
+    request.state = {"shadow-map", {"shadow-outline"}, {}};
     request.snapshot = session.snapshot();
     request.view.camera = scene.camera;
     request.view.size = {160, 120};

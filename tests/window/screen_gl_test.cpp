@@ -78,10 +78,10 @@ TEST_F(ScreenTest, EveryLayoutAndPartDrawsSomethingElseAndNothingFails) {
     lab.desk.shown.strip = false;
     for (const char* stage :
          {"error", "truth", "scanline", "shadow-outline", "outside", "mesh-edges", "visibility", "pass:light"}) {
-        chooseStage(lab.desk, stage);
+        chooseStage(lab.desk, picture::StageRef::parse(stage));
         expectNew(stage);
     }
-    chooseStage(lab.desk, "");
+    chooseStage(lab.desk, {});
     lab.desk.shown.magnifier = true;
     expectNew("magnifier");
     lab.desk.shown.magnifier = false;
@@ -184,7 +184,7 @@ TEST_F(ScreenTest, LiveErrorsOfAnAreaComeAtRest) {
         for (lab::PaneState& pane : d.panes)
             pane.technique = "shadow-map";
         d.panes[1].settings["shadow-map"]["light-samples"] = "64";
-        d.panes[1].stage = "error";
+        d.panes[1].stage = {"error"};
         d.layout = picture::Layout::side;
     });
     settle(lab.screen);

@@ -72,7 +72,7 @@ TEST_F(SlideDeskTest, KeysGoOnAndBackAndOut) {
     ASSERT_EQ(lab.desk.slides.stops.size(), 3u);
     lab.press(GLFW_KEY_S);
     EXPECT_EQ(lab.desk.slides.stop, 1u);
-    EXPECT_EQ(lab.desk.bench.document().panes[0].stage, "light-view");
+    EXPECT_EQ(lab.desk.bench.document().panes[0].stage.text(), "light-view");
     lab.press(GLFW_KEY_S, true);
     lab.press(GLFW_KEY_S, true);
     EXPECT_EQ(lab.desk.slides.slide.name, "algorithm");
@@ -107,7 +107,7 @@ TEST_F(SlideDeskTest, TheWindowShowsWhatTheSlideHas) {
         const course::Slide slide = deck.read(i);
         for (const course::SlidePicture& picture : slide.pictures) {
             const course::ShownState& state = picture.state;
-            if (state.slots.size() != 1 || !state.slots[0].stage.empty() || !picture.figure.empty() ||
+            if (state.slots.size() != 1 || !state.slots[0].stage.isPicture() || !picture.figure.empty() ||
                 state.slots[0].technique == "ray-traced" || state.slots[0].technique == "radiosity")
                 continue;
             lab.desk.bench.showDocument(course::documentOf(state));
@@ -136,7 +136,7 @@ TEST_F(SlideDeskTest, OneKeyMakesASlideOfWhatIsSeen) {
     ASSERT_EQ(deck.slides().size(), 2u);
     const std::vector<course::SlideStop> stops = course::stopsOf(deck.read(1));
     ASSERT_EQ(stops.size(), 1u);
-    EXPECT_EQ(stops[0].document.panes[0].stage, "error");
+    EXPECT_EQ(stops[0].document.panes[0].stage.text(), "error");
     EXPECT_EQ(stops[0].document.layout, picture::Layout::split);
 }
 

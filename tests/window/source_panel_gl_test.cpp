@@ -37,7 +37,7 @@ protected:
     }
     void show(const std::string& technique, const std::string& stage) {
         window::chooseTechnique(*desk, technique);
-        window::chooseStage(*desk, stage);
+        window::chooseStage(*desk, picture::StageRef::parse(stage));
         drawn();
     }
     std::vector<std::uint8_t> drawn() {
@@ -57,7 +57,7 @@ TEST_F(SourcePanelTest, EveryStepOfEveryTechniqueShowsItsLines) {
         show(std::string(technique.info->id), "");
         for (const StageKey& pass :
              std::vector(desk->bench.pane(0).passesOf(technique.info->id, *desk->bench.shownScene()))) {
-            show(std::string(technique.info->id), picture::passStage(pass, *desk->bench.shownScene()));
+            show(std::string(technique.info->id), picture::refOf(pass, true, *desk->bench.shownScene()).text());
             const picture::StepSource& step = screen->stepSource();
             EXPECT_FALSE(step.pieces.empty()) << technique.info->id << " " << pass.id;
             EXPECT_TRUE(step.faults.empty()) << step.faults.front();
@@ -82,12 +82,12 @@ TEST_F(SourcePanelTest, NoStepOfOneTechniqueIsTakenForOneOfAnother) {
     window::chooseTechnique(*desk, "radiosity");
     EXPECT_TRUE(desk->bench.pane(0).passesOf("radiosity", *desk->bench.shownScene()).empty());
     window::step(*desk, 1);
-    EXPECT_EQ(desk->bench.document().panes[0].stage, "");
+    EXPECT_TRUE(desk->bench.document().panes[0].stage.isPicture());
     show("radiosity", "pass:lights-off"); // which nothing in the window asks for any more
     EXPECT_TRUE(screen->stepSource().pieces.empty());
     show("planar", "");
     window::step(*desk, 1);
-    EXPECT_EQ(desk->bench.document().panes[0].stage, "pass:lights-off");
+    EXPECT_EQ(desk->bench.document().panes[0].stage.text(), "pass:lights-off");
     drawn();
     EXPECT_FALSE(screen->stepSource().pieces.empty());
 }

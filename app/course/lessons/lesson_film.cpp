@@ -133,7 +133,7 @@ ShownState stateOf(const Lesson& lesson, LessonShot shot) {
         return lesson.states[shot == LessonShot::artefact ? 0 : 1];
     if (lesson.question->kind == Question::Kind::choice) return lesson.states[lesson.question->picture];
     ShownState bare = lesson.states[0];
-    bare.slots = {{.technique = "unshadowed", .stage = "", .settings = {}}};
+    bare.slots = {{.technique = "unshadowed", .stage = {}, .settings = {}}};
     bare.layout = picture::Layout::single;
     return bare;
 }

@@ -22,7 +22,7 @@ int columnsFor(std::size_t pictures) {
 
 /// Stages explain their colours.
 bool mayHaveLegend(const SlidePicture& picture) {
-    return std::ranges::any_of(picture.state.slots, [](const lab::PaneState& slot) { return !slot.stage.empty(); });
+    return std::ranges::any_of(picture.state.slots, [](const lab::PaneState& slot) { return !slot.stage.isPicture(); });
 }
 
 /// The part of a cell that a picture takes: as large as its shape allows, at its top. Below it there is room for a legend, as

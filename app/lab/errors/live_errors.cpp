@@ -15,11 +15,9 @@ constexpr double kRest = 0.2;         ///< seconds without motion, before the ex
 
 /// The visibility that a pane's technique can be judged by; a pass, or a scene without that light, has none.
 bool canBeJudged(const PaneRequest& request) {
-    const std::string& stage = request.state.stage;
-    if (stage.starts_with("pass:") || stage.starts_with("outside")) return false;
+    if (request.state.stage.isPass || request.state.stage.isOutside()) return false;
     if (request.light < 0 || request.light >= static_cast<int>(request.snapshot->lights.size())) return false;
-    const auto& stages = findTechnique(request.state.technique).stages;
-    return std::ranges::find(stages, "visibility", &StageInfo::id) != stages.end();
+    return publishes(findTechnique(request.state.technique), kVisibilityStage);
 }
 
 std::vector<PaneRequest> requestsOf(const Workbench& bench, const std::vector<PlacedPane>& placed) {
@@ -116,17 +114,17 @@ void LiveErrors::submit(Workbench& bench, const std::vector<PlacedPane>& placed,
         task.snapshot = request.snapshot;
         task.view = request.view;
         task.light = request.light;
-        const std::string& stage = request.state.stage;
+        const picture::StageRef& stage = request.state.stage;
         SlotTask slot;
         slot.region = request.view.region;
         slot.truth = pane.judgedBy();
         slot.visibility = picture::readVisibility(*answers, slot.region);
-        slot.wantsOverlay = stage.starts_with("error");
-        task.wantsTruthPanel = task.wantsTruthPanel || stage.starts_with("truth");
-        if (isJudged(stage) && pane.picture().texture) {
+        slot.wantsOverlay = stage.isError();
+        task.wantsTruthPanel = task.wantsTruthPanel || stage.isTruth();
+        if (stage.isJudged() && pane.picture().texture) {
             // The pane's own picture may be another one when the answer comes.
             submitted.grounds.emplace(one.pane, bench.encoder().copyOf(pane.picture().texture));
-            if (stage.starts_with("scanline")) submitted.answers.emplace(one.pane, picture::readVisibility(*answers));
+            if (stage.isScanline()) submitted.answers.emplace(one.pane, picture::readVisibility(*answers));
         }
         if (diff && submitted.panes.empty()) submitted.pictures[0] = bench.encoder().read(pane.picture().texture);
         task.slots.push_back(std::move(slot));
@@ -183,8 +181,8 @@ void LiveErrors::take(const Workbench& bench, const JudgeAnswer& answer, double 
 void LiveErrors::showPicture(const Workbench&, const JudgeAnswer& answer, Submitted& submitted, std::size_t slot) {
     const int pane = submitted.panes[slot];
     const PaneRequest& request = submitted.requests[slot];
-    const std::string& stage = request.state.stage;
-    if (!isJudged(stage)) {
+    const picture::StageRef& stage = request.state.stage;
+    if (!stage.isJudged()) {
         pictures_.erase(pane);
         return;
     }
@@ -202,9 +200,9 @@ void LiveErrors::showPicture(const Workbench&, const JudgeAnswer& answer, Submit
         shown.legend = {{}, panel.kind, panel.display, ""};
         shown.exact = judged.exact;
     };
-    if (stage.starts_with("error") && judged.overlay) keep(*judged.overlay, true);
-    if (stage.starts_with("truth") && judged.truthPanel) keep(*judged.truthPanel, false);
-    if (stage.starts_with("scanline") && ground != submitted.grounds.end()) {
+    if (stage.isError() && judged.overlay) keep(*judged.overlay, true);
+    if (stage.isTruth() && judged.truthPanel) keep(*judged.truthPanel, false);
+    if (stage.isScanline() && ground != submitted.grounds.end()) {
         const picture::Scanline scanline{*judged.truth, judged.judgement, submitted.answers[pane],
                                          request.snapshot->light(request.light).name,
                                          std::string(findTechnique(request.state.technique).title)};

@@ -1,52 +1,47 @@
 // SPDX-License-Identifier: MIT
 #include "app/picture/steps/stepping.h"
 
+#include <algorithm>
+
 #include "app/picture/derived_stages.h"
-#include "techniques/frame.h"
 
 namespace shadowlab::picture {
 
-std::string passStage(const StageKey& pass, const scene::Scene& scene) {
-    std::string stage = "pass:" + pass.id;
-    if (pass.light != kNoLight) stage += "@" + scene.light(pass.light).name;
-    return stage;
-}
-
-std::optional<std::size_t> stepOf(const std::string& stage, const std::vector<StageKey>& passes,
-                                  const scene::Scene& scene, int light) {
-    const bool named = stage.find('@') != std::string::npos;
+std::optional<std::size_t> stepOf(const StageRef& stage, const std::vector<StageKey>& passes, const scene::Scene& scene,
+                                  int light) {
     for (std::size_t i = 0; i < passes.size(); ++i) {
-        const std::string pass = passStage(passes[i], scene);
+        const StageRef pass = refOf(passes[i], true, scene);
         if (pass == stage) return i;
-        if (!named && passes[i].light == light && pass.starts_with(stage + "@")) return i;
+        if (!stage.light && passes[i].light == light && pass.ofAnyLight() == stage) return i;
     }
     return {};
 }
 
-std::string stepped(const std::string& stage, const std::vector<StageKey>& passes, const scene::Scene& scene, int light,
-                    int by) {
+StageRef stepped(const StageRef& stage, const std::vector<StageKey>& passes, const scene::Scene& scene, int light, int by) {
     if (passes.empty()) return {};
     const auto count = static_cast<int>(passes.size());
     const std::optional<std::size_t> now = stepOf(stage, passes, scene, light);
     // The finished picture stands before the first pass and after the last.
     const int next = now ? static_cast<int>(*now) + by : by > 0 ? by - 1 : count + by;
-    return next < 0 || next >= count ? std::string() : passStage(passes[static_cast<std::size_t>(next)], scene);
+    return next < 0 || next >= count ? StageRef() : refOf(passes[static_cast<std::size_t>(next)], true, scene);
 }
 
-StageChoice shownInStep(const StageChoice& pass, const TechniqueInfo& info, int light) {
-    const std::string_view stage = passInfo(info.passes, pass.key.id).shownBy;
-    if (stage.empty()) return pass;
-    const int shown = !stageInfo(info, stage).perLight ? kNoLight : pass.key.light != kNoLight ? pass.key.light : light;
-    if (stageInfo(info, stage).perLight && shown == kNoLight) return pass;
-    return {{std::string(stage), shown}, false};
+ResolvedStage shownInStep(const ResolvedStage& stage, const TechniqueInfo& info, int light) {
+    if (!stage.isPass) return stage;
+    const std::string_view shownBy = passInfo(info.passes, stage.key.id).shownBy;
+    if (shownBy.empty()) return stage;
+    const bool perLight = stageInfo(info, shownBy).perLight;
+    const int shown = !perLight ? kNoLight : stage.key.light != kNoLight ? stage.key.light : light;
+    if (perLight && shown == kNoLight) return stage;
+    return {{std::string(shownBy), shown}, false};
 }
 
-bool windowFollowsPicked(const TechniqueInfo& info, std::string_view stage) {
-    constexpr std::string_view kPass = "pass:";
-    stage = stage.substr(0, stage.find('@'));
-    if (!stage.starts_with(kPass)) return followsPicked(info, stage);
+int stageLight(const scene::Scene& scene, int chosen) { return scene.lights.empty() ? kNoLight : std::max(chosen, 0); }
+
+bool windowFollowsPicked(const TechniqueInfo& info, const StageRef& stage) {
+    if (!stage.isPass) return followsPicked(info, stage.id);
     return std::ranges::any_of(info.passes, [&](const PassInfo& pass) {
-        return pass.id == stage.substr(kPass.size()) && followsPicked(info, pass.shownBy);
+        return pass.id == stage.id && followsPicked(info, pass.shownBy);
     });
 }
 

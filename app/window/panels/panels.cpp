@@ -69,7 +69,8 @@ struct BarButton {
 
 std::vector<BarButton> barButtons(const Desk& desk) {
     const lab::Document& document = desk.bench.document();
-    const std::string& stage = document.panes[static_cast<std::size_t>(document.active)].stage;
+    const picture::StageRef& stage = document.panes[static_cast<std::size_t>(document.active)].stage;
+    static const picture::StageRef kError{"error"}, kOutside{"outside"};
     const bool playing = desk.bench.animation().playing;
     return {
         {"1", document.layout == Layout::single, "single: the active pane alone (V)",
@@ -83,15 +84,15 @@ std::vector<BarButton> barButtons(const Desk& desk) {
          [](Desk& d) { chooseLayout(d, Layout::diff); }},
         {playing ? "Pause" : "Play", playing, "plays and pauses (Space)",
          [](Desk& d) { d.bench.play(!d.bench.animation().playing); }},
-        {"Error", stage == "error", "where the technique is wrong (E)",
-         [](Desk& d) { chooseStage(d, d.bench.activeState().stage == "error" ? "" : "error"); }},
+        {"Error", stage == kError, "where the technique is wrong (E)",
+         [](Desk& d) { toggleStage(d, kError); }},
         {"Stages", desk.shown.strip, "all stages as small pictures (T)",
          [](Desk& d) { d.shown.strip = !d.shown.strip; }},
         {"Step", isStepping(desk), "the algorithm step by step (PageDown, PageUp)", [](Desk& d) { step(d, 1); }},
         {"Source", desk.shown.source, "formula, pseudocode and source of the step (Y)", toggleSource},
         {"Lens", desk.shown.magnifier, "magnifier (M)", [](Desk& d) { d.shown.magnifier = !d.shown.magnifier; }},
-        {"Outside", stage == "outside", "the second camera, which looks on from outside (O)",
-         [](Desk& d) { chooseStage(d, d.bench.activeState().stage == "outside" ? "" : "outside"); }},
+        {"Outside", stage == kOutside, "the second camera, which looks on from outside (O)",
+         [](Desk& d) { toggleStage(d, kOutside); }},
         {"Settings", desk.shown.panel, "the panel beside the pictures (I)",
          [](Desk& d) { d.shown.panel = !d.shown.panel; }},
         {"Keys", desk.shown.keys, "all keys (H)", [](Desk& d) { d.shown.keys = !d.shown.keys; }},
@@ -156,27 +157,27 @@ void stagePart(Desk& desk) {
     const lab::Document& document = desk.bench.document();
     const lab::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
     const TechniqueInfo& info = findTechnique(state.technique);
-    const std::string id = state.stage.substr(0, state.stage.find('@'));
-    std::string shown = "the finished picture";
-    const std::vector<StageInfo> stages = picture::stagesOf(info);
-    if (const auto found = std::ranges::find(stages, id, &StageInfo::id); found != stages.end()) shown = found->caption;
-    if (id.starts_with("pass:")) shown = "after a step";
+    const picture::StageRef now = state.stage.ofAnyLight();
+    const std::string shown = now.isPass        ? "after a step"
+                              : now.isPicture() ? "the finished picture"
+                                                : picture::captionOf(info, now.id);
     ImGui::SetNextItemWidth(-FLT_MIN);
     if (ImGui::BeginCombo("##stage", shown.c_str(), ImGuiComboFlags_HeightLargest)) {
-        if (ImGui::Selectable("the finished picture", id.empty())) chooseStage(desk, "");
-        for (const StageInfo& stage : stages)
-            if (ImGui::Selectable(std::string(stage.caption).c_str(), id == stage.id))
-                chooseStage(desk, std::string(stage.id));
+        if (ImGui::Selectable("the finished picture", now.isPicture())) chooseStage(desk, {});
+        for (const StageInfo& stage : picture::stagesOf(info)) {
+            const picture::StageRef one{std::string(stage.id)};
+            if (ImGui::Selectable(std::string(stage.caption).c_str(), now == one)) chooseStage(desk, one);
+        }
         ImGui::EndCombo();
     }
     hint("what is shown of the technique (T: all stages as small pictures)");
     const auto& lights = desk.bench.shownScene()->lights;
     if (lights.size() < 2) return;
     ImGui::SetNextItemWidth(-FLT_MIN);
-    const auto now = static_cast<std::size_t>(document.light);
-    if (ImGui::BeginCombo("##light", ("light: " + lights[std::min(now, lights.size() - 1)].name).c_str())) {
+    const auto light = static_cast<std::size_t>(document.light);
+    if (ImGui::BeginCombo("##light", ("light: " + lights[std::min(light, lights.size() - 1)].name).c_str())) {
         for (std::size_t i = 0; i < lights.size(); ++i)
-            if (ImGui::Selectable(lights[i].name.c_str(), i == now))
+            if (ImGui::Selectable(lights[i].name.c_str(), i == light))
                 desk.bench.change("", [&](lab::Document& d) { d.light = static_cast<int>(i); });
         ImGui::EndCombo();
     }
@@ -326,7 +327,7 @@ void sidePanel(Desk& desk, const lab::LiveErrors& errors, const Area& area, cons
 
 bool isStepping(const Desk& desk) {
     const lab::Document& document = desk.bench.document();
-    return document.panes[static_cast<std::size_t>(document.active)].stage.starts_with("pass:");
+    return document.panes[static_cast<std::size_t>(document.active)].stage.isPass;
 }
 
 float stepPanelHeight(const Desk& desk, const Theme& theme, float width) {

@@ -160,7 +160,7 @@ void SourcePanel::draw(Desk& desk, const Area& area, const Theme& theme) {
     const lab::Document& document = desk.bench.document();
     const lab::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
     beginIn("source", area, ImGuiWindowFlags_NoNav);
-    const std::string step = state.technique + " " + state.stage;
+    const std::string step = state.technique + " " + state.stage.text();
     if (step != shownStep_) ImGui::SetScrollY(0);
     shownStep_ = step;
     if (desk.requests.scrollSource != 0)

@@ -41,7 +41,7 @@ void stripPanel(Desk& desk, const lab::StageStrip& strip, const Area& area, cons
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_HorizontalScrollbar |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    const std::string now = desk.bench.activeState().stage.substr(0, desk.bench.activeState().stage.find('@'));
+    const picture::StageRef now = desk.bench.activeState().stage.ofAnyLight();
     const ImVec2 frame = imVec(thumbnailSize(theme));
     const float small = theme.em * 0.85f;
     int number = 0;
