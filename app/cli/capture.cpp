@@ -1,8 +1,8 @@
 // `shadowlab capture`: one picture, or a sequence, of one or several techniques.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <memory>
+#include <utility>
 
 #include "app/cli/capture_stats.h"
 #include "app/cli/capture_window.h"
@@ -16,6 +16,7 @@
 #include "app/picture/derived_stages.h"
 #include "app/picture/difference_panel.h"
 #include "app/picture/limits.h"
+#include "app/picture/panel.h"
 #include "app/picture/picture.h"
 #include "app/picture/session.h"
 #include "app/picture/stage_ref.h"
@@ -168,48 +169,27 @@ private:
     void renderFrame(int frame) {
         const film::Moment moment = film::momentAt(motion_, base_, frame, session_->snapshot());
         session_->setScene(moment.snapshot);
-        View view;
-        view.camera = moment.camera;
-
         std::vector<picture::Cell> cells =
             picture::layoutCells(options_.layout, static_cast<int>(slots_.size()), size_, options_.split);
         const std::filesystem::path path = numbered(options_.output, frame);
         if (options_.layout == picture::Layout::diff) {
+            View view;
+            view.camera = moment.camera;
             view.size = cells[0].pictureSize;
             writeFigure(frame, path, cells, {difference(view)});
             return;
         }
+        if (exactVisibility_) {
+            writeVisibility(path, cells[0], moment.camera);
+            return;
+        }
         std::vector<picture::Panel> panels;
         for (std::size_t i = 0; i < slots_.size(); ++i) {
-            picture::Slot& slot = slots_[i];
-            view.size = cells[i].pictureSize * options_.supersample;
-            view.region = {ivec2(cells[i].cropX, 0) * options_.supersample,
-                           ivec2(cells[i].width, cells[i].height) * options_.supersample};
-            FrameRequest request;
-            request.timePasses = !options_.stats.empty();
-            const picture::ResolvedStage& stage = stages_[i];
-            view.picked = view.partner = std::nullopt;
-            if (picture::followsPicked(*slot.info, stage.key.id)) {
-                view.picked = within("--pixel", options_.pixel, cells[i].pictureSize);
-                view.partner = within("--partner", options_.partner, cells[i].pictureSize);
-            }
-            if (stage.isPass) request.stopAfter = stage.key;
-            if (stage.isStage()) request.stages = picture::neededFor(stage.key);
-            const picture::RenderedFrame rendered = session_->render(slot, view, request);
-            stats_->add(i, rendered);
-
-            if (exactVisibility_) {
-                const picture::VisibilityImage visibility =
-                    picture::readVisibility(picture::findStage(rendered, stage.key));
-                image::writeWhole(path, image::encodeGreyAlpha(visibility.width, visibility.height,
-                                                               visibility.greyAlpha, stats_->pngText()));
-                return;
-            }
-            if (stage.isOutside()) { // a picture of its own, no band of a larger one
-                cells[i].pictureSize = {cells[i].width, cells[i].height};
-                cells[i].cropX = 0;
-            }
-            panels.push_back(panel(i, rendered, view, cells[i]));
+            picture::RenderedPanel drawn =
+                picture::renderPanel(*session_, slots_[i], *encoder_, cells[i], panelRequest(i, cells[i], moment.camera));
+            stats_->add(i, drawn.rendered);
+            if (options_.labels && slots_.size() > 1) drawn.panel.title = slots_[i].info->title;
+            panels.push_back(std::move(drawn.panel));
         }
         writeFigure(frame, path, cells, panels);
     }
@@ -234,23 +214,45 @@ private:
             throw Error(ExitStatus::usage, "--layout: diff is about one light and scene '" + base_->name +
                                                "' has none; choose another layout or scene");
         const int light = std::max(defaultLight_, 0);
-        std::array<judge::Judgement, 2> judgements;
-        for (std::size_t i = 0; i < slots_.size(); ++i) {
-            FrameRequest request;
-            request.timePasses = !options_.stats.empty();
-            request.stages = {picture::resolve({std::string(kVisibilityStage)}, *slots_[i].info, *base_, light).key};
-            const picture::RenderedFrame rendered = session_->render(slots_[i], view, request);
-            stats_->add(i, rendered);
-            judgements[i] =
-                judge::judge(session_->truth(view, session_->truthFor(slots_[i], light)),
-                               picture::readVisibility(picture::findStage(rendered, request.stages[0])).greyAlpha);
+        for (const picture::Slot& slot : slots_) // refuses a technique that says nothing of one light
+            picture::resolve({std::string(kVisibilityStage)}, *slot.info, *base_, light);
+        picture::RenderedDifference drawn =
+            picture::renderDifference(*session_, slots_, *encoder_, view, light, !options_.stats.empty());
+        for (std::size_t i = 0; i < slots_.size(); ++i)
+            stats_->add(i, drawn.rendered[i]);
+        if (options_.labels)
+            drawn.panel.title = std::string(slots_[0].info->title) + " against " + std::string(slots_[1].info->title);
+        return std::move(drawn.panel);
+    }
+
+    /// What the cell of a slot shows.
+    picture::PanelRequest panelRequest(std::size_t i, const picture::Cell& cell, const scene::Camera& camera) {
+        picture::PanelRequest request;
+        request.stage = stages_[i];
+        request.camera = camera;
+        request.supersample = options_.supersample;
+        if (picture::followsPicked(*slots_[i].info, stages_[i].key.id)) {
+            request.picked = within("--pixel", options_.pixel, cell.pictureSize);
+            request.partner = within("--partner", options_.partner, cell.pictureSize);
         }
-        const std::array<std::string, 2> titles = {std::string(slots_[0].info->title),
-                                                   std::string(slots_[1].info->title)};
-        picture::Panel panel = picture::differencePanel(encoder_->encode(slots_[0].target.color, base_->exposure),
-                                                        {&judgements[0], &judgements[1]}, titles);
-        if (options_.labels) panel.title = titles[0] + " against " + titles[1];
-        return panel;
+        request.row = options_.row;
+        request.outside = outsideCamera();
+        if (stages_[i].isDerived()) request.font = &font();
+        request.timePasses = !options_.stats.empty();
+        return request;
+    }
+
+    /// The visibility image itself: measured shares, not a figure of them.
+    void writeVisibility(const std::filesystem::path& path, const picture::Cell& cell, const scene::Camera& camera) {
+        const View view = picture::viewOf(cell, *slots_[0].info, panelRequest(0, cell, camera));
+        FrameRequest request = picture::frameFor(stages_[0]);
+        request.timePasses = !options_.stats.empty();
+        const picture::RenderedFrame rendered = session_->render(slots_[0], view, request);
+        stats_->add(0, rendered);
+        const picture::VisibilityImage visibility =
+            picture::readVisibility(picture::findStage(rendered, stages_[0].key));
+        image::writeWhole(path, image::encodeGreyAlpha(visibility.width, visibility.height, visibility.greyAlpha,
+                                                       stats_->pngText()));
     }
 
     const image::Font& font() {
@@ -279,37 +281,6 @@ private:
             throw Error(ExitStatus::usage, "--outside: from there nothing can be seen; choose a target apart from the "
                                            "camera, and not straight above or below it");
         return camera;
-    }
-
-    picture::Panel panel(std::size_t i, const picture::RenderedFrame& rendered, const View& view,
-                         const picture::Cell& cell) {
-        picture::Panel panel = pictureOf(i, rendered, view, cell);
-        if (options_.labels && slots_.size() > 1) panel.title = slots_[i].info->title;
-        return panel;
-    }
-
-    picture::Panel pictureOf(std::size_t i, const picture::RenderedFrame& rendered, const View& view,
-                             const picture::Cell& cell) {
-        picture::Slot& slot = slots_[i];
-        const picture::ResolvedStage& chosen = stages_[i];
-        picture::Panel panel;
-        if (chosen.isDerived())
-            return picture::derivedPanel(*session_, slot, rendered, *encoder_,
-                                         {chosen.key, view, options_.row, &font(), outsideCamera(), cell.pictureSize});
-        if (!chosen.isStage()) {
-            if (chosen.isPass) picture::requirePassRan(rendered, chosen.key, *slot.info);
-            panel.picture = encoder_->encode(slot.target.color, base_->exposure, options_.supersample);
-            return panel;
-        }
-        const Stage& stage = picture::findStage(rendered, chosen.key);
-        const StageInfo& info = picture::stageInfo(*slot.info, stage.key.id);
-        // A stage of a size of its own (a light's view of the scene) is averaged only if it would not fit otherwise.
-        const ivec2 size = stage.texture.size();
-        const bool fits = size.x <= cell.pictureSize.x && size.y <= cell.pictureSize.y;
-        panel.picture = encoder_->encode(stage, info.kind, base_->exposure, fits ? 1 : options_.supersample);
-        panel.kind = info.kind;
-        panel.display = stage.display;
-        return panel;
     }
 
     const CaptureOptions& options_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/picture/derived_stages.h"
+#include "app/picture/panel.h"
 #include "app/picture/steps/stepping.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/query/outside_camera.h"
@@ -121,12 +122,11 @@ void Pane::draw(picture::Session& session, const picture::PictureEncoder& encode
     const picture::ResolvedStage stage =
         picture::shownInStep(asked, *slot.info, picture::stageLight(scene, request.light));
 
-    FrameRequest frame;
+    FrameRequest frame = picture::frameFor(stage);
+    if (stage.isDerived()) frame.stages.clear(); // the verdicts are found in the background, which asks for answers itself
     frame.timePasses = frame.waitForGl = work.timePasses;
     frame.deadline = work.deadline;
     frame.refine = work.refine;
-    if (stage.isPass) frame.stopAfter = stage.key;
-    if (stage.isStage() && !stage.isDerived()) frame.stages = {stage.key};
     const StageKey answers = picture::visibilityOf(request.light);
     if (work.visibility && publishes(*slot.info, answers.id) && !frame.stopAfter &&
         std::ranges::find(frame.stages, answers) == frame.stages.end())
@@ -206,23 +206,20 @@ bool Pane::drawOutside(picture::Session& session, const picture::PictureEncoder&
 void Pane::encode(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot,
                   const picture::ResolvedStage& stage, const picture::RenderedFrame& rendered) {
     const float exposure = request.snapshot->exposure;
+    picture::StageLook look = picture::lookOf(stage, *slot.info, rendered);
+    gl::Texture2D texture;
     if (!stage.isStage()) {
-        picture_ = {
-            encoder.encodeInPlace(slot.target.color, exposure, 1, request.view.region), StageKind::radiance, {}, ""};
-        return;
-    }
-    const std::string caption = picture::captionOf(*slot.info, stage.key.id);
-    if (stage.isJudged()) {
-        picture_ = {
-            encoder.encodeGround(slot.target.color, exposure, request.view.region), StageKind::swatches, {}, caption};
+        texture = encoder.encodeInPlace(slot.target.color, exposure, 1, request.view.region);
+    } else if (stage.isJudged()) {
+        texture = encoder.encodeGround(slot.target.color, exposure, request.view.region);
     } else if (stage.isDerived()) {
-        const picture::Panel panel = picture::derivedPanel(session, slot, rendered, encoder, {stage.key, request.view, {}, nullptr});
-        picture_ = {textureOf(panel.picture), panel.kind, panel.display, caption};
+        picture::Panel panel = picture::derivedPanel(session, slot, rendered, encoder, {stage.key, request.view, {}, nullptr});
+        texture = textureOf(panel.picture);
+        look.display = std::move(panel.display);
     } else {
-        const Stage& published = picture::findStage(rendered, stage.key);
-        const StageInfo& info = picture::stageInfo(*slot.info, stage.key.id);
-        picture_ = {encoder.encodeInPlace(published, info.kind, exposure), info.kind, published.display, caption};
+        texture = encoder.encodeInPlace(picture::findStage(rendered, stage.key), look.kind, exposure);
     }
+    picture_ = {std::move(texture), look.kind, std::move(look.display), std::move(look.caption)};
 }
 
 } // namespace shadowlab::lab

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/picture/difference_panel.h"
 
+#include <utility>
+
+#include "app/picture/stage_ref.h"
 #include "techniques/foundation/base/look.h"
 
 namespace shadowlab::picture {
@@ -55,6 +58,24 @@ Panel differencePanel(image::Image ground, const std::array<const judge::Judgeme
     for (const Meaning& meaning : meanings)
         panel.display.key.push_back({meaning.color, meaning.label + ": " + std::to_string(meaning.pixels) + " px"});
     return panel;
+}
+
+RenderedDifference renderDifference(Session& session, std::span<Slot> slots, const PictureEncoder& encoder, const View& view,
+                                    int light, bool timePasses) {
+    RenderedDifference difference;
+    std::array<judge::Judgement, 2> judgements;
+    for (std::size_t i = 0; i < judgements.size(); ++i) {
+        FrameRequest request;
+        request.timePasses = timePasses;
+        request.stages = {visibilityOf(light)};
+        difference.rendered[i] = session.render(slots[i], view, request);
+        judgements[i] = judge::judge(session.truth(view, session.truthFor(slots[i], light)),
+                                     readVisibility(findStage(difference.rendered[i], visibilityOf(light))).greyAlpha);
+    }
+    difference.panel =
+        differencePanel(encoder.encode(slots[0].target.color, session.snapshot()->exposure), {&judgements[0], &judgements[1]},
+                        {std::string(slots[0].info->title), std::string(slots[1].info->title)});
+    return difference;
 }
 
 } // namespace shadowlab::picture

@@ -2,9 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
+#include <span>
+#include <string>
 
 #include "app/judge/verdict.h"
 #include "app/picture/figure.h"
+#include "app/picture/picture.h"
+#include "app/picture/session.h"
 
 namespace shadowlab::picture {
 
@@ -13,5 +17,13 @@ namespace shadowlab::picture {
 /// been judged by the truth that it answers to, all over the picture. No GL.
 Panel differencePanel(image::Image ground, const std::array<const judge::Judgement*, 2>& judgements,
                       const std::array<std::string, 2>& titles);
+
+struct RenderedDifference {
+    Panel panel; ///< without title
+    std::array<RenderedFrame, 2> rendered;
+};
+/// Renders two slots whose techniques publish their visibility, and holds both against the truth about one light.
+RenderedDifference renderDifference(Session& session, std::span<Slot> slots, const PictureEncoder& encoder, const View& view,
+                                    int light, bool timePasses = false);
 
 } // namespace shadowlab::picture

@@ -1,0 +1,52 @@
+// One picture of a figure, from a slot to finished pixels: what is asked of the slot's frame, and how what came of it is shown.
+//
+// Captures, lessons and slides take all of it. The window asks for the same frame and shows it with the same look (lab/pane.cpp),
+// but leaves its picture on the graphics card, ends at a deadline and goes on in the next frame.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include <optional>
+#include <string>
+
+#include "app/picture/figure.h"
+#include "app/picture/picture.h"
+#include "app/picture/session.h"
+#include "app/picture/stage_ref.h"
+
+namespace shadowlab::picture {
+
+/// What a slot's frame has to do so that the stage can be shown: publish it, or stop after the pass.
+FrameRequest frameFor(const ResolvedStage& stage);
+
+/// How a picture of the stage is read: what its values are, its legend, and the words under it.
+struct StageLook {
+    StageKind kind = StageKind::radiance;
+    Display display{};     ///< of a derived stage empty: its panel has its own
+    std::string caption{}; ///< empty: the finished picture, or a pass
+};
+/// Throws std::logic_error when the frame has not published the stage.
+StageLook lookOf(const ResolvedStage& stage, const TechniqueInfo& info, const RenderedFrame& rendered);
+
+/// What one cell of a figure shows, and how finely.
+struct PanelRequest {
+    ResolvedStage stage{};
+    scene::Camera camera{};
+    int supersample = 1;                      ///< N x N samples a pixel; 1 for derived stages, which are about single pixels
+    std::optional<ivec2> picked{}, partner{}; ///< samples of the picture; only stages about one pixel take notice
+    std::optional<int> row{};                 ///< of the stage `scanline`; none: the one with most wrong pixels
+    std::optional<scene::Camera> outside{};   ///< of the stage `outside`; none: as the program chooses it
+    const image::Font* font = nullptr;        ///< for the numbers of the stage `scanline`
+    bool timePasses = false;
+};
+
+/// The view that the cell's picture is drawn with.
+View viewOf(const Cell& cell, const TechniqueInfo& info, const PanelRequest& request);
+
+struct RenderedPanel {
+    Panel panel; ///< without title
+    RenderedFrame rendered;
+};
+/// Renders the slot and makes the picture of it. What the second camera sees is a picture of its own and no band of a larger
+/// one: then the cell is changed to hold it whole. Throws Error (usage) for a pass that does not run with the slot's settings.
+RenderedPanel renderPanel(Session& session, Slot& slot, const PictureEncoder& encoder, Cell& cell, const PanelRequest& request);
+
+} // namespace shadowlab::picture
