@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/hard/judged_scene.h"
 
+#include <utility>
+
 #include "app/film/motion.h"
 #include "app/report/judge.h"
 #include "techniques/foundation/base/error.h"
@@ -20,25 +22,15 @@ JudgedFrame JudgedScene::draw(const lab::PaneState& technique, Timing timing) {
                     "'" + technique.technique +
                         "' does not say what it makes of one light, so no hard case can judge it; "
                         "choose another technique");
-    FrameRequest request;
-    request.stages = {{"visibility", light_}};
-    if (publishes(*slot.info, kTexelSizeStage)) request.stages.push_back({"texel-size", light_});
-    const picture::RenderedFrame rendered = session_.render(slot, view_, request);
+    picture::JudgedSlot judged = picture::judgeSlot(session_, slot, view_, light_);
     JudgedFrame frame;
-    frame.ms = rendered.frameMs;
-    for (const Counter& counter : rendered.result.counters)
-        if (counter.id == "served" && counter.of > 0) frame.served = counter.built / counter.of;
+    frame.ms = judged.rendered.frameMs;
+    frame.served = picture::servedShare(judged.rendered);
     frame.picture = encoder_.encode(slot.target.color, session_.snapshot()->exposure);
-    frame.visibility = picture::readVisibility(picture::findStage(rendered, {"visibility", light_}));
-    std::optional<judge::Grid<float>> texelPx;
-    if (publishes(*slot.info, kTexelSizeStage))
-        texelPx = picture::readTexelSizes(picture::findStage(rendered, {"texel-size", light_}));
-    const judge::Truth& truth = session_.truth(view_, session_.truthFor(slot, light_));
-    const std::vector<judge::BoundaryEdge> boundary = judge::trueBoundary(truth);
-    frame.errors = judge::judgeSlot(truth, boundary, frame.visibility.greyAlpha);
-    frame.coreErrors =
-        judge::coreErrors(truth, frame.errors.judgement, judge::distanceToBoundary(boundary, view_.size), texelPx);
-    frame.errorMap = report::errorMap(truth, frame.errors.judgement);
+    frame.errorMap = report::errorMap(judged.truth, judged.found.errors.judgement);
+    frame.visibility = std::move(judged.answers.visibility);
+    frame.errors = std::move(judged.found.errors);
+    frame.coreErrors = judged.found.core;
     if (timing == Timing::again) frame.ms = msWithLightMoved(slot);
     return frame;
 }

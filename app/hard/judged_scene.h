@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/course/shown_state.h"
-#include "app/judge/slot_errors.h"
+#include "app/picture/judged_slot.h"
 #include "app/picture/picture.h"
 #include "app/picture/session.h"
 

@@ -59,8 +59,8 @@ double lengthPx(const std::vector<BoundaryEdge>& edges, const Region& region, iv
     return lengthPx(within);
 }
 
-SlotErrors judgeSlot(const Truth& truth, const std::vector<BoundaryEdge>& boundary,
-                     std::span<const std::uint8_t> greyAlpha, const Region& region) {
+SlotErrors slotErrors(const Truth& truth, const std::vector<BoundaryEdge>& boundary,
+                      std::span<const std::uint8_t> greyAlpha, const Region& region) {
     SlotErrors errors{judge(truth, greyAlpha, region), std::nullopt};
     const double length = lengthPx(boundary, region, truth.size);
     if (length > 0) errors.edgeErrorPx = errors.judgement.counts.wrong() / length;

@@ -25,8 +25,8 @@ double lengthPx(const std::vector<BoundaryEdge>& edges, const Region& region, iv
 
 /// `greyAlpha` has the pixels of the region, as for judge(); `boundary` is that of the whole truth. The edge error is the
 /// number of wrong pixels in the region for each pixel of boundary in it.
-SlotErrors judgeSlot(const Truth& truth, const std::vector<BoundaryEdge>& boundary,
-                     std::span<const std::uint8_t> greyAlpha, const Region& region = {});
+SlotErrors slotErrors(const Truth& truth, const std::vector<BoundaryEdge>& boundary,
+                      std::span<const std::uint8_t> greyAlpha, const Region& region = {});
 
 /// Wrong pixels that are no aliasing: see coreErrors() in boundary.h. All three have the size of the truth.
 int coreErrors(const Truth& truth, const Judgement& judgement, const Grid<float>& distancePx,

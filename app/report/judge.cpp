@@ -84,11 +84,6 @@ Judge::Judge(picture::Session& session, const View& view, int light) : session_(
 }
 
 Judge::Judged Judge::judge(picture::Slot& slot) {
-    const picture::LightTruth asked = session_.truthFor(slot, light_);
-    const judge::Truth& truth = session_.truth(view_, asked);
-    if (!boundaries_.contains(asked.of)) boundaries_.emplace(asked.of, judge::trueBoundary(truth));
-    const std::vector<judge::BoundaryEdge>& boundary = boundaries_.at(asked.of);
-
     Judged judged;
     Errors& errors = judged.errors;
     const std::int64_t before = gl::liveBytes;
@@ -96,34 +91,23 @@ Judge::Judged Judge::judge(picture::Slot& slot) {
     const std::int64_t target = 12ll * view_.size.x * view_.size.y; // RGBA16F and depth with stencil
     errors.glMegabytes = static_cast<double>(gl::liveBytes - before - target) / (1 << 20);
 
-    FrameRequest request;
-    request.stages = {{"visibility", light_}};
-    if (publishes(*slot.info, kTexelSizeStage)) request.stages.push_back({"texel-size", light_});
-    const picture::RenderedFrame rendered = session_.render(slot, view_, request);
-    const picture::VisibilityImage visibility =
-        picture::readVisibility(picture::findStage(rendered, {"visibility", light_}));
-    const judge::SlotErrors found = judge::judgeSlot(truth, boundary, visibility.greyAlpha);
-    std::optional<judge::Grid<float>> texelPx;
-    if (request.stages.size() > 1)
-        texelPx = picture::readTexelSizes(picture::findStage(rendered, {"texel-size", light_}));
-
+    const picture::JudgedSlot drawn = picture::judgeSlot(session_, slot, view_, light_);
+    const judge::SlotErrors& found = drawn.found.errors;
     const judge::Counts& counts = found.judgement.counts;
-    errors.truth = asked.of;
+    errors.truth = drawn.asked.of;
     errors.pixels = counts.pixels, errors.lit = counts.lit, errors.shadowed = counts.shadowed;
     errors.turnedAway = counts.turnedAway, errors.ties = counts.ties;
     errors.falseLit = counts.falseLit, errors.falseShadow = counts.falseShadow;
     errors.rmse = counts.rmse;
     errors.edgeErrorPx = found.edgeErrorPx;
-    errors.core =
-        judge::coreErrors(truth, found.judgement, judge::distanceToBoundary(boundary, view_.size), texelPx);
-    errors.converged = rendered.converged;
-    for (const Counter& counter : rendered.result.counters) {
+    errors.core = drawn.found.core;
+    errors.converged = drawn.rendered.converged;
+    errors.served = picture::servedShare(drawn.rendered);
+    for (const Counter& counter : drawn.rendered.result.counters)
         errors.counters.push_back({counter.id, counter.unit, counter.built, counter.of});
-        if (counter.id == "served" && counter.of > 0) errors.served = counter.built / counter.of;
-    }
     const float exposure = session_.snapshot()->exposure;
     judged.picturePng = image::encodePng(reduced(encoder_.encode(slot.target.color, exposure)));
-    judged.errorPng = image::encodePng(errorMap(truth, found.judgement));
+    judged.errorPng = image::encodePng(errorMap(drawn.truth, found.judgement));
     return judged;
 }
 

@@ -1,9 +1,9 @@
 // How wrong one point is: its visibility held against the truth, and two small pictures of it.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include <map>
+#include <vector>
 
-#include "app/judge/slot_errors.h"
+#include "app/picture/judged_slot.h"
 #include "app/picture/picture.h"
 #include "app/picture/session.h"
 #include "app/report/results.h"
@@ -39,7 +39,6 @@ private:
     const View& view_;
     int light_;
     picture::PictureEncoder encoder_;
-    std::map<judge::TruthOf, std::vector<judge::BoundaryEdge>> boundaries_;
 };
 
 } // namespace shadowlab::report

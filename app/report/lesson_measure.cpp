@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "app/course/lessons/lesson_quantities.h"
 #include "app/judge/metrics/crawl.h"
-#include "app/judge/slot_errors.h"
+#include "app/picture/judged_slot.h"
+#include "app/picture/stage_ref.h"
 #include "app/report/measurement.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
@@ -66,8 +66,7 @@ private:
     struct Drawn {
         picture::RenderedFrame rendered;
         image::Image picture;
-        std::optional<picture::VisibilityImage> visibility;
-        std::optional<judge::Grid<float>> texelPx;
+        std::optional<picture::Answers> answers;
     };
 
     const Drawn& drawn(int number) {
@@ -77,40 +76,32 @@ private:
     }
 
     Drawn draw(picture::Slot& slot) {
-        FrameRequest request;
-        for (const char* stage : {"visibility", "texel-size"})
-            if (publishes(*slot.info, stage) && !state_.scene->lights.empty())
-                request.stages.push_back({stage, state_.light});
+        const bool answers = publishes(*slot.info, kVisibilityStage) && !state_.scene->lights.empty();
         Drawn drawn;
-        drawn.rendered = session_.render(slot, view_, request);
+        drawn.rendered = session_.render(
+            slot, view_, answers ? picture::requestAnswers(*slot.info, state_.light) : FrameRequest());
         drawn.picture = encoder_.encode(slot.target.color, state_.scene->exposure);
-        for (const StageKey& key : request.stages)
-            if (key.id == "visibility")
-                drawn.visibility = picture::readVisibility(picture::findStage(drawn.rendered, key));
-            else
-                drawn.texelPx = picture::readTexelSizes(picture::findStage(drawn.rendered, key));
+        if (answers) drawn.answers = picture::readAnswers(*slot.info, drawn.rendered, state_.light);
         return drawn;
     }
 
     Value judged(const course::Expectation& expected) {
         const Drawn& frame = drawn(expected.slot);
-        if (!frame.visibility)
+        if (!frame.answers)
             throw Error(ExitStatus::badInput, scene::shownPath(lesson_.text.file) + ": '" + expected.quantity +
                                                   "' is about a light, and " +
                                                   state_.slots[static_cast<std::size_t>(expected.slot)].technique +
                                                   " says nothing of one here; choose another quantity");
         const judge::Truth& truth =
             session_.truth(view_, session_.truthFor(slots_[static_cast<std::size_t>(expected.slot)], state_.light));
-        const std::vector<judge::BoundaryEdge> boundary = judge::trueBoundary(truth);
-        const judge::SlotErrors errors = judge::judgeSlot(truth, boundary, frame.visibility->greyAlpha);
+        const picture::AnswerErrors found = picture::judgeAnswers(*frame.answers, truth, judge::trueBoundary(truth));
+        const judge::SlotErrors& errors = found.errors;
         const judge::Counts& counts = errors.judgement.counts;
         if (expected.quantity == "rmse") return {counts.rmse, counts.pixels - counts.ties};
         if (expected.quantity == "edgeErrorPx")
             return {errors.edgeErrorPx.value_or(0), errors.edgeErrorPx ? counts.pixels - counts.ties : 0};
         if (expected.quantity == "coreErrors")
-            return {static_cast<double>(judge::coreErrors(
-                        truth, errors.judgement, judge::distanceToBoundary(boundary, view_.size), frame.texelPx)),
-                    counts.pixels - counts.ties};
+            return {static_cast<double>(found.core), counts.pixels - counts.ties};
         int lit = 0, dark = 0, judged = 0;
         forEachPixel(regionOf(lesson_, expected), [&](int x, int y) {
             const judge::Verdict verdict = errors.judgement.verdicts[truth.index(x, y)];
@@ -144,8 +135,8 @@ private:
         for (int frame = 0; frame < lesson_.motion.frames; ++frame) {
             View view = view_;
             view.camera = film::momentAt(lesson_.motion, base(), frame).camera;
-            const picture::RenderedFrame rendered = session_.render(slot, view, {.stages = {{"visibility", state_.light}}});
-            const picture::VisibilityImage visibility = picture::readVisibility(picture::findStage(rendered, {"visibility", state_.light}));
+            const picture::RenderedFrame rendered = session_.render(slot, view, {.stages = {picture::visibilityOf(state_.light)}});
+            const picture::VisibilityImage visibility = picture::readVisibility(picture::findStage(rendered, picture::visibilityOf(state_.light)));
             const judge::Truth truth = session_.truthAtCentres(view, session_.truthFor(slot, state_.light));
             std::vector<std::uint8_t> lit(truth.visibility.size()), truthLit(truth.visibility.size());
             for (std::size_t i = 0; i < lit.size(); ++i) {

@@ -9,7 +9,6 @@
 #include "app/judge/metrics/flip.h"
 #include "app/judge/metrics/frame_times.h"
 #include "app/judge/metrics/image_metrics.h"
-#include "app/judge/slot_errors.h"
 #include "techniques/foundation/gl/read_back.h"
 
 namespace shadowlab::report {
@@ -66,15 +65,12 @@ void Measurement::addFrame(const film::Moment& moment) {
         const Judged& judged = truths.at(asked.of);
         if (first) measured.result.firstPrepareMs = session_.render(slot, view).prepareMs;
 
-        FrameRequest request;
-        request.stages = {{"visibility", light_}};
-        if (publishes(*slot.info, kTexelSizeStage)) request.stages.push_back({"texel-size", light_});
-        const picture::RenderedFrame rendered = session_.render(slot, view, request);
-        const picture::VisibilityImage visibility = picture::readVisibility(picture::findStage(rendered, {"visibility", light_}));
-        measured.flips.addFrame(litOutsideTies(visibility, judged.truth, asked, view), litMask(judged.truth),
+        const picture::RenderedFrame rendered = session_.render(slot, view, picture::requestAnswers(*slot.info, light_));
+        const picture::Answers answers = picture::readAnswers(*slot.info, rendered, light_);
+        measured.flips.addFrame(litOutsideTies(answers.visibility, judged.truth, asked, view), litMask(judged.truth),
                                 lengthPx(judged.boundary));
         measured.result.counters = rendered.result.counters;
-        if (first) judgeFirst(measured, rendered, visibility, judged, *reference);
+        if (first) judgeFirst(measured, rendered, answers, judged, *reference);
     }
     moments_.push_back(moment);
 }
@@ -134,21 +130,17 @@ std::vector<std::uint8_t> Measurement::litOutsideTies(const picture::VisibilityI
     return lit;
 }
 
-void Measurement::judgeFirst(Entry& measured, const picture::RenderedFrame& rendered, const picture::VisibilityImage& visibility,
+void Measurement::judgeFirst(Entry& measured, const picture::RenderedFrame& rendered, const picture::Answers& answers,
                              const Judged& judged, const Shown& reference) {
     TechniqueErrors& result = measured.result;
     const auto& [truth, boundary] = judged;
-    const SlotErrors errors = judgeSlot(truth, boundary, visibility.greyAlpha);
-    result.counts = errors.judgement.counts;
-    result.edgeErrorPx = errors.edgeErrorPx;
-    result.boundaryPx = displacement(truth, boundary, visibility.greyAlpha);
-    std::optional<Grid<float>> texelPx;
-    if (publishes(*measured.slot->info, kTexelSizeStage))
-        texelPx = picture::readTexelSizes(picture::findStage(rendered, {"texel-size", light_}));
-    result.coreErrors = coreErrors(truth, errors.judgement, distanceToBoundary(boundary, size_), texelPx);
+    const picture::AnswerErrors found = picture::judgeAnswers(answers, truth, boundary);
+    result.counts = found.errors.judgement.counts;
+    result.edgeErrorPx = found.errors.edgeErrorPx;
+    result.coreErrors = found.core;
+    result.boundaryPx = displacement(truth, boundary, answers.visibility.greyAlpha);
     result.converged = rendered.converged;
-    for (const Counter& counter : result.counters)
-        if (counter.id == "served" && counter.of > 0) result.served = counter.built / counter.of;
+    result.served = picture::servedShare(rendered);
 
     const Shown picture = shown(*measured.slot);
     result.picture = {psnr(picture.linear, reference.linear), ssim(picture.encoded, reference.encoded),

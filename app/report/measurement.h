@@ -15,6 +15,7 @@
 #include "app/judge/metrics/flips.h"
 #include "app/judge/metrics/frame_times.h"
 #include "app/judge/verdict.h"
+#include "app/picture/judged_slot.h"
 #include "app/picture/picture.h"
 #include "app/picture/session.h"
 
@@ -79,7 +80,7 @@ private:
     Judged truthOf(const View& view, const picture::LightTruth& light, bool first);
     std::vector<std::uint8_t> litOutsideTies(const picture::VisibilityImage& visibility, const judge::Truth& truth,
                                              const picture::LightTruth& light, const View& view);
-    void judgeFirst(Entry& measured, const picture::RenderedFrame& rendered, const picture::VisibilityImage& visibility,
+    void judgeFirst(Entry& measured, const picture::RenderedFrame& rendered, const picture::Answers& answers,
                     const Judged& judged, const Shown& reference);
     Shown shown(const picture::Slot& slot) const;
     Shown referencePicture(const View& view);

@@ -104,7 +104,7 @@ TEST(BackgroundJudge, FindsWhatMeasuringFinds) {
             const judge::Truth truth = truthOf(snapshot, exact);
             const auto boundary = judge::trueBoundary(truth);
             const judge::SlotErrors expected =
-                judge::judgeSlot(truth, boundary, task.slots[0].visibility.greyAlpha);
+                judge::slotErrors(truth, boundary, task.slots[0].visibility.greyAlpha);
             const int core = judge::coreErrors(truth, expected.judgement,
                                                  judge::distanceToBoundary(boundary, kSize), std::nullopt);
             const std::uint64_t asked = judge.submit(std::move(task));

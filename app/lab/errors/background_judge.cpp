@@ -117,7 +117,7 @@ private:
             answer.exact = answer.exact && known.exact;
             if (slot.visibility.greyAlpha.empty() || !known.truth) continue;
             auto [judgement, edgeErrorPx] =
-                judge::judgeSlot(*known.truth, known.boundary, slot.visibility.greyAlpha, slot.region);
+                judge::slotErrors(*known.truth, known.boundary, slot.visibility.greyAlpha, slot.region);
             SlotAnswer& judged = answer.slots.back().emplace();
             judged.truth = known.truth;
             judged.truthPanel = panels[slot.truth == TruthOf::area ? 1 : 0];
