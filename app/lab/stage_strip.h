@@ -19,14 +19,18 @@ struct Thumbnail {
 class StageStrip {
 public:
     /// Draws the stages of what the pane shows anew if anything but its stage has changed: all of them from one frame of
-    /// that size. True if something was drawn.
-    bool update(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& pane, ivec2 size);
+    /// that size. True if something was drawn, or is not finished. Work beyond the deadline waits for the next call; until the
+    /// technique is ready there are no thumbnails. What throws is not tried again before something changes.
+    bool update(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& pane, ivec2 size,
+                Deadline deadline);
     [[nodiscard]] const std::vector<Thumbnail>& thumbnails() const { return thumbnails_; }
 
 private:
-    void draw(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot);
+    bool draw(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot,
+              Deadline deadline);
     Pane pane_; ///< its slots are of their own: small targets, not those of the window
     PaneRequest drawnFor_;
+    bool isFinished_ = true; ///< of what was asked for last
     std::vector<Thumbnail> thumbnails_;
 };
 

@@ -113,12 +113,13 @@ bool Screen::frame(double seconds) {
                                               : clock_ - timed_ >= kBetweenTimes && !asked);
     if (timed) timed_ = clock_;
     desk_.bench.setTimePasses(timed);
-    const bool drawn = desk_.bench.update(area.size, std::chrono::steady_clock::now() + patience_);
+    const Deadline deadline = std::chrono::steady_clock::now() + patience_;
+    const bool drawn = desk_.bench.update(area.size, deadline);
     if (drawn && !timed) drawn_ = clock_;
     const bool judged = errors_.update(desk_.bench, area.size, clock_);
     if (const std::string failure = errors_.takeFailure(); !failure.empty())
         complain("errors cannot be found: " + failure);
-    const bool small = updateStrip();
+    const bool small = updateStrip(deadline);
     busy_ = drawn || moved || painted || judged || small || !ran_.empty() || !desk_.bench.isAtRest();
     settled_ = !busy_ && errors_.isDone();
 
@@ -137,13 +138,13 @@ bool Screen::frame(double seconds) {
     return true;
 }
 
-bool Screen::updateStrip() {
+bool Screen::updateStrip(Deadline deadline) {
     if (!desk_.shown.strip || !desk_.bench.isAtRest()) return false;
     lab::PlacedPane active;
     active.pane = desk_.bench.document().active;
     try {
         return strip_.update(desk_.bench.session(), desk_.bench.encoder(), desk_.bench.requestFor(active),
-                             thumbnailSize(theme_));
+                             thumbnailSize(theme_), deadline);
     } catch (const std::exception& fault) {
         complain(fault.what());
         return false;

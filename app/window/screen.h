@@ -65,7 +65,7 @@ private:
     [[nodiscard]] Area pictureArea() const;
     [[nodiscard]] int sourceWidth() const;
     /// Small pictures wait until nothing moves: they must not slow down what does.
-    bool updateStrip();
+    bool updateStrip(Deadline deadline);
 
     Desk& desk_;
     std::filesystem::path fontFile_;
