@@ -97,7 +97,7 @@ Panel derivedPanel(Session& session, Slot& slot, const RenderedFrame& rendered, 
     const judge::Judgement judgement = judge::judge(truth, visibility.greyAlpha);
     if (stage.isError()) return errorPanel(std::move(picture), truth, judgement, request.view.region);
     const Scanline scanline{truth, judgement, visibility,
-                            session.snapshot()->lights[static_cast<std::size_t>(light)].name,
+                            session.snapshot()->light(light).name,
                             std::string(slot.info->title)};
     return scanlinePanel(std::move(picture), scanline, request.row, request.view.region, request.font);
 }

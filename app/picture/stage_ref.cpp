@@ -75,7 +75,7 @@ ResolvedStage resolve(const StageRef& stage, const TechniqueInfo& info, const sc
 
 StageRef refOf(const StageKey& key, bool isPass, const scene::Scene& scene) {
     StageRef stage{key.id, {}, isPass};
-    if (key.light != kNoLight) stage.light = scene.lights[static_cast<std::size_t>(key.light)].name;
+    if (key.light != kNoLight) stage.light = scene.light(key.light).name;
     return stage;
 }
 

@@ -129,7 +129,7 @@ private:
         const scene::Scene& scene = frame.scene();
         const dmat4& viewFromWorld = frame.eye().viewFromWorld;
         const dvec4 lightView =
-            viewFromWorld * scene::homogeneousPositionWorld(scene.lights[static_cast<std::size_t>(light)]);
+            viewFromWorld * scene::homogeneousPositionWorld(scene.light(light));
         for (std::size_t object = 0; object < scene.objects.size(); ++object) {
             if (!scene.objects[object].receivesShadow) continue;
             for (const Plane& plane : planesOf(*scene.objects[object].mesh)) {

@@ -89,7 +89,7 @@ struct Arriving {
 
 Arriving arriving(const RayScene& rays, const Patch& patch, bool onBack, int light) {
     constexpr double kFar = 1e9; // metres: toward the sun, beyond any scene
-    const scene::Light& source = rays.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = rays.scene().light(light);
     const bool isSun = source.type == scene::LightType::directional;
     Arriving sum;
     double facing = 0;

@@ -91,7 +91,7 @@ namespace {
 // does not see it (docs/conventions.md, the facing gate), nor does what is outside of a spot's cone.
 // [anchor: lecture-shadow-ray]
 bool seesLight(const RayScene& rays, const Surface& surface, int light) {
-    const scene::Light& source = rays.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = rays.scene().light(light);
     const int lightSide = rays.lightSide(*surface.triangle, light);
     if ((surface.onFront ? lightSide : -lightSide) <= 0 || !scene::lightShinesTo(source, surface.positionWorld))
         return false;
@@ -116,7 +116,7 @@ dvec3 intensity(const RayScene& rays, const Node* node, const dvec2& attenuation
     dvec3 I = dvec3(rays.emissionAt(surface) + scene.ambient * surface.material->diffuse);
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
         if (!seesLight(rays, surface, light)) continue;
-        const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+        const scene::Light& source = scene.light(light);
         const dvec3 L = scene::towardLightWorld(source, surface.positionWorld);
         I += scene::irradiance(source, surface.positionWorld, N) * // intensity of the light * N.L / distance^2
              scene::reflectance(*surface.material, N, L, V);       // diffuse, and specular by N.H

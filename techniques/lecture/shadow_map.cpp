@@ -119,7 +119,7 @@ private:
     // [anchor: map-casters]
     void drawCasters(const Frame& frame, int light, DepthMap& map) const {
         const scene::Scene& scene = frame.scene();
-        const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+        const scene::Light& source = scene.light(light);
         const std::vector<std::size_t> casters = scene::usefulCasters(scene, source);
         map.lightClipFromWorld = lightClipFromWorld(source, ballAround(scene, casters));
         // The bias. A point lies up to half a texel beside the texel's centre, in both directions. The factor of glPolygonOffset

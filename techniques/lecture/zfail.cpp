@@ -136,7 +136,7 @@ public:
 private:
     /// Left out is what shadows nothing, as a floor with nothing below it: scene::usefulCasters.
     std::vector<Volume> volumesOf(const scene::Scene& scene, int light) const {
-        const scene::Light& source = scene.lights[static_cast<std::size_t>(light)];
+        const scene::Light& source = scene.light(light);
         std::vector<Volume> volumes;
         for (const std::size_t caster : scene::usefulCasters(scene, source))
             volumes.push_back(

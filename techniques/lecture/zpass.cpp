@@ -124,7 +124,7 @@ private:
         for (std::size_t object = 0; object < scene.objects.size(); ++object)
             if (scene.objects[object].castsShadow)
                 volumes.push_back(semiInfiniteVolume(scene, object, topologies_.at(scene.objects[object].mesh.get()),
-                                                     scene.lights[static_cast<std::size_t>(light)]));
+                                                     scene.light(light)));
         return volumes;
     }
 

@@ -28,7 +28,7 @@ scene::Scene lampAndSun() {
 /// larger than that of their box; from a lamp at distance D a texel covers 2 tan(asin(radius / D)) / resolution of a metre at a metre,
 /// and 1 / cos of the angle of incidence as much on a surface that is not turned toward the light.
 testing::TieRadius reachOf(const scene::Scene& scene, int light, int resolution, double texels) {
-    const scene::Light source = scene.lights[static_cast<std::size_t>(light)];
+    const scene::Light source = scene.light(light);
     scene::Bounds box;
     for (std::size_t i = 1; i < scene.objects.size(); ++i) // all but the floor, which shadows nothing
         box.include(scene::boundsWorld(scene.objects[i]));

@@ -132,7 +132,7 @@ Surface RayScene::surfaceAt(const Ray& ray, const Hit& hit) const {
 
 vec3 RayScene::emissionAt(const Surface& surface) const {
     const int light = objectOf(*surface.triangle).emitterOfLight;
-    const bool isRect = light >= 0 && scene().lights[static_cast<std::size_t>(light)].type == scene::LightType::rect;
+    const bool isRect = light >= 0 && scene().light(light).type == scene::LightType::rect;
     return isRect && !surface.onFront ? vec3(0.0f) : surface.material->emission;
 }
 

@@ -39,7 +39,7 @@ void describeArea(const Surfaces& surfaces, const trace::SurfacePoint& point, co
     const dvec3 normalWorld = surfaces.normalWorld(point, toViewerWorld);
     trace::AreaIrradiance found;
     area.irradiances({&point, 1}, {&normalWorld, 1}, {&found, 1});
-    const std::string name = surfaces.scene().lights[static_cast<std::size_t>(light)].name;
+    const std::string name = surfaces.scene().light(light).name;
     probe.facts.push_back(probeFact("share of the area of " + name + " that is seen", found.visible));
     probe.facts.push_back({"that is",
                            !surfaces.tracer().facesLight(point, light) ? "turned away"

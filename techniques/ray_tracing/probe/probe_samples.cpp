@@ -41,7 +41,7 @@ void describeSurface(const SampleQuery& query, const RayTree& tree, double time,
     };
     sample.reflectedWorld = wayOf(root.reflection);
     sample.refractedWorld = wayOf(root.refraction);
-    if (query.light < 0 || !scene::hasArea(query.surfaces.scene().lights[static_cast<std::size_t>(query.light)]))
+    if (query.light < 0 || !scene::hasArea(query.surfaces.scene().light(query.light)))
         return;
     const LightAtNode& at = tree.lightsOf(root)[static_cast<std::size_t>(query.light)];
     if (at.toPlace == dvec3(0) || at.visibility < trace::Visibility::shadowed) return;
@@ -93,7 +93,7 @@ void describeSamples(const SampleQuery& query, const SampledSettings& settings, 
         rays.glossDegrees = settings.tree.gloss ? material.glossDegrees : 0;
         rays.translucencyDegrees = settings.tree.translucency ? material.translucencyDegrees : 0;
         if (query.light >= 0 && settings.tree.areaLights == AreaLights::sampled &&
-            scene::hasArea(query.surfaces.scene().lights[static_cast<std::size_t>(query.light)]))
+            scene::hasArea(query.surfaces.scene().light(query.light)))
             rays.exactShare = trace::AreaVisibility(tracer, query.light).share(first);
     }
     RayTree tree;

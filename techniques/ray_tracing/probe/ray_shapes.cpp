@@ -37,7 +37,7 @@ dvec3 shadowRayEnd(const trace::SceneTracer& tracer, const trace::SurfacePoint& 
                    const scene::Bounds& bounds) {
     if (tracer.objectOf(point).receivesShadow)
         if (const auto blockerWorld = tracer.blockedAtWorld(point, light)) return *blockerWorld;
-    const scene::Light& source = tracer.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = tracer.scene().light(light);
     if (source.type != scene::LightType::directional) return source.positionWorld;
     return endBeyond(bounds, tracer.positionWorld(point), -source.directionWorld);
 }

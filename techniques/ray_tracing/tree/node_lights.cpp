@@ -29,7 +29,7 @@ trace::Visibility visibilityOfCentre(const RayWorld& world, const TreeSettings& 
 LightAtNode sampledLight(const RayWorld& world, const TreeSettings& settings, const TreeNode& node, int light,
                          const dvec3& positionWorld) {
     const Surfaces& surfaces = world.surfaces;
-    const scene::Light& source = surfaces.scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = surfaces.scene().light(light);
     const std::uint64_t place = node.placeOf(light, surfaces.scene().lights.size());
     const LightSample sample = sampleLight(source, positionWorld, world.numbers->pair(Purpose::light, place));
     LightAtNode at;

@@ -90,7 +90,7 @@ dvec3 Surfaces::lit(const trace::SurfacePoint& point, int light, const dvec3& po
 
 dvec3 Surfaces::litByArea(const trace::SurfacePoint& point, int light, double irradiance, const dvec3& positionWorld,
                           const dvec3& normalWorld, const dvec3& toViewerWorld) const {
-    const scene::Light& source = scene().lights[static_cast<std::size_t>(light)];
+    const scene::Light& source = scene().light(light);
     return glm::pi<double>() * irradiance * source.intensity * dvec3(source.color) *
            scene::reflectance(materialOf(point), normalWorld, scene::towardLightWorld(source, positionWorld),
                               toViewerWorld);
