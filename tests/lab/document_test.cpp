@@ -87,7 +87,7 @@ TEST(Stepping, AStepThatWritesNoPictureIsShownByItsStage) {
 
     document.layout = picture::Layout::single;
     document.panes[0].stage = picture::StageRef::parse("pass:depth@the sun");
-    const std::string line = course::asCommandLine(captureWords(document, "s.json", "o.png", {10, 20}));
+    const std::string line = course::asCommandLine(course::captureWords(document, "s.json", "o.png", {10, 20}));
     EXPECT_NE(line.find("--stage 'light-depth@the sun'"), std::string::npos) << line;
 }
 
