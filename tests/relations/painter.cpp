@@ -14,9 +14,6 @@ namespace shadowlab::relations {
 
 namespace {
 
-bool publishes(const TechniqueInfo& info, std::string_view stage) {
-    return std::ranges::find(info.stages, stage, &StageInfo::id) != info.stages.end();
-}
 bool hasParam(const picture::Slot& slot, std::string_view id) {
     return std::ranges::any_of(slot.params, [&](const params::Param& param) { return param.id == id; });
 }
