@@ -51,6 +51,7 @@ std::set<std::string> faults;
 PFNGLSHADERSOURCEPROC shaderSourceOfDriver;
 PFNGLATTACHSHADERPROC attachShaderOfDriver;
 PFNGLLINKPROGRAMPROC linkProgramOfDriver;
+PFNGLDELETEPROGRAMPROC deleteProgramOfDriver;
 PFNGLDRAWARRAYSPROC drawArraysOfDriver;
 PFNGLDRAWELEMENTSPROC drawElementsOfDriver;
 PFNGLDRAWARRAYSINSTANCEDPROC drawArraysInstancedOfDriver;
@@ -244,6 +245,12 @@ void GLAD_API_PTR linkProgram(GLuint program) {
     if (linked) keepProgram(texts[GL_VERTEX_SHADER], texts[GL_FRAGMENT_SHADER]);
 }
 
+void GLAD_API_PTR deleteProgram(GLuint program) {
+    if (program != 0 && static_cast<GLuint>(integer(GL_CURRENT_PROGRAM)) == program)
+        faults.insert(nameOf(program) + ": deleted while it is in use (ProgramTraits in techniques/foundation/gl/handle.h)");
+    deleteProgramOfDriver(program);
+}
+
 void GLAD_API_PTR drawArrays(GLenum mode, GLint first, GLsizei count) {
     lookAtDraw();
     drawArraysOfDriver(mode, first, count);
@@ -288,6 +295,7 @@ void watchDraws() {
     takePlace(glad_glShaderSource, shaderSourceOfDriver, PFNGLSHADERSOURCEPROC{shaderSource});
     takePlace(glad_glAttachShader, attachShaderOfDriver, PFNGLATTACHSHADERPROC{attachShader});
     takePlace(glad_glLinkProgram, linkProgramOfDriver, PFNGLLINKPROGRAMPROC{linkProgram});
+    takePlace(glad_glDeleteProgram, deleteProgramOfDriver, PFNGLDELETEPROGRAMPROC{deleteProgram});
     takePlace(glad_glDrawArrays, drawArraysOfDriver, PFNGLDRAWARRAYSPROC{drawArrays});
     takePlace(glad_glDrawElements, drawElementsOfDriver, PFNGLDRAWELEMENTSPROC{drawElements});
     takePlace(glad_glDrawArraysInstanced, drawArraysInstancedOfDriver,

@@ -6,7 +6,8 @@
 
 namespace shadowlab::testing {
 
-/// From now on, until the context is made current again: before each draw call of this context
+/// From now on, until the context is made current again: no program is deleted while it is in use, and before each draw call of
+/// this context
 ///   - there is a program, and a vertex array, and the target is complete
 ///   - each sampler's texture unit has a texture, of a kind of texels that the sampler can read, complete with its levels, and
 ///     compared by the sampler exactly where the sampler's type says so

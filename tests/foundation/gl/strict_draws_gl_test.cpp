@@ -99,6 +99,31 @@ TEST_F(StrictDraws, NoVertexArray) {
     EXPECT_NE(gl::takeDebugMessages(), "");
 }
 
+TEST_F(StrictDraws, AProgramThatIsDeletedWhileInUse) {
+    const GLuint program = glCreateProgram();
+    for (const GLenum type : {GL_VERTEX_SHADER, GL_FRAGMENT_SHADER}) {
+        const GLuint shader = glCreateShader(type);
+        const char* text = type == GL_VERTEX_SHADER ? "#version 330 core\nvoid main() { gl_Position = vec4(0.0); }\n"
+                                                    : "#version 330 core\nout vec4 result;\nvoid main() { result = vec4(1.0); }\n";
+        glShaderSource(shader, 1, &text, nullptr);
+        glCompileShader(shader);
+        glAttachShader(program, shader);
+        glDeleteShader(shader);
+    }
+    glLinkProgram(program);
+    glUseProgram(program);
+    glDeleteProgram(program);
+    expectFault("deleted while it is in use");
+    glUseProgram(0);
+    // gl::Program ends the use first.
+    source_.bind(0);
+    drawGreyed(0);
+    GLint inUse = -1;
+    glGetIntegerv(GL_CURRENT_PROGRAM, &inUse);
+    EXPECT_EQ(inUse, 0);
+    EXPECT_EQ(testing::takeDrawFaults(), "");
+}
+
 TEST_F(StrictDraws, SamplersThatNoPassSetsShareNoUnit) {
     const gl::Program program("surface.vert", "shadow_map/decide.frag", {},
                               {{"shadow_map/layer_one.glsl", "shadow_map/layer_cube.glsl"}});
