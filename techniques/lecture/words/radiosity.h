@@ -8,10 +8,10 @@ namespace shadowlab::lecture {
 inline constexpr std::string_view kBasicRadiosityModel =
     "1. The object surfaces must form an enclosed space that has no energy exchange with outside world.\n"
     "2. Assume each surface is either a Lambertian reflector, a emitter, or a combination of both.\n"
-    "3. Divide each surface into small surface polygons (surface patches)\n"
-    "   and calculate form factors.\n"
-    "4. Solve radiosity equations: B_i - rho_i * sum over k of F_ik * B_k = E_i,\n"
-    "   i = 1, 2, 3, ..., n.";
+    "3. Divide each surface into small surface polygons (surface patches) "
+    "and calculate form factors.\n"
+    "4. Solve radiosity equations: B_i - rho_i * sum over k of F_ik * B_k = E_i, "
+    "i = 1, 2, 3, ..., n.";
 
 inline constexpr PassInfo kRadiosityPasses[] = {
     {.id = "patches",
@@ -26,7 +26,7 @@ inline constexpr PassInfo kRadiosityPasses[] = {
      .why = "F_jk is the fraction of the radiant energy from patch j that reaches patch k.",
      .glState = "nothing is drawn",
      .shownBy = "form-factors",
-     .pseudocodeLines = {4, 4},
+     .pseudocodeLines = {3, 3},
      .formula = "F_jk = 1 / A_j * sum over points of j and k of cos phi_j cos phi_k / (pi r^2) dA_j dA_k\n"
                 "A_j F_jk = A_k F_kj",
      .anchors = "lecture-exchange lecture-form-factors"},
@@ -41,7 +41,7 @@ inline constexpr PassInfo kRadiosityPasses[] = {
      .title = "Solve the radiosity equations: each patch gathers from all others",
      .why = "Every repetition adds the light of one more reflection.",
      .glState = "depth test EQUAL, one value per patch",
-     .pseudocodeLines = {5, 6},
+     .pseudocodeLines = {4, 4},
      .formula = "B_i = E_i + rho_i * sum over k of F_ik * B_k\nI = B_i / pi",
      .anchors = "lecture-gather"},
 };

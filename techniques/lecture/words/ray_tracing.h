@@ -9,10 +9,10 @@ inline constexpr std::string_view kRayCastingProcedure =
     "1. Cast pixel ray from projection reference point through pixel center.\n"
     "2. Each time a pixel ray intersects an object surface, it splits into a reflection ray and a refraction ray.\n"
     "3. Repeat step 2. Each intersected surface is added to a binary ray-tracing tree.\n"
-    "4. A ray is terminated when it intersects no surfaces, intersects a light source that is not a reflecting\n"
-    "   surface, or the tree reaches maximum allowable depth.\n"
-    "5. Process the tree in bottom-up order: accumulate the intensities from reflection ray, refraction ray and\n"
-    "   all the light sources, attenuated by distance. The pixel intensity is obtained at the root.";
+    "4. A ray is terminated when it intersects no surfaces, intersects a light source that is not a reflecting "
+    "surface, or the tree reaches maximum allowable depth.\n"
+    "5. Process the tree in bottom-up order: accumulate the intensities from reflection ray, refraction ray and "
+    "all the light sources, attenuated by distance. The pixel intensity is obtained at the root.";
 
 inline constexpr PassInfo kRayPasses[] = {
     {.id = "pixel-rays",
@@ -30,7 +30,7 @@ inline constexpr PassInfo kRayPasses[] = {
      .glState = "none: the processor traces",
      .perLight = true,
      .shownBy = "visibility",
-     .pseudocodeLines = {6, 7},
+     .pseudocodeLines = {5, 5},
      .formula = "visibility = 0 if anything lies between P and the light, else 1",
      .anchors = "lecture-shadow-ray"},
     {.id = "tree",
@@ -38,14 +38,14 @@ inline constexpr PassInfo kRayPasses[] = {
      .why = "A mirror shows what its reflection ray meets, glass also what its refraction ray meets.",
      .glState = "none: the processor traces",
      .shownBy = "tree-depth",
-     .pseudocodeLines = {2, 5},
+     .pseudocodeLines = {2, 4},
      .formula = "R = u - 2 (u.N) N",
      .anchors = "lecture-tree lecture-secondary-rays"},
     {.id = "intensity",
      .title = "Process the tree in bottom-up order",
      .why = "The pixel intensity is that of the root.",
      .glState = "none: the processor shades; the picture is uploaded",
-     .pseudocodeLines = {6, 7},
+     .pseudocodeLines = {5, 5},
      .formula = "I = (I of all light sources + k_r I_R + k_t I_T) / (1 + c1 d + c2 d^2)",
      .anchors = "lecture-intensity"},
 };
