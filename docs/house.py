@@ -55,7 +55,7 @@ def room_of(file):
     parts = Path(file).parts
     if parts[0] == "app":
         return ("app", parts[1]) if len(parts) > 2 else None
-    if len(parts) == 2:
+    if len(parts) == 2 or parts[1] == "probed":
         return ("contract", "contract")
     if parts[1] == "foundation":
         return ("foundation", parts[2]) if len(parts) > 3 else None

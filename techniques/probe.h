@@ -1,18 +1,36 @@
-// What a technique knows about one pixel: facts to print, rays and vectors to draw in the scene; where it follows rays
-// that split, their tree; where patches send each other light, two of them; of a shadow what decided on it (shadow_probe.h).
+// What a technique knows about one pixel: facts to print, rays and vectors to draw in the scene; where it follows rays that split,
+// their tree; what it decided about the light. What only some techniques know, for a figure of their own, are the structs of
+// techniques/probed/, one for each idea.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <any>
+#include <array>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "techniques/foundation/math/types.h"
-#include "techniques/rays_probe.h"
+#include "techniques/light_section.h"
 #include "techniques/scene_shape.h"
-#include "techniques/shadow_probe.h"
 
 namespace shadowlab {
+
+/// What was decided about the pixel, and what is true.
+struct Decision {
+    double visibility = 0; ///< by the technique, 0..1
+    bool isTurnedAway = false;
+    std::string why{}; ///< it differs from the truth, or that it does not
+    /// The face that it was found to be blocked by, of a technique that looks for one.
+    struct Face {
+        std::string object;
+        std::uint32_t triangle = 0;
+        std::array<dvec3, 3> cornersWorld{};
+    };
+    std::optional<Face> blocker{};
+};
 
 struct Probe {
     /// One line of what is known. Numbers are in `numbers` as well, with all their digits.
@@ -51,46 +69,12 @@ struct Probe {
         dvec3 intensity{0.0};
         dvec3 normalWorld{0.0}; ///< N where it ends, on the side that it came from
     };
-    /// A flat piece of a surface that sends light out in all directions, as a Lambertian one does.
-    struct Patch {
-        std::string object;              ///< of which it is a piece
-        std::vector<dvec3> cornersWorld; ///< counter-clockwise seen from the front
-        dvec3 centreWorld, normalWorld;  ///< its centroid; the front's side, unit
-        double area = 0;                 ///< m^2
-        dvec3 emission{0.0};             ///< E, W/m^2
-        dvec3 reflectance{0.0};          ///< rho, 0..1
-        dvec3 radiosity{0.0};            ///< B, W/m^2
-    };
-    /// The pixel's patch j, and another one that it exchanges light with.
-    struct Exchange {
-        Patch j;
-        std::optional<Patch> k{};
-        double formFactorJk = 0; ///< the share of what leaves j that reaches k, with what stands in between
-        double formFactorKj = 0;
-    };
-    /// Some of the n equations of a room whose patches exchange light: B_i - rho_i sum of F_ik B_k = what i sends of its own.
-    struct Equations {
-        std::uint32_t count = 0;            ///< n
-        std::vector<std::uint32_t> patches; ///< 1 ... n, rising: those whose rows and columns these are
-        std::vector<dvec3> reflectance;     ///< rho_i
-        std::vector<dvec3> emission;        ///< E_i, W/m^2, with what i reflects of light sources that are no patches
-        std::vector<dvec3> radiosity;       ///< B_i, W/m^2
-        std::vector<std::vector<double>> formFactors; ///< F_ik, of rows and columns as in `patches`
-        std::vector<dvec3> fromOthers;                ///< sum of F_ik B_k over all other columns, W/m^2
-    };
     std::vector<Fact> facts;
     std::vector<Segment> geometry;
     std::vector<Node> tree;
-    std::vector<Vector> vectors;               ///< at the end of the eye ray
-    std::optional<Exchange> exchange{};        ///< of a technique in which patches send each other light
-    std::optional<Equations> equations{};      ///< of the same
-    std::optional<RaysProbe> rays{};           ///< of one that sends several rays for a pixel
-    std::optional<StructureProbe> structure{}; ///< of one that traces rays with volumes or cells
-    std::optional<LightSection> section{};     ///< that the following are drawn in; none without a light
-    std::optional<Decision> decision{};  ///< of a technique that decides on the spot whether a light reaches the pixel
-    std::optional<VolumeProbe> volume{}; ///< of one that counts faces of volumes
-    std::optional<MapProbe> map{};       ///< of one that asks a depth map
-    std::optional<PlaneProbe> plane{};   ///< of one that flattens casters onto planes
+    std::vector<Vector> vectors;           ///< at the end of the eye ray
+    std::optional<LightSection> section{}; ///< that figures of the shadow are drawn in; none without a light
+    std::optional<Decision> decision{};    ///< of a technique that decides on the spot whether a light reaches the pixel
     /// A pass of a frame, as often as it is drawn: with which light, and how many triangles it draws.
     struct DrawnPass {
         std::string id;
@@ -100,6 +84,29 @@ struct Probe {
     };
     std::vector<DrawnPass> passes;   ///< of the frame that the pixel is in, in order, of a technique that tells
     std::vector<SceneShape> visited; ///< what of the technique's own structures the eye ray passes through
+
+    /// Puts in, or replaces, what a figure is drawn from: a struct of techniques/probed/, or of a folder of its own.
+    template <typename Part>
+    Part& add(Part part) {
+        if (Part* const before = find<Part>()) return *before = std::move(part);
+        return *std::any_cast<Part>(&parts_.emplace_back(std::move(part)));
+    }
+    /// Null where the technique does not know such a thing about the pixel.
+    template <typename Part>
+    [[nodiscard]] const Part* find() const {
+        for (const std::any& part : parts_)
+            if (const auto* found = std::any_cast<Part>(&part)) return found;
+        return nullptr;
+    }
+    template <typename Part>
+    [[nodiscard]] Part* find() {
+        for (std::any& part : parts_)
+            if (auto* found = std::any_cast<Part>(&part)) return found;
+        return nullptr;
+    }
+
+private:
+    std::deque<std::any> parts_; ///< of each type one; a deque, so that references to them stay valid
 };
 
 /// Six digits, without regard to the locale, and without a sign where there is nothing.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The arrows between the layers, checked: app -> the contract (techniques/*.h) <- techniques/<x>, and from all of them to
+"""The arrows between the layers, checked: app -> the contract (techniques/*.h and techniques/probed/) <- techniques/<x>, and from all of them to
 techniques/foundation and the libraries; within app/ the order of its rooms, APP_ORDER.
 
 include_check.py [ROOT] reads every C++ file, shader and CMake file of a checkout, prints FILE:LINE: WHAT for each arrow that
@@ -55,11 +55,11 @@ class Include:
 
 
 def layer(path):
-    """foundation, foundation/gl, contract (files beside the folders of the techniques), technique, app, tests or shaders."""
+    """foundation, foundation/gl, contract (files beside the folders of the techniques, and probed/), technique, app, tests or shaders."""
     parts = PurePosixPath(path).parts
     if parts[0] != "techniques":
         return parts[0]
-    if len(parts) == 2:
+    if len(parts) == 2 or parts[1] == "probed":
         return "contract"
     if parts[1] != "foundation":
         return "technique"
@@ -101,7 +101,7 @@ def rule_app_knows_contracts_only(include):
     if include.targets("tests"):
         return "the program does not include its tests"
     if include.targets("techniques") and layer(include.target) == "technique":
-        return "the program knows techniques by their contract only: the files directly under techniques/"
+        return "the program knows techniques by their contract only: the files directly under techniques/, and techniques/probed"
     return None
 
 

@@ -5,6 +5,7 @@
 
 #include <iostream>
 
+#include "techniques/probed/map_probe.h"
 #include "tests/support/random_pixels.h"
 
 namespace shadowlab {
@@ -29,8 +30,8 @@ TEST(RandomPixelsMapTest, DepthsOfPointAndTexelAreThoseOfTheTriangles) {
              .pixels = 40,
              .seed = 53},
             [&](const AskedPixel& asked) {
-                if (!asked.probe.map) return;
-                const MapProbe& map = *asked.probe.map;
+                if (!asked.probe.find<MapProbe>()) return;
+                const MapProbe& map = *asked.probe.find<MapProbe>();
                 ++compared;
                 const dvec4 clip = map.lightClipFromLightRelative * dvec4(asked.pointWorld - map.originWorld, 1.0);
                 const dvec3 str = dvec3(clip) / clip.w * 0.5 + 0.5;

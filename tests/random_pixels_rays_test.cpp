@@ -8,6 +8,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "techniques/probed/patch_exchange.h"
 #include "tests/support/random_pixels.h"
 
 namespace shadowlab {
@@ -110,7 +111,7 @@ TEST(RandomPixelsRaysTest, VectorsOfTheTreeFollowTheirLaws) {
 }
 
 /// A point of a patch by chance: of a triangle or a rectangle of a fan, each as often as it is large.
-dvec3 pointOf(const Probe::Patch& patch, std::mt19937& random) {
+dvec3 pointOf(const PatchProbe& patch, std::mt19937& random) {
     std::uniform_real_distribution<double> share(0, 1);
     std::vector<double> areas;
     for (std::size_t i = 1; i + 1 < patch.cornersWorld.size(); ++i)
@@ -148,9 +149,9 @@ TEST(RandomPixelsRaysTest, FormFactorsAreThoseOfPairsOfPoints) {
         view.picked = pixel();
         view.partner = pixel();
         const Probe probe = slot.technique->probe(scene, view, *view.picked, 0);
-        if (!probe.exchange || !probe.exchange->k || probe.exchange->formFactorJk <= 0) continue;
-        const Probe::Patch &j = probe.exchange->j, &k = *probe.exchange->k;
-        reciprocity.add(probe.exchange->formFactorJk * j.area / (probe.exchange->formFactorKj * k.area) - 1);
+        if (!probe.find<PatchExchange>() || !probe.find<PatchExchange>()->k || probe.find<PatchExchange>()->formFactorJk <= 0) continue;
+        const PatchProbe &j = probe.find<PatchExchange>()->j, &k = *probe.find<PatchExchange>()->k;
+        reciprocity.add(probe.find<PatchExchange>()->formFactorJk * j.area / (probe.find<PatchExchange>()->formFactorKj * k.area) - 1);
         double sum = 0, squares = 0, whole = 0;
         int facing = 0, hidden = 0;
         constexpr int kPairs = 20'000;
@@ -173,7 +174,7 @@ TEST(RandomPixelsRaysTest, FormFactorsAreThoseOfPairsOfPoints) {
         }
         const double mean = sum / kPairs, deviation = std::sqrt((squares / kPairs - mean * mean) / kPairs);
         ++compared;
-        const double told = probe.exchange->formFactorJk, expected = mean * k.area;
+        const double told = probe.find<PatchExchange>()->formFactorJk, expected = mean * k.area;
         (hidden > 0 ? inPart : free).add((told - expected) / told);
         EXPECT_NEAR(told, expected, 4 * deviation * k.area + (hidden > 0 ? 0.18 * whole * k.area : 1e-7))
             << hidden << " of " << facing << " hidden; " << view.picked->x << "," << view.picked->y << " and "

@@ -6,6 +6,8 @@
 #include <iostream>
 #include <map>
 
+#include "techniques/probed/plane_probe.h"
+#include "techniques/probed/volume_probe.h"
 #include "techniques/registry.h"
 #include "tests/support/random_pixels.h"
 
@@ -134,7 +136,7 @@ TEST(RandomPixelsTest, ShadowVolumesCountWhatStandsBetween) {
         testing::forRandomPixels(
             {.technique = technique, .values = {{"cull", "false"}}, .pixels = 25, .seed = 23},
             [&](const AskedPixel& asked) {
-                if (!asked.probe.volume) return;
+                if (!asked.probe.find<VolumeProbe>()) return;
                 std::vector<bool>& of = closed[asked.name];
                 if (of.empty())
                     for (const scene::Object& object : asked.scene.objects)
@@ -151,7 +153,7 @@ TEST(RandomPixelsTest, ShadowVolumesCountWhatStandsBetween) {
                     ++doubtful;
                     return;
                 }
-                const VolumeProbe& volume = *asked.probe.volume;
+                const VolumeProbe& volume = *asked.probe.find<VolumeProbe>();
                 EXPECT_EQ(volume.frontsBefore - volume.backsBefore, point - eye) << technique << " " << asked.where();
                 EXPECT_EQ(volume.backsBeyond - volume.frontsBeyond, point) << technique << " " << asked.where();
                 EXPECT_EQ(volume.eyeCount, eye) << technique << " " << asked.where();
@@ -174,8 +176,8 @@ TEST(RandomPixelsTest, PlanesHeightsAndWeightsAreThoseOfTheTriangles) {
     testing::forRandomPixels(
         {.technique = "planar", .values = {{"cull", "false"}}, .pixels = 30, .seed = 31},
         [&](const AskedPixel& asked) {
-            if (!asked.probe.plane) return;
-            const PlaneProbe& told = *asked.probe.plane;
+            if (!asked.probe.find<PlaneProbe>()) return;
+            const PlaneProbe& told = *asked.probe.find<PlaneProbe>();
             if (!told.receives) {
                 ++without;
                 EXPECT_EQ(told.covers.size(), 0u);

@@ -3,6 +3,7 @@
 
 #include "app/figures/panels.h"
 #include "techniques/foundation/base/error.h"
+#include "techniques/probed/rays_probe.h"
 
 namespace shadowlab::figures {
 
@@ -30,9 +31,9 @@ const std::vector<Probe::Node>& treeOf(const FigureSource& source) {
 const RaysProbe& samplesOf(const FigureSource& source) {
     if (source.technique != "ray-traced")
         refuse(std::string(source.technique) + " sends no rays to draw; ask ray-traced");
-    if (!source.probe.rays)
+    if (!source.probe.find<RaysProbe>())
         refuse("with one ray for the pixel nothing is spread; set ray-traced.samples, for example to 16");
-    return *source.probe.rays;
+    return *source.probe.find<RaysProbe>();
 }
 
 const scene::Light& areaLightOf(const FigureSource& source) {

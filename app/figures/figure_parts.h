@@ -5,6 +5,7 @@
 
 #include "app/drawing/labels.h"
 #include "app/figures/figures.h"
+#include "techniques/probed/rays_probe.h"
 
 namespace shadowlab::figures {
 

@@ -4,6 +4,8 @@
 #include "app/drawing/labels.h"
 #include "app/figures/rays/shown_tree.h"
 #include "techniques/foundation/scene/model/scene.h"
+#include "techniques/probed/map_probe.h"
+#include "techniques/probed/patch_exchange.h"
 
 namespace shadowlab::figures {
 
@@ -39,14 +41,14 @@ void drawVectors(drawing::Drawing& drawing, const drawing::Box& area, const Prob
 
 /// "Form factor": the surfaces j and k as they lie in space, with their normals, the line r between their centres and the angles
 /// at its ends, and beside them what share of one's light reaches the other. There must be a k.
-void drawFormFactor(drawing::Drawing& drawing, const drawing::Box& area, const Probe::Exchange& exchange, const image::Font& font);
+void drawFormFactor(drawing::Drawing& drawing, const drawing::Box& area, const PatchExchange& exchange, const image::Font& font);
 
 /// The numbers of it, a column of lines.
-void writeFormFactor(drawing::Drawing& drawing, const drawing::Box& area, const Probe::Exchange& exchange, const image::Font& font);
+void writeFormFactor(drawing::Drawing& drawing, const drawing::Box& area, const PatchExchange& exchange, const image::Font& font);
 
 /// "Radiosity of a Lambertian reflector": how much light the pixel's surface sends in which direction, and what it is made of.
 /// `eyeWorld`: whose direction is shown where k lies in none that light is sent in.
-void drawReflector(drawing::Drawing& drawing, const drawing::Box& area, const Probe::Exchange& exchange, const dvec3& eyeWorld,
+void drawReflector(drawing::Drawing& drawing, const drawing::Box& area, const PatchExchange& exchange, const dvec3& eyeWorld,
                    const image::Font& font);
 
 /// The figures of the techniques of direct light, in the plane through eye, light and point: of shadow volumes, of a shadow map, of

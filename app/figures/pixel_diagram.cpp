@@ -8,6 +8,9 @@
 #include "app/figures/panels.h"
 #include "app/figures/section_sheet.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/map_probe.h"
+#include "techniques/probed/patch_exchange.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 
@@ -36,16 +39,17 @@ Diagram drawTreePanels(const Probe& probe, const scene::Scene& scene, const imag
 }
 
 Diagram drawPatchPanels(const Probe& probe, const image::Font& font) {
-    const double upper = probe.exchange->k ? kPairHeight : 0, height = upper + kReflectorHeight;
+    const PatchExchange& exchange = *probe.find<PatchExchange>();
+    const double upper = exchange.k ? kPairHeight : 0, height = upper + kReflectorHeight;
     drawing::Drawing drawing({kSheetWidth, height});
     const double width = kSheetWidth - 2 * kBorder;
-    if (probe.exchange->k) {
-        drawFormFactor(drawing, {{kBorder, kBorder}, {width, upper - 2 * kBorder}}, *probe.exchange, font);
+    if (exchange.k) {
+        drawFormFactor(drawing, {{kBorder, kBorder}, {width, upper - 2 * kBorder}}, exchange, font);
         drawing.line({kBorder, upper - kBorder / 2}, {kSheetWidth - kBorder, upper - kBorder / 2}, kRule);
     }
-    drawReflector(drawing, {{kBorder, upper + kBorder / 2}, {width, height - upper - kBorder}}, *probe.exchange,
+    drawReflector(drawing, {{kBorder, upper + kBorder / 2}, {width, height - upper - kBorder}}, exchange,
                   probe.geometry.front().fromWorld, font);
-    return {std::move(drawing), probe.exchange->k
+    return {std::move(drawing), exchange.k
                                     ? "The form factor of two surfaces, and the radiosity of a Lambertian reflector"
                                     : "The radiosity of a Lambertian reflector"};
 }
@@ -53,12 +57,12 @@ Diagram drawPatchPanels(const Probe& probe, const image::Font& font) {
 Diagram drawSection(const Probe& probe, const scene::Scene& scene, const image::Font& font, double height) {
     drawing::Drawing drawing({kSheetWidth, height});
     const drawing::Box area{dvec2(kBorder), dvec2(kSheetWidth, height) - 2 * kBorder};
-    if (probe.volume) {
+    if (probe.find<VolumeProbe>()) {
         drawVolume(drawing, area, probe, scene, font);
         return {std::move(drawing),
                 "Shadow volumes in the plane through eye, light and point, and the faces that the eye's line crosses"};
     }
-    if (probe.map) {
+    if (probe.find<MapProbe>()) {
         drawMap(drawing, area, probe, scene, font);
         return {std::move(drawing),
                 "The shadow map's texels in the plane through eye, light and point, and those beside the point"};
@@ -118,11 +122,11 @@ std::string fourDigits(double value) {
     return digits.substr(0, power) + "\u00b710" + raised;
 }
 
-bool canDraw(const Probe& probe) { return !probe.tree.empty() || probe.exchange || hasSection(probe); }
+bool canDraw(const Probe& probe) { return !probe.tree.empty() || probe.find<PatchExchange>() || hasSection(probe); }
 
 Diagram pixelDiagram(const Probe& probe, const scene::Scene& scene, const image::Font& font, double sectionHeight) {
     if (hasSection(probe)) return drawSection(probe, scene, font, sectionHeight);
-    return probe.exchange ? drawPatchPanels(probe, font) : drawTreePanels(probe, scene, font);
+    return probe.find<PatchExchange>() ? drawPatchPanels(probe, font) : drawTreePanels(probe, scene, font);
 }
 
 } // namespace shadowlab::figures

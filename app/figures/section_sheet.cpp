@@ -7,6 +7,9 @@
 #include "app/figures/panels.h"
 #include "techniques/foundation/base/look.h"
 #include "techniques/foundation/scene/query/outside_camera.h"
+#include "techniques/probed/map_probe.h"
+#include "techniques/probed/plane_probe.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 
@@ -20,7 +23,7 @@ constexpr double kSheetRow = 32;    ///< pixels from one line of text to the nex
 } // namespace
 
 bool hasSection(const Probe& probe) {
-    return probe.section && probe.geometry.size() >= 2 && (probe.volume || probe.map || probe.plane);
+    return probe.section && probe.geometry.size() >= 2 && (probe.find<VolumeProbe>() || probe.find<MapProbe>() || probe.find<PlaneProbe>());
 }
 
 void SectionSheet::findPlaces(const Probe& probe) {

@@ -8,6 +8,8 @@
 
 #include "techniques/exact_judge.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/patch_exchange.h"
+#include "techniques/probed/radiosity_equations.h"
 
 namespace shadowlab::radiosity {
 
@@ -15,10 +17,10 @@ namespace {
 
 double degrees(double cosine) { return glm::degrees(std::acos(glm::clamp(cosine, -1.0, 1.0))); }
 
-Probe::Patch asProbed(const RoomCache& cache, const Sources& sources, const LightBalance& balance, std::uint32_t j) {
+PatchProbe asProbed(const RoomCache& cache, const Sources& sources, const LightBalance& balance, std::uint32_t j) {
     const Patch& patch = cache.room().allPatches()[j];
     const dvec3& originWorld = cache.room().world().originWorld;
-    Probe::Patch probed;
+    PatchProbe probed;
     probed.object = cache.room().objectOf(patch).name;
     for (const dvec3& corner : patch.polygon.corners())
         probed.cornersWorld.push_back(originWorld + corner);
@@ -32,7 +34,7 @@ Probe::Patch asProbed(const RoomCache& cache, const Sources& sources, const Ligh
 }
 
 /// The outline of a patch and its normal, drawn as long as the patch is wide.
-SceneShape outline(const Probe::Patch& patch, std::string label, const vec3& colorLinear) {
+SceneShape outline(const PatchProbe& patch, std::string label, const vec3& colorLinear) {
     SceneShape shape{std::move(label), colorLinear, SceneShape::Kind::lines, {}};
     for (std::size_t i = 0; i < patch.cornersWorld.size(); ++i)
         for (const std::size_t corner : {i, (i + 1) % patch.cornersWorld.size()})
@@ -45,14 +47,14 @@ SceneShape outline(const Probe::Patch& patch, std::string label, const vec3& col
 /// The lecture's figure of two patches, in numbers.
 void describePair(const RoomCache& cache, const Sources& sources, const LightBalance& balance, std::uint32_t j,
                   std::uint32_t k, Probe& probe) {
-    const Probe::Patch& from = probe.exchange->j;
-    const Probe::Patch& to = probe.exchange->k.emplace(asProbed(cache, sources, balance, k));
+    const PatchProbe& from = probe.find<PatchExchange>()->j;
+    const PatchProbe& to = probe.find<PatchExchange>()->k.emplace(asProbed(cache, sources, balance, k));
     const dvec3 way = to.centreWorld - from.centreWorld;
     const double r = glm::length(way);
     const double cosJ = glm::dot(from.normalWorld, way) / r, cosK = -glm::dot(to.normalWorld, way) / r;
     const double exchanged = cache.exchange().matrix(j, k);
-    probe.exchange->formFactorJk = exchanged / from.area;
-    probe.exchange->formFactorKj = exchanged / to.area;
+    probe.find<PatchExchange>()->formFactorJk = exchanged / from.area;
+    probe.find<PatchExchange>()->formFactorKj = exchanged / to.area;
     probe.facts.push_back(probeCount("k: the other patch", k));
     probe.facts.push_back({"of", to.object, ""});
     probe.facts.push_back(probeFact("dA_k", to.area, "m^2"));
@@ -94,7 +96,7 @@ std::vector<std::uint32_t> chosenPatches(const RoomCache& cache, const LightBala
 
 void describeEquations(const RoomCache& cache, const Sources& sources, const LightBalance& balance,
                        std::vector<std::uint32_t> chosen, Probe& probe) {
-    Probe::Equations& equations = probe.equations.emplace(Probe::Equations{});
+    RadiosityEquations& equations = probe.add(RadiosityEquations{});
     equations.count = static_cast<std::uint32_t>(cache.room().patches().size());
     for (const std::uint32_t i : chosen) {
         equations.patches.push_back(i + 1);
@@ -171,8 +173,8 @@ void describePatch(const RoomCache& cache, const Sources& sources, const LightBa
     probe.facts.push_back(probeFact("radiant energy in a second", radiosity * patch.area, "J"));
     probe.facts.push_back(probeFact("I = B / pi, intensity", radiosity / glm::pi<double>(), "W/(m^2 sr)"));
     if (light >= 0) probe.facts.push_back(probeFact("visible share of the light", cache.light(light).seenArea[j]));
-    probe.exchange = {asProbed(cache, sources, balance, j)};
-    probe.visited.push_back(outline(probe.exchange->j, "patch j and its normal", look::kPatchJ));
+    PatchExchange& exchange = probe.add(PatchExchange{asProbed(cache, sources, balance, j)});
+    probe.visited.push_back(outline(exchange.j, "patch j and its normal", look::kPatchJ));
     if (j >= exchanging) {
         probe.facts.push_back({"form factors", "none: nothing lies before it", ""});
         return;

@@ -14,6 +14,7 @@
 #include "techniques/exact_judge.h"
 #include "techniques/foundation/gl/scene/surfaces.h"
 #include "techniques/frame.h"
+#include "techniques/probed/patch_exchange.h"
 #include "techniques/radiosity/described.h"
 #include "techniques/radiosity/display/light_map.h"
 #include "techniques/radiosity/display/stages.h"
@@ -210,7 +211,7 @@ Probe Radiosity::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
         return probe;
     }
     describePatch(cache_, sources_, balance_, *patch, light, partnerOf(*patch, snapshot, view), probe);
-    if (view.partner && !probe.exchange->k)
+    if (view.partner && !probe.find<PatchExchange>()->k)
         probe.facts.push_back(
             {"k: the other patch", "none: the second pixel shows no other patch to exchange light with", ""});
     return probe;

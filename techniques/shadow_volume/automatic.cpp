@@ -7,6 +7,7 @@
 // 2005). Here depth is clamped, so the near plane cuts nothing off, and the pyramid shrinks to the line from the eye to the
 // light. A side that the eye sees edge-on needs no test of its own: its caster lies on the line.
 // SPDX-License-Identifier: MIT
+#include "techniques/probed/volume_probe.h"
 #include "techniques/shadow_volume/cull/eye_line.h"
 #include "techniques/shadow_volume/shared_info.h"
 #include "techniques/shadow_volume/volume_technique.h"

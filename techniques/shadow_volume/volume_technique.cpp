@@ -7,6 +7,7 @@
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/scene/query/view/visible_receivers.h"
 #include "techniques/lights_in_view.h"
+#include "techniques/probed/volume_probe.h"
 #include "techniques/shadow_volume/cull/eye_line.h"
 #include "techniques/shadow_volume/probe/shapes.h"
 

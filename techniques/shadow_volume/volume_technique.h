@@ -6,6 +6,7 @@
 #pragma once
 #include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "techniques/frame.h"
+#include "techniques/probed/volume_probe.h"
 #include "techniques/shadow_volume/count/float_count.h"
 #include "techniques/shadow_volume/cull/casters.h"
 #include "techniques/shadow_volume/probe/stage_pictures.h"

@@ -4,6 +4,7 @@
 // line from the point away from the eye ends outside of every volume, wherever the eye is. In return each volume has to be
 // closed by caps, at the caster and at its far end.
 // SPDX-License-Identifier: MIT
+#include "techniques/probed/volume_probe.h"
 #include "techniques/shadow_volume/shared_info.h"
 #include "techniques/shadow_volume/volume_technique.h"
 

@@ -6,6 +6,7 @@
 // it lies on the caster's surface and no surface lies before the visible point. No bottom cap is needed either, as long as
 // the eye is not beyond it.
 // SPDX-License-Identifier: MIT
+#include "techniques/probed/volume_probe.h"
 #include "techniques/shadow_volume/cull/eye_line.h"
 #include "techniques/shadow_volume/shared_info.h"
 #include "techniques/shadow_volume/volume_technique.h"

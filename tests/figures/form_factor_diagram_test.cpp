@@ -11,14 +11,15 @@
 #include "app/figures/panels.h"
 #include "app/figures/pixel_diagram.h"
 #include "app/figures/radiosity/patch_view.h"
+#include "techniques/probed/patch_exchange.h"
 #include "tests/figures/written.h"
 
 namespace shadowlab::figures {
 namespace {
 
 /// A rectangle from the middle of which its sides lie `u` and `v` away; it faces along u x v.
-Probe::Patch rectangle(const dvec3& centreWorld, const dvec3& u, const dvec3& v, std::string object = "wall") {
-    Probe::Patch patch;
+PatchProbe rectangle(const dvec3& centreWorld, const dvec3& u, const dvec3& v, std::string object = "wall") {
+    PatchProbe patch;
     patch.object = std::move(object);
     patch.cornersWorld = {centreWorld - u - v, centreWorld + u - v, centreWorld + u + v, centreWorld - u + v};
     patch.centreWorld = centreWorld;
@@ -32,12 +33,12 @@ Probe::Patch rectangle(const dvec3& centreWorld, const dvec3& u, const dvec3& v,
 
 struct Arrangement {
     const char* name;
-    Probe::Patch j, k;
+    PatchProbe j, k;
     bool showsBothFronts; ///< is there a place from which both are seen from their fronts?
 };
 
 std::vector<Arrangement> arrangements() {
-    const Probe::Patch floor = rectangle({0, 0, 0}, {0.5, 0, 0}, {0, 0, -0.5}, "floor");
+    const PatchProbe floor = rectangle({0, 0, 0}, {0.5, 0, 0}, {0, 0, -0.5}, "floor");
     std::vector<Arrangement> all = {
         {"touching at an edge", floor, rectangle({0, 0.5, -0.5}, {0.5, 0, 0}, {0, 0.5, 0}), true},
         {"touching at a corner", floor, rectangle({1, 0.5, -0.5}, {0.5, 0, 0}, {0, 0.5, 0}), true},
@@ -65,7 +66,7 @@ std::vector<Arrangement> arrangements() {
         const auto turnedBy = [&](const dvec3& v) {
             return dvec3(v.x, std::cos(turn) * v.y - std::sin(turn) * v.z, std::sin(turn) * v.y + std::cos(turn) * v.z);
         };
-        for (Probe::Patch* patch : {&turned.j, &turned.k}) {
+        for (PatchProbe* patch : {&turned.j, &turned.k}) {
             for (dvec3& corner : patch->cornersWorld)
                 corner = dvec3(1e4, 0, -1e4) + turnedBy(corner);
             patch->centreWorld = dvec3(1e4, 0, -1e4) + turnedBy(patch->centreWorld);
@@ -79,7 +80,7 @@ std::vector<Arrangement> arrangements() {
 Probe probeOf(const Arrangement& arrangement) {
     Probe probe;
     probe.geometry.push_back({"eye ray", {2, 3, 4}, arrangement.j.centreWorld, Probe::Role::eye});
-    probe.exchange = Probe::Exchange{arrangement.j, arrangement.k, 0.0123, 0.0456};
+    probe.add(PatchExchange{arrangement.j, arrangement.k, 0.0123, 0.0456});
     return probe;
 }
 
@@ -93,7 +94,7 @@ bool says(const std::string& drawing, const std::string& text) {
 // Twelve positions of a small square above the floor, with angles and form factors that can be worked out by hand: the one at
 // (d, h) sees the floor's middle under the angle atan(d / h), and faces it, turned by a given angle.
 TEST(FormFactorDiagramTest, ItsNumbersAreThoseOfTheFormula) {
-    const Probe::Patch floor = rectangle({0, 0, 0}, {0.05, 0, 0}, {0, 0, -0.05}, "floor");
+    const PatchProbe floor = rectangle({0, 0, 0}, {0.05, 0, 0}, {0, 0, -0.05}, "floor");
     int compared = 0;
     for (const double degreesJ : {0.0, 20.0, 45.0, 70.0})
         for (const double degreesK : {0.0, 30.0, 80.0}) {
@@ -103,7 +104,7 @@ TEST(FormFactorDiagramTest, ItsNumbersAreThoseOfTheFormula) {
             const dvec3 faces(-std::sin(phiJ + phiK), -std::cos(phiJ + phiK), 0);
             const dvec3 u(0, 0, 0.1), v = 0.1 * glm::cross(faces, dvec3(0, 0, 1));
             Probe probe = probeOf({"", floor, rectangle(r * wayWorld, u, v), true});
-            ASSERT_LT(glm::length(probe.exchange->k->normalWorld - faces), 1e-12);
+            ASSERT_LT(glm::length(probe.find<PatchExchange>()->k->normalWorld - faces), 1e-12);
             const std::string drawing = drawn(probe);
             const auto angle = [](const char* name, double degrees) {
                 return std::string("\u03c6") + name + " = " + std::to_string(degrees).substr(0, 4 - (degrees < 10)) +
@@ -137,7 +138,7 @@ TEST(FormFactorDiagramTest, WhatJGetsAndSendsIsWrittenWithItsUnits) {
 TEST(FormFactorDiagramTest, TowardTheEyeWhereThereIsNoLightForK) {
     for (const bool hasPartner : {true, false}) {
         Probe probe = probeOf(arrangements()[6]); // back to back
-        if (!hasPartner) probe.exchange->k.reset();
+        if (!hasPartner) probe.find<PatchExchange>()->k.reset();
         const std::string drawing = drawn(probe);
         EXPECT_TRUE(says(drawing, "toward the eye"));
         EXPECT_TRUE(says(drawing, "\u03c6 = 56.1\u00b0")); // from (2, 3, 4) down to the floor: atan(sqrt(20) / 3)
@@ -211,7 +212,7 @@ TEST(PatchViewTest, SmallAndFarThingsAreSeenAndDirectionsStay) {
     int checked = 0;
     for (const Arrangement& arrangement : arrangements()) {
         const PatchView view = patchView(arrangement.j, arrangement.k);
-        const auto radius = [](const Probe::Patch& patch) {
+        const auto radius = [](const PatchProbe& patch) {
             return glm::length(patch.cornersWorld[0] - patch.centreWorld);
         };
         const double j = view.magnified[0] * radius(arrangement.j), k = view.magnified[1] * radius(arrangement.k);

@@ -15,6 +15,8 @@
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/probed/map_probe.h"
+#include "techniques/probed/volume_probe.h"
 #include "tests/figures/written.h"
 #include "tests/support/scenes.h"
 
@@ -147,7 +149,7 @@ TEST(PolygonFigureTest, WritesTheSignsAndProductsOfTheScene) {
         for (int x = 90; x < 250; x += 10)
             for (const int y : {35, 50, 65, 80, 95, 110}) {
                 const Asked asked = ask(named.scene, "shadow-volume-zfail", {x, y});
-                if (!asked.probe.volume || asked.probe.volume->casters.empty()) continue;
+                if (!asked.probe.find<VolumeProbe>() || asked.probe.find<VolumeProbe>()->casters.empty()) continue;
                 const CasterSolid solid = casterSolid(asked.source(kRooms[0]), false);
                 if (!solid.caster->isPicked) continue;
                 const std::vector<Written> all =
@@ -186,7 +188,7 @@ TEST(EdgeFigureTest, TellsOutlinesFromOtherEdges) {
         for (int x = 90; x < 250; x += 10)
             for (const int y : {35, 50, 65, 80, 95, 110}) {
                 const Asked asked = ask(named.scene, "shadow-volume-zfail", {x, y});
-                if (!asked.probe.volume || asked.probe.volume->casters.empty()) continue;
+                if (!asked.probe.find<VolumeProbe>() || asked.probe.find<VolumeProbe>()->casters.empty()) continue;
                 std::string drawing;
                 try {
                     drawing = findFigure("edge").draw(asked.source(kRooms[1])).document();
@@ -217,7 +219,7 @@ TEST(ExtrusionFigureTest, WritesThePointThatTheTechniqueExtrudes) {
             for (int x = 90; x < 250; x += 15) {
                 const Asked asked =
                     ask(named.scene, "shadow-volume-zfail", {x, 60}, {{"volume-end", "distance"}, {"extrusion", d}});
-                if (!asked.probe.volume || asked.probe.volume->casters.empty()) continue;
+                if (!asked.probe.find<VolumeProbe>() || asked.probe.find<VolumeProbe>()->casters.empty()) continue;
                 const CasterSolid solid = casterSolid(asked.source(kRooms[1]), false);
                 for (std::size_t v = 0; v < solid.verticesWorld.size(); ++v) {
                     const dvec3 p = solid.verticesWorld[v], end(solid.caster->extrudedWorld[v]);
@@ -270,9 +272,9 @@ TEST(CountFigureTest, WritesTheCountsOfTheProbe) {
             for (int x = 60; x < 280; x += 40)
                 for (const int y : {80, 120, 150}) {
                     const Asked asked = ask(named.scene, technique, {x, y});
-                    if (!asked.probe.volume) continue;
+                    if (!asked.probe.find<VolumeProbe>()) continue;
                     const std::string drawing = findFigure("count").draw(asked.source(kRooms[2])).document();
-                    const VolumeProbe& volume = *asked.probe.volume;
+                    const VolumeProbe& volume = *asked.probe.find<VolumeProbe>();
                     const bool isPass = std::string(technique) == "shadow-volume-zpass";
                     const int fronts = isPass ? volume.frontsBefore : volume.frontsBeyond,
                               backs = isPass ? volume.backsBefore : volume.backsBeyond;
@@ -294,7 +296,7 @@ TEST(CamerasFigureTest, HasEyeLightAndPointInTheirPlacesAndBothDepths) {
     for (const Named& named : scenes())
         for (int x = 60; x < 280; x += 40) {
             const Asked asked = ask(named.scene, "shadow-map", {x, 120});
-            if (!asked.probe.map) continue;
+            if (!asked.probe.find<MapProbe>()) continue;
             const Diagram figure = findFigure("cameras").draw(asked.source(kRooms[0]));
             std::map<std::string, dvec2> places;
             for (const drawing::Mark& mark : figure.drawing.marks())
@@ -303,7 +305,7 @@ TEST(CamerasFigureTest, HasEyeLightAndPointInTheirPlacesAndBothDepths) {
             const std::vector<Written> all = written(figure.document());
             const std::vector<double> z = numbersAfter(all, "z(u,v) = ");
             if (!z.empty()) {
-                EXPECT_NEAR(z[0], asked.probe.map->pointMetres, 6e-4 * asked.probe.map->pointMetres);
+                EXPECT_NEAR(z[0], asked.probe.find<MapProbe>()->pointMetres, 6e-4 * asked.probe.find<MapProbe>()->pointMetres);
             }
             if (!places.contains("eye") || !places.contains("light") || !places.contains("point")) continue;
             const dvec3 eye = asked.probe.geometry[0].fromWorld, point = asked.probe.geometry[0].toWorld,
@@ -338,8 +340,8 @@ TEST(LectureFiguresTest, SayWhatIsMissingInOneLine) {
     const scene::Snapshot scene = deckScene();
     const Asked background = ask(scene, "shadow-volume-zfail", {2, 2}), map = ask(scene, "shadow-map", {160, 70}),
                 lit = ask(scene, "shadow-volume-zfail", {60, 150});
-    ASSERT_TRUE(lit.probe.volume);
-    ASSERT_TRUE(lit.probe.volume->casters.empty()) << "a lit place of the floor";
+    ASSERT_TRUE(lit.probe.find<VolumeProbe>());
+    ASSERT_TRUE(lit.probe.find<VolumeProbe>()->casters.empty()) << "a lit place of the floor";
     const auto said = [](const Asked& asked, const char* figure) -> std::string {
         try {
             (void)findFigure(figure).draw(asked.source(kRooms[0]));

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/figures/rays/light_section.h"
+#include "techniques/probed/rays_probe.h"
 #include "tests/figures/figure_of.h"
 
 namespace shadowlab::figures {
@@ -38,7 +39,7 @@ TEST(JitterFigureTest, ShowsTheSamplesWhereTheyAre) {
     int compared = 0;
     for (const char* samples : {"9", "16", "10"}) {
         const FigureOf asked("billiards", "ray-traced", {149, 456}, {{"samples", samples}, {"shutter", "0"}});
-        const RaysProbe& rays = *asked.probe.rays;
+        const RaysProbe& rays = *asked.probe.find<RaysProbe>();
         double area = 0;
         for (const RaysProbe::Sample& sample : rays.samples) {
             const auto& [low, high] = *sample.subpixel;
@@ -78,11 +79,11 @@ TEST(LensFigureTest, RaysMeetInTheObjectPlane) {
         const scene::Camera& camera = asked.view.camera;
         const dvec3 forward = glm::normalize(camera.targetWorld - camera.positionWorld);
         const double focus = glm::length(camera.targetWorld - camera.positionWorld);
-        EXPECT_NEAR(asked.probe.rays->focus, focus, 1e-12);
+        EXPECT_NEAR(asked.probe.find<RaysProbe>()->focus, focus, 1e-12);
         const dvec3 middle = scene::rayDirectionWorld(camera, dvec2(pixel) + 0.5, asked.view.size);
         const dvec3 meeting = camera.positionWorld + middle * (focus / glm::dot(middle, forward));
         const double pixelMetres = 2 * focus * std::tan(glm::radians(0.5 * camera.fovYDegrees)) / asked.view.size.y;
-        for (const RaysProbe::Sample& sample : asked.probe.rays->samples) {
+        for (const RaysProbe::Sample& sample : asked.probe.find<RaysProbe>()->samples) {
             EXPECT_LE(glm::length(sample.fromWorld - camera.positionWorld), 0.05 + 1e-9);
             EXPECT_NEAR(glm::dot(sample.fromWorld - camera.positionWorld, forward), 0, 1e-9);
             const dvec3 way = sample.toWorld - sample.fromWorld;
@@ -116,7 +117,7 @@ TEST(GlossFigureTest, RaysAreSpreadAsTheMaterialSays) {
             if (vector.label == one.letter) ideal = vector.directionWorld;
         double mean = 0;
         int count = 0;
-        for (const RaysProbe::Sample& sample : asked.probe.rays->samples)
+        for (const RaysProbe::Sample& sample : asked.probe.find<RaysProbe>()->samples)
             if (sample.*one.way) {
                 mean += glm::dot(*(sample.*one.way), ideal);
                 ++count;
@@ -133,9 +134,9 @@ TEST(LampFigureTest, RaysArriveWhereNothingIsBetween) {
     for (const ivec2 pixel : {ivec2(972, 662), ivec2(896, 633), ivec2(500, 600), ivec2(420, 560)})
         for (const int light : {1, 2}) {
             const FigureOf asked("room-with-lamps", "ray-traced", pixel, {{"samples", "16"}}, light);
-            if (!asked.probe.rays->sampledShare()) continue;
+            if (!asked.probe.find<RaysProbe>()->sampledShare()) continue;
             std::size_t arrives = 0, sent = 0;
-            for (const RaysProbe::Sample& sample : asked.probe.rays->samples) {
+            for (const RaysProbe::Sample& sample : asked.probe.find<RaysProbe>()->samples) {
                 if (!sample.onLightWorld) continue;
                 ++sent;
                 arrives += sample.arrives;
@@ -151,7 +152,7 @@ TEST(LampFigureTest, RaysArriveWhereNothingIsBetween) {
             EXPECT_EQ(circlesOf(drawn, "hidden").size(), sent - arrives);
             EXPECT_TRUE(says(drawn, std::to_string(arrives) + " of " + std::to_string(sent) + " arrive"));
             // Sixteen rays by chance: a standard deviation of an eighth at most, and jittered ones are better.
-            EXPECT_NEAR(*asked.probe.rays->sampledShare(), *asked.probe.rays->exactShare, 0.25);
+            EXPECT_NEAR(*asked.probe.find<RaysProbe>()->sampledShare(), *asked.probe.find<RaysProbe>()->exactShare, 0.25);
         }
     std::cout << arrived << " rays arrive, " << blocked << " are blocked\n";
     EXPECT_GT(arrived, 20);
@@ -245,7 +246,7 @@ TEST(ShutterFigureTest, RaysMeetTheBallWhereItIsAtTheirTime) {
     for (const ivec2 pixel : {ivec2(179, 446), ivec2(190, 440), ivec2(300, 432)}) {
         const FigureOf asked("billiards", "ray-traced", pixel, {{"samples", "64"}});
         const scene::Object& ball = *std::ranges::find(asked.scene->objects, "white ball", &scene::Object::name);
-        for (const RaysProbe::Sample& sample : asked.probe.rays->samples) {
+        for (const RaysProbe::Sample& sample : asked.probe.find<RaysProbe>()->samples) {
             // A ball of radius 0.057 at that time, by the distance of its centre from the ray. Its mesh has 96 segments: it
             // reaches out as far at its corners, and by (1 - cos(pi / 96)) less in between.
             const dvec3 centre = dvec3(-0.26, 0.057, 0.22) + sample.time * ball.velocityWorld;

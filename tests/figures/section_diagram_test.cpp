@@ -12,6 +12,8 @@
 #include "app/picture/session.h"
 #include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/foundation/scene/query/facing.h"
+#include "techniques/probed/map_probe.h"
+#include "techniques/probed/volume_probe.h"
 #include "tests/figures/written.h"
 #include "tests/support/scenes.h"
 
@@ -169,13 +171,13 @@ TEST(VolumeAreasTest, HoldTheCountsOfTheScene) {
     std::mt19937 random(7);
     for (const Named& named : scenes()) {
         const Probe probe = ask(named.scene, "shadow-volume-zfail", {160, 120}, "cull", "false");
-        if (!probe.volume || !probe.section) continue;
+        if (!probe.find<VolumeProbe>() || !probe.section) continue;
         PlaneLight light;
         const dvec4 world = scene::homogeneousPositionWorld(named.scene->lights[0]);
         light.isDirection = world.w == 0;
         light.at = light.isDirection ? probe.section->ofDirection(dvec3(world)) : probe.section->of(dvec3(world));
         const drawing::Box within{dvec2(-4), dvec2(8)};
-        const std::vector<CountedArea> areas = countedAreas(probe.volume->caps, light, within);
+        const std::vector<CountedArea> areas = countedAreas(probe.find<VolumeProbe>()->caps, light, within);
         std::uniform_real_distribution<double> metres(-3.5, 3.5);
         for (int i = 0; i < 400; ++i) {
             const dvec2 place(metres(random), metres(random));
@@ -183,10 +185,10 @@ TEST(VolumeAreasTest, HoldTheCountsOfTheScene) {
             // Volumes end just beyond the scene's box; no statement is made about what lies there.
             if (placeWorld.y < 0.02 || placeWorld.y > 2.1 || std::abs(placeWorld.x) > 4 || std::abs(placeWorld.z) > 4)
                 continue;
-            if (isAtBorder(place, probe.volume->caps, light, 1e-3)) continue;
+            if (isAtBorder(place, probe.find<VolumeProbe>()->caps, light, 1e-3)) continue;
             ++compared;
             const int expected = litTrianglesBetween(*named.scene, placeWorld, false);
-            EXPECT_EQ(countAt(place, probe.volume->caps, light), expected) << named.name;
+            EXPECT_EQ(countAt(place, probe.find<VolumeProbe>()->caps, light), expected) << named.name;
             int drawn = 0;
             for (const CountedArea& area : areas)
                 if (contains(area, place)) drawn = area.count;
@@ -206,15 +208,15 @@ TEST(SectionDiagramTest, CrossingsAreThoseOfTheLineAndChangeTheCount) {
         for (int i = 0; i < 40; ++i) {
             const ivec2 pixel(40 + 30 * (i % 8), 40 + 28 * (i / 8));
             const Probe probe = ask(named.scene, "shadow-volume-zfail", pixel, "cull", "false");
-            if (!probe.volume) continue;
+            if (!probe.find<VolumeProbe>()) continue;
             const dvec3 eye = probe.geometry[0].fromWorld, point = probe.geometry[0].toWorld,
                         way = glm::normalize(point - eye);
-            for (const VolumeProbe::Crossing& crossing : probe.volume->crossings) {
+            for (const VolumeProbe::Crossing& crossing : probe.find<VolumeProbe>()->crossings) {
                 if (std::isinf(crossing.distance) || crossing.part == VolumeProbe::Part::bottomCap) continue;
                 const double step = 1e-4;
                 const int before = litTrianglesBetween(*named.scene, eye + (crossing.distance - step) * way, false);
                 const int after = litTrianglesBetween(*named.scene, eye + (crossing.distance + step) * way, false);
-                const bool alone = std::ranges::count_if(probe.volume->crossings, [&](const auto& other) {
+                const bool alone = std::ranges::count_if(probe.find<VolumeProbe>()->crossings, [&](const auto& other) {
                                        return std::abs(other.distance - crossing.distance) < 2 * step;
                                    }) == 1;
                 if (!alone) continue;
@@ -223,8 +225,8 @@ TEST(SectionDiagramTest, CrossingsAreThoseOfTheLineAndChangeTheCount) {
             }
             if (i % 5 != 0) continue; // a drawing takes longer than a walk
             const std::vector<Written> all = written(pixelDiagram(probe, *named.scene, testFont()).document());
-            for (std::size_t i = 0; i < probe.volume->crossings.size() && i < 14; ++i) {
-                const std::string sign = probe.volume->crossings[i].sign > 0 ? "+1" : "\u22121",
+            for (std::size_t i = 0; i < probe.find<VolumeProbe>()->crossings.size() && i < 14; ++i) {
+                const std::string sign = probe.find<VolumeProbe>()->crossings[i].sign > 0 ? "+1" : "\u22121",
                                   row = std::to_string(i + 1) + ": " + sign;
                 labels += static_cast<int>(std::ranges::count(all, row, &Written::text));
                 for (const Written& one : all)
@@ -272,8 +274,8 @@ TEST(SectionDiagramTest, TexelsEndWhereTheLightFirstMeetsTheScene) {
     for (const Named& named : scenes()) {
         if (named.name == "horizon") continue; // all slopes are steep
         const Probe probe = ask(named.scene, "shadow-map", {160, 120}, "resolution", "512");
-        if (!probe.map || !probe.section) continue;
-        for (const MapProbe::Cell& cell : probe.map->across) {
+        if (!probe.find<MapProbe>() || !probe.section) continue;
+        for (const MapProbe::Cell& cell : probe.find<MapProbe>()->across) {
             const dvec3 place = probe.section->world(0.5 * (cell.stored[0] + cell.stored[1]));
             const auto first = firstOnRay(*named.scene, place);
             if (cell.isEmpty) {
@@ -284,7 +286,7 @@ TEST(SectionDiagramTest, TexelsEndWhereTheLightFirstMeetsTheScene) {
             ++filled;
             const dvec4 light = scene::homogeneousPositionWorld(named.scene->lights[0]);
             const double drawn = light.w == 0 ? 100 : glm::length(place - dvec3(light));
-            agree += first && std::abs(*first - drawn) < 6 * probe.map->texelMetres;
+            agree += first && std::abs(*first - drawn) < 6 * probe.find<MapProbe>()->texelMetres;
         }
     }
     std::cout << filled << " filled cells, " << agree << " where the ray meets the scene; " << empty << " empty, "

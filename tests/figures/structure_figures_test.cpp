@@ -3,6 +3,8 @@
 #include <cmath>
 #include <iostream>
 
+#include "techniques/probed/radiosity_equations.h"
+#include "techniques/probed/structure_probe.h"
 #include "tests/figures/figure_of.h"
 
 namespace shadowlab::figures {
@@ -26,8 +28,8 @@ TEST(BoundingVolumesFigureTest, TellWhatTheRayEntersAndWhatLiesInWhat) {
         for (const ivec2 pixel : {ivec2(793, 144), ivec2(640, 500), ivec2(230, 430), ivec2(900, 650)}) {
             const FigureOf asked("billiards", "ray-traced", pixel, {{"structure", structure}});
             const Probe::Segment& ray = asked.probe.geometry.front();
-            ASSERT_TRUE(asked.probe.structure) << structure;
-            const std::vector<StructureProbe::Volume>& volumes = asked.probe.structure->volumes;
+            ASSERT_TRUE(asked.probe.find<StructureProbe>()) << structure;
+            const std::vector<StructureProbe::Volume>& volumes = asked.probe.find<StructureProbe>()->volumes;
             ASSERT_GT(volumes.size(), 3u);
             for (const StructureProbe::Volume& volume : volumes) {
                 const dvec3 centre = 0.5 * (volume.lowerWorld + volume.upperWorld);
@@ -71,7 +73,7 @@ TEST(BoundingVolumesFigureTest, TellWhatTheRayEntersAndWhatLiesInWhat) {
 TEST(BoundingVolumesFigureTest, TheTreeHasAllOfThem) {
     const FigureOf asked("billiards", "ray-traced", {793, 144}, {{"structure", "groups"}});
     const Diagram drawn = asked.draw("bounding-volumes", {1920, 860});
-    const auto& volumes = asked.probe.structure->volumes;
+    const auto& volumes = asked.probe.find<StructureProbe>()->volumes;
     const std::size_t enteredOnes = circlesOf(drawn, "entered").size(), others = circlesOf(drawn, "not entered").size();
     EXPECT_EQ(enteredOnes + others, volumes.size());
     EXPECT_EQ(enteredOnes, static_cast<std::size_t>(std::ranges::count_if(
@@ -85,7 +87,7 @@ TEST(GridFigureTest, CellsFollowTheRayAndListWhatLiesInThem) {
     for (const ivec2 pixel : {ivec2(768, 252), ivec2(640, 500), ivec2(420, 300), ivec2(800, 650)}) {
         const FigureOf asked("cornell-room", "ray-traced", pixel, {{"structure", "grid"}});
         const Probe::Segment& ray = asked.probe.geometry.front();
-        const StructureProbe& grid = *asked.probe.structure;
+        const StructureProbe& grid = *asked.probe.find<StructureProbe>();
         ASSERT_FALSE(grid.cells.empty());
         const dvec3 size = (grid.upperWorld - grid.lowerWorld) / dvec3(grid.counts);
         double reached = -1;
@@ -122,8 +124,8 @@ TEST(GridFigureTest, CellsFollowTheRayAndListWhatLiesInThem) {
 // largest error is 1e-4 of the largest radiosity.
 TEST(EquationsFigureTest, TheRowsAreEquationsThatHold) {
     const FigureOf asked("cornell-room", "radiosity", {500, 690}, {{"patches", "100"}}, 0, ivec2(300, 400));
-    ASSERT_TRUE(asked.probe.equations);
-    const Probe::Equations& e = *asked.probe.equations;
+    ASSERT_TRUE(asked.probe.find<RadiosityEquations>());
+    const RadiosityEquations& e = *asked.probe.find<RadiosityEquations>();
     ASSERT_EQ(e.patches.size(), 5u);
     double largest = 0;
     for (const dvec3& radiosity : e.radiosity)

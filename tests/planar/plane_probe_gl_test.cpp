@@ -4,6 +4,7 @@
 
 #include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/foundation/trace/judge/exact_visibility.h"
+#include "techniques/probed/plane_probe.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/probed_picture.h"
 #include "tests/support/scenes.h"
@@ -39,12 +40,12 @@ TEST_F(PlaneProbeTest, DecidesAsThePictureDoesAndCountsAsTheJudgeDoes) {
         for (int y = 1; y < kSize.y; y += kStep)
             for (int x = 1; x < kSize.x; x += kStep) {
                 const Probe probe = picture.probe(x, y);
-                if (!probe.plane || !probe.plane->receives) continue;
+                if (!probe.find<PlaneProbe>() || !probe.find<PlaneProbe>()->receives) continue;
                 ++here;
                 differing += (probe.decision->visibility > 0.5) != (picture.visibility().grey(x, y) > 127);
                 const auto hit = judge.eyeHit(snapshot->camera, dvec2(x, y) + 0.5, kSize);
                 int casting = 0;
-                for (const PlaneProbe::Cover& cover : probe.plane->covers) {
+                for (const PlaneProbe::Cover& cover : probe.find<PlaneProbe>()->covers) {
                     casting += cover.casts;
                     covers += 1;
                     const bool between = cover.height > 0 && cover.weight > 0;

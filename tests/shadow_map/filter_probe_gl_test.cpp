@@ -9,6 +9,7 @@
 
 #include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/foundation/trace/judge/exact_visibility.h"
+#include "techniques/probed/map_probe.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/map_margin.h"
 #include "tests/support/probed_picture.h"
@@ -198,21 +199,21 @@ TEST_F(FilterProbeTest, WhatMomentsDecideIsWhatIsDrawn) {
                 if (!chosen) continue;
                 const ivec2 pixel = *chosen;
                 const Probe probe = picture.probe(pixel.x, pixel.y);
-                if (!probe.decision || !probe.map || !probe.map->moments || probe.decision->isTurnedAway) continue;
+                if (!probe.decision || !probe.find<MapProbe>() || !probe.find<MapProbe>()->moments || probe.decision->isTurnedAway) continue;
                 // A texel at an edge may have been given another surface: all nine around and the next ones are averaged.
                 const testing::EdgeTexels& near =
-                    edges.try_emplace(probe.map->layer, triangles, *probe.map).first->second;
+                    edges.try_emplace(probe.find<MapProbe>()->layer, triangles, *probe.find<MapProbe>()).first->second;
                 bool isUnclear = !isClear(judge, *scene, pixel);
                 for (int dy = -2; dy <= 2; ++dy)
                     for (int dx = -2; dx <= 2; ++dx)
-                        isUnclear = isUnclear || near(probe.map->texel + ivec2(dx, dy));
+                        isUnclear = isUnclear || near(probe.find<MapProbe>()->texel + ivec2(dx, dy));
                 if (isUnclear) {
                     ++all.unclear;
                     continue;
                 }
                 // Halves have 11 bits; both passes round to them, and their squares once more.
                 const double sumError = settings.empty() ? kSumError : 4.0 / (1 << 11);
-                const Interval range = allowed(filter, *probe.map->moments, sumError);
+                const Interval range = allowed(filter, *probe.find<MapProbe>()->moments, sumError);
                 const double drawn = picture.visibility().grey(pixel.x, pixel.y) / 255.0;
                 ++all.compared;
                 all.dark += drawn < 0.5;
@@ -259,25 +260,25 @@ TEST_F(FilterProbeTest, SoftShadowsAreWhatIsDrawnWhereNothingIsInDoubt) {
                 if (!chosen) continue;
                 const ivec2 pixel = *chosen;
                 const Probe probe = picture.probe(pixel.x, pixel.y);
-                if (!probe.decision || !probe.map || probe.decision->isTurnedAway) continue;
+                if (!probe.decision || !probe.find<MapProbe>() || probe.decision->isTurnedAway) continue;
                 if (!isClear(judge, *scene, pixel)) continue;
-                ASSERT_TRUE(probe.map->search);
+                ASSERT_TRUE(probe.find<MapProbe>()->search);
                 const testing::MapMargin margin(
-                    *probe.map, edges.try_emplace(probe.map->layer, triangles, *probe.map).first->second);
+                    *probe.find<MapProbe>(), edges.try_emplace(probe.find<MapProbe>()->layer, triangles, *probe.find<MapProbe>()).first->second);
                 const double drawn = picture.visibility().grey(pixel.x, pixel.y) / 255.0;
                 ++compared;
                 dark += drawn < 0.5;
                 soft += drawn > 0.02 && drawn < 0.98;
-                blocked += probe.map->search->found > 0;
-                const testing::PossibleAnswer looks = margin.of(probe.map->search->looks);
-                const testing::PossibleAnswer taps = margin.of(probe.map->taps);
+                blocked += probe.find<MapProbe>()->search->found > 0;
+                const testing::PossibleAnswer looks = margin.of(probe.find<MapProbe>()->search->looks);
+                const testing::PossibleAnswer taps = margin.of(probe.find<MapProbe>()->taps);
                 if (!looks.isCertain()) {
                     turned += std::abs(drawn - probe.decision->visibility) > kGreyStep;
                     continue; // another look, another mean, another kernel
                 }
                 // A search that finds nothing makes no comparison, and says lit.
-                const double low = probe.map->search->found ? taps.low : 1,
-                             high = probe.map->search->found ? taps.high : 1;
+                const double low = probe.find<MapProbe>()->search->found ? taps.low : 1,
+                             high = probe.find<MapProbe>()->search->found ? taps.high : 1;
                 EXPECT_GE(drawn, low - kGreyStep) << pixel.x << "," << pixel.y;
                 EXPECT_LE(drawn, high + kGreyStep) << pixel.x << "," << pixel.y;
                 if (!taps.isCertain()) continue;
@@ -309,8 +310,8 @@ TEST_F(FilterProbeTest, TheSearchFindsWhatTheStageShows) {
             const ivec2 pixel = *chosen;
             const Probe probe = distance.probe(pixel.x, pixel.y);
             const vec4 drawn = distance.texel(pixel.x, pixel.y), drawnWidth = width.texel(pixel.x, pixel.y);
-            if (!probe.map || !probe.map->search || probe.map->search->found == 0 || drawn.g < 0.5f) continue;
-            const MapProbe::BlockerSearch& search = *probe.map->search;
+            if (!probe.find<MapProbe>() || !probe.find<MapProbe>()->search || probe.find<MapProbe>()->search->found == 0 || drawn.g < 0.5f) continue;
+            const MapProbe::BlockerSearch& search = *probe.find<MapProbe>()->search;
             ++compared;
             // Differences of distances of some metres: 2^-21 of these; and one look in 16 that falls the other way moves the mean.
             agree += std::abs(static_cast<double>(drawn.r) - (search.receiverMetres - search.blockerMetres)) < 1e-4 &&

@@ -7,6 +7,7 @@
 
 #include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/foundation/trace/judge/exact_visibility.h"
+#include "techniques/probed/map_probe.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/map_margin.h"
 #include "tests/support/probed_picture.h"
@@ -69,21 +70,21 @@ TEST_F(MapProbeTest, SaysWhatTheMapHolds) {
             for (int y = 1; y < kSize.y; y += kStep)
                 for (int x = 1; x < kSize.x; x += kStep) {
                     const Probe probe = picture.probe(x, y);
-                    if (!probe.map) continue;
-                    if (map.empty()) map = readMap(probe.map->layers);
-                    const ivec2 texel = probe.map->texel;
+                    if (!probe.find<MapProbe>()) continue;
+                    if (map.empty()) map = readMap(probe.find<MapProbe>()->layers);
+                    const ivec2 texel = probe.find<MapProbe>()->texel;
                     if (texel.x < 0 || texel.y < 0 || texel.x >= kResolution || texel.y >= kResolution) continue;
                     const float drawn = map[static_cast<std::size_t>(
-                        (probe.map->layer * kResolution + texel.y) * kResolution + texel.x)];
+                        (probe.find<MapProbe>()->layer * kResolution + texel.y) * kResolution + texel.x)];
                     ++compared;
                     filled += drawn < 1;
                     // Float positions move a vertex by 2^-24 of its distance, and a texel's centre along a slope with it: 1e-5 of
                     // the range is far below the bias, and a hundredth of a metre here. Beyond it another surface was hit.
-                    const bool differs = std::abs(drawn - probe.map->stored) > 1e-5;
+                    const bool differs = std::abs(drawn - probe.find<MapProbe>()->stored) > 1e-5;
                     differing += differs;
                     unexplained +=
-                        differs && !edges.try_emplace(probe.map->layer, triangles, *probe.map).first->second(texel);
-                    withoutOffset += std::abs(drawn - probe.map->first) > 1e-5;
+                        differs && !edges.try_emplace(probe.find<MapProbe>()->layer, triangles, *probe.find<MapProbe>()).first->second(texel);
+                    withoutOffset += std::abs(drawn - probe.find<MapProbe>()->first) > 1e-5;
                 }
         }
     std::cout << compared << " texels, " << filled << " of them filled, " << differing << " differ, " << unexplained
@@ -138,11 +139,11 @@ void compareWithPicture(const scene::Light& light, const std::vector<std::string
             testing::PossibleAnswer possible{told, told};
             const bool fades = std::ranges::find(probe.facts, "share of the next cascade in the answer",
                                                  &Probe::Fact::label) != probe.facts.end();
-            if (probe.map && !probe.decision->isTurnedAway && !fades) {
-                const int layer = probe.map->layer;
-                const auto known = edges.try_emplace(layer, triangles, *probe.map).first;
+            if (probe.find<MapProbe>() && !probe.decision->isTurnedAway && !fades) {
+                const int layer = probe.find<MapProbe>()->layer;
+                const auto known = edges.try_emplace(layer, triangles, *probe.find<MapProbe>()).first;
                 const testing::PossibleAnswer ofTaps =
-                    testing::MapMargin(*probe.map, known->second).of(probe.map->taps);
+                    testing::MapMargin(*probe.find<MapProbe>(), known->second).of(probe.find<MapProbe>()->taps);
                 if (!ofTaps.isCertain()) possible = ofTaps;
             }
             all.atBorder += possible.atBorder > 0;

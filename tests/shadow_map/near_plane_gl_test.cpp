@@ -10,6 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/probed/map_probe.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/light_shares.h"
 #include "tests/support/other_shaders.h"
@@ -123,10 +124,10 @@ TEST_F(NearPlaneTest, TheProbeComparesAsThePictureDoes) {
         for (int y = 1; y < kSize.y; y += 4)
             for (int x = 1; x < kSize.x; x += 4) {
                 const Probe probe = picture.probe(x, y);
-                if (!probe.map) continue;
-                EXPECT_GT(probe.map->compared, probe.map->stored) << x << ", " << y;
+                if (!probe.find<MapProbe>()) continue;
+                EXPECT_GT(probe.find<MapProbe>()->compared, probe.find<MapProbe>()->stored) << x << ", " << y;
                 ++compared;
-                raised += probe.map->compared < 1e-4; // no point is so near to the near plane
+                raised += probe.find<MapProbe>()->compared < 1e-4; // no point is so near to the near plane
             }
         EXPECT_GT(compared, 300);
         EXPECT_GT(raised, 10);

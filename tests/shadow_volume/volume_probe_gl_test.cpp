@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "techniques/foundation/scene/model/shapes.h"
+#include "techniques/probed/volume_probe.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/hard_scenes.h"
 #include "tests/support/probed_picture.h"
@@ -42,11 +43,11 @@ Agreement compare(const scene::Snapshot& scene, const std::string& technique, st
     for (int y = 1; y < kSize.y; y += kStep)
         for (int x = 1; x < kSize.x; x += kStep) {
             const Probe probe = picture.probe(x, y);
-            if (!probe.volume) continue; // background
+            if (!probe.find<VolumeProbe>()) continue; // background
             ++result.compared;
             const int counted = static_cast<int>(std::lround(picture.texel(x, y).r));
             result.notZero += counted != 0;
-            const bool same = asPictured(probe.volume->stencil) == counted;
+            const bool same = asPictured(probe.find<VolumeProbe>()->stencil) == counted;
             const bool decidesAlike = (probe.decision->visibility > 0.5) == (picture.visibility().grey(x, y) > 127);
             if (same && decidesAlike) {
                 ++result.decisions;
@@ -146,9 +147,9 @@ TEST_F(VolumeProbeTest, FromAnEyeInShadowZPassIsWrongByTheVolumesItIsIn) {
     for (int y = 1; y < kSize.y; y += kStep)
         for (int x = 1; x < kSize.x; x += kStep) {
             const Probe probe = picture.probe(x, y);
-            if (!probe.volume) continue;
+            if (!probe.find<VolumeProbe>()) continue;
             ++compared;
-            const VolumeProbe& v = *probe.volume;
+            const VolumeProbe& v = *probe.find<VolumeProbe>();
             ASSERT_GT(v.eyeCount, 0);
             EXPECT_EQ(v.backsBeyond - v.frontsBeyond, v.eyeCount + v.frontsBefore - v.backsBefore) << x << "," << y;
             wrong += !probe.decision->why.empty();

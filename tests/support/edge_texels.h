@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "techniques/probe.h"
+#include "techniques/probed/map_probe.h"
 #include "tests/support/brute_force.h"
 
 namespace shadowlab::testing {

@@ -1,6 +1,7 @@
 // By how much a comparison of a shadow map is decided, and so whether rounding may decide it otherwise on a graphics card.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "techniques/probed/map_probe.h"
 #include "tests/support/edge_texels.h"
 
 namespace shadowlab::testing {

@@ -8,6 +8,7 @@
 #include "app/cli/json/shadow_json.h"
 #include "app/cli/text_table.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/probed/patch_exchange.h"
 
 namespace shadowlab::cli {
 
@@ -68,7 +69,7 @@ const char* nameOfRole(Probe::Role role) {
     return "";
 }
 
-Json patchJson(const Probe::Patch& patch) {
+Json patchJson(const PatchProbe& patch) {
     Json corners = Json::array();
     for (const dvec3& corner : patch.cornersWorld)
         corners.push_back(vectorJson(corner));
@@ -83,12 +84,13 @@ Json patchJson(const Probe::Patch& patch) {
 }
 
 Json exchangeJson(const Probe& probe) {
-    if (!probe.exchange) return {};
-    Json json{{"j", patchJson(probe.exchange->j)}, {"k", Json()}, {"F_jk", Json()}, {"F_kj", Json()}};
-    if (!probe.exchange->k) return json;
-    json["k"] = patchJson(*probe.exchange->k);
-    json["F_jk"] = probe.exchange->formFactorJk;
-    json["F_kj"] = probe.exchange->formFactorKj;
+    const auto* const exchange = probe.find<PatchExchange>();
+    if (!exchange) return {};
+    Json json{{"j", patchJson(exchange->j)}, {"k", Json()}, {"F_jk", Json()}, {"F_kj", Json()}};
+    if (!exchange->k) return json;
+    json["k"] = patchJson(*exchange->k);
+    json["F_jk"] = exchange->formFactorJk;
+    json["F_kj"] = exchange->formFactorKj;
     return json;
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/json/rays_json.h"
+#include "techniques/probed/radiosity_equations.h"
+#include "techniques/probed/rays_probe.h"
+#include "techniques/probed/structure_probe.h"
 
 namespace shadowlab::cli {
 
@@ -31,8 +34,8 @@ Json sampleJson(const RaysProbe::Sample& sample) {
 } // namespace
 
 Json samplesJson(const Probe& probe) {
-    if (!probe.rays) return {};
-    const RaysProbe& rays = *probe.rays;
+    if (!probe.find<RaysProbe>()) return {};
+    const RaysProbe& rays = *probe.find<RaysProbe>();
     Json samples = Json::array(), movers = Json::array();
     for (const RaysProbe::Sample& sample : rays.samples)
         samples.push_back(sampleJson(sample));
@@ -52,8 +55,8 @@ Json samplesJson(const Probe& probe) {
 }
 
 Json structureJson(const Probe& probe) {
-    if (!probe.structure) return {};
-    const StructureProbe& structure = *probe.structure;
+    if (!probe.find<StructureProbe>()) return {};
+    const StructureProbe& structure = *probe.find<StructureProbe>();
     Json volumes = Json::array(), cells = Json::array();
     for (const StructureProbe::Volume& volume : structure.volumes)
         volumes.push_back({{"level", volume.level},
@@ -75,8 +78,8 @@ Json structureJson(const Probe& probe) {
 }
 
 Json equationsJson(const Probe& probe) {
-    if (!probe.equations) return {};
-    const Probe::Equations& equations = *probe.equations;
+    if (!probe.find<RadiosityEquations>()) return {};
+    const RadiosityEquations& equations = *probe.find<RadiosityEquations>();
     return {{"n", equations.count},
             {"patches", equations.patches},
             {"rho", vectors(equations.reflectance)},

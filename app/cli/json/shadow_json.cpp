@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/json/shadow_json.h"
+#include "techniques/probed/map_probe.h"
+#include "techniques/probed/plane_probe.h"
+#include "techniques/probed/volume_probe.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,8 +78,8 @@ Json decisionJson(const Probe& probe) {
 }
 
 Json volumeJson(const Probe& probe) {
-    if (!probe.volume) return {};
-    const VolumeProbe& volume = *probe.volume;
+    if (!probe.find<VolumeProbe>()) return {};
+    const VolumeProbe& volume = *probe.find<VolumeProbe>();
     Json faces = Json::array();
     for (const VolumeProbe::Crossing& crossing : volume.crossings) {
         const bool isSide = crossing.part == VolumeProbe::Part::side;
@@ -115,8 +118,8 @@ Json volumeJson(const Probe& probe) {
 }
 
 Json mapJson(const Probe& probe) {
-    if (!probe.map) return {};
-    const MapProbe& map = *probe.map;
+    if (!probe.find<MapProbe>()) return {};
+    const MapProbe& map = *probe.find<MapProbe>();
     Json rows = Json::array();
     for (int row = 0; row < 4; ++row)
         rows.push_back(vectorJson(glm::transpose(map.lightClipFromLightRelative)[row]));
@@ -154,8 +157,8 @@ Json passesJson(const Probe& probe) {
 }
 
 Json planeJson(const Probe& probe) {
-    if (!probe.plane) return {};
-    const PlaneProbe& plane = *probe.plane;
+    if (!probe.find<PlaneProbe>()) return {};
+    const PlaneProbe& plane = *probe.find<PlaneProbe>();
     Json covers = Json::array();
     for (const PlaneProbe::Cover& cover : plane.covers)
         covers.push_back({{"object", cover.object},

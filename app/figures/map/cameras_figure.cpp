@@ -13,6 +13,7 @@
 #include "app/figures/section_sheet.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/map_probe.h"
 
 namespace shadowlab::figures {
 
@@ -57,7 +58,7 @@ MapAxes axesOf(const MapProbe& map) {
 class Cameras {
 public:
     Cameras(const FigureSource& source, const drawing::Box& field)
-        : map_(*source.probe.map), camera_(source.view.camera), size_(source.view.size), axes_(axesOf(map_)),
+        : map_(*source.probe.find<MapProbe>()), camera_(source.view.camera), size_(source.view.size), axes_(axesOf(map_)),
           sheet_(source.probe, source.scene, field, places(source.probe)), labels_(source.font, field) {}
 
     void draw(drawing::Drawing& drawing) {
@@ -73,7 +74,7 @@ public:
 private:
     static std::vector<dvec2> places(const Probe& probe) {
         std::vector<dvec2> all;
-        if (probe.map->blockerWorld) all.push_back(probe.section->of(*probe.map->blockerWorld));
+        if (probe.find<MapProbe>()->blockerWorld) all.push_back(probe.section->of(*probe.find<MapProbe>()->blockerWorld));
         return all;
     }
     [[nodiscard]] dvec2 inPlane(const dvec3& directionWorld) const {
@@ -298,7 +299,7 @@ private:
 Diagram drawCamerasFigure(const FigureSource& source) {
     const Probe& probe = source.probe;
     if (probe.geometry.empty()) throw Error(ExitStatus::badInput, "the pixel shows the background; choose another");
-    if (!probe.map || !hasSection(probe))
+    if (!probe.find<MapProbe>() || !hasSection(probe))
         throw Error(ExitStatus::badInput, std::string(source.technique) +
                                               " asks no shadow map there; ask shadow-map, about a pixel in its light");
     drawing::Drawing drawing(source.size);
@@ -307,7 +308,7 @@ Diagram drawCamerasFigure(const FigureSource& source) {
     Cameras(source, field).draw(drawing);
     drawing.rectangle(field.corner, field.size, "none", {"#bfbfbf", 2, false});
 
-    const MapProbe& map = *probe.map;
+    const MapProbe& map = *probe.find<MapProbe>();
     const bool isLit = map.compared <= map.stored;
     const dvec2 foot = area.corner + dvec2(0, field.size.y + 44);
     const drawing::FormulaFonts fonts{source.font, source.font};

@@ -7,6 +7,7 @@
 #include "app/figures/panels.h"
 #include "app/figures/section_sheet.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/map_probe.h"
 
 namespace shadowlab::figures {
 
@@ -23,7 +24,7 @@ const Cell* cellOfPoint(const MapProbe& map) {
 
 void drawOverview(drawing::Drawing& drawing, const drawing::Box& area, const Probe& probe, const scene::Scene& scene,
                   const image::Font& font) {
-    const MapProbe& map = *probe.map;
+    const MapProbe& map = *probe.find<MapProbe>();
     std::vector<dvec2> places;
     if (map.blockerWorld) places.push_back(probe.section->of(*map.blockerWorld));
     const SectionSheet sheet(probe, scene, area, places);
@@ -57,7 +58,7 @@ void drawOverview(drawing::Drawing& drawing, const drawing::Box& area, const Pro
 
 void drawDetail(drawing::Drawing& drawing, const drawing::Box& area, const Probe& probe, const scene::Scene& scene,
                 const image::Font& font) {
-    const MapProbe& map = *probe.map;
+    const MapProbe& map = *probe.find<MapProbe>();
     double reach = 4 * map.texelMetres;
     for (const Cell& cell : map.near)
         for (const dvec2& place : cell.compared)
@@ -101,7 +102,7 @@ void drawDetail(drawing::Drawing& drawing, const drawing::Box& area, const Probe
 }
 
 void writeMapNumbers(drawing::Drawing& drawing, const drawing::Box& area, const Probe& probe, const image::Font& font) {
-    const MapProbe& map = *probe.map;
+    const MapProbe& map = *probe.find<MapProbe>();
     TextColumn column(drawing, area, font);
     const bool isInside = glm::all(glm::greaterThanEqual(map.texel, ivec2(0))) &&
                           glm::all(glm::lessThan(map.texel, ivec2(map.resolution)));
@@ -147,7 +148,7 @@ void writeMapNumbers(drawing::Drawing& drawing, const drawing::Box& area, const 
 void drawMap(drawing::Drawing& drawing, const drawing::Box& area, const Probe& probe, const scene::Scene& scene,
              const image::Font& font) {
     constexpr double kRight = 800, kLegend = 44, kTaps = 270;
-    const bool taps = hasTaps(*probe.map);
+    const bool taps = hasTaps(*probe.find<MapProbe>());
     const double detail = taps ? 420 : 480; // what the filter read takes more lines
     drawing.text(area.corner + dvec2(0, kHeading), "Shadow map in the plane through eye, light and point",
                  {.size = kHeading, .isBold = true});
@@ -162,7 +163,7 @@ void drawMap(drawing::Drawing& drawing, const drawing::Box& area, const Probe& p
     writeMapNumbers(drawing, {below.corner, below.size - dvec2(taps ? kTaps + 24 : 0, 0)}, probe, font);
     if (taps)
         drawTaps(drawing, {below.corner + dvec2(kRight - kTaps, kHeading + 22), {kTaps, below.size.y - kHeading - 22}},
-                 *probe.map);
+                 *probe.find<MapProbe>());
     using enum LegendEntry::Kind;
     const LegendEntry legend[] = {{LegendEntry::Kind::filled, kFan, "what a texel sees, up to its depth"},
                                   {line, kStored, "stored depth d, offset included"},

@@ -6,6 +6,7 @@
 
 #include "app/figures/panels.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/map_probe.h"
 
 namespace shadowlab::figures {
 

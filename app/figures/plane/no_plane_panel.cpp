@@ -7,6 +7,7 @@
 #include "app/figures/panels.h"
 #include "app/figures/section_sheet.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/plane_probe.h"
 
 namespace shadowlab::figures {
 
@@ -24,7 +25,7 @@ void drawPlanes(drawing::Drawing& drawing, drawing::Labels& labels, const Sectio
     };
     std::vector<Named> names;
     drawing.beginClip(sheet.area().corner, sheet.area().size);
-    for (const PlaneProbe::Other& other : probe.plane->others) {
+    for (const PlaneProbe::Other& other : probe.find<PlaneProbe>()->others) {
         const dvec2 gradient = sheet.section().ofDirection(dvec3(other.planeWorld));
         const double atPoint = glm::dot(other.planeWorld, dvec4(sheet.section().originWorld, 1.0));
         const double length = glm::length(gradient);
@@ -66,10 +67,10 @@ void drawNoPlane(drawing::Drawing& drawing, const drawing::Box& area, const Prob
     column.row("The point lies on none of the planes that receive, so nothing is projected onto it: the technique "
                "draws no shadow there.");
     column.heading("Planes that receive");
-    if (probe.plane->others.empty()) column.row("none in view");
+    if (probe.find<PlaneProbe>()->others.empty()) column.row("none in view");
     const auto shown = [](double value) { return fourDigits(std::round(value * 1e6) / 1e6); }; // floats have no more
-    std::size_t left = probe.plane->others.size();
-    for (const PlaneProbe::Other& other : probe.plane->others) {
+    std::size_t left = probe.find<PlaneProbe>()->others.size();
+    for (const PlaneProbe::Other& other : probe.find<PlaneProbe>()->others) {
         const dvec4& p = other.planeWorld;
         if (!column.hasRoom(9)) {
             column.row("and " + std::to_string(left) + " more");

@@ -7,10 +7,13 @@
 #include "app/figures/panels.h"
 #include "app/figures/section_sheet.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/plane_probe.h"
 
 namespace shadowlab::figures {
 
 namespace {
+
+const PlaneProbe& planeOf(const Probe& probe) { return *probe.find<PlaneProbe>(); }
 
 using Cover = PlaneProbe::Cover;
 
@@ -24,7 +27,7 @@ struct PlaneCut {
 };
 PlaneCut cutOf(const Probe& probe) {
     PlaneCut result;
-    result.gradient = probe.section->ofDirection(dvec3(probe.plane->planeWorld));
+    result.gradient = probe.section->ofDirection(dvec3(planeOf(probe).planeWorld));
     const double length = glm::length(result.gradient);
     if (length > 1e-9) result.along = dvec2(result.gradient.y, -result.gradient.x) / length;
     return result;
@@ -47,7 +50,7 @@ std::vector<Interval> shadowsOn(const PlaneCut& plane, const SectionSheet& sheet
     std::erase_if(casters.objects, [](const scene::Object& object) { return !object.castsShadow; });
     const LightSection& section = sheet.section();
     const std::vector<dvec2> points = cut(casters, {section.originWorld, section.rightWorld, section.upWorld});
-    const double least = std::max(probe.plane->contact, 1e-9 * lightHeight),
+    const double least = std::max(planeOf(probe).contact, 1e-9 * lightHeight),
                  most = light.isDirection ? 1e300 : 0.999 * lightHeight;
     const auto project = [&](dvec2 place) {
         const double h = plane.height(place);
@@ -88,7 +91,7 @@ std::vector<Interval> shadowsOn(const PlaneCut& plane, const SectionSheet& sheet
 std::vector<Interval> surfacesOn(const PlaneCut& plane, const SectionSheet& sheet, const Probe& probe,
                                  const scene::Scene& scene) {
     const LightSection& section = sheet.section();
-    const double least = std::max(probe.plane->contact, 1e-6 / sheet.scale());
+    const double least = std::max(planeOf(probe).contact, 1e-6 / sheet.scale());
     std::vector<Interval> all;
     const std::vector<dvec2> points = cut(scene, {section.originWorld, section.rightWorld, section.upWorld});
     for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
@@ -135,7 +138,7 @@ void drawLightLine(drawing::Drawing& drawing, drawing::Labels& labels, const Sec
     const PlaneLight& light = sheet.light();
     const bool lightIsSeen = !light.isDirection && sheet.shows(light.at);
     const dvec2 end = lightIsSeen ? sheet(light.at) : sheet.border(dvec2(0.0), light.toward(dvec2(0.0)));
-    const bool shadowed = std::ranges::any_of(probe.plane->covers, &Cover::casts);
+    const bool shadowed = std::ranges::any_of(planeOf(probe).covers, &Cover::casts);
     const drawing::Stroke stroke{drawing::colorText(shadowed ? look::kOccluded : look::kEqualDepth), 4, false};
     drawing.arrow(end, point, stroke, 0.5);
     labels.avoid(end, point);
@@ -144,8 +147,8 @@ void drawLightLine(drawing::Drawing& drawing, drawing::Labels& labels, const Sec
 void drawCovers(drawing::Drawing& drawing, drawing::Labels& labels, const SectionSheet& sheet, const Probe& probe) {
     constexpr double kApart = 12; // pixels: nearer, two faces that touch would be marked twice
     std::vector<dvec2> marked;
-    for (const Cover& cover : probe.plane->covers) {
-        if (std::abs(cover.height) <= probe.plane->contact) continue; // the plane itself
+    for (const Cover& cover : planeOf(probe).covers) {
+        if (std::abs(cover.height) <= planeOf(probe).contact) continue; // the plane itself
         const dvec2 place = sheet.section().of(cover.placeWorld), at = sheet(place);
         const bool isMarked =
             std::ranges::any_of(marked, [&](const dvec2& other) { return glm::length(other - at) < kApart; });
@@ -155,7 +158,7 @@ void drawCovers(drawing::Drawing& drawing, drawing::Labels& labels, const Sectio
                        {drawing::colorText(look::kOccluded), 3, false}, "cover");
         labels.avoid({at - 9.0, dvec2(18)});
         const bool first =
-            cover.casts && std::ranges::find_if(probe.plane->covers, &Cover::casts)->placeWorld == cover.placeWorld;
+            cover.casts && std::ranges::find_if(planeOf(probe).covers, &Cover::casts)->placeWorld == cover.placeWorld;
         labels.place(drawing, at,
                      first               ? "P of " + cover.object
                      : cover.casts       ? cover.object
@@ -174,7 +177,7 @@ void drawNormal(drawing::Drawing& drawing, drawing::Labels& labels, const Sectio
 }
 
 void writePlaneNumbers(drawing::Drawing& drawing, const drawing::Box& area, const Probe& probe, const image::Font& font) {
-    const PlaneProbe& plane = *probe.plane;
+    const PlaneProbe& plane = planeOf(probe);
     TextColumn column(drawing, area, font);
     column.heading("Receiver plane N\u00b7P + D = 0");
     const dvec4& p = plane.planeWorld;
@@ -218,7 +221,7 @@ void writePlaneNumbers(drawing::Drawing& drawing, const drawing::Box& area, cons
 
 void drawPlane(drawing::Drawing& drawing, const drawing::Box& area, const Probe& probe, const scene::Scene& scene,
                const image::Font& font) {
-    if (!probe.plane->receives) {
+    if (!planeOf(probe).receives) {
         drawNoPlane(drawing, area, probe, scene, font);
         return;
     }
@@ -228,7 +231,7 @@ void drawPlane(drawing::Drawing& drawing, const drawing::Box& area, const Probe&
     const drawing::Box field{area.corner + dvec2(0, kHeading + 18),
                     area.size - dvec2(kNumbers + 30, kHeading + 18 + kLegend + 14)};
     std::vector<dvec2> places;
-    for (const Cover& cover : probe.plane->covers)
+    for (const Cover& cover : planeOf(probe).covers)
         places.push_back(probe.section->of(cover.placeWorld));
     const SectionSheet sheet(probe, scene, field, places);
     const PlaneCut plane = cutOf(probe);

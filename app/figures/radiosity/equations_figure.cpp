@@ -10,6 +10,8 @@
 #include "app/figures/figure_parts.h"
 #include "app/figures/panels.h"
 #include "techniques/foundation/base/error.h"
+#include "techniques/probed/patch_exchange.h"
+#include "techniques/probed/radiosity_equations.h"
 
 namespace shadowlab::figures {
 
@@ -68,11 +70,11 @@ Diagram drawEquations(const FigureSource& source) {
     eyeRayOf(source);
     if (source.technique != "radiosity")
         throw Error(ExitStatus::badInput, std::string(source.technique) + " solves no equations; ask radiosity");
-    if (!source.probe.equations)
+    if (!source.probe.find<RadiosityEquations>())
         throw Error(ExitStatus::badInput, "the patch at the pixel exchanges light with no other; choose another");
-    const Probe::Equations& equations = *source.probe.equations;
+    const RadiosityEquations& equations = *source.probe.find<RadiosityEquations>();
     // The colour that is strongest in what the first patch sends: the numbers of the others are like it.
-    const dvec3& of = source.probe.exchange->j.radiosity;
+    const dvec3& of = source.probe.find<PatchExchange>()->j.radiosity;
     const int channel = of.r >= of.g && of.r >= of.b ? 0 : of.g >= of.b ? 1 : 2;
     drawing::Drawing drawing(source.size);
     const std::string n = std::to_string(equations.count);

@@ -5,6 +5,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "app/figures/panels.h"
+#include "techniques/probed/patch_exchange.h"
 
 namespace shadowlab::figures {
 
@@ -69,8 +70,8 @@ private:
 
 } // namespace
 
-void writeFormFactor(drawing::Drawing& drawing, const drawing::Box& area, const Probe::Exchange& exchange, const image::Font& font) {
-    const Probe::Patch &j = exchange.j, &k = *exchange.k;
+void writeFormFactor(drawing::Drawing& drawing, const drawing::Box& area, const PatchExchange& exchange, const image::Font& font) {
+    const PatchProbe &j = exchange.j, &k = *exchange.k;
     const dvec3 way = k.centreWorld - j.centreWorld;
     const double r = glm::length(way);
     const double cosJ = std::max(0.0, glm::dot(j.normalWorld, way) / r);

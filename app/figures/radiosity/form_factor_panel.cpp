@@ -8,6 +8,7 @@
 #include "app/figures/panels.h"
 #include "app/figures/radiosity/patch_view.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/patch_exchange.h"
 
 namespace shadowlab::figures {
 
@@ -27,7 +28,7 @@ double angleBetween(const dvec3& a, const dvec3& b) {
 }
 
 /// The numbers of a room that has space for no more.
-std::string oneLine(const Probe::Exchange& exchange) {
+std::string oneLine(const PatchExchange& exchange) {
     return "r = " + fourDigits(glm::length(exchange.k->centreWorld - exchange.j.centreWorld)) +
            " m,  F\u2c7c\u2096 = " + fourDigits(exchange.formFactorJk) +
            ",  F\u2096\u2c7c = " + fourDigits(exchange.formFactorKj) +
@@ -37,7 +38,7 @@ std::string oneLine(const Probe::Exchange& exchange) {
 
 /// What is drawn of one of the two surfaces.
 struct DrawnSurface {
-    const Probe::Patch* patch;
+    const PatchProbe* patch;
     std::string letter, index, color; ///< the letter as an index
     dvec3 toOtherWorld;               ///< unit, from its centre to that of the other one
     double magnified;
@@ -47,7 +48,7 @@ struct DrawnSurface {
 
 class FormFactorDrawing {
 public:
-    FormFactorDrawing(const Probe::Exchange& exchange, const drawing::Box& area, const image::Font& font)
+    FormFactorDrawing(const PatchExchange& exchange, const drawing::Box& area, const image::Font& font)
         : view_(patchView(exchange.j, *exchange.k)), labels_(font, area), area_(area) {
         const dvec3 wayWorld = exchange.k->centreWorld - exchange.j.centreWorld, unit = glm::normalize(wayWorld);
         distance_ = glm::length(wayWorld);
@@ -189,7 +190,7 @@ private:
 
 } // namespace
 
-void drawFormFactor(drawing::Drawing& drawing, const drawing::Box& area, const Probe::Exchange& exchange, const image::Font& font) {
+void drawFormFactor(drawing::Drawing& drawing, const drawing::Box& area, const PatchExchange& exchange, const image::Font& font) {
     drawing.text(area.corner + dvec2(0, kHeading),
                  "Form factor F\u2c7c\u2096: the share of the light of j that reaches k",
                  {.size = kHeading, .isBold = true});

@@ -4,25 +4,26 @@
 #include "app/figures/figure_parts.h"
 #include "app/figures/panels.h"
 #include "techniques/foundation/base/error.h"
+#include "techniques/probed/patch_exchange.h"
 
 namespace shadowlab::figures {
 
 namespace {
 
-const Probe::Exchange& exchangeOf(const FigureSource& source) {
+const PatchExchange& exchangeOf(const FigureSource& source) {
     eyeRayOf(source);
     if (source.technique != "radiosity")
         throw Error(ExitStatus::badInput, std::string(source.technique) + " has no patches to draw; ask radiosity");
-    if (!source.probe.exchange)
+    if (!source.probe.find<PatchExchange>())
         throw Error(ExitStatus::badInput, "no patch is there: a light, or the inside of a closed body; choose another "
                                           "pixel");
-    return *source.probe.exchange;
+    return *source.probe.find<PatchExchange>();
 }
 
 } // namespace
 
 Diagram drawFormFactorFigure(const FigureSource& source) {
-    const Probe::Exchange& exchange = exchangeOf(source);
+    const PatchExchange& exchange = exchangeOf(source);
     if (!exchange.k)
         throw Error(ExitStatus::badInput, "no second patch is there that exchanges light with the first; choose two "
                                           "other pixels");
@@ -32,7 +33,7 @@ Diagram drawFormFactorFigure(const FigureSource& source) {
 }
 
 Diagram drawReflectorFigure(const FigureSource& source) {
-    const Probe::Exchange& exchange = exchangeOf(source);
+    const PatchExchange& exchange = exchangeOf(source);
     drawing::Drawing drawing(source.size);
     drawReflector(drawing, roomOf(source), exchange, source.probe.geometry.front().fromWorld, source.font);
     return {std::move(drawing), "The radiosity of a Lambertian reflector: its light in all directions"};

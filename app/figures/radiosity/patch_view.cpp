@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/figures/radiosity/patch_view.h"
+#include "techniques/probed/patch_exchange.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ constexpr double kShrink = 0.85;         ///< sizes that are tried until neither
 constexpr double kLeastMagnified = 1e-4; ///< below, one may cover the other
 constexpr double kRim = 1e-6;            ///< of their size: surfaces that touch overlap by rounding
 
-double radius(const Probe::Patch& patch) {
+double radius(const PatchProbe& patch) {
     double most = 0;
     for (const dvec3& corner : patch.cornersWorld)
         most = std::max(most, glm::length(corner - patch.centreWorld));
@@ -60,7 +61,7 @@ dvec3 direction(int i) {
 
 class Search {
 public:
-    Search(const Probe::Patch& j, const Probe::Patch& k) : j_(j), k_(k), wayWorld_(k.centreWorld - j.centreWorld) {
+    Search(const PatchProbe& j, const PatchProbe& k) : j_(j), k_(k), wayWorld_(k.centreWorld - j.centreWorld) {
         const double distance = glm::length(wayWorld_), radiusJ = radius(j), radiusK = radius(k);
         const double least = std::min(kSmallest * std::max(radiusJ, radiusK), kOfDistance * distance);
         first_.magnified = {std::max(1.0, least / radiusJ), std::max(1.0, least / radiusK)};
@@ -115,16 +116,16 @@ private:
                1.2 * shrunk;
     }
 
-    const Probe::Patch &j_, &k_;
+    const PatchProbe &j_, &k_;
     dvec3 wayWorld_;
     PatchView first_; ///< its sizes
 };
 
 } // namespace
 
-PatchView patchView(const Probe::Patch& j, const Probe::Patch& k) { return Search(j, k).best(); }
+PatchView patchView(const PatchProbe& j, const PatchProbe& k) { return Search(j, k).best(); }
 
-std::vector<dvec2> drawnCorners(const Probe::Patch& patch, const PatchView& view, double magnified, dvec2 centre) {
+std::vector<dvec2> drawnCorners(const PatchProbe& patch, const PatchView& view, double magnified, dvec2 centre) {
     std::vector<dvec2> corners;
     for (const dvec3& corner : patch.cornersWorld)
         corners.push_back(centre + magnified * view.of(corner - patch.centreWorld));

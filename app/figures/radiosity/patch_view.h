@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "techniques/probe.h"
+#include "techniques/probed/patch_exchange.h"
 
 namespace shadowlab::figures {
 
@@ -23,10 +24,10 @@ struct PatchView {
 };
 
 /// Of all directions to look from, one of the best.
-PatchView patchView(const Probe::Patch& j, const Probe::Patch& k);
+PatchView patchView(const PatchProbe& j, const PatchProbe& k);
 
 /// The corners as they are drawn, about a centre that is drawn there.
-std::vector<dvec2> drawnCorners(const Probe::Patch& patch, const PatchView& view, double magnified, dvec2 centre);
+std::vector<dvec2> drawnCorners(const PatchProbe& patch, const PatchView& view, double magnified, dvec2 centre);
 
 /// Have two convex polygons more than a rim in common?
 bool overlap(const std::vector<dvec2>& a, const std::vector<dvec2>& b);

@@ -8,6 +8,7 @@
 
 #include "app/figures/panels.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/patch_exchange.h"
 
 namespace shadowlab::figures {
 
@@ -26,7 +27,7 @@ struct Way {
     double phi = 0;
 };
 
-Way shownWay(const Probe::Exchange& exchange, const dvec3& eyeWorld) {
+Way shownWay(const PatchExchange& exchange, const dvec3& eyeWorld) {
     const auto way = [&](const char* toward, const dvec3& toWorld) {
         const dvec3 unit = glm::normalize(toWorld - exchange.j.centreWorld);
         return Way{toward, std::atan2(glm::length(glm::cross(exchange.j.normalWorld, unit)),
@@ -84,7 +85,7 @@ void drawLobes(drawing::Drawing& drawing, const drawing::Box& area, const Way& w
     labels.place(drawing, at - half * 0.9, "dA" + kJ, letter, 8);
 }
 
-void writeReflectorNumbers(drawing::Drawing& drawing, const drawing::Box& area, const Probe::Patch& j, const Way& way) {
+void writeReflectorNumbers(drawing::Drawing& drawing, const drawing::Box& area, const PatchProbe& j, const Way& way) {
     struct Row {
         std::string name, meaning;
         dvec3 values;
@@ -123,7 +124,7 @@ void writeReflectorNumbers(drawing::Drawing& drawing, const drawing::Box& area, 
 
 } // namespace
 
-void drawReflector(drawing::Drawing& drawing, const drawing::Box& area, const Probe::Exchange& exchange, const dvec3& eyeWorld,
+void drawReflector(drawing::Drawing& drawing, const drawing::Box& area, const PatchExchange& exchange, const dvec3& eyeWorld,
                    const image::Font& font) {
     drawing.text(area.corner + dvec2(0, kHeading), "Radiosity of a Lambertian reflector: surface j",
                  {.size = kHeading, .isBold = true});

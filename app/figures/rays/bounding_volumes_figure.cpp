@@ -10,6 +10,7 @@
 #include "app/figures/section_sheet.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/structure_probe.h"
 
 namespace shadowlab::figures {
 
@@ -188,11 +189,12 @@ void drawTree(drawing::Drawing& drawing, const drawing::Box& area, const std::ve
 
 Diagram drawBoundingVolumes(const FigureSource& source) {
     eyeRayOf(source);
-    if (!source.probe.structure || source.probe.structure->volumes.empty())
+    const auto* const structure = source.probe.find<StructureProbe>();
+    if (!structure || structure->volumes.empty())
         throw Error(ExitStatus::badInput, "no bounding volumes are there to draw; ask ray-traced, with "
                                           "ray-traced.structure=groups or another that has volumes");
     drawing::Drawing drawing(source.size);
-    const std::vector<Volume>& all = source.probe.structure->volumes;
+    const std::vector<Volume>& all = structure->volumes;
     const auto asked = std::ranges::count(all, true, &Volume::isAsked);
     const int axis = axisAcross(source.probe.geometry.front().toWorld - source.probe.geometry.front().fromWorld);
     const drawing::Box below =
@@ -205,7 +207,7 @@ Diagram drawBoundingVolumes(const FigureSource& source) {
                                   {LegendEntry::Kind::dashed, "#8c8c8c", "never tested"}};
     drawLegend(drawing, {below.corner, {below.size.x, 40}}, legend, source.font);
     const drawing::Box room{below.corner + dvec2(0, 44), below.size - dvec2(0, 44)};
-    const std::vector<Volume> volumes = shownVolumes(*source.probe.structure, room.size.y);
+    const std::vector<Volume> volumes = shownVolumes(*structure, room.size.y);
     const double tree = kTreeShare * room.size.x;
     drawVolumes(drawing, {room.corner, {room.size.x - tree - 20, room.size.y}}, source, volumes);
     drawTree(drawing, {room.corner + dvec2(room.size.x - tree, 0), {tree, room.size.y}}, volumes, source.font);

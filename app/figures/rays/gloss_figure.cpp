@@ -9,6 +9,7 @@
 #include "app/figures/panels.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/rays_probe.h"
 
 namespace shadowlab::figures {
 
@@ -98,7 +99,7 @@ Diagram drawLobe(const FigureSource& source, const Lobe& lobe) {
 /// Of the samples that meet the surface that the pixel's middle shows.
 std::vector<dvec3> sentOn(const FigureSource& source, std::optional<dvec3> RaysProbe::Sample::*way) {
     std::vector<dvec3> rays;
-    for (const RaysProbe::Sample& sample : source.probe.rays->samples)
+    for (const RaysProbe::Sample& sample : source.probe.find<RaysProbe>()->samples)
         if (sample.object == source.probe.tree.front().object && (sample.*way)) rays.push_back(*(sample.*way));
     return rays;
 }

@@ -11,6 +11,7 @@
 #include "app/figures/section_sheet.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/structure_probe.h"
 
 namespace shadowlab::figures {
 
@@ -59,9 +60,10 @@ void writeLists(drawing::Drawing& drawing, const drawing::Box& area, const Struc
 
 Diagram drawGrid(const FigureSource& source) {
     const Probe::Segment& ray = eyeRayOf(source);
-    if (!source.probe.structure || source.probe.structure->cells.empty())
+    const auto* const structure = source.probe.find<StructureProbe>();
+    if (!structure || structure->cells.empty())
         throw Error(ExitStatus::badInput, "no cells are there to draw; ask ray-traced, with ray-traced.structure=grid");
-    const StructureProbe& grid = *source.probe.structure;
+    const StructureProbe& grid = *structure;
     const int axis = axisAcross(ray.toWorld - ray.fromWorld);
     drawing::Drawing drawing(source.size);
     const drawing::Box below =

@@ -5,6 +5,7 @@
 #include "app/figures/figure_drawers.h"
 #include "app/figures/figure_parts.h"
 #include "app/figures/panels.h"
+#include "techniques/probed/rays_probe.h"
 
 namespace shadowlab::figures {
 

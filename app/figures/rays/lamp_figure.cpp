@@ -10,6 +10,7 @@
 #include "app/figures/parallel_view.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/rays_probe.h"
 
 namespace shadowlab::figures {
 
@@ -81,7 +82,7 @@ bool isNear(const scene::Object& object, const RaysProbe& rays, double away) {
 
 void drawSpace(drawing::Drawing& drawing, const drawing::Box& area, const FigureSource& source, const scene::Light& light,
                const Face& face) {
-    const RaysProbe& rays = *source.probe.rays;
+    const RaysProbe& rays = *source.probe.find<RaysProbe>();
     const dvec3 point = source.probe.geometry.front().toWorld, normal = source.probe.tree.front().normalWorld;
     const dvec3 toLight = light.positionWorld - point;
     const double away = glm::length(toLight);
@@ -137,7 +138,7 @@ void drawSpace(drawing::Drawing& drawing, const drawing::Box& area, const Figure
 
 /// The light's face as the point sees it: each sample's place on it.
 void drawFace(drawing::Drawing& drawing, const drawing::Box& area, const FigureSource& source, const Face& face) {
-    const RaysProbe& rays = *source.probe.rays;
+    const RaysProbe& rays = *source.probe.find<RaysProbe>();
     const double width = glm::length(face.uWorld), height = glm::length(face.vWorld);
     std::size_t arrives = 0, sent = 0;
     const double rows = 5.4 * kText;

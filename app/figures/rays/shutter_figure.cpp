@@ -10,6 +10,7 @@
 #include "app/figures/parallel_view.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/rays_probe.h"
 
 namespace shadowlab::figures {
 

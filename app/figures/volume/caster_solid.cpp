@@ -8,6 +8,7 @@
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"
 #include "techniques/foundation/image/image.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 
@@ -21,7 +22,7 @@ constexpr std::size_t kCoarse = 900; ///< triangles: of more the edges would be 
     if (source.scene.lights.empty())
         throw Error(ExitStatus::badInput,
                     "scene '" + source.scene.name + "' has no lights, so nothing is extruded; choose another scene");
-    if (!probe.volume)
+    if (!probe.find<VolumeProbe>())
         throw Error(ExitStatus::badInput, std::string(source.technique) +
                                               " makes no shadow volumes; ask shadow-volume, shadow-volume-zpass or "
                                               "shadow-volume-zfail");
@@ -63,9 +64,9 @@ bool CasterSolid::isClosed() const { return scene::reportMesh(*object->mesh, top
 
 CasterSolid casterSolid(const FigureSource& source, bool shadowing) {
     const Probe& probe = source.probe;
-    if (probe.geometry.size() < 2 || !probe.volume || probe.volume->casters.empty() || source.light < 0)
+    if (probe.geometry.size() < 2 || !probe.find<VolumeProbe>() || probe.find<VolumeProbe>()->casters.empty() || source.light < 0)
         nothingToDraw(source);
-    const std::vector<VolumeProbe::Caster>& all = probe.volume->casters;
+    const std::vector<VolumeProbe::Caster>& all = probe.find<VolumeProbe>()->casters;
     // By either rule a caster that is only one of the two: the pixel may show a thing that shadows itself.
     const auto found = std::ranges::find_if(all, [&](const VolumeProbe::Caster& caster) {
         return shadowing ? caster.holdsThePoint && !caster.isPicked : caster.isPicked;

@@ -4,6 +4,7 @@
 #include "app/figures/figures.h"
 #include "app/figures/space_view.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 

@@ -10,6 +10,7 @@
 #include "app/figures/volume/volume_marks.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 
@@ -27,7 +28,7 @@ struct Counts {
     int fronts = 0, backs = 0;
 };
 Counts countsOf(const FigureSource& source) {
-    const VolumeProbe& volume = *source.probe.volume;
+    const VolumeProbe& volume = *source.probe.find<VolumeProbe>();
     const bool passes = std::ranges::all_of(
         volume.crossings, [](const Crossing& crossing) { return crossing.method == CountMethod::zPass; });
     if (source.technique != "shadow-volume-zfail" && passes) return {true, volume.frontsBefore, volume.backsBefore};
@@ -67,11 +68,11 @@ void drawEyeLine(drawing::Drawing& drawing, drawing::Labels& labels, const Secti
 Diagram drawCountFigure(const FigureSource& source) {
     const Probe& probe = source.probe;
     if (probe.geometry.empty()) throw Error(ExitStatus::badInput, "the pixel shows the background; choose another");
-    if (!probe.volume || !hasSection(probe))
+    if (!probe.find<VolumeProbe>() || !hasSection(probe))
         throw Error(ExitStatus::badInput, std::string(source.technique) +
                                               " counts no faces of volumes there; ask shadow-volume-zpass or "
                                               "shadow-volume-zfail, in a scene with a light");
-    const VolumeProbe& volume = *probe.volume;
+    const VolumeProbe& volume = *probe.find<VolumeProbe>();
     const Counts counts = countsOf(source);
     drawing::Drawing drawing(source.size);
     const drawing::Box area{dvec2(kSectionBorder), source.size - 2 * kSectionBorder},

@@ -9,6 +9,7 @@
 #include "app/figures/volume/volume_sketch.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 

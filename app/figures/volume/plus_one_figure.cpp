@@ -7,6 +7,7 @@
 #include "app/figures/volume/volume_marks.h"
 #include "app/figures/volume/volume_sketch.h"
 #include "techniques/foundation/base/error.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 
@@ -46,7 +47,7 @@ dvec3 drawnEye(const SpaceView& view, const drawing::Box& field, const dvec3& po
 
 Diagram drawPlusOneFigure(const FigureSource& source) {
     const CasterSolid solid = casterSolid(source, true);
-    const std::vector<const Crossing*> sides = sidesBefore(*source.probe.volume, solid);
+    const std::vector<const Crossing*> sides = sidesBefore(*source.probe.find<VolumeProbe>(), solid);
     if (sides.empty())
         throw Error(ExitStatus::badInput, "no side of the volume of " + solid.object->name +
                                               " lies between the eye and the pixel; choose one farther in its shadow");

@@ -3,6 +3,7 @@
 // between two of them there is a quadrilateral.
 // SPDX-License-Identifier: MIT
 #include "app/figures/volume/volume_areas.h"
+#include "techniques/probed/volume_probe.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/drawing/labels.h"
-#include "techniques/shadow_probe.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 

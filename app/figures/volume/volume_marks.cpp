@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 

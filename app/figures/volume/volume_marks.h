@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/figures/section_sheet.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 

@@ -6,6 +6,7 @@
 
 #include "app/figures/panels.h"
 #include "app/figures/volume/volume_marks.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 
@@ -111,7 +112,7 @@ std::string rowOf(const Crossing& crossing, std::size_t number) {
 }
 
 void writeVolumeNumbers(drawing::Drawing& drawing, const drawing::Box& area, const Probe& probe, const image::Font& font) {
-    const VolumeProbe& volume = *probe.volume;
+    const VolumeProbe& volume = *probe.find<VolumeProbe>();
     TextColumn column(drawing, area, font);
     const auto verdict = [](int count) { return signedText(count) + (count == 0 ? ", illuminated" : ", in shadow"); };
     column.heading("Z-pass: eye to point");
@@ -150,7 +151,7 @@ void writeVolumeNumbers(drawing::Drawing& drawing, const drawing::Box& area, con
 
 void drawVolume(drawing::Drawing& drawing, const drawing::Box& area, const Probe& probe, const scene::Scene& scene,
                 const image::Font& font) {
-    const VolumeProbe& volume = *probe.volume;
+    const VolumeProbe& volume = *probe.find<VolumeProbe>();
     constexpr double kNumbers = 610, kLegend = 76;
     drawing.text(area.corner + dvec2(0, kHeading), "Shadow volumes in the plane through eye, light and point",
                  {.size = kHeading, .isBold = true});

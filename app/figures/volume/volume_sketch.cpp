@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/figures/volume/volume_sketch.h"
+#include "techniques/probed/volume_probe.h"
 
 #include <algorithm>
 #include <cmath>

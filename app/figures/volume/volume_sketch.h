@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/figures/volume/caster_solid.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 

@@ -6,6 +6,7 @@
 #include "app/figures/volume/volume_sketch.h"
 #include "techniques/foundation/base/look.h"
 #include "techniques/foundation/scene/query/view/clip_polygon.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 

@@ -9,6 +9,7 @@
 #include "techniques/foundation/base/look.h"
 #include "techniques/planar/technique.h"
 #include "techniques/probe_decision.h"
+#include "techniques/probed/plane_probe.h"
 
 namespace shadowlab::planar {
 
@@ -109,28 +110,28 @@ Probe Planar::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pix
             addDecision(probe, 0, truth, "");
             return probe;
         }
-        probe.plane = probePlane(*snapshot, casters_, one, eye, lightWorld, hit->positionWorld);
-        probe.plane->clips = params_.clip;
+        probe.add(probePlane(*snapshot, casters_, one, eye, lightWorld, hit->positionWorld));
+        probe.find<PlaneProbe>()->clips = params_.clip;
         const bool unclipped = !params_.clip;
-        const bool shadows = std::ranges::any_of(probe.plane->covers, [&](const PlaneProbe::Cover& cover) {
+        const bool shadows = std::ranges::any_of(probe.find<PlaneProbe>()->covers, [&](const PlaneProbe::Cover& cover) {
             const bool ownObject =
                 cover.object == snapshot->objects[hit->object].name; // never drawn where nothing is clipped
-            return cover.casts || (unclipped && !ownObject && std::abs(cover.height) > probe.plane->contact);
+            return cover.casts || (unclipped && !ownObject && std::abs(cover.height) > probe.find<PlaneProbe>()->contact);
         });
-        tell(probe, *probe.plane, shadows);
-        for (SceneShape& shape : coverShapes(*probe.plane, hit->positionWorld))
+        tell(probe, *probe.find<PlaneProbe>(), shadows);
+        for (SceneShape& shape : coverShapes(*probe.find<PlaneProbe>(), hit->positionWorld))
             probe.visited.push_back(std::move(shape));
         if (isSampled(source))
             probe.facts.push_back(
                 {"who decides", "the shadows of many points of the light; told is that of its centre", ""});
         else
-            addDecision(probe, shadows ? 0 : gate, truth, whyWrong(*probe.plane, !shadows));
+            addDecision(probe, shadows ? 0 : gate, truth, whyWrong(*probe.find<PlaneProbe>(), !shadows));
         return probe;
     }
     probe.facts.push_back({"receiver plane", "none: the technique draws no shadow here", ""});
     if (asked) {
-        probe.plane = withoutReceiver(*snapshot, choice, light);
-        for (const PlaneProbe::Other& other : probe.plane->others)
+        probe.add(withoutReceiver(*snapshot, choice, light));
+        for (const PlaneProbe::Other& other : probe.find<PlaneProbe>()->others)
             probe.facts.push_back({"plane of " + other.object, equation(other.planeWorld), ""});
         addDecision(probe, gate, truth,
                     "the surface is no plane that receives, and planar shadows fall on planes alone");

@@ -4,6 +4,7 @@
 #pragma once
 #include "techniques/planar/casters.h"
 #include "techniques/planar/receivers/receivers.h"
+#include "techniques/probed/plane_probe.h"
 #include "techniques/technique.h"
 
 namespace shadowlab::planar {

@@ -3,6 +3,7 @@
 
 #include "techniques/foundation/scene/model/holes.h"
 #include "techniques/planar/probe/probe.h"
+#include "techniques/probed/plane_probe.h"
 
 namespace shadowlab::planar {
 

@@ -2,6 +2,7 @@
 #include "techniques/ray_tracing/probe/pixel_probe.h"
 
 #include "techniques/foundation/trace/area/area_visibility.h"
+#include "techniques/probed/rays_probe.h"
 #include "techniques/ray_tracing/probe/ray_shapes.h"
 
 namespace shadowlab::ray_tracing {
@@ -80,7 +81,7 @@ void describeSamples(const SampleQuery& query, const SampledSettings& settings, 
     const trace::EyeRays eyeRays = tracer.eyeRays(query.camera, query.size);
     const DielectricStack aroundEye = query.surfaces.mediaAround(eyeRays.eyeCentred());
     const scene::Bounds bounds = boundsOf(query.surfaces.scene());
-    RaysProbe& rays = probe.rays.emplace();
+    RaysProbe& rays = probe.add(RaysProbe{});
     rays.count = settings.pattern.count;
     rays.aperture = settings.aperture;
     rays.focus = settings.focus;

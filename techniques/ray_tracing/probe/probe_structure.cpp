@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "techniques/foundation/trace/structures/ray_volumes.h"
+#include "techniques/probed/structure_probe.h"
 #include "techniques/ray_tracing/structures/structure_shapes.h"
 
 namespace shadowlab::ray_tracing {
@@ -43,7 +44,7 @@ void describeStructure(const trace::SceneTracer& tracer, const trace::Engine& en
         found.counts = grid->counts;
         for (const trace::StructurePart& part : engine.passed(toHit, kMostPassed))
             found.cells.push_back(cellOf(tracer, *grid, part));
-        probe.structure = std::move(found);
+        probe.add(std::move(found));
         return;
     }
     const trace::ShearedRay sheared(toHit);
@@ -65,7 +66,7 @@ void describeStructure(const trace::SceneTracer& tracer, const trace::Engine& en
         volume.isEntered = enter != trace::kNowhere;
         found.volumes.push_back(std::move(volume));
     }
-    if (!found.volumes.empty()) probe.structure = std::move(found);
+    if (!found.volumes.empty()) probe.add(std::move(found));
 }
 
 } // namespace shadowlab::ray_tracing

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "techniques/probed/map_probe.h"
 #include "techniques/shadow_map/bias/biases.h"
 #include "techniques/shadow_map/filters/filters.h"
 #include "techniques/shadow_map/probe/map_probe.h"

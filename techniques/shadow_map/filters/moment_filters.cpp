@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "techniques/probed/map_probe.h"
 #include "techniques/shadow_map/filters/moment_maps.h"
 
 namespace shadowlab::shadow_map {

@@ -1,6 +1,7 @@
 // The filters that read averaged moments: which functions of the depth each keeps, and the bound that follows from their means.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "techniques/probed/map_probe.h"
 #include "techniques/shadow_map/filters/filter_params.h"
 #include "techniques/shadow_map/probe/map_probe.h"
 

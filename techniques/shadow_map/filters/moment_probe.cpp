@@ -7,6 +7,7 @@
 
 #include <glm/gtc/packing.hpp>
 
+#include "techniques/probed/map_probe.h"
 #include "techniques/shadow_map/bias/biases.h"
 #include "techniques/shadow_map/filters/filters.h"
 #include "techniques/shadow_map/filters/moment_filters.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/map_probe.h"
 
 namespace shadowlab::shadow_map {
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "techniques/probed/map_probe.h"
 #include "techniques/shadow_map/filters/filters.h"
 
 namespace shadowlab::shadow_map {

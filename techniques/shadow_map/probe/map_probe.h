@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "techniques/probe.h"
+#include "techniques/probed/map_probe.h"
 #include "techniques/shadow_map/bias/compared_depth.h"
 #include "techniques/shadow_map/probe/texel_depths.h"
 

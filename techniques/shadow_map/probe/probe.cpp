@@ -8,6 +8,7 @@
 #include "techniques/foundation/base/look.h"
 #include "techniques/foundation/trace/area/area_visibility.h"
 #include "techniques/probe_decision.h"
+#include "techniques/probed/map_probe.h"
 #include "techniques/shadow_map/exact/exact_probe.h"
 #include "techniques/shadow_map/filters/filters.h"
 #include "techniques/shadow_map/irregular/alias_free.h"
@@ -158,12 +159,12 @@ public:
         if (!tellPlaceInMap()) return;
         const TexelDepths depths = depthsOf(layer_);
         const ComparedPoint point = comparedPoint(layer_, depths);
-        probe_.map = probeMap(point);
-        probe_.map->layerName = layerName(maps_, layer_);
-        const TexelDepth texel = depths.at(probe_.map->texel);
+        probe_.add(probeMap(point));
+        probe_.find<MapProbe>()->layerName = layerName(maps_, layer_);
+        const TexelDepth texel = depths.at(probe_.find<MapProbe>()->texel);
         tellTexel(texel);
-        if (probe_.section) addCells(*probe_.map, point, *probe_.section);
-        for (SceneShape& shape : texelShapes(*probe_.map, maps_))
+        if (probe_.section) addCells(*probe_.find<MapProbe>(), point, *probe_.section);
+        for (SceneShape& shape : texelShapes(*probe_.find<MapProbe>(), maps_))
             probe_.visited.push_back(std::move(shape));
         if (of_.params.aliasFree)
             decideByTriangles(decideAliasFree(of_.aliasFree.tracer(), view_, pixel_, light_));
@@ -236,7 +237,7 @@ private:
 
     /// What the texel holds, what the point compares with it, and how that ends.
     void tellTexel(const TexelDepth& texel) {
-        const MapProbe& map = *probe_.map;
+        const MapProbe& map = *probe_.find<MapProbe>();
         const std::string blocker = nameOf(texel);
         probe_.facts.push_back({"texel (column, row)",
                                 std::to_string(map.texel.x) + ", " + std::to_string(map.texel.y),
@@ -298,7 +299,7 @@ private:
             return;
         }
         const FilterAnswer answer = filter.answer(point);
-        MapProbe& map = *probe_.map;
+        MapProbe& map = *probe_.find<MapProbe>();
         map.taps = answer.taps;
         map.search = answer.search;
         map.moments = answer.moments;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "techniques/probed/volume_probe.h"
 #include "techniques/shadow_volume/count/face_counter.h"
 
 namespace shadowlab::shadow_volume {

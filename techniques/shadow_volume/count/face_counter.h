@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/frame.h"
-#include "techniques/shadow_probe.h"
+#include "techniques/probed/volume_probe.h"
 #include "techniques/shadow_volume/cull/volume_in_view.h"
 
 namespace shadowlab::shadow_volume {

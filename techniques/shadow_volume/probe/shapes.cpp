@@ -10,6 +10,7 @@
 #include "techniques/foundation/base/look.h"
 #include "techniques/foundation/scene/query/facing.h"
 #include "techniques/probe.h"
+#include "techniques/probed/volume_probe.h"
 #include "techniques/shadow_volume/count/volume.h"
 
 namespace shadowlab::shadow_volume {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "techniques/shadow_probe.h"
+#include "techniques/probed/volume_probe.h"
 #include "techniques/shadow_volume/count/face_counter.h"
 #include "techniques/technique.h"
 

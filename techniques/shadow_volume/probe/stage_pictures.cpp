@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "techniques/foundation/base/look.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::shadow_volume {
 

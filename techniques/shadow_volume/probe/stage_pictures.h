@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/frame.h"
+#include "techniques/probed/volume_probe.h"
 #include "techniques/shadow_volume/count/face_counter.h"
 #include "techniques/shadow_volume/probe/shapes.h"
 

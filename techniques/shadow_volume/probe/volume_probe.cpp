@@ -7,6 +7,7 @@
 #include "techniques/foundation/base/look.h"
 #include "techniques/foundation/scene/query/view/depth_fit.h"
 #include "techniques/probe_decision.h"
+#include "techniques/probed/volume_probe.h"
 #include "techniques/shadow_volume/cull/eye_line.h"
 #include "techniques/shadow_volume/probe/crossed_faces.h"
 #include "techniques/shadow_volume/probe/shapes.h"
@@ -253,8 +254,7 @@ Probe VolumeTechnique::probe(const scene::Snapshot& snapshot, const View& view, 
     prepare(snapshot, Deadline::max());
     probe.facts.push_back(probeCount("casting triangles between the point and the light",
                                      static_cast<std::uint64_t>(exact->crossings(*hit, light))));
-    probe.volume = probeVolumes(*snapshot, view, *hit, light);
-    const VolumeProbe& volume = *probe.volume;
+    const VolumeProbe& volume = probe.add(probeVolumes(*snapshot, view, *hit, light));
     const auto add = [&](std::string label, std::string value) {
         probe.facts.push_back({std::move(label), std::move(value), ""});
     };

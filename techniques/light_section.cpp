@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_probe.h"
+#include "techniques/light_section.h"
 
 #include <cmath>
 
