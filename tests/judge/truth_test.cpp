@@ -78,20 +78,25 @@ scene::Snapshot lidScene(double edge, ivec2 size) {
     return testing::snapshot(scene);
 }
 
+/// Column 50 is beside the shadow's edge: to its left all is shadowed, to its right lit, and it is tied itself within the radius.
+void expectTiesInColumn50(const Truth& truth, ivec2 size, double offset) {
+    for (int x = 0; x < size.x; ++x) {
+        int ties = 0;
+        for (int y = 0; y < size.y; ++y)
+            ties += truth.ties[truth.index(x, y)];
+        EXPECT_EQ(ties, x == 50 && std::abs(offset) < kTiePx ? size.y : 0) << "column " << x << ", " << offset;
+    }
+    EXPECT_EQ(truth.visibility[truth.index(49, 30)], Visibility::shadowed);
+    EXPECT_EQ(truth.visibility[truth.index(51, 30)], Visibility::lit);
+}
+
 // Meshes are stored in float: the lid's edge is right to 2^-24 of its coordinate, 1e-5 px here, far below the offsets.
 TEST(Truth, TiesAreThePixelsWithinTheRadiusOfAnEdge) {
     const ivec2 size{80, 60};
     for (const double offset : {0.0, 0.005, 0.0150, 0.0162, 0.1, -0.0150, -0.0162}) {
         const auto snapshot = lidScene(50.5 + offset, size); // so far from the centres of column 50
         const Truth truth = exactTruth(tracerOf(snapshot), snapshot->camera, size, 0, {kTiePx, {}});
-        for (int x = 0; x < size.x; ++x) {
-            int ties = 0;
-            for (int y = 0; y < size.y; ++y)
-                ties += truth.ties[truth.index(x, y)];
-            EXPECT_EQ(ties, x == 50 && std::abs(offset) < kTiePx ? size.y : 0) << "column " << x << ", " << offset;
-        }
-        EXPECT_EQ(truth.visibility[truth.index(49, 30)], Visibility::shadowed);
-        EXPECT_EQ(truth.visibility[truth.index(51, 30)], Visibility::lit);
+        expectTiesInColumn50(truth, size, offset);
     }
 }
 
@@ -107,14 +112,7 @@ TEST(Truth, BordersOfHolesMakeTiesAsEdgesDo) {
         testing::perforate(scene, 1, {"#."});
         const auto snapshot = testing::snapshot(scene);
         const Truth truth = exactTruth(tracerOf(snapshot), snapshot->camera, size, 0, {kTiePx, {}});
-        for (int x = 0; x < size.x; ++x) {
-            int ties = 0;
-            for (int y = 0; y < size.y; ++y)
-                ties += truth.ties[truth.index(x, y)];
-            EXPECT_EQ(ties, x == 50 && std::abs(offset) < kTiePx ? size.y : 0) << "column " << x << ", " << offset;
-        }
-        EXPECT_EQ(truth.visibility[truth.index(49, 30)], Visibility::shadowed);
-        EXPECT_EQ(truth.visibility[truth.index(51, 30)], Visibility::lit);
+        expectTiesInColumn50(truth, size, offset);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "techniques/foundation/math/perpendicular.h"
 #include "techniques/foundation/scene/query/shading.h"
 #include "techniques/radiosity/form_factors/point_form_factor.h"
 #include "techniques/radiosity/form_factors/polygon_exchange.h"
@@ -21,17 +22,6 @@ constexpr int kPlaces = 256;
 
 // Sides of a pyramid around a spot's cone: the cone fills nine tenths of it.
 constexpr int kSidesAroundCone = 6;
-
-/// Two unit vectors perpendicular to a unit vector and to each other. They are built from the axis of its smallest component,
-/// which is never parallel to it.
-std::pair<dvec3, dvec3> across(const dvec3& unit) {
-    const dvec3 size = glm::abs(unit);
-    const int least = size.x < size.y ? (size.x < size.z ? 0 : 2) : (size.y < size.z ? 1 : 2);
-    dvec3 helper(0.0);
-    helper[least] = 1;
-    const dvec3 u = glm::normalize(glm::cross(unit, helper));
-    return {u, glm::cross(unit, u)};
-}
 
 } // namespace
 
@@ -117,7 +107,7 @@ double LightSource::meanIrradiance(const Patch& patch) const {
 
 /// The part of the polygon within a pyramid around the spot's cone.
 Polygon LightSource::withinCone(Polygon polygon) const {
-    const auto [u, v] = across(cone_.axis);
+    const dvec3 u = perpendicularTo(cone_.axis), v = glm::cross(cone_.axis, u);
     for (int i = 0; i < kSidesAroundCone; ++i) {
         const double turn = glm::two_pi<double>() * i / kSidesAroundCone;
         const dvec3 outward = std::cos(turn) * u + std::sin(turn) * v;
@@ -159,7 +149,7 @@ LightLine LightSource::lineFromSphere(const dvec3& positionCentred, const dvec3&
     const double extent = sineSquared / (1 + std::sqrt(1 - sineSquared)); // 1 - cosine, without cancellation
     const double cosine = 1 - s * extent, sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
     const double turn = glm::two_pi<double>() * t;
-    const auto [u, v] = across(toLight / distance);
+    const dvec3 axis = toLight / distance, u = perpendicularTo(axis), v = glm::cross(axis, u);
     const dvec3 way = cosine / distance * toLight + sine * (std::cos(turn) * u + std::sin(turn) * v);
     const double inside = std::pow(light_.radius, 2) - std::pow(distance * sine, 2);
     const double length = distance * cosine - std::sqrt(std::max(0.0, inside));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "techniques/foundation/math/perpendicular.h"
 #include "techniques/ray_tracing/sampling/light_sampling.h"
 
 #include <algorithm>
@@ -31,15 +32,6 @@ double angleBetween(const dvec3& a, const dvec3& b) {
 /// Angle of a Plane Triangle", IEEE Transactions on Biomedical Engineering 1983).
 double denominator(const dvec3& unitA, const dvec3& unitB, const dvec3& unitC) {
     return 1 + glm::dot(unitA, unitB) + glm::dot(unitB, unitC) + glm::dot(unitC, unitA);
-}
-
-/// A unit vector perpendicular to the given one.
-dvec3 across(const dvec3& unit) {
-    const dvec3 size = glm::abs(unit);
-    const int least = size.x < size.y ? (size.x < size.z ? 0 : 2) : (size.y < size.z ? 1 : 2);
-    dvec3 helper(0.0);
-    helper[least] = 1;
-    return glm::normalize(glm::cross(unit, helper));
 }
 
 /// The point on a line at distance w that splits the solid angle between y0 and y1 by `share`. Along the line, equal solid angles
@@ -95,7 +87,7 @@ void LightSampler::setUpSphere(double radius, const dvec3& toCentre) {
     radius_ = radius;
     if (!(radius_ > 0 && distance_ > radius_)) return;
     axisZ_ = toCentre / distance_;
-    axisX_ = across(axisZ_);
+    axisX_ = perpendicularTo(axisZ_);
     axisY_ = glm::cross(axisZ_, axisX_);
     const double sine = radius_ / distance_;
     lowest_ = sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine))); // 1 - cos, without cancellation

@@ -17,19 +17,6 @@ namespace {
 
 using namespace shadowlab::testing;
 
-RayHit closestOfAll(const Triangles& triangles, const Ray& ray) {
-    RayHit best;
-    if (!isUsable(ray)) return best;
-    const ShearedRay sheared(ray);
-    double farthest = sheared.farthest;
-    for (std::uint32_t i = 0; i < triangles.size(); ++i)
-        if (const auto hit = intersect(sheared, triangles[i], farthest); hit && hit->reach < farthest) {
-            farthest = hit->reach;
-            best = {farthest / sheared.reachPerT, i, hit->barycentric};
-        }
-    return best;
-}
-
 /// From anywhere to anywhere; every third at a vertex, every third along an axis.
 Ray randomRay(Random& random, const Triangles& triangles, int number_) {
     Ray ray;
@@ -38,15 +25,8 @@ Ray randomRay(Random& random, const Triangles& triangles, int number_) {
     ray.originCentred = from.a + inCube(random, 2);
     ray.directionCentred = (to.b - ray.originCentred) * number(random, 0.1, 3);
     if (number_ % 3 == 1) ray.directionCentred += inCube(random, 1);
-    if (number_ % 12 == 2) {
-        const int axis = static_cast<int>(random() % 3);
-        ray.originCentred = to.b;
-        ray.originCentred[axis] -= 3;
-        ray.directionCentred = dvec3(number_ % 24 == 2 ? 0.0 : -0.0);
-        ray.directionCentred[axis] = 1;
-    }
-    if (number_ % 7 == 0) ray.farthest = number(random, 0.1, 1.5);
-    if (number_ % 5 == 0) ray.nearest = number(random, 0, 0.5);
+    if (number_ % 12 == 2) aimAlongAxis(ray, to.b, static_cast<int>(random() % 3), number_ % 24 == 2);
+    limitSome(ray, random, number_);
     return ray;
 }
 

@@ -118,4 +118,36 @@ inline Triangles degenerate(unsigned seed) {
     return triangles;
 }
 
+/// By trying every triangle that `mayHit` allows.
+template <typename MayHit>
+trace::RayHit closestOfAll(const Triangles& triangles, const trace::Ray& ray, const MayHit& mayHit) {
+    trace::RayHit best;
+    if (!isUsable(ray)) return best;
+    const trace::ShearedRay sheared(ray);
+    double farthest = sheared.farthest;
+    for (std::uint32_t i = 0; i < triangles.size(); ++i)
+        if (const auto hit = intersect(sheared, triangles[i], farthest); hit && hit->reach < farthest && mayHit(i)) {
+            farthest = hit->reach;
+            best = trace::RayHit{farthest / sheared.reachPerT, i, hit->barycentric};
+        }
+    return best;
+}
+inline trace::RayHit closestOfAll(const Triangles& triangles, const trace::Ray& ray) {
+    return closestOfAll(triangles, ray, [](std::uint32_t) { return true; });
+}
+
+/// Exactly along an axis, through the point; the other components are zeros of that sign.
+inline void aimAlongAxis(trace::Ray& ray, const dvec3& throughCentred, int axis, bool positiveZeros) {
+    ray.originCentred = throughCentred;
+    ray.originCentred[axis] -= 3;
+    ray.directionCentred = dvec3(positiveZeros ? 0.0 : -0.0);
+    ray.directionCentred[axis] = 1;
+}
+
+/// Every seventh ray is short, every fifth begins late.
+inline void limitSome(trace::Ray& ray, Random& random, int count) {
+    if (count % 7 == 0) ray.farthest = number(random, 0.1, 1.5);
+    if (count % 5 == 0) ray.nearest = number(random, 0, 0.5);
+}
+
 } // namespace shadowlab::testing

@@ -21,21 +21,7 @@ public:
         if (!device_) throw std::runtime_error("Embree makes no device");
         scene_.reset(rtcNewScene(device_.get()));
         rtcSetSceneFlags(scene_.get(), RTC_SCENE_FLAG_ROBUST); // its watertight mode
-        RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * triangles.size()));
-        auto* corners = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles.size()));
-        std::uint32_t vertex = 0;
-        for (const Triangle& t : triangles)
-            for (const dvec3* corner : {&t.a, &t.b, &t.c}) {
-                for (int axis = 0; axis < 3; ++axis)
-                    *positions++ = static_cast<float>((*corner)[axis]);
-                *corners++ = vertex++;
-            }
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_.get(), geometry);
-        rtcReleaseGeometry(geometry);
+        embree::attach(device_.get(), scene_.get(), triangles);
         rtcCommitScene(scene_.get());
     }
 

@@ -9,6 +9,11 @@
 #include <embree4/rtcore.h>
 #endif
 
+#include <cstdint>
+#include <span>
+
+#include "techniques/foundation/trace/ray_triangle.h"
+
 namespace shadowlab::trace::embree {
 
 #if SHADOWLAB_EMBREE == 3
@@ -87,5 +92,24 @@ inline void any(const int* valid, RTCScene scene, Query& query, RTCRay8& rays) {
 }
 
 #endif
+
+/// Copies the triangles, rounded to floats, into a geometry of the scene: three vertices of its own for each.
+inline void attach(RTCDevice device, RTCScene scene, std::span<const Triangle> triangles) {
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                                                  3 * sizeof(float), 3 * triangles.size()));
+    auto* corners = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles.size()));
+    std::uint32_t vertex = 0;
+    for (const Triangle& t : triangles)
+        for (const dvec3* corner : {&t.a, &t.b, &t.c}) {
+            for (int axis = 0; axis < 3; ++axis)
+                *positions++ = static_cast<float>((*corner)[axis]);
+            *corners++ = vertex++;
+        }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+}
 
 } // namespace shadowlab::trace::embree

@@ -58,7 +58,7 @@ public:
         scene_.reset(rtcNewScene(device_.get()));
         // Its watertight mode, and filters.
         rtcSetSceneFlags(scene_.get(), static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | embree::kFiltersOfRays));
-        if (!triangles_.empty()) attach(triangles_);
+        if (!triangles_.empty()) embree::attach(device_.get(), scene_.get(), triangles_);
         rtcCommitScene(scene_.get());
         return true;
     }
@@ -106,24 +106,6 @@ private:
         const ShearedRay sheared(ray);
         const auto found = intersect(sheared, triangles_[hit.primitive], sheared.farthest);
         return found ? RayHit{found->reach / sheared.reachPerT, hit.primitive, found->barycentric} : hit;
-    }
-
-    void attach(std::span<const Triangle> triangles) {
-        RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), 3 * triangles.size()));
-        auto* corners = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-            geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles.size()));
-        std::uint32_t vertex = 0;
-        for (const Triangle& t : triangles)
-            for (const dvec3* corner : {&t.a, &t.b, &t.c}) {
-                for (int axis = 0; axis < 3; ++axis)
-                    *positions++ = static_cast<float>((*corner)[axis]);
-                *corners++ = vertex++;
-            }
-        rtcCommitGeometry(geometry);
-        rtcAttachGeometry(scene_.get(), geometry);
-        rtcReleaseGeometry(geometry);
     }
 
     std::span<const Triangle> triangles_;
