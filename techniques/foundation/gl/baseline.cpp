@@ -27,6 +27,9 @@ void setBaselineState() {
     glClearColor(0, 0, 0, 0);
     glClearDepth(1);
     glClearStencil(0);
+    // NVIDIA's driver 580.159 checks the program in use at every clear, too, and warns of a shadow sampler whose texture is about to be
+    // read as depths.
+    glUseProgram(0);
 }
 
 } // namespace shadowlab::gl
