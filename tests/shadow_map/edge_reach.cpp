@@ -6,7 +6,7 @@
 
 #include <glm/gtc/constants.hpp>
 
-#include "tests/shadow_map/scene_maps.h"
+#include "tests/shadow_map/fit/scene_maps.h"
 
 namespace shadowlab::testing {
 

@@ -11,7 +11,7 @@
 
 #include "techniques/foundation/scene/model/shapes.h"
 #include "tests/shadow_map/edge_reach.h"
-#include "tests/shadow_map/scene_maps.h"
+#include "tests/shadow_map/fit/scene_maps.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 

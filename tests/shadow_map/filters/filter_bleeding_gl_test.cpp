@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "tests/shadow_map/layer_light.h"
+#include "tests/shadow_map/filters/layer_light.h"
 #include "tests/support/gl_fixture.h"
 
 namespace shadowlab {

@@ -11,7 +11,7 @@
 
 #include "techniques/radiosity/patches/contacts.h"
 #include "techniques/radiosity/patches/polygon_samples.h"
-#include "tests/radiosity/lights.h"
+#include "tests/radiosity/lights/lights.h"
 #include "tests/radiosity/quasirandom.h"
 
 namespace shadowlab::radiosity {

@@ -10,7 +10,7 @@
 #include "app/context/assets.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/model/shapes.h"
-#include "tests/shadow_map/moment_texels.h"
+#include "tests/shadow_map/filters/moment_texels.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/light_shares.h"
 #include "tests/support/scenes.h"

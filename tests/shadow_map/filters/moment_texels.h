@@ -5,7 +5,7 @@
 #include "techniques/foundation/gl/debug.h"
 #include "techniques/shadow_map/filters/moment_maps.h"
 #include "techniques/shadow_map/maps/depth_pass.h"
-#include "tests/shadow_map/scene_maps.h"
+#include "tests/shadow_map/fit/scene_maps.h"
 
 namespace shadowlab::testing {
 

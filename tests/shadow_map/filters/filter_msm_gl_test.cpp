@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "tests/shadow_map/layer_light.h"
+#include "tests/shadow_map/filters/layer_light.h"
 #include "tests/support/gl_fixture.h"
 
 namespace shadowlab {

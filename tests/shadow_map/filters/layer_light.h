@@ -3,7 +3,7 @@
 #pragma once
 #include <functional>
 
-#include "tests/shadow_map/stacked_layers.h"
+#include "tests/shadow_map/filters/stacked_layers.h"
 #include "tests/support/light_shares.h"
 
 namespace shadowlab::testing {

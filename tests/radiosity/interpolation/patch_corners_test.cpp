@@ -7,7 +7,7 @@
 #include <map>
 
 #include "techniques/radiosity/patches/contacts.h"
-#include "tests/radiosity/interpolated.h"
+#include "tests/radiosity/interpolation/interpolated.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {

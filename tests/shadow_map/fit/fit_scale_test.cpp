@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "tests/shadow_map/scene_maps.h"
+#include "tests/shadow_map/fit/scene_maps.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::shadow_map {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "techniques/foundation/scene/model/shapes.h"
-#include "tests/shadow_map/scene_maps.h"
+#include "tests/shadow_map/fit/scene_maps.h"
 #include "tests/support/plane_view.h"
 #include "tests/support/scenes.h"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "techniques/foundation/base/look.h"
-#include "tests/shadow_map/scene_maps.h"
+#include "tests/shadow_map/fit/scene_maps.h"
 #include "tests/support/scenes.h"
 
 namespace shadowlab::shadow_map {

@@ -8,7 +8,7 @@
 
 #include "techniques/radiosity/lights/solid_angle.h"
 #include "techniques/radiosity/patches/polygon_samples.h"
-#include "tests/radiosity/lights.h"
+#include "tests/radiosity/lights/lights.h"
 #include "tests/radiosity/quasirandom.h"
 
 namespace shadowlab::radiosity {

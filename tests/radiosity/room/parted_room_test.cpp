@@ -5,7 +5,7 @@
 #include "techniques/radiosity/exchange/exchange_builder.h"
 #include "techniques/radiosity/patches/contacts.h"
 #include "techniques/radiosity/solvers/solvers.h"
-#include "tests/radiosity/interpolated.h"
+#include "tests/radiosity/interpolation/interpolated.h"
 #include "tests/radiosity/scene_room.h"
 
 namespace shadowlab::radiosity {

@@ -7,7 +7,7 @@
 #include "app/report/measurement.h"
 #include "techniques/foundation/gl/read_back.h"
 #include "techniques/foundation/scene/model/shapes.h"
-#include "tests/shadow_map/scene_maps.h"
+#include "tests/shadow_map/fit/scene_maps.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
 
