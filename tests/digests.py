@@ -23,7 +23,9 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 SIZE, GRID, TOLD = "96x54", "192x108", "480x270"  # of one picture, of four in a grid, of one with words in it
+SLIDE = "640x360"  # the least that has room for the words of all slides
 PIXELS = ("48,40", "60,30")
+FIGURED = ("still-life", "mirror-and-glass", "cornell-room")  # scenes whose figures are drawn
 SLOTS = 4  # pictures that one command draws
 CLOCKED = ("ms", "Ms", "seconds", "Seconds", "times", "rate", "perSecond")  # how keys end under which a clock's figures stand
 LISTS = ("techniques", "parameters", "stages", "source", "scenes", "figures", "decks", "lessons", "quantities", "keys", "limits")
@@ -79,8 +81,9 @@ def pictures(program):
         yield f"lessons/{lesson}.png", ["lesson", lesson, "--size", TOLD, "-o", "OUT"]
     for figure in program.listed("figures"):
         for technique in techniques:
-            yield f"figures/{figure}/{technique}.svg", ["probe", "still-life", "--pixel", PIXELS[0], "--size", SIZE, "-t", technique,
-                                                        "--figure", figure, "--diagram", "OUT"]
+            for scene in FIGURED:
+                yield f"figures/{figure}/{technique}/{scene}.svg", ["probe", scene, "--pixel", PIXELS[0], "--size", SIZE, "-t", technique,
+                                                                    "--figure", figure, "--diagram", "OUT"]
 
 
 def answers(program):
@@ -131,7 +134,9 @@ def all_digests(program, chosen, folder):
 
     def slides(deck):
         out = folder / "slides" / deck
-        program.run("slides", deck, "--size", TOLD, "--supersample", "1", "-o", str(out))
+        ran = program.run("slides", deck, "--size", SLIDE, "--supersample", "1", "-o", str(out))
+        if ran.returncode:
+            sys.exit(f"digests: slides {deck} failed: {ran.stderr}")
         files = [file for file in sorted(out.rglob("*")) if file.is_file()]
         return [(f"slides/{deck}/{file.relative_to(out)}", digest_of(file.read_bytes())) for file in files]
 
