@@ -168,13 +168,14 @@ std::vector<Variant> maps() {
     for (const char* settings :
          {"filter=hard", "filter=pcf", "filter=pcf fit=scene", "filter=disc", "filter=pcss", "filter=vsm",
           "filter=evsm", "filter=msm", "filter=pcf cascades=3", "filter=hard warp=lispsm",
-          "filter=pcf bias-mode=slope-scaled", "filter=hard bias-mode=dual-depth", "exact=true"}) {
+          "filter=pcf bias-mode=slope-scaled", "filter=hard bias-mode=dual-depth"}) {
         Variant variant{std::string("map, ") + settings, "shadow-map", {"resolution=128"}};
         std::istringstream words(settings);
         for (std::string word; words >> word;)
             variant.settings.push_back(word);
         all.push_back(std::move(variant));
     }
+    all.push_back({"exact map", "shadow-map-exact", {"resolution=128"}});
     return all;
 }
 

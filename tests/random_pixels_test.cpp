@@ -235,18 +235,21 @@ TEST(RandomPixelsTest, PlanesHeightsAndWeightsAreThoseOfTheTriangles) {
     EXPECT_LT(weight.largest, 1e-5);
 }
 
-// `exact` and `alias-free` name the face that they found. It stands between the point and the light, and is not the point's own.
+// The exact map and the alias-free one name the face that they found. It stands between the point and the light, and is not the
+// point's own.
 TEST(RandomPixelsTest, TheFaceThatBlocksStandsInTheWay) {
-    for (const char* param : {"exact", "alias-free"}) {
+    for (const std::string technique : {"shadow-map-exact", "shadow-map-alias-free"}) {
+        testing::AskedSettings settings{.technique = technique, .values = {}, .pixels = 20, .seed = 41};
+        if (technique == "shadow-map-exact") settings.values = {{"resolution", "256"}};
         int decided = 0, named = 0;
         testing::forRandomPixels(
-            {.technique = "shadow-map", .values = {{param, "true"}, {"resolution", "256"}}, .pixels = 20, .seed = 41},
+            settings,
             [&](const AskedPixel& asked) {
                 ASSERT_TRUE(asked.probe.decision) << asked.where();
                 ++decided;
-                EXPECT_EQ(asked.probe.decision->why, "") << param << " " << asked.where();
+                EXPECT_EQ(asked.probe.decision->why, "") << technique << " " << asked.where();
                 const bool isLit = testing::factNamed(asked.probe, "truth")->value == "lit";
-                EXPECT_EQ(asked.probe.decision->visibility, isLit ? 1 : 0) << param << " " << asked.where();
+                EXPECT_EQ(asked.probe.decision->visibility, isLit ? 1 : 0) << technique << " " << asked.where();
                 if (!asked.probe.decision->blocker) return;
                 ++named;
                 const Decision::Face& face = *asked.probe.decision->blocker;
@@ -260,10 +263,10 @@ TEST(RandomPixelsTest, TheFaceThatBlocksStandsInTheWay) {
                     stands = stands || (hit && hit->inside > -1e-9 && hit->along > -1e-9 &&
                                         (asked.lightWorld().w == 0 || hit->along < 1 + 1e-9));
                 }
-                EXPECT_TRUE(stands) << param << " " << asked.where() << ": " << face.object << " " << face.triangle;
+                EXPECT_TRUE(stands) << technique << " " << asked.where() << ": " << face.object << " " << face.triangle;
             },
             false);
-        std::cout << param << ": " << decided << " decisions, " << named << " faces named\n";
+        std::cout << technique << ": " << decided << " decisions, " << named << " faces named\n";
         EXPECT_GT(decided, 60);
         EXPECT_GT(named, 20);
     }

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/lab/document.h"
+#include "app/lab/old_spelling.h"
 #include "app/picture/derived_stages.h"
 #include "app/picture/limits.h"
 #include "techniques/foundation/base/error.h"
@@ -237,6 +238,11 @@ CaptureOptions captureOptions(const CLI::App& command) {
     options.layout = layoutFor(given, options.techniques.size());
     options.labels = booleanFrom("--labels", given.text("--labels", "true"));
     options.stages = stagesFor(given, options.techniques.size());
+    options.settings = given.texts("--set");
+    std::vector<std::string> stageIds;
+    for (const picture::StageRef& stage : options.stages)
+        stageIds.push_back(stage.isPass ? "" : stage.id);
+    lab::respell(options.techniques, stageIds, options.settings);
     const bool anyStage = !std::ranges::all_of(options.stages, &picture::StageRef::isPicture);
     if (options.layout == picture::Layout::diff && anyStage)
         refuseUsage("--stage: --layout diff compares the finished pictures; leave one of them out");
@@ -269,7 +275,6 @@ CaptureOptions captureOptions(const CLI::App& command) {
         options.partner = pickedFor("--partner", given, options);
     }
     if (given.has("--row")) options.row = rowFor(given, options.stages, options.size);
-    options.settings = given.texts("--set");
     options.light = given.text("--light");
     options.backend = context::backendFromName(given.text("--backend", "auto"));
     options.stats = given.text("--stats");

@@ -12,6 +12,7 @@
 #include "app/cli/words_anywhere.h"
 #include "app/context/assets.h"
 #include "app/context/software.h"
+#include "app/lab/old_spelling.h"
 #include "app/picture/limits.h"
 #include "app/student/plugins.h"
 #include "techniques/foundation/base/nearest_names.h"
@@ -133,6 +134,7 @@ InspectOptions inspectOptions(const CLI::App& command) {
 
 int run(int argc, char** argv) {
     std::vector<std::string> given(argv, argv + argc);
+    lab::tellOldSpelling(&note);
     if (takeFlag("--software", given)) context::demandSoftware(); // before the first context
     const TakenWords limits = takeWordsOf("--limit", "triangles=50000000", given);
     for (const std::string& limit : limits.values)

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/option_values.h"
+#include "app/lab/old_spelling.h"
 #include "app/picture/limits.h"
 #include "techniques/registry.h"
 
@@ -59,6 +60,7 @@ MeasureOptions measureOptions(const CLI::App& command) {
     options.size = sizeFrom("--size", given.text("--size", "1280x720"), "measured-side");
     reserveForMeasured(options.size);
     options.settings = given.texts("--set");
+    lab::respell(options.techniques, {}, options.settings);
     options.light = given.text("--light");
     options.backend = context::backendFromName(given.text("--backend", "auto"));
     options.motion = motionOptions(given);

@@ -6,6 +6,7 @@
 #include "app/cli/capture_options.h"
 #include "app/cli/option_values.h"
 #include "app/figures/figures.h"
+#include "app/lab/old_spelling.h"
 
 namespace shadowlab::cli {
 
@@ -49,11 +50,12 @@ ProbeOptions probeOptions(const CLI::App& command) {
     options.size = sizeFrom("--size", given.text("--size", "1280x720"), "picture-side");
     options.pixel = pixelFrom("--pixel", given.required("--pixel", example), options.size);
     if (given.has("--partner")) options.partner = pixelFrom("--partner", given.text("--partner"), options.size);
-    const std::vector<std::string> techniques =
+    std::vector<std::string> techniques =
         given.has("--technique") ? splitAtCommas(given.texts("--technique")) : std::vector{options.technique};
     if (techniques.size() != 1) refuseUsage("-t: one technique is asked at a time; write it alone");
-    options.technique = techniques.front();
     options.settings = given.texts("--set");
+    lab::respell(techniques, {}, options.settings);
+    options.technique = techniques.front();
     options.light = given.text("--light");
     options.json = command.count("--json") > 0;
     options.diagram = given.text("--diagram");

@@ -52,7 +52,9 @@ ShownState StateReader::read(std::span<const JsonObject* const> levels) {
     const JsonObject& stageAt = having(levels, {"stage", "step"});
     const bool isOfThem =
         hasStage(stageAt) && std::ranges::find(levels, &stageAt) >= std::ranges::find(levels, &slotsAt);
-    readSlots(slotsAt, isOfThem ? &stageAt : nullptr, state);
+    const JsonObject* const stageOf = isOfThem ? &stageAt : nullptr;
+    const lab::OldSpelling spelledNow = spelling(slotsAt, stageOf, levels);
+    readSlots(slotsAt, stageOf, spelledNow, state);
     const JsonObject& layoutOf = having(levels, {"layout"});
     std::vector<std::string> layouts;
     for (const picture::Layout layout : {picture::Layout::single, picture::Layout::side, picture::Layout::split, picture::Layout::grid, picture::Layout::diff})
@@ -68,7 +70,7 @@ ShownState StateReader::read(std::span<const JsonObject* const> levels) {
             splitOf.fail("split", R"(is the share of the left one of two in "layout": "split"; leave it out)");
         state.split = splitOf.number("split", scene::Range::between(0, 1));
     }
-    readSettings(levels, state);
+    readSettings(levels, spelledNow, state);
     return state;
 }
 
@@ -104,16 +106,39 @@ void StateReader::loadScene(const JsonObject& object, ShownState& state) {
     state.scene = loaded_.second;
 }
 
-void StateReader::readSlots(const JsonObject& object, const JsonObject* stageOf, ShownState& state) {
+/// What the picture's techniques, stages and settings mean, which were perhaps written for an earlier version.
+lab::OldSpelling StateReader::spelling(const JsonObject& slotsAt, const JsonObject* stageOf,
+                                       std::span<const JsonObject* const> levels) const {
+    std::vector<std::string> techniques, stages, settings;
+    const auto add = [&](const JsonObject& slot) {
+        const JsonObject& stageAt = stageOf ? *stageOf : slot;
+        techniques.push_back(slot.text("technique"));
+        stages.push_back(stageAt.find("stage") ? picture::StageRef::parse(stageAt.text("stage")).id : "");
+    };
+    if (slotsAt.find("technique")) {
+        add(slotsAt);
+    } else {
+        for (const JsonValue& value : slotsAt.array("slots"))
+            add(slotObject(value, techniques.size() + 1));
+    }
+    for (const JsonObject* level : levels)
+        for (const auto& [setting, offset] : texts(*level, "set"))
+            settings.push_back(setting);
+    return {std::move(techniques), stages, settings};
+}
+
+JsonObject StateReader::slotObject(const JsonValue& value, std::size_t number) const {
+    return {document_, value, "slot " + std::to_string(number), {"technique", "stage", "step"}};
+}
+
+void StateReader::readSlots(const JsonObject& object, const JsonObject* stageOf, const lab::OldSpelling& spelling,
+                            ShownState& state) {
     if (object.find("technique")) {
-        readSlot(object, stageOf, state);
+        readSlot(object, stageOf, spelling, state);
         return;
     }
-    for (const JsonValue& value : object.array("slots")) {
-        const JsonObject slot(document_, value, "slot " + std::to_string(state.slots.size() + 1),
-                              {"technique", "stage", "step"});
-        readSlot(slot, stageOf, state);
-    }
+    for (const JsonValue& value : object.array("slots"))
+        readSlot(slotObject(value, state.slots.size() + 1), stageOf, spelling, state);
     if (state.slots.empty())
         object.fail("slots", R"(is missing or empty; write for example [{"technique": "shadow-map"}])");
     if (state.slots.size() > lab::kPanes)
@@ -121,9 +146,10 @@ void StateReader::readSlots(const JsonObject& object, const JsonObject* stageOf,
                                  " that the window shows; leave some out");
 }
 
-void StateReader::readSlot(const JsonObject& slot, const JsonObject* stageOf, ShownState& state) {
+void StateReader::readSlot(const JsonObject& slot, const JsonObject* stageOf, const lab::OldSpelling& spelling,
+                           ShownState& state) {
     lab::PaneState pane;
-    pane.technique = slot.text("technique");
+    pane.technique = spelling.techniques()[state.slots.size()];
     const TechniqueInfo& info = saidAt(document_, slot.require("technique", "\"shadow-map\"").offset,
                                        [&]() -> const TechniqueInfo& { return findTechnique(pane.technique); });
     pane.stage = readStage(stageOf ? *stageOf : slot, info, state);
@@ -131,12 +157,13 @@ void StateReader::readSlot(const JsonObject& slot, const JsonObject* stageOf, Sh
 }
 
 /// Settings are checked by slots like those of a capture, and written down as the panes keep them.
-void StateReader::readSettings(std::span<const JsonObject* const> levels, ShownState& state) {
+void StateReader::readSettings(std::span<const JsonObject* const> levels, const lab::OldSpelling& spelling,
+                               ShownState& state) {
     std::vector<picture::Slot> slots = slotsOf(state.slots);
     for (const JsonObject* level : levels)
         for (const auto& [setting, offset] : texts(*level, "set")) {
             saidAt(document_, offset, [&] {
-                lab::applySettings(slots, {setting});
+                lab::applySettings(slots, spelling.today(setting));
                 return 0;
             });
             if (level == levels.back()) state.settings.push_back(setting);

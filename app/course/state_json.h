@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/course/shown_state.h"
+#include "app/lab/old_spelling.h"
 #include "techniques/foundation/scene/json/json_object.h"
 #include "techniques/foundation/scene/load/load.h"
 
@@ -27,10 +28,15 @@ public:
 
 private:
     void loadScene(const scene::JsonObject& object, ShownState& state);
-    void readSlots(const scene::JsonObject& object, const scene::JsonObject* stageOf, ShownState& state);
-    void readSlot(const scene::JsonObject& slot, const scene::JsonObject* stageOf, ShownState& state);
+    lab::OldSpelling spelling(const scene::JsonObject& slotsAt, const scene::JsonObject* stageOf,
+                              std::span<const scene::JsonObject* const> levels) const;
+    scene::JsonObject slotObject(const scene::JsonValue& value, std::size_t number) const;
+    void readSlots(const scene::JsonObject& object, const scene::JsonObject* stageOf, const lab::OldSpelling& spelling,
+                   ShownState& state);
+    void readSlot(const scene::JsonObject& slot, const scene::JsonObject* stageOf, const lab::OldSpelling& spelling,
+                  ShownState& state);
     picture::StageRef readStage(const scene::JsonObject& object, const TechniqueInfo& info, const ShownState& state);
-    void readSettings(std::span<const scene::JsonObject* const> levels, ShownState& state);
+    void readSettings(std::span<const scene::JsonObject* const> levels, const lab::OldSpelling& spelling, ShownState& state);
 
     const scene::JsonDocument& document_;
     const std::filesystem::path& file_;

@@ -15,8 +15,8 @@ struct ExactWay {
 
 const std::vector<ExactWay>& exactWays() {
     static const std::vector<ExactWay> ways{
-        {"shadow-map", {{"exact", "true"}}},
-        {"shadow-map", {{"alias-free", "true"}}},
+        {"shadow-map-exact", {}},
+        {"shadow-map-alias-free", {}},
         {"shadow-volume-zpass", {{"eye-correction", "true"}, {"repair", "true"}}},
         {"shadow-volume-zfail", {{"repair", "true"}}},
         {"shadow-volume", {}},

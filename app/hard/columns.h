@@ -14,7 +14,7 @@ struct Column {
     lab::Values values; ///< what differs from its defaults
     bool isExact = false;   ///< it asks rays wherever the rasteriser may err: no pixel may be wrong but ties
 
-    /// "shadow-map exact=true"
+    /// "shadow-volume-zfail repair=true"
     [[nodiscard]] std::string title() const;
     /// As the reader of cases makes it: what has only defaults has no settings at all.
     [[nodiscard]] lab::PaneState state() const {

@@ -8,14 +8,7 @@
 
 namespace shadowlab::lab {
 
-namespace {
-
-struct Setting {
-    int slot = 0; ///< counted from 1; 0: every slot of the technique
-    std::string id, param, value;
-};
-
-Setting parse(const std::string& text) {
+Setting parseSetting(const std::string& text) {
     const auto refuse = [&](const std::string& why) {
         throw Error(ExitStatus::usage,
                     "--set: '" + text + "' " + why + "; write [SLOT:]ID.PARAM=VALUE, as shadow-map.resolution=1024");
@@ -33,11 +26,9 @@ Setting parse(const std::string& text) {
     return setting;
 }
 
-} // namespace
-
 void applySettings(std::vector<picture::Slot>& slots, const std::vector<std::string>& settings) {
     for (const std::string& text : settings) {
-        const Setting setting = parse(text);
+        const Setting setting = parseSetting(text);
         findTechnique(setting.id); // names the nearest ids when there is none
         if (setting.slot > static_cast<int>(slots.size()))
             throw Error(ExitStatus::usage, "--set: '" + text + "': the slots are numbered from 1 to " +

@@ -8,6 +8,14 @@
 
 namespace shadowlab::lab {
 
+struct Setting {
+    int slot = 0; ///< counted from 1; 0: every slot of the technique
+    std::string id, param, value;
+};
+
+/// Throws Error (usage) for what is no setting.
+Setting parseSetting(const std::string& text);
+
 /// Applies the settings in order. A setting without a slot number goes to every slot of that technique.
 /// Throws Error (usage) for anything unknown, out of range, or meant for a technique that no slot shows.
 void applySettings(std::vector<picture::Slot>& slots, const std::vector<std::string>& settings);

@@ -1,4 +1,4 @@
-// What every part of the technique works with: cameras are fitted, maps are drawn, receivers look them up.
+// What the techniques with a map work with: cameras are fitted, maps are drawn, receivers look them up.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/shadow_map/receivers.h"
@@ -12,5 +12,11 @@ struct MapTools {
     MapDrawer drawer{params, fitter};
     Receivers receivers{params, fitter};
 };
+
+/// The pass `light`: adds the light to the picture wherever its map, or what was decided with it, lets it through.
+void addLight(MapTools& tools, Frame& frame, int light, const LightShadowMap& map);
+
+/// The stage `visibility`: how much of the light that is, 0 to 1.
+void publishVisibility(MapTools& tools, Frame& frame, int light, const LightShadowMap& map);
 
 } // namespace shadowlab::shadow_map

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shadow_map/params.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "techniques/foundation/scene/query/light_points.h"
 
 namespace shadowlab::shadow_map {
@@ -56,6 +59,11 @@ params::ParamList describeProjection(ProjectionParams& p) {
         params::choice("warp", p.warp, {"none", "lispsm"},
                        "Texels of a directional light: all alike; lispsm: smaller near the eye (light space "
                        "perspective)."),
+    };
+}
+
+params::ParamList describeProjectionFaults(ProjectionParams& p) {
+    return {
         params::choice("depth-range", p.depthRange, {"fitted", "wide"},
                        "Range of depths in the map: fitted to receivers; wide: 0.01 to 1000 m, as in a program that "
                        "never fits it (teaching)."),
@@ -63,18 +71,6 @@ params::ParamList describeProjection(ProjectionParams& p) {
                        "The six maps around a light: each a little wider than its 90 degrees, so that a filter finds "
                        "its texels in its own map; bare: just as wide, and a filter at a seam reaches beyond the map, "
                        "where nothing is stored (teaching)."),
-    };
-}
-
-params::ParamList describeExact(ShadowMapParams& p) {
-    return {
-        params::boolean("exact", p.exact,
-                        "Decide by rays wherever an edge touches the point's texel or the map is not certain; then "
-                        "filter, bias, border and the range of depths do not matter."),
-        params::boolean(
-            "alias-free", p.aliasFree,
-            "Draw no map: ask the light for each visible point instead, on the processor. As exact as rays; "
-            "resolution, filter and bias do not matter."),
     };
 }
 
@@ -104,6 +100,11 @@ params::ParamList describeLimits(ShadowMapParams& p) {
         params::boolean(
             "reject-behind", p.rejectBehind,
             "Ask no map about what lies behind a spot; false: there the projection is mirrored (teaching)."),
+    };
+}
+
+params::ParamList describeCull(ShadowMapParams& p) {
+    return {
         params::boolean("cull", p.cull,
                         "Leave out casters that cannot shadow anything in a map, and what is out of view; the picture "
                         "is the same, but for a floor that would wrongly shadow itself."),
@@ -113,26 +114,34 @@ params::ParamList describeLimits(ShadowMapParams& p) {
 } // namespace
 
 params::ParamList describe(ShadowMapParams& p) {
-    // How fine, how smooth, how certain; then what keeps surfaces lit, and where the light looks; what seldom changes is last.
-    const auto isCompared = [&p] { return !p.exact && !p.aliasFree; };
-    const auto hasMap = [&p] { return !p.aliasFree; };
+    // How fine and how smooth; then what keeps surfaces lit, and where the light looks; what seldom changes is last.
     params::ParamList all = describeMap(p);
-    const auto add = [&all](params::ParamList part, const std::function<bool()>& condition) {
-        for (params::Param& param : part)
-            all.push_back(condition ? params::onlyIf(condition, std::move(param)) : std::move(param));
-    };
-    add(describe(p.filter), isCompared);
+    const auto add = [&all](params::ParamList part) { std::ranges::move(part, std::back_inserter(all)); };
+    add(describe(p.filter));
     add(scene::describe(p.lightPoints, "maps",
                         "Of a light with an area: so many maps, each from another point of it, and the mean of their "
-                        "answers; 1: one from its centre. Not with exact or alias-free."),
-        isCompared);
-    add(describeExact(p), {});
-    add(describe(p.bias), isCompared);
-    add(describeProjection(p.projection), hasMap);
-    add(describeLimits(p), hasMap);
-    add(describeCoordinates(p), isCompared);
-    add(describeKernel(p.kernelAt), isCompared);
+                        "answers; 1: one from its centre."));
+    add(describe(p.bias));
+    add(describeProjection(p.projection));
+    add(describeProjectionFaults(p.projection));
+    add(describeLimits(p));
+    add(describeCull(p));
+    add(describeCoordinates(p));
+    add(describeKernel(p.kernelAt));
     return all;
+}
+
+params::ParamList describeExact(ShadowMapParams& p) {
+    params::ParamList all = describeMap(p);
+    std::ranges::move(describeProjection(p.projection), std::back_inserter(all));
+    std::ranges::move(describeCull(p), std::back_inserter(all));
+    return all;
+}
+
+ShadowMapParams exactMapParams() {
+    ShadowMapParams params;
+    params.filter.kind = filterNamed("hard");
+    return params;
 }
 
 } // namespace shadowlab::shadow_map

@@ -1,4 +1,4 @@
-// The parameters of the shadow map. They form four groups that can be combined freely: projection, bias, filter, and whether rays decide.
+// The parameters of the maps. They form three groups that can be combined freely: projection, bias and filter.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/gl/handle.h"
@@ -33,19 +33,24 @@ struct ShadowMapParams {
     enum class Border { lit, edge } border = Border::lit;
     enum class Coordinates { light, world } coordinates = Coordinates::light;
     bool rejectBehind = true;
-    bool exact = false;
-    bool aliasFree = false;
     bool cull = true;
     dvec2 kernelAt{0.5};
     friend bool operator==(const ShadowMapParams&, const ShadowMapParams&) = default;
 
-    /// Are points looked up as floats relative to the world's origin? It is a fault for teaching, and left out where rays decide.
-    [[nodiscard]] bool looksUpInWorld() const { return coordinates == Coordinates::world && !exact; }
+    /// Are points looked up as floats relative to the world's origin? It is a fault for teaching.
+    [[nodiscard]] bool looksUpInWorld() const { return coordinates == Coordinates::world; }
     /// As OpenGL names it.
     [[nodiscard]] GLenum glDepthFormat() const;
 };
 
-/// The descriptions refer to the fields of `params`.
+/// Those of the shadow map: all of them. The descriptions refer to the fields of `params`.
 params::ParamList describe(ShadowMapParams& params);
+
+/// Those of the exact map: which map is drawn. What the comparison reads is not offered, and stays as exactMapParams() has it;
+/// the faults that are there for teaching are not offered either, because rays would hide them.
+params::ParamList describeExact(ShadowMapParams& params);
+
+/// Defaults of the exact map: one texel answers, because an exact answer needs no filter.
+ShadowMapParams exactMapParams();
 
 } // namespace shadowlab::shadow_map

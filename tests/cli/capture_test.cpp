@@ -203,16 +203,6 @@ TEST_F(CaptureTest, SettingsReachTheirSlot) {
               pixels({"-t", "shadow-map"}).rgba);
 }
 
-// Where no map is needed for the answer, the lecture's pictures of one are still those of this light.
-TEST_F(CaptureTest, LessonsOfTheShadowMapStayWhenNoMapIsAsked) {
-    for (const char* stage : {"light-depth", "comparison", "moments"}) {
-        const auto plain = pixels({"-t", "shadow-map", "--stage", stage}).rgba;
-        EXPECT_EQ(pixels({"-t", "shadow-map", "--stage", stage, "--set", "shadow-map.alias-free=true"}).rgba, plain)
-            << stage;
-        EXPECT_NE(pixels({"-t", "shadow-map", "--stage", "without-shadows"}).rgba, plain) << stage;
-    }
-}
-
 TEST_F(CaptureTest, PngSaysHowItWasMade) {
     const auto text = decoded(picture({"-t", "shadow-map", "--set", "shadow-map.resolution=128"})).text;
     const auto value = [&](const std::string& key) {

@@ -19,8 +19,8 @@ protected:
     /// A lesson about the folder's own scene.
     static std::string lesson(const std::string& atLeast) {
         return R"({"title": "Own", "scene": "box.json", "slots": [{"technique": "shadow-map"}],
-            "set": ["shadow-map.resolution=64", "shadow-map.filter=hard"],
-            "before": {"set": ["shadow-map.bias-mode=none"]}, "after": {"set": ["shadow-map.exact=true"]},
+            "before": {"set": ["shadow-map.resolution=64", "shadow-map.filter=hard", "shadow-map.bias-mode=none"]},
+            "after": {"slots": [{"technique": "shadow-map-exact"}], "set": ["shadow-map-exact.resolution=64"]},
             "happens": "Stripes.", "mends": "A bias.", "look": [{"box": [0.1, 0.1, 0.2, 0.2], "label": "here"}],
             "expect": [{"quantity": "falseShadow", "before": {"atLeast": )" +
                atLeast + R"(}, "after": {"atMost": 0}}]})";

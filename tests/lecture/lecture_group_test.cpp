@@ -44,6 +44,8 @@ TEST(LectureGroupTest, SistersFindEachOther) {
     }
     EXPECT_EQ(pairs, 6);
     EXPECT_EQ(sisterOf(findTechnique("shadow-volume"))->id, "lecture-zfail") << "it is counted both ways; its folder's last is z-fail";
+    for (const char* map : {"shadow-map-exact", "shadow-map-alias-free"})
+        EXPECT_EQ(sisterOf(findTechnique(map))->id, "lecture-shadow-map");
     EXPECT_EQ(sisterOf(findTechnique("unshadowed")), nullptr);
 }
 

@@ -28,15 +28,12 @@ TEST(SamplesArea, ManyPointsAndPenumbrasDo) {
     EXPECT_EQ(answers({"shadow-map.light-samples=2"}), "00011");
     EXPECT_EQ(answers({"shadow-map.filter=pcss"}), "00011");
     EXPECT_EQ(answers({"shadow-map.filter=disc"}), "00000");
-    for (const char* exact : {"shadow-map.exact=true", "shadow-map.alias-free=true"}) {
-        EXPECT_EQ(answers({"shadow-map.light-samples=16", exact}), "00000");
-        EXPECT_EQ(answers({"shadow-map.filter=pcss", exact}), "00000");
-    }
 }
 
 TEST(SamplesArea, OtherTechniquesModelAPoint) {
     const scene::Scene scene = testing::everyKindOfLight();
-    for (const char* technique : {"unshadowed", "shadow-volume", "shadow-volume-zfail", "shadow-volume-zpass"})
+    for (const char* technique : {"unshadowed", "shadow-map-exact", "shadow-map-alias-free", "shadow-volume",
+                                  "shadow-volume-zfail", "shadow-volume-zpass"})
         for (int light = 0; light < 5; ++light)
             EXPECT_FALSE(picture::Session::makeSlot(technique).technique->samplesArea(scene, light)) << technique;
 }

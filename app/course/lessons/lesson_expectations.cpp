@@ -3,6 +3,7 @@
 
 #include "app/course/lessons/lesson_parts.h"
 #include "app/course/lessons/lesson_quantities.h"
+#include "app/lab/old_spelling.h"
 #include "app/lab/settings.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
@@ -29,13 +30,17 @@ lab::PaneState reference(const JsonObject& keys) {
     const JsonObject object(keys.document(), keys.require("reference", R"({"technique": "ray-traced"})"),
                             "the reference of " + keys.what(), {"technique", "set"});
     lab::PaneState pane;
-    pane.technique = object.text("technique");
+    std::vector<std::string> settings;
+    for (const auto& [setting, offset] : texts(object, "set"))
+        settings.push_back(setting);
+    const lab::OldSpelling spelling({object.text("technique")}, {}, settings);
+    pane.technique = spelling.techniques().front();
     saidAt(keys.document(), object.require("technique", "").offset,
            [&]() -> const TechniqueInfo& { return findTechnique(pane.technique); });
     std::vector<picture::Slot> slots = slotsOf({pane});
     for (const auto& [setting, offset] : texts(object, "set"))
         saidAt(keys.document(), offset, [&] {
-            lab::applySettings(slots, {setting});
+            lab::applySettings(slots, spelling.today(setting));
             return 0;
         });
     pane.settings = settingsOf(slots[0]);

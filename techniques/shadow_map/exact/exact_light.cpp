@@ -59,28 +59,11 @@ void ExactLight::drawLayer(const Frame& frame, int light, const LightMaps& maps,
 }
 
 void ExactLight::publishTraced(Frame& frame, int light, const LightShadowMap& map) {
-    if (pass_.isDecided(light)) {
-        pass_.publishTraced(frame, light);
-        return;
-    }
-    pass_.prepare(frame.snapshot(), Deadline::max());
-    if (map.depth) {
-        const ShadowMapParams& params = tools_.params;
-        const int layers = map.maps.layers();
-        const gl::DepthTextureArray depth(params.glDepthFormat(), params.resolution, layers, "exact shadow map");
-        const ExactTextures exact(params.resolution, layers, params.glDepthFormat());
-        for (int layer = 0; layer < layers; ++layer) {
-            gl::setBaselineState();
-            drawLayer(frame, light, map.maps, layer, tools_.fitter.castersOf(frame.scene(), map.maps, map.query, layer),
-                      depth, exact);
-        }
-        decide(frame, light, {.maps = map.maps, .query = map.query, .depth = &depth, .exact = &exact});
-    } else {
+    if (!pass_.isDecided(light)) { // no map: nothing in view can be in this light's shadow
         Receivers& receivers = tools_.receivers;
         pass_.decide(frame, light, [&] { receivers.draw(frame, receivers.unshadowed(true), light, map); });
     }
     pass_.publishTraced(frame, light);
-    pass_.beginFrame();
 }
 
 void ExactLight::setUniforms(const gl::Program& program, int light, const LightShadowMap& map) const {

@@ -17,7 +17,7 @@ public:
     LightShadowMap updateMap(Frame& frame, int light);
     /// Visibility of every pixel: 0 or 1.
     const gl::Texture2D& decide(Frame& frame, int light, const LightShadowMap& map);
-    /// The stage `traced`; where the frame is not drawn exactly, as it would be.
+    /// The stage `traced`: which pixels the map decided, and which a ray.
     void publishTraced(Frame& frame, int light, const LightShadowMap& map);
     [[nodiscard]] const trace::SceneTracer& tracer() const { return pass_.tracer(); }
 

@@ -59,9 +59,7 @@ std::vector<scene::Bounds> MapFitter::receiversInView(const scene::Scene& scene,
 }
 
 MapQuery MapFitter::query(const scene::Scene& scene, int light) const {
-    MapQuery result{scene.light(light), usefulCasters(light), params_.filter};
-    if (params_.exact) result.filter.kind = filterNamed("hard"); // exact answers are not filtered
-    return result;
+    return {scene.light(light), usefulCasters(light), params_.filter};
 }
 
 LightMaps MapFitter::fit(const scene::Scene& scene, const View& view, const MapQuery& query,
@@ -74,11 +72,6 @@ LightMaps MapFitter::fit(const scene::Scene& scene, const View& view, const MapQ
     const double aspect = static_cast<double>(view.size.x) / view.size.y;
     FitEye eye{scene::withTightNear(view.camera, scene, bounds_, aspect), aspect, std::nullopt};
     if (seen_ && seen_->camera == view.camera && seen_->size == view.size) eye.visibleDepth = seen_->range;
-    ProjectionParams projection = params_.projection;
-    if (params_.exact) { // the faults that are there for teaching are left out
-        projection.depthRange = ProjectionParams::DepthRange::fitted;
-        projection.cubeSeams = ProjectionParams::CubeSeams::guarded;
-    }
     const FilterParams& filter = query.filter;
     const bool hasPenumbra = filterInfo(filter.kind).searchesBlockers;
     return fitLightMaps({.light = query.light,
@@ -86,7 +79,7 @@ LightMaps MapFitter::fit(const scene::Scene& scene, const View& view, const MapQ
                          .casters = casters,
                          .receivers = receivers,
                          .eye = eye,
-                         .params = projection,
+                         .params = params_.projection,
                          .resolution = params_.resolution,
                          .guardTexels = filter.kernelRadius(),
                          .lightReach = hasPenumbra ? lightReach(query.light, filter) : 0.0,

@@ -8,8 +8,7 @@
 namespace shadowlab::shadow_map {
 
 bool AveragedLight::averagesOver(const scene::Light& light) const {
-    const ShadowMapParams& params = tools_.params;
-    return params.lightPoints.count > 1 && scene::hasArea(light) && !params.exact && !params.aliasFree;
+    return tools_.params.lightPoints.count > 1 && scene::hasArea(light);
 }
 
 const gl::Texture2D& AveragedLight::average(Frame& frame, int light) {

@@ -10,7 +10,7 @@ class AveragedLight {
 public:
     explicit AveragedLight(MapTools& tools) : tools_(tools) {}
 
-    /// Is this light's visibility averaged over its points? Only of a light with an area, and not where rays or triangles decide.
+    /// Is this light's visibility averaged over its points? Only of a light with an area.
     [[nodiscard]] bool averagesOver(const scene::Light& light) const;
     /// Visibility of every pixel, 0 to 1; valid until the next call.
     const gl::Texture2D& average(Frame& frame, int light);

@@ -28,8 +28,7 @@ void pushBack(const DepthRules& rules, double slopeFactor) {
 DepthRules depthRules(const ShadowMapParams& params, const FilterParams& filter) {
     DepthRules rules;
     const BiasInfo& bias = biasInfo(params.bias.mode);
-    rules.depthClamp = params.depthClamp || params.exact;
-    if (params.exact) return rules; // the depths themselves: the comparison has a margin of its own
+    rules.depthClamp = params.depthClamp;
     if (bias.slopeFactor) rules.slopeFactor = bias.slopeFactor(params.bias, filter.comparedRadius());
     if (bias.reads("rounding-bias")) rules.units = 2 * params.bias.rounding;
     rules.dual = bias.isDualDepth;

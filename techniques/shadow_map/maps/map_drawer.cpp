@@ -24,7 +24,7 @@ LightShadowMap MapDrawer::updateMap(Frame& frame, int light, const DrawLayer& dr
         allTexels += layerTexels * fitted.layers();
     const GLenum format = params_.glDepthFormat();
     CachedMap& cached =
-        cache_.of(light, fitter_.fitted().size(), allTexels, maps, params_.resolution, format, params_.exact);
+        cache_.of(light, fitter_.fitted().size(), allTexels, maps, params_.resolution, format, drawLayer != nullptr);
     cached.depth.clampToEdge(params_.border == ShadowMapParams::Border::edge);
 
     std::vector<bool> drawn(scene.objects.size(), false); // in any layer
@@ -57,7 +57,7 @@ LightShadowMap MapDrawer::updateMap(Frame& frame, int light, const DrawLayer& dr
     return {.maps = maps,
             .query = query,
             .depth = &cached.depth,
-            .exact = params_.exact ? &*cached.exact : nullptr,
+            .exact = cached.exact ? &*cached.exact : nullptr,
             .cached = &cached};
 }
 

@@ -27,7 +27,8 @@ public:
     /// Draws one layer of a cached map.
     using DrawLayer = std::function<void(int layer, std::span<const std::size_t> casters, CachedMap& map)>;
 
-    /// Draws those layers of a light's fitted maps that are not what they should be. `drawLayer`: none for plain depths.
+    /// Draws those layers of a light's fitted maps that are not what they should be. `drawLayer`: none for plain depths; with
+    /// it the map has the textures of the exact map beside them.
     LightShadowMap updateMap(Frame& frame, int light, const DrawLayer& drawLayer = {});
     /// Makes the moments of a light's map if its depths, or the filter's parameters, changed.
     void updateMoments(Frame& frame, LightShadowMap& map);

@@ -6,9 +6,9 @@
 namespace shadowlab::shadow_map {
 
 std::vector<Probe::DrawnPass> drawnPasses(const ProbedMap& of, const scene::Scene& scene, const View& view) {
-    if (of.params.aliasFree || of.params.exact) return {};
+    if (of.rays) return {};
     for (const scene::Light& light : scene.lights)
-        if (of.averaged.averagesOver(light)) return {};
+        if (of.averagesOver(light)) return {};
     const gl::EyeMatrices eye = gl::eyeMatrices(view.camera, view.size);
     const dmat4 clipFromWorld = eye.clipFromView * eye.viewFromWorld;
     const auto triangles = [&](std::size_t object) {

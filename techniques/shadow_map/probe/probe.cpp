@@ -9,10 +9,9 @@
 #include "techniques/foundation/trace/area/area_visibility.h"
 #include "techniques/probe_decision.h"
 #include "techniques/probed/map_probe.h"
-#include "techniques/shadow_map/exact/exact_probe.h"
 #include "techniques/shadow_map/filters/filters.h"
-#include "techniques/shadow_map/irregular/alias_free.h"
 #include "techniques/shadow_map/probe/filter_facts.h"
+#include "techniques/shadow_map/probe/triangle_decision.h"
 
 namespace shadowlab::shadow_map {
 
@@ -166,11 +165,9 @@ public:
         if (probe_.section) addCells(*probe_.find<MapProbe>(), point, *probe_.section);
         for (SceneShape& shape : texelShapes(*probe_.find<MapProbe>(), maps_))
             probe_.visited.push_back(std::move(shape));
-        if (of_.params.aliasFree)
-            decideByTriangles(decideAliasFree(of_.aliasFree.tracer(), view_, pixel_, light_));
-        else if (of_.params.exact)
-            decideByTriangles(decideExactly(of_.exact.tracer(), view_, pixel_, light_, texel));
-        else if (of_.averaged.averagesOver(snapshot_->light(light_)))
+        if (of_.rays)
+            addTriangleDecision(probe_, decideExactly(*of_.rays, view_, pixel_, light_, texel), truth_);
+        else if (of_.averagesOver(snapshot_->light(light_)))
             add("who decides", "the mean of maps from many points of the light; this is the one of its centre");
         else
             decideByFilter(point, texel);
@@ -214,8 +211,9 @@ private:
     }
 
     [[nodiscard]] TexelDepths depthsOf(int layer) const {
-        return TexelDepths({*snapshot_, maps_, layer, of_.fitter.castersOf(*snapshot_, maps_, query_, layer),
-                            of_.fitter.bounds(), of_.params, depthRules(of_.params, query_.filter)});
+        return TexelDepths(
+            {*snapshot_, maps_, layer, of_.fitter.castersOf(*snapshot_, maps_, query_, layer), of_.fitter.bounds(),
+             of_.params, of_.rays ? DepthRules{} : depthRules(of_.params, query_.filter)}); // the exact map has no bias
     }
 
     [[nodiscard]] ComparedPoint comparedPoint(int layer, const TexelDepths& depths) const {
@@ -272,24 +270,8 @@ private:
         return texel.isEmpty() ? "" : snapshot_->objects[texel.object].name;
     }
 
-    void decideByTriangles(const ExactDecision& own) {
-        add("who decides", own.who);
-        addDecision(probe_, own.visibility == trace::Visibility::lit ? 1 : 0, truth_,
-                    "the technique's own rays disagree with the judge's");
-        if (own.blocker) {
-            add("blocked by", "triangle " + std::to_string(own.blocker->triangle) + " of " + own.blocker->object);
-            const auto& c = own.blocker->cornersWorld;
-            probe_.visited.push_back(
-                {"the face that blocks the light", look::kOccluded, SceneShape::Kind::faces, {c[0], c[1], c[2]}});
-        }
-        probe_.decision->blocker = own.blocker;
-    }
-
     void decideWithoutMap() {
-        if (of_.params.aliasFree)
-            decideByTriangles(decideAliasFree(of_.aliasFree.tracer(), view_, pixel_, light_));
-        else
-            addDecision(probe_, truth_ == trace::Visibility::turnedAway ? 0 : 1, truth_, "no map is asked there");
+        addDecision(probe_, truth_ == trace::Visibility::turnedAway ? 0 : 1, truth_, "no map is asked there");
     }
 
     void decideByFilter(const ComparedPoint& point, const TexelDepth& texel) {

@@ -1,8 +1,7 @@
 // What the shadow map knows of one pixel: the way from the point to its texel, what the texel holds, and the comparison.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "techniques/shadow_map/exact/exact_light.h"
-#include "techniques/shadow_map/irregular/alias_free_pass.h"
+#include "techniques/foundation/trace/scene_tracer.h"
 #include "techniques/shadow_map/maps/averaged_light.h"
 
 namespace shadowlab::shadow_map {
@@ -11,10 +10,14 @@ namespace shadowlab::shadow_map {
 struct ProbedMap {
     const ShadowMapParams& params;
     const MapFitter& fitter;
-    const AveragedLight& averaged;
-    const ExactLight& exact;
-    const AliasFreePass& aliasFree;
-    bool samplesArea = false; ///< Technique::samplesArea() of the light
+    const AveragedLight* averaged = nullptr;  ///< of the shadow map
+    const trace::SceneTracer* rays = nullptr; ///< of the exact map: they decide where the map is not certain
+    bool samplesArea = false;                 ///< Technique::samplesArea() of the light
+
+    /// Is the light's visibility the mean of many maps' answers?
+    [[nodiscard]] bool averagesOver(const scene::Light& light) const {
+        return averaged && averaged->averagesOver(light);
+    }
 };
 
 /// Adds the shadow map's facts, drawings and decision to what any technique says of the pixel.
@@ -22,7 +25,7 @@ void probeShadowMap(Probe& probe, const ProbedMap& of, const scene::Snapshot& sn
                     int light);
 
 /// Polygons that each pass of a frame draws, if all its maps are drawn anew: "every polygon is rendered N + 1 times". Empty where
-/// rays or triangles decide, or a light has more than one map.
+/// rays decide, or a light has more than one map.
 std::vector<Probe::DrawnPass> drawnPasses(const ProbedMap& of, const scene::Scene& scene, const View& view);
 
 } // namespace shadowlab::shadow_map

@@ -54,9 +54,7 @@ LightShadowMap LessonStages::lessonMap(const Frame& frame, int light, const Ligh
     const GLenum format = tools_.params.glDepthFormat();
     depth = gl::DepthTextureArray(format, tools_.params.resolution, lesson.maps.layers(), "shadow map shown");
     const std::vector<std::size_t> casters = scene::allCasters(frame.scene());
-    ShadowMapParams compared = tools_.params;
-    compared.exact = false; // the lesson is the comparison
-    const DepthRules rules = depthRules(compared, map.query.filter);
+    const DepthRules rules = depthRules(tools_.params, map.query.filter);
     for (int layer = 0; layer < lesson.maps.layers(); ++layer) {
         gl::setBaselineState();
         tools_.drawer.depthPass().draw(frame, lesson.maps, layer, casters, depth, format, rules);

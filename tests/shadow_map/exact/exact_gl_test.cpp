@@ -1,9 +1,8 @@
-// shadow-map.exact against the judge: no pixel is wrong outside ties, in scenes made to break shadow algorithms, with any
+// shadow-map-exact against the judge: no pixel is wrong outside ties, in scenes made to break shadow algorithms, with any
 // projection. The same map without it is wrong in thousands.
 // SPDX-License-Identifier: MIT
 #include "app/context/assets.h"
 #include "app/judge/verdict.h"
-#include "app/lab/settings.h"
 #include "app/picture/session.h"
 #include "techniques/foundation/scene/json/scene_json.h"
 #include "techniques/foundation/scene/load/load.h"
@@ -22,12 +21,7 @@ using ExactMapTest = testing::GlTest;
 
 constexpr ivec2 kSize{192, 144};
 
-std::vector<std::string> with(std::vector<std::string> settings, const std::string& one) {
-    settings.push_back(one);
-    return settings;
-}
-
-/// Wrong pixels of the exact map, and of the same one without that.
+/// Wrong pixels of the exact map, and of the shadow map with the same settings.
 struct Both {
     TruthComparison exact, plain;
 };
@@ -35,8 +29,7 @@ struct Both {
 void compare(const scene::Scene& scene, const std::vector<std::string>& settings, Both& both, ivec2 size = kSize) {
     const auto snapshot = testing::snapshot(scene);
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
-        both.exact +=
-            compareWithTruth(snapshot, "shadow-map", with(settings, "exact=true"), size, light, testing::kTiePx);
+        both.exact += compareWithTruth(snapshot, "shadow-map-exact", settings, size, light, testing::kTiePx);
         both.plain += compareWithTruth(snapshot, "shadow-map", settings, size, light, testing::kTiePx);
     }
 }
@@ -81,8 +74,7 @@ TEST_F(ExactMapTest, EveryProjectionResolutionAndFormat) {
                                                {"resolution=512", "cascades=3", "stable=false"},
                                                {"resolution=512", "warp=lispsm"},
                                                {"resolution=512", "warp=lispsm", "cascades=2"},
-                                               {"resolution=512", "cull=false"},
-                                               {"resolution=512", "bias-mode=none", "filter=hard"}}) {
+                                               {"resolution=512", "cull=false"}}) {
         Both both;
         compare(scene, settings, both);
         std::string what;
@@ -132,15 +124,6 @@ TEST_F(ExactMapTest, FacesThatShareAPlaneAndReachPastTheLight) {
     EXPECT_EQ(both.exact.wrong(), 0);
 }
 
-/// Teaching faults of the map itself have no place where it is to be certain.
-TEST_F(ExactMapTest, WithoutDepthClampAndWithAWideRange) {
-    Both both;
-    for (const char* fault : {"depth-clamp=false", "depth-range=wide", "border=edge", "reject-behind=false"})
-        compare(testing::hardScene(testing::HardClass::eyeInSoup, 72, true), {"resolution=256", fault}, both,
-                {160, 120});
-    expectExact(both, "teaching faults");
-}
-
 TEST_F(ExactMapTest, WhatIsSeenButCastsNoShadowAndWhatReceivesNone) {
     scene::Scene scene = testing::simpleScene();
     scene.objects[1].castsShadow = false;
@@ -158,19 +141,16 @@ TEST_F(ExactMapTest, FarFromTheOrigin) {
 
 /// Judged as `measure` judges, by what the rasteriser shows, too: where two leaves that share an edge lie behind one another, it
 /// may show the other one a thousandth of a pixel beyond that edge, and nothing on this side of it tells.
-judge::Counts measuredErrors(picture::Session& session, const std::vector<std::string>& settings, ivec2 size,
-                               int light) {
-    std::vector<picture::Slot> slots;
-    slots.push_back(picture::Session::makeSlot("shadow-map"));
-    lab::applySettings(slots, settings);
+judge::Counts measuredErrors(picture::Session& session, const std::string& technique, ivec2 size, int light) {
+    picture::Slot slot = picture::Session::makeSlot(technique);
     View view;
     view.camera = session.snapshot()->camera;
     view.size = size;
     FrameRequest request;
     request.stages = {{"visibility", light}};
-    const picture::RenderedFrame frame = session.render(slots[0], view, request);
+    const picture::RenderedFrame frame = session.render(slot, view, request);
     const picture::VisibilityImage image = picture::readVisibility(picture::findStage(frame, {"visibility", light}));
-    return judge::judge(session.truth(view, session.truthFor(slots[0], light)), image.greyAlpha).counts;
+    return judge::judge(session.truth(view, session.truthFor(slot, light)), image.greyAlpha).counts;
 }
 
 TEST_F(ExactMapTest, EveryBuiltInScene) {
@@ -181,10 +161,10 @@ TEST_F(ExactMapTest, EveryBuiltInScene) {
         picture::Session session(scene::loadScene(name, {.assetsRoot = root, .allowed = {}, .limits = {}}));
         int lit = 0, shadowed = 0, ties = 0;
         for (int light = 0; light < static_cast<int>(session.snapshot()->lights.size()); ++light) {
-            const judge::Counts exact = measuredErrors(session, {"shadow-map.exact=true"}, size, light);
+            const judge::Counts exact = measuredErrors(session, "shadow-map-exact", size, light);
             EXPECT_EQ(exact.wrong() + exact.stray, 0) << name << ", light " << light;
             lit += exact.lit, shadowed += exact.shadowed, ties += exact.ties;
-            plainWrong += measuredErrors(session, {}, size, light).wrong();
+            plainWrong += measuredErrors(session, "shadow-map", size, light).wrong();
         }
         EXPECT_GT(lit, 400) << name;
         EXPECT_GT(shadowed, 500) << name;

@@ -114,13 +114,15 @@ struct Agreement {
 };
 
 /// Every pixel of a grid: the picture must have an answer that rounding allows, and the probe's own where none is in doubt.
-void compareWithPicture(const scene::Light& light, const std::vector<std::string>& settings, Agreement& all) {
+void compareWithPicture(const scene::Light& light, const std::vector<std::string>& settings, Agreement& all,
+                        const std::string& technique = "shadow-map") {
     const auto scene = testing::snapshot(withLight(light));
     const trace::ExactVisibility judge(scene);
     const std::vector<testing::WorldTriangle> triangles = testing::allTriangles(*scene);
-    ProbedPicture picture(scene, "shadow-map", with(settings), kSize);
+    const bool hasMap = technique != "shadow-map-alias-free"; // which has no parameters
+    ProbedPicture picture(scene, technique, hasMap ? with(settings) : settings, kSize);
     std::map<int, testing::EdgeTexels> edges; // of each layer
-    std::string name;
+    std::string name = technique + " ";
     for (const std::string& setting : settings)
         name += setting + " ";
     // Half a step of the picture's 8 bits; the weights of hw2x2 are shares of a texel, as exact as places are.
@@ -167,16 +169,15 @@ TEST_F(MapProbeTest, DecidesAsThePictureDoesWhereRoundingCannotDecideOtherwise) 
     spot.directionWorld = glm::normalize(dvec3(-2, -5, -3));
     spot.coneDegrees = 70;
     Agreement biased, unbiased;
-    for (const scene::Light& light : {testing::pointLight({2, 5, 3}), testing::directionalLight({0.5, -1, 0.25}), spot,
-                                      testing::pointLight({0.2, 0.7, 0.1})})
+    const std::vector<scene::Light> lights = {testing::pointLight({2, 5, 3}), testing::directionalLight({0.5, -1, 0.25}),
+                                              spot, testing::pointLight({0.2, 0.7, 0.1})};
+    for (const scene::Light& light : lights)
         for (const std::vector<std::string>& settings : {std::vector<std::string>{"filter=hard", "bias-mode=none"},
                                                          {"filter=hard"},
                                                          {"filter=pcf", "pcf-radius=2"},
                                                          {"filter=hw2x2"},
                                                          {"filter=disc", "disc-radius=3", "samples=24"},
                                                          {"filter=disc", "noise=pixel"},
-                                                         {"filter=hard", "exact=true"},
-                                                         {"filter=hard", "alias-free=true"},
                                                          {"filter=hard", "bias-mode=constant"},
                                                          {"filter=hard", "bias-mode=normal-offset"},
                                                          {"filter=pcf", "bias-mode=adaptive"},
@@ -184,6 +185,9 @@ TEST_F(MapProbeTest, DecidesAsThePictureDoesWhereRoundingCannotDecideOtherwise) 
                                                          {"filter=hard", "bias-mode=dual-depth"},
                                                          {"filter=pcf", "cascades=3", "depth-bounds=camera"}})
             compareWithPicture(light, settings, std::ranges::count(settings, "bias-mode=none") > 0 ? unbiased : biased);
+    for (const scene::Light& light : lights)
+        for (const char* technique : {"shadow-map-exact", "shadow-map-alias-free"})
+            compareWithPicture(light, {}, biased, technique);
     for (const auto& [name, all] : {std::pair("with a bias", biased), std::pair("without", unbiased)})
         std::cout << name << ": " << all.compared << " pixels, " << all.shadowed << " in shadow, " << all.certain
                   << " certain (largest deviation " << all.largest << "), in doubt at a texel's border " << all.atBorder

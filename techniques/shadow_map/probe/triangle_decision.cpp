@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow_map/exact/exact_probe.h"
+#include "techniques/shadow_map/probe/triangle_decision.h"
 
+#include <array>
+
+#include "techniques/foundation/base/look.h"
+#include "techniques/probe_decision.h"
 #include "techniques/shadow_map/irregular/alias_free.h"
 
 namespace shadowlab::shadow_map {
@@ -23,11 +27,26 @@ Decision::Face faceOf(const trace::SceneTracer& tracer, std::uint32_t primitive)
 
 } // namespace
 
-ExactDecision decideExactly(const trace::SceneTracer& tracer, const View& view, ivec2 pixel, int light,
-                            const std::optional<TexelDepth>& first) {
+void addTriangleDecision(Probe& probe, const TriangleDecision& decision, trace::Visibility truth) {
+    probe.facts.push_back({"who decides", decision.who, ""});
+    addDecision(probe, decision.visibility == trace::Visibility::lit ? 1 : 0, truth,
+                "the technique's own rays disagree with the judge's");
+    if (decision.blocker) {
+        probe.facts.push_back(
+            {"blocked by", "triangle " + std::to_string(decision.blocker->triangle) + " of " + decision.blocker->object,
+             ""});
+        const auto& c = decision.blocker->cornersWorld;
+        probe.visited.push_back(
+            {"the face that blocks the light", look::kOccluded, SceneShape::Kind::faces, {c[0], c[1], c[2]}});
+    }
+    probe.decision->blocker = decision.blocker;
+}
+
+TriangleDecision decideExactly(const trace::SceneTracer& tracer, const View& view, ivec2 pixel, int light,
+                               const std::optional<TexelDepth>& first) {
     const trace::SurfacePoint point = pointOf(tracer, view, pixel);
     if (!point) return {};
-    ExactDecision decision{tracer.visibility(point, light), "a ray: the map is not certain", std::nullopt};
+    TriangleDecision decision{tracer.visibility(point, light), "a ray: the map is not certain", std::nullopt};
     if (decision.visibility != trace::Visibility::lit && decision.visibility != trace::Visibility::shadowed)
         return {decision.visibility, "the facing gate", std::nullopt};
     if (!tracer.objectOf(point).receivesShadow)
@@ -46,13 +65,13 @@ ExactDecision decideExactly(const trace::SceneTracer& tracer, const View& view, 
     return decision;
 }
 
-ExactDecision decideAliasFree(const trace::SceneTracer& tracer, const View& view, ivec2 pixel, int light) {
+TriangleDecision decideAliasFree(const trace::SceneTracer& tracer, const View& view, ivec2 pixel, int light) {
     const std::array point{pointOf(tracer, view, pixel)};
     if (!point[0]) return {};
     std::array<trace::Visibility, 1> answer{};
     aliasFreeVisibilities(tracer, point, light, answer, nullptr, 1);
-    ExactDecision decision{answer[0], "the triangles themselves, tested where the point is in the light's picture",
-                           std::nullopt};
+    TriangleDecision decision{answer[0], "the triangles themselves, tested where the point is in the light's picture",
+                              std::nullopt};
     if (answer[0] != trace::Visibility::shadowed) return decision;
     const std::span<const std::uint8_t> blocks = tracer.blockers(light);
     for (std::uint32_t i = 0; i < blocks.size() && !decision.blocker; ++i)
