@@ -44,6 +44,10 @@ class Page(NamedTuple):
     refinements: tuple
 
 
+# What two of the folder shadow_map have of their own; what stands in a technique's code with a "-" before it is not of it.
+EXACT_MAP = ("shadow_map/exact_map.cpp", "shadow_map/exact", "shadow_map/decide.frag", "shadow_map/walk.glsl", "shadow_map/loose_edge.vert")
+ALIAS_FREE_MAP = ("shadow_map/alias_free_map.cpp", "shadow_map/irregular")
+
 PAGES = {
     "planar": Page("planar", "lecture-planar", ("lecture/planar.cpp",), ("planar",), "still-life", (
         Refinement("Only what lies between light and plane is flattened", "billiards", ("clip=false",), (),
@@ -52,7 +56,8 @@ PAGES = {
         Refinement("All flat faces in view receive, not the largest alone", "room-with-lamps", ("receivers=1",), (), ("planar/receivers",)),
         Refinement("What cannot shadow anything in view is left out", "colonnade", ("cull=false",), (), ("planar/flattening.cpp", "planar/casters.cpp")),
     )),
-    "shadow-map": Page("shadow-map", "lecture-shadow-map", ("lecture/shadow_map.cpp",), ("shadow_map",), "still-life", (
+    "shadow-map": Page("shadow-map", "lecture-shadow-map", ("lecture/shadow_map.cpp",),
+                       ("shadow_map", *("-" + name for name in (*EXACT_MAP, *ALIAS_FREE_MAP))), "still-life", (
         Refinement("A bias from the receiver's plane", "still-life", ("bias-mode=none",), (), ("shadow_map/bias_receiver_plane.glsl",)),
         Refinement("The map holds what is in view", "hung-ring", ("fit=scene",), (), ("shadow_map/fit",)),
         Refinement("The range of depths fits the receivers", "still-life", ("depth-range=wide", "depth-format=16"), ("depth-format=16",),
@@ -60,8 +65,16 @@ PAGES = {
         Refinement("Casters before the near plane are kept", "eye-in-shadow", ("depth-clamp=false",), (), ("shadow_map/fit",)),
         Refinement("Four cascades", "colonnade", (), ("cascades=4",), ("shadow_map/fit",)),
         Refinement("What cannot shadow anything in view is left out", "colonnade", ("cull=false",), (), ("shadow_map/fit",)),
-        Refinement("Exact: rays where the map is not certain", "still-life", (), ("exact=true",), ("shadow_map/exact",)),
-        Refinement("Alias-free: the light is asked for each visible point", "still-life", (), ("alias-free=true",), ("shadow_map/irregular",)),
+    )),
+    "shadow-map-exact": Page("shadow-map-exact", "lecture-shadow-map", ("lecture/shadow_map.cpp",),
+                             (*EXACT_MAP, "shadow_map/fit", "shadow_map/maps", "shadow_map/receivers.cpp", "shadow_map/receivers.h"),
+                             "still-life", (
+        Refinement("Rays where the map is not certain", "still-life", (), (), EXACT_MAP, "shadow-map"),
+        Refinement("What cannot shadow anything in view is left out", "colonnade", ("cull=false",), (), ("shadow_map/fit",)),
+    )),
+    "shadow-map-alias-free": Page("shadow-map-alias-free", "lecture-shadow-map", ("lecture/shadow_map.cpp",), ALIAS_FREE_MAP,
+                                  "still-life", (
+        Refinement("The visible points are tested, not texels", "still-life", (), (), ALIAS_FREE_MAP, "shadow-map"),
     )),
     "shadow-volume-zpass": Page("shadow-volume-zpass", "lecture-zpass", ("lecture/zpass.cpp",), ("shadow_volume",), "still-life", (
         Refinement("The eye may be in shadow", "eye-in-shadow", (), ("eye-correction=true",), ("shadow_volume/zpass.cpp",)),
@@ -102,9 +115,12 @@ BEGIN, END = "<!-- refinements: {} -->", "<!-- end refinements -->"
 
 
 def code_lines(names):
-    """Lines of code of files and folders, without comments and blank lines."""
+    """Lines of code of files and folders, without comments and blank lines; less those of "-NAME"."""
     total = 0
     for name in names:
+        if name.startswith("-"):
+            total -= code_lines((name[1:],))
+            continue
         roots = [root / name for root in (ROOT / "techniques", ROOT / "shaders") if (root / name).exists()]
         if not roots:
             sys.exit(f"refinements: there is no {name} below techniques/ or shaders/")
