@@ -1,9 +1,14 @@
 // `shadowlab demo`: the window, shadow map and shadow volume on one scene. Where there is no display: a picture of both.
 // SPDX-License-Identifier: MIT
+#include "app/cli/demo.h"
+
 #include <algorithm>
 
-#include "app/cli/command_line.h"
+#include "app/cli/capture/capture.h"
+#include "app/cli/lesson.h"
 #include "app/cli/messages.h"
+#include "app/cli/option_values.h"
+#include "app/cli/slides.h"
 #include "app/context/assets.h"
 #include "app/context/window_context.h"
 #include "app/course/deck.h"
@@ -17,6 +22,45 @@
 namespace shadowlab::cli {
 
 namespace {
+
+struct DemoOptions {
+    std::string scene = "still-life";
+    std::string lesson; ///< to begin with; empty: none
+    std::string deck;   ///< the same
+    std::string slide;  ///< one of the deck's by its name; empty: the first
+    ivec2 size{0};      ///< of the window; zero: what it was the last time
+    bool presenter = false, keepSettings = true, report = false;
+    std::vector<std::filesystem::path> allowed;
+};
+
+void describeDemo(DescribedOptions& add) {
+    add.option("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh (default still-life)");
+    add.option("--lesson", "LESSON", "begins with a lesson (`list lessons`, or a .json file); J goes on");
+    add.option("--deck", "DECK", "begins with slides (`list decks`, or a .json file); S goes on");
+    add.option("--slide", "NAME", "which of the deck's slides (default the first)");
+    add.option("--size", "WxH", "of the window (default: as it was the last time, at first 1280x720)");
+    add.flag("--presenter", "large type and high contrast from the start (D in the window)");
+    add.option("--keep-settings", "true|false",
+               "remember size and panels of the window from run to run (default true)");
+    add.flag("--report", "a line of JSON on standard output for every state that is on screen");
+    add.option("--allow", "DIR", "a further folder that scenes may take meshes from; may be repeated");
+}
+
+DemoOptions demoOptions(const GivenOptions& given) {
+    DemoOptions options;
+    options.scene = given.text("SCENE", options.scene);
+    options.lesson = given.text("--lesson");
+    options.deck = given.text("--deck");
+    options.slide = given.text("--slide");
+    if (given.has("--slide") && !given.has("--deck")) refuseUsage("--slide is one of a deck; write --deck NAME, too");
+    if (given.has("--lesson") && given.has("--deck")) refuseUsage("--lesson, --deck: one of them; leave the other out");
+    if (given.has("--size")) options.size = sizeFrom("--size", given.text("--size"), "picture-side");
+    options.presenter = given.has("--presenter");
+    options.keepSettings = booleanFrom("--keep-settings", given.text("--keep-settings", "true"));
+    options.report = given.has("--report");
+    options.allowed = given.allowedFolders();
+    return options;
+}
 
 int writeComparison(const DemoOptions& options) {
     CaptureOptions capture;
@@ -70,8 +114,6 @@ int writeInstead(const DemoOptions& options, const std::string& why) {
     return status;
 }
 
-} // namespace
-
 int demo(const DemoOptions& options) {
     const scene::LoadOptions loading{
         .assetsRoot = context::assetsRoot(), .allowed = options.allowed, .limits = picture::limits()};
@@ -83,17 +125,32 @@ int demo(const DemoOptions& options) {
     }
     try {
         return window::runWindow({.scene = options.scene,
-                              .lesson = options.lesson,
-                              .deck = options.deck,
-                              .slide = options.slide,
-                              .size = options.size,
-                              .presenter = options.presenter,
-                              .keepSettings = options.keepSettings,
-                              .report = options.report},
-                             loading);
+                                  .lesson = options.lesson,
+                                  .deck = options.deck,
+                                  .slide = options.slide,
+                                  .size = options.size,
+                                  .presenter = options.presenter,
+                                  .keepSettings = options.keepSettings,
+                                  .report = options.report},
+                                 loading);
     } catch (const context::NoWindow& none) { // before anything was shown
         return writeInstead(options, "no window can be opened (" + none.reason + ")");
     }
 }
+
+Work demoWork(const GivenOptions& given) {
+    return [options = demoOptions(given)] { return demo(options); };
+}
+
+} // namespace
+
+Work demoOf(const std::string& scene) {
+    DemoOptions options;
+    if (!scene.empty()) options.scene = scene;
+    return [options] { return demo(options); };
+}
+
+const Command kDemo{"demo", "Opens the window: shadow map and shadow volume on one scene (H there lists all keys)",
+                    describeDemo, demoWork};
 
 } // namespace shadowlab::cli

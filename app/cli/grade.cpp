@@ -1,13 +1,18 @@
 // `shadowlab grade`: a score sheet for a plug-in.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
 
-#include "app/cli/command_line.h"
+#include "app/cli/command.h"
 #include "app/cli/json/json_values.h"
 #include "app/cli/messages.h"
+#include "app/cli/option_values.h"
 #include "app/cli/progress.h"
 #include "app/cli/text_table.h"
 #include "app/context/context.h"
+#include "app/student/grading/child_program.h"
 #include "app/student/grading/grader.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
@@ -18,6 +23,55 @@
 namespace shadowlab::cli {
 
 namespace {
+
+struct GradeOptions {
+    std::filesystem::path plugin;
+    std::string technique;        ///< empty: the plug-in's only one
+    std::string family;           ///< empty: what the plug-in says
+    std::filesystem::path output; ///< a folder; empty: no picture is written
+    student::ChildLimits limits;
+    std::string backend = "auto";
+    bool json = false;
+};
+
+void describeGrade(DescribedOptions& add) {
+    add.option("-t,--technique", "ID", "which of the plug-in's techniques, where it has several");
+    add.option("--family", "FAMILY",
+               "planar, shadow-map or shadow-volume (default: what the plug-in's CMakeLists.txt says)");
+    add.option("-o,--output", "DIR",
+               "a folder for the picture of the first failing case; it is made where there is none");
+    add.option("--time-limit", "SECONDS", "for each case (default 30)");
+    add.option("--memory-limit", "MIB", "for each case (default 2048)");
+    add.option("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    add.flag("--json", "one JSON object instead of a table");
+    add.footer("The exit status is 0 where all cases are right, and 1 where some are not.\n"
+               "Examples:\n"
+               "  shadowlab grade --plugin build/anna.so\n"
+               "  shadowlab grade --plugin build/anna.so --family shadow-volume -o sheets --json");
+}
+
+constexpr int kMostSeconds = 3600, kMostMiB = 1 << 20;
+
+GradeOptions gradeOptions(const GivenOptions& given) {
+    const std::vector<std::string>& plugins = given.plugins();
+    GradeOptions options;
+    if (plugins.size() != 1)
+        refuseUsage(plugins.empty() ? "grade: --plugin is missing; write shadowlab grade --plugin FILE.so"
+                                    : "grade: --plugin is given " + std::to_string(plugins.size()) +
+                                          " times; grade one plug-in after the other");
+    options.plugin = plugins.front();
+    options.technique = given.text("--technique");
+    options.family = given.text("--family");
+    options.output = given.text("--output");
+    options.limits.time =
+        std::chrono::seconds(countFrom("--time-limit", given.text("--time-limit", "30"), kMostSeconds));
+    options.limits.memoryBytes =
+        static_cast<std::uint64_t>(countFrom("--memory-limit", given.text("--memory-limit", "2048"), kMostMiB)) << 20;
+    options.backend = given.text("--backend", options.backend);
+    context::backendFromName(options.backend); // throws for one that there is not
+    options.json = given.has("--json");
+    return options;
+}
 
 constexpr int kNotAllRight = 1; // exit status: graded, and not all cases are right
 
@@ -101,8 +155,6 @@ std::string sheetJson(const Sheet& sheet, const std::string& picture) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-} // namespace
-
 int grade(const GradeOptions& options) {
     const student::Declared declared = student::askPlugin(options.plugin, options.limits);
     const student::Candidate candidate{options.plugin, chosenTechnique(options, declared), options.backend};
@@ -121,5 +173,14 @@ int grade(const GradeOptions& options) {
     print(options.json ? sheetJson(sheet, picture.string()) : sheetText(sheet, picture.string()));
     return sheet.points() == sheet.mostPoints() ? 0 : kNotAllRight;
 }
+
+Work gradeWork(const GivenOptions& given) {
+    return [options = gradeOptions(given)] { return grade(options); };
+}
+
+} // namespace
+
+const Command kGrade{"grade", "Holds a plug-in against the truth in hard cases, and prints a score sheet",
+                     describeGrade, gradeWork};
 
 } // namespace shadowlab::cli

@@ -4,15 +4,35 @@
 #include <array>
 #include <charconv>
 
+#include "app/cli/command.h"
 #include "app/cli/inspection.h"
 #include "app/cli/json/json_values.h"
 #include "app/cli/messages.h"
+#include "app/cli/option_values.h"
 #include "app/cli/text_table.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::cli {
 
 namespace {
+
+struct InspectOptions {
+    std::string file; ///< an .obj, a .json or the name of a built-in scene
+    bool json = false;
+    std::vector<std::filesystem::path> allowed; ///< further folders a scene may take meshes from
+};
+
+void describeInspect(DescribedOptions& add) {
+    add.option("FILE", "", "an .obj mesh, a .json scene or a built-in name (`list scenes`)");
+    add.flag("--json", "one JSON object instead of a table");
+    add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
+}
+
+InspectOptions inspectOptions(const GivenOptions& given) {
+    InspectOptions options{given.required("FILE", "for example shadowlab inspect bunny.obj"), given.has("--json"), {}};
+    options.allowed = given.allowedFolders();
+    return options;
+}
 
 /// One count of a mesh, as it is called: in JSON, as a line, as a column, and what it is.
 struct Count {
@@ -184,13 +204,20 @@ Json inspectionJson(const Inspection& inspection) {
             {"notes", inspection.notes}};
 }
 
-} // namespace
-
 int inspect(const InspectOptions& options) {
-    const Inspection inspection = inspectFile(options);
+    const Inspection inspection = inspectFile(options.file, options.allowed);
     print(options.json ? inspectionJson(inspection).dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                        : text(inspection));
     return 0;
 }
+
+Work inspectWork(const GivenOptions& given) {
+    return [options = inspectOptions(given)] { return inspect(options); };
+}
+
+} // namespace
+
+const Command kInspect{"inspect", "What a mesh or a scene is made of, and what that means for each technique",
+                       describeInspect, inspectWork};
 
 } // namespace shadowlab::cli

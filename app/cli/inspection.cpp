@@ -117,20 +117,20 @@ bool isMeshFile(const std::filesystem::path& path) {
 
 } // namespace
 
-Inspection inspectFile(const InspectOptions& options) {
+Inspection inspectFile(const std::string& file, const std::vector<std::filesystem::path>& allowed) {
     const scene::LoadOptions loading{
-        .assetsRoot = context::assetsRoot(), .allowed = options.allowed, .limits = picture::limits()};
+        .assetsRoot = context::assetsRoot(), .allowed = allowed, .limits = picture::limits()};
     Inspection inspection;
-    inspection.file = options.file;
+    inspection.file = file;
     std::vector<scene::Material> materials;
-    if (isMeshFile(options.file)) { // itself, not staged: floor and light are not its own
-        scene::ObjFile obj = scene::loadObj(options.file, scene::NormalMode::file, loading);
-        inspection.name = std::filesystem::path(options.file).stem().string();
+    if (isMeshFile(file)) { // itself, not staged: floor and light are not its own
+        scene::ObjFile obj = scene::loadObj(file, scene::NormalMode::file, loading);
+        inspection.name = std::filesystem::path(file).stem().string();
         inspection.notes = std::move(obj.notes);
         materials = obj.materials;
         addObjects(inspection, alone(inspection.name, std::move(obj)));
     } else {
-        const auto scene = scene::loadScene(options.file, loading);
+        const auto scene = scene::loadScene(file, loading);
         inspection.name = scene->name;
         inspection.notes = scene->notes;
         inspection.scene = contentOf(*scene);

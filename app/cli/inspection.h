@@ -1,12 +1,15 @@
-// What `inspect` finds out about a mesh file or a scene, before anybody writes it down. Needs no GL.
+// What `inspect` finds out about a mesh file or a scene, as plain values. Needs no OpenGL.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "app/cli/command_line.h"
+#include "techniques/foundation/math/types.h"
+#include "techniques/foundation/scene/model/mesh.h"
 #include "techniques/foundation/scene/query/topology/mesh_topology.h"
 
 namespace shadowlab::cli {
@@ -49,7 +52,8 @@ struct Inspection {
     std::vector<Remark> remarks;       ///< in the order of the techniques
 };
 
+/// `file`: an .obj, a .json or the name of a built-in scene; `allowed`: further folders that a scene may take meshes from.
 /// Throws Error (badInput, overLimit) for what cannot be loaded.
-Inspection inspectFile(const InspectOptions& options);
+Inspection inspectFile(const std::string& file, const std::vector<std::filesystem::path>& allowed);
 
 } // namespace shadowlab::cli

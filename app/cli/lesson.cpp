@@ -1,17 +1,21 @@
 // `shadowlab lesson`: a lesson as a picture, and whether its artefact is really there and really gone.
 // SPDX-License-Identifier: MIT
+#include "app/cli/lesson.h"
+
 #include <array>
 #include <charconv>
 
-#include "app/cli/command_line.h"
+#include "app/cli/command.h"
 #include "app/cli/json/json_values.h"
 #include "app/cli/messages.h"
+#include "app/cli/option_values.h"
 #include "app/cli/text_table.h"
 #include "app/context/assets.h"
 #include "app/context/signals.h"
 #include "app/course/lessons/lesson_figure.h"
 #include "app/course/lessons/lesson_film.h"
 #include "app/course/lessons/lesson_quantities.h"
+#include "app/film/film.h"
 #include "app/picture/limits.h"
 #include "app/report/lesson_measure.h"
 #include "techniques/foundation/base/error.h"
@@ -22,6 +26,60 @@
 namespace shadowlab::cli {
 
 namespace {
+
+void describeLesson(DescribedOptions& add) {
+    add.option("LESSON", "", "a built-in name (`list lessons`) or a .json lesson");
+    add.option("-o,--output", "OUT.png", "draws it: pictures, title, sentences, and what to look at");
+    add.option("--state", "STATE", "what to draw: before, after or both, side by side (default both)");
+    add.option("--size", "WxH",
+               "width and height of the picture in pixels (default 1600x900, with --animate 1280x720)");
+    add.flag("--animate",
+             "question, answer, artefact and mend one after the other in one file, an animated PNG or, if -o "
+             "ends in .mp4, a film; each with its words below");
+    add.option("--hold", "SECONDS",
+               "with --animate: how long each picture stays (default: as long as its words take to read)");
+    add.flag("--measure", "prints what is measured before and after beside what it has to be (without -o the default)");
+    add.flag("--json", "the numbers as one JSON object instead of a table");
+    add.option("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    add.option("--allow", "DIR", "a further folder that the lesson's scene may take meshes from; may be repeated");
+    add.footer("Exit status 3 when a number is not as the lesson says.\n"
+               "Examples:\n"
+               "  shadowlab lesson acne -o acne.png\n"
+               "  shadowlab lesson acne --measure\n"
+               "  shadowlab lesson acne --animate -o acne.mp4\n"
+               "  shadowlab demo --lesson acne");
+}
+
+LessonOptions lessonOptions(const GivenOptions& given) {
+    LessonOptions options;
+    options.lesson = given.required("LESSON", "shadowlab lesson NAME -o OUT.png");
+    options.json = given.has("--json");
+    options.animate = given.has("--animate");
+    if (given.has("--output")) {
+        options.output = given.text("--output");
+        if (film::isMp4(options.output) && !options.animate)
+            refuseUsage("-o: '" + options.output.string() +
+                        "' is a film, and this is one picture; add --animate, or write a .png");
+        if (!film::isMp4(options.output)) requireEnding("-o", options.output, ".png");
+    }
+    for (const char* option : {"--state", "--size", "--animate"})
+        if (given.has(option) && options.output.empty())
+            refuseUsage(std::string(option) + ": only a picture has it; add -o OUT.png");
+    if (given.has("--state") && options.animate)
+        refuseUsage("--state: an animation shows both states one after the other; leave --state or --animate out");
+    if (given.has("--hold") && !options.animate)
+        refuseUsage("--hold: only the pictures of an animation are held; add --animate");
+    if (given.has("--hold")) options.holdSeconds = secondsFrom("--hold", given.text("--hold", ""));
+    options.measure = given.has("--measure") || options.output.empty();
+    if (options.json && !options.measure) refuseUsage("--json: nothing is printed; add --measure");
+    const std::vector<std::vector<std::size_t>> states = {{0}, {1}, {0, 1}};
+    options.states = states[static_cast<std::size_t>(
+        choiceFrom("--state", given.text("--state", "both"), {"before", "after", "both"}))];
+    options.size = sizeFrom("--size", given.text("--size", options.animate ? "1280x720" : "1600x900"), "picture-side");
+    options.backend = context::backendFromName(given.text("--backend", "auto"));
+    options.allowed = given.allowedFolders();
+    return options;
+}
 
 using course::Expectation;
 using course::Lesson;
@@ -86,6 +144,10 @@ std::string lessonJson(const Lesson& lesson, const std::vector<MeasuredExpectati
     return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+Work lessonWork(const GivenOptions& given) {
+    return [options = lessonOptions(given)] { return lesson(options); };
+}
+
 } // namespace
 
 int lesson(const LessonOptions& options) {
@@ -121,5 +183,8 @@ int lesson(const LessonOptions& options) {
                                               "its bounds under \"expect\"");
     return 0;
 }
+
+const Command kLesson{"lesson", "An artefact and what mends it: draws a lesson, or measures whether it holds",
+                      describeLesson, lessonWork};
 
 } // namespace shadowlab::cli

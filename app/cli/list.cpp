@@ -1,11 +1,11 @@
 // `shadowlab list`: what there is, asked from the techniques and the folders themselves.
 // SPDX-License-Identifier: MIT
-#include <glad/gl.h>
-
 #include <algorithm>
 #include <functional>
 
-#include "app/cli/command_line.h"
+#include <glad/gl.h>
+
+#include "app/cli/command.h"
 #include "app/cli/json/json_values.h"
 #include "app/cli/messages.h"
 #include "app/context/assets.h"
@@ -28,6 +28,24 @@
 namespace shadowlab::cli {
 
 namespace {
+
+struct ListOptions {
+    std::string what;
+    bool json = false;
+};
+
+void describeList(DescribedOptions& add) {
+    add.option(
+        "WHAT", "",
+        "techniques, plugins, parameters, stages, source, scenes, figures, decks, lessons, quantities (of lessons), "
+        "backends, keys "
+        "or limits");
+    add.flag("--json", "one JSON object instead of lines with tabs");
+}
+
+ListOptions listOptions(const GivenOptions& given) {
+    return {given.required("WHAT", "for example shadowlab list techniques"), given.has("--json")};
+}
 
 /// A list: one row a thing, each with the same named columns. Rows become tab-separated lines or JSON objects.
 struct Table {
@@ -93,8 +111,8 @@ Table stagesTable() {
                                   std::string(stage.caption), "", "", "",
                                   picture::isDerived(stage.id) ? "true" : "false"});
         for (const PassInfo& pass : technique.info->passes)
-            table.rows.push_back({id, picture::StageRef{std::string(pass.id), {}, true}.text(), pass.perLight ? "true" : "false",
-                                  std::string(pass.title), std::string(pass.why),
+            table.rows.push_back({id, picture::StageRef{std::string(pass.id), {}, true}.text(),
+                                  pass.perLight ? "true" : "false", std::string(pass.title), std::string(pass.why),
                                   inOneLine(pseudocodeOf(*technique.info, pass)), std::string(pass.glState), "false"});
     }
     return table;
@@ -219,8 +237,6 @@ std::string tableJson(const std::string& what, const Table& table) {
     return Json{{what, entries}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-} // namespace
-
 int list(const ListOptions& options) {
     const std::vector<std::pair<std::string, std::function<Table()>>> tables = {
         {"techniques", techniquesTable}, {"plugins", pluginsTable},   {"parameters", parametersTable},
@@ -240,5 +256,15 @@ int list(const ListOptions& options) {
     throw Error(ExitStatus::usage,
                 "list: nothing is called '" + options.what + "'; " + suggestion(options.what, known));
 }
+
+Work listWork(const GivenOptions& given) {
+    return [options = listOptions(given)] { return list(options); };
+}
+
+} // namespace
+
+const Command kList{"list",
+                    "What there is: techniques, parameters, stages, scenes, keys of the window, backends, limits",
+                    describeList, listWork};
 
 } // namespace shadowlab::cli

@@ -1,8 +1,15 @@
 // `shadowlab measure`: what techniques get wrong, pixel by pixel, and what they cost.
 // SPDX-License-Identifier: MIT
-#include "app/cli/command_line.h"
+#include "app/cli/measure.h"
+#include "app/lab/old_spelling.h"
+
+#include <optional>
+
+#include "app/cli/command.h"
 #include "app/cli/json/measure_report.h"
 #include "app/cli/messages.h"
+#include "app/cli/motion_options.h"
+#include "app/cli/option_values.h"
 #include "app/cli/progress.h"
 #include "app/context/assets.h"
 #include "app/context/signals.h"
@@ -11,10 +18,58 @@
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/load/message_text.h"
+#include "techniques/registry.h"
 
 namespace shadowlab::cli {
 
 namespace {
+
+struct MeasureOptions {
+    std::string scene;
+    std::vector<std::string> techniques{"shadow-volume-zfail"};
+    ivec2 size{1280, 720};
+    std::vector<std::string> settings; ///< [SLOT:]ID.PARAM=VALUE
+    std::string light;                 ///< empty: the first
+    context::Backend backend = context::Backend::automatic;
+    MotionOptions motion;
+    bool json = false;
+    std::vector<std::filesystem::path> allowed;
+};
+
+void describeMeasure(DescribedOptions& add) {
+    add.option("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh");
+    add.option("-t,--technique", "ID[,ID...]",
+               "techniques (`list techniques`; default shadow-volume-zfail), all, or lecture for the lecture's own");
+    add.option("--size", "WxH", "width and height in pixels (default 1280x720)");
+    add.option("--set", "[SLOT:]ID.PARAM=VALUE",
+               "a parameter (`list parameters`), of all slots or of one; may be repeated");
+    add.option("--light", "NAME", "the light whose shadows are judged (default: the first)");
+    add.option("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    describeMotion(add);
+    add.flag("--json", "one JSON object instead of a table");
+    add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
+    add.footer("Times are medians over the frames; errors are those of the first frame; flips are of all frames.\n"
+               "Examples:\n"
+               "  shadowlab measure still-life -t all\n"
+               "  shadowlab measure bunny.obj -t shadow-map --set shadow-map.resolution=512 --json\n"
+               "  shadowlab measure still-life -t shadow-map --frames 60 --orbit-light 6");
+}
+
+MeasureOptions measureOptions(const GivenOptions& given) {
+    MeasureOptions options;
+    options.scene = given.required("SCENE", "shadowlab measure SCENE");
+    if (given.has("--technique")) options.techniques = measuredTechniquesFrom(given.texts("--technique"));
+    options.size = sizeFrom("--size", given.text("--size", "1280x720"), "measured-side");
+    reserveForMeasured(options.size);
+    options.settings = given.texts("--set");
+    lab::respell(options.techniques, {}, options.settings);
+    options.light = given.text("--light");
+    options.backend = context::backendFromName(given.text("--backend", "auto"));
+    options.motion = motionOptions(given);
+    options.json = given.has("--json");
+    options.allowed = given.allowedFolders();
+    return options;
+}
 
 /// Truth is visibility of a light: without one, there is nothing to be right or wrong about.
 int lightToMeasure(const scene::Scene& scene, const std::string& asked, const std::string& name) {
@@ -42,8 +97,6 @@ void sayWhatIsProved(const judge::Counts& truth, const std::string& scene, const
         note(std::to_string(truth.ties) + " of " + std::to_string(truth.pixels) +
              " pixels are ties, more than one in a thousand: what lies there is not judged");
 }
-
-} // namespace
 
 int measure(const MeasureOptions& options) {
     std::unique_ptr<context::Context> context; // before all that lives in it, so that it is destroyed after them
@@ -85,5 +138,33 @@ int measure(const MeasureOptions& options) {
     print(options.json ? measureJson(measured) : measureTable(measured));
     return 0;
 }
+
+Work measureWork(const GivenOptions& given) {
+    return [options = measureOptions(given)] { return measure(options); };
+}
+
+} // namespace
+
+std::vector<std::string> measuredTechniquesFrom(const std::vector<std::string>& texts) {
+    std::vector<std::string> ids = splitAtCommas(texts);
+    std::optional<TechniqueGroup> group;
+    if (ids == std::vector<std::string>{"all"}) group = TechniqueGroup::production;
+    if (ids == std::vector<std::string>{"lecture"}) group = TechniqueGroup::lecture;
+    if (!group) return ids;
+    ids.clear();
+    for (const RegisteredTechnique& technique : techniquesOf(*group))
+        if (publishes(*technique.info, kVisibilityStage)) ids.emplace_back(technique.info->id);
+    return ids;
+}
+
+void reserveForMeasured(ivec2 size) {
+    picture::reserveForPictures(
+        static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y), picture::kBytesPerMeasuredPixel,
+        "--size " + std::to_string(size.x) + "x" + std::to_string(size.y), "choose a smaller --size");
+}
+
+const Command kMeasure{"measure",
+                       "What techniques get wrong, pixel by pixel against the exact answer, and what they cost",
+                       describeMeasure, measureWork};
 
 } // namespace shadowlab::cli

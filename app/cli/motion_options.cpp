@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/motion_options.h"
 
+#include "app/cli/option_values.h"
+
 namespace shadowlab::cli {
 
-void describeMotion(CLI::App& command) {
-    addOption(command, "--frames", "N", "number of frames (default 1; with --path to its last key)");
-    addOption(command, "--orbit-light", "DEGREES",
-              "turns the lights that far about the camera's target over all frames");
-    addOption(command, "--orbit-camera", "DEGREES", "turns the camera that far about its target over all frames");
-    addOption(
-        command, "--path", "FILE.json",
+void describeMotion(DescribedOptions& add) {
+    add.option("--frames", "N", "number of frames (default 1; with --path to its last key)");
+    add.option("--orbit-light", "DEGREES", "turns the lights that far about the camera's target over all frames");
+    add.option("--orbit-camera", "DEGREES", "turns the camera that far about its target over all frames");
+    add.option(
+        "--path", "FILE.json",
         "moves camera and lights: a list of {frame, camera, lights}, linear between; the first picture is frame 1");
 }
 

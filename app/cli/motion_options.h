@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/cli/option_values.h"
+#include "app/cli/options.h"
 #include "app/film/motion.h"
 
 namespace shadowlab::cli {
@@ -15,7 +15,7 @@ struct MotionOptions {
     std::filesystem::path path; ///< empty: none
 };
 
-void describeMotion(CLI::App& command);
+void describeMotion(DescribedOptions& add);
 
 /// Throws Error (usage) for what is wrong in itself, or contradicts itself.
 MotionOptions motionOptions(const GivenOptions& given);

@@ -1,7 +1,11 @@
 // `shadowlab new-technique`: a folder in which a technique of one's own is built as a plug-in.
 // SPDX-License-Identifier: MIT
-#include "app/cli/command_line.h"
+#include <filesystem>
+#include <string>
+
+#include "app/cli/command.h"
 #include "app/cli/messages.h"
+#include "app/cli/option_values.h"
 #include "app/context/assets.h"
 #include "app/course/capture_words.h"
 #include "app/student/skeletons.h"
@@ -9,6 +13,33 @@
 namespace shadowlab::cli {
 
 namespace {
+
+struct NewTechniqueOptions {
+    std::string name;             ///< the technique's id: "my-shadows"
+    std::string from = "empty";   ///< a skeleton
+    std::filesystem::path output; ///< the folder to be made; empty: NAME in the current one
+};
+
+void describeNewTechnique(DescribedOptions& add) {
+    add.option("NAME", "", "id of the technique: small letters, digits and hyphens, as my-shadows");
+    add.option("--from", "SKELETON",
+               "what to begin with: empty (a technique without shadows), planar, shadow-map or z-fail, the lecture's "
+               "algorithms with blanks to be filled in (default empty)");
+    add.option("-o,--output", "DIR", "the folder to be made (default: NAME)");
+    add.footer("The folder has a README with the commands that build and try it.\n"
+               "Examples:\n"
+               "  shadowlab new-technique my-shadows\n"
+               "  shadowlab new-technique anna-z-fail --from z-fail -o exercises/anna");
+}
+
+NewTechniqueOptions newTechniqueOptions(const GivenOptions& given) {
+    NewTechniqueOptions options;
+    options.name = given.required("NAME", "shadowlab new-technique my-shadows");
+    const std::vector<std::string> skeletons = student::skeletonNames();
+    options.from = skeletons[static_cast<std::size_t>(choiceFrom("--from", given.text("--from", "empty"), skeletons))];
+    options.output = given.text("--output", options.name);
+    return options;
+}
 
 std::filesystem::path ownFile() {
     std::error_code failed;
@@ -26,8 +57,6 @@ std::string whereThePackageIs() {
 
 std::string line(const std::vector<std::string>& words) { return "    " + course::asCommandLine(words) + "\n"; }
 
-} // namespace
-
 int newTechnique(const NewTechniqueOptions& options) {
     student::writeSkeleton(options.from, options.name, options.output);
     const std::string folder = options.output.string(), build = (options.output / "build").string();
@@ -44,5 +73,14 @@ int newTechnique(const NewTechniqueOptions& options) {
               line({program, "grade", "--plugin", plugin}));
     return 0;
 }
+
+Work newTechniqueWork(const GivenOptions& given) {
+    return [options = newTechniqueOptions(given)] { return newTechnique(options); };
+}
+
+} // namespace
+
+const Command kNewTechnique{"new-technique", "Writes a folder in which a technique of your own is built as a plug-in",
+                            describeNewTechnique, newTechniqueWork};
 
 } // namespace shadowlab::cli

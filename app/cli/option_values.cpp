@@ -6,12 +6,9 @@
 #include <charconv>
 #include <cmath>
 
-#include <CLI/CLI.hpp>
-
 #include "app/picture/limits.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
-#include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::cli {
 
@@ -30,52 +27,8 @@ bool readWhole(std::string_view text, Number& value) {
 
 void refuseUsage(const std::string& message) { throw Error(ExitStatus::usage, message); }
 
-std::vector<std::string> GivenOptions::texts(const std::string& option) const {
-    const CLI::Option* found = command_.get_option(option);
-    std::vector<std::string> texts = found->count() > 0 ? found->results() : std::vector<std::string>{};
-    if (std::ranges::find(texts, "") != texts.end())
-        refuseUsage(option + ": an empty text is given; write a value after it, or leave " + option + " out");
-    return texts;
-}
-
-std::vector<std::filesystem::path> GivenOptions::allowedFolders() const {
-    std::vector<std::filesystem::path> folders;
-    for (const std::string& folder : texts("--allow")) {
-        std::error_code ignored;
-        if (!std::filesystem::is_directory(folder, ignored))
-            refuseUsage("--allow: '" + scene::shown(folder) +
-                        "' is no folder; write one that is there, or leave it out");
-        folders.emplace_back(folder);
-    }
-    return folders;
-}
-
-std::string GivenOptions::text(const std::string& option, const std::string& fallback) const {
-    const std::vector<std::string> given = texts(option);
-    if (given.size() > 1) refuseUsage(option + " is given " + std::to_string(given.size()) + " times; give it once");
-    return given.empty() ? fallback : given.front();
-}
-
-std::string GivenOptions::required(const std::string& option, const std::string& example) const {
-    if (!has(option)) refuseUsage(command_.get_name() + ": " + option + " is missing; write " + example);
-    return text(option);
-}
-
-bool GivenOptions::has(const std::string& option) const { return command_.get_option(option)->count() > 0; }
-
-void addOption(CLI::App& command, const std::string& names, const std::string& value, const std::string& help) {
-    CLI::Option* option = command.add_option(names, help);
-    option->expected(1)->take_all()->allow_extra_args(false);
-    option->type_name(value);
-}
-
-void addArguments(CLI::App& command, const std::string& name, const std::string& help) {
-    constexpr int kAnyNumber = CLI::detail::expected_max_vector_size;
-    command.add_option(name, help)->expected(1, kAnyNumber)->take_all()->allow_extra_args(true)->type_name("");
-}
-
-/// The name's ending tells what is in a file, and keeps a slip of the hand from overwriting a scene or a mesh. What
-/// stands for a device or a pipe may have any name.
+/// The ending of its name tells what is in a file; requiring it keeps a typing error from overwriting a scene or a mesh.
+/// A device or a pipe may have any name.
 void requireEnding(const std::string& option, const std::filesystem::path& path, const std::string& ending) {
     std::error_code ignored;
     const bool device = path.native().starts_with("/dev/") || path.native().starts_with("/proc/self/fd/");

@@ -1,4 +1,4 @@
-// From the words of the command line to checked values. Every refusal is an Error (usage) that names the option and
+// From the text of an option to a checked value. Each function throws Error (usage) with a message that names the option and
 // what it takes.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -9,40 +9,10 @@
 
 #include "techniques/foundation/math/types.h"
 
-namespace CLI {
-class App;
-}
-
 namespace shadowlab::cli {
 
 /// Throws Error (usage).
 [[noreturn]] void refuseUsage(const std::string& message);
-
-/// What was written for the options of one subcommand.
-class GivenOptions {
-public:
-    explicit GivenOptions(const CLI::App& command) : command_(command) {}
-
-    /// The text of an option, or `fallback` without it. An option that is given twice, or empty, is refused.
-    [[nodiscard]] std::string text(const std::string& option, const std::string& fallback = "") const;
-    /// The text of an option, or of a positional argument, that may not be missing. `example` is part of the refusal.
-    [[nodiscard]] std::string required(const std::string& option, const std::string& example) const;
-    /// All texts of an option that may be repeated, in order.
-    [[nodiscard]] std::vector<std::string> texts(const std::string& option) const;
-    /// Those of --allow. Throws Error (usage) for one that is no folder: else what it was to allow would be refused later on.
-    [[nodiscard]] std::vector<std::filesystem::path> allowedFolders() const;
-    [[nodiscard]] bool has(const std::string& option) const;
-
-private:
-    const CLI::App& command_;
-};
-
-/// Adds an option that takes one word at each occurrence, and leaves the next word to whom it belongs.
-/// `value` stands for the word in the help text. How often it may be given is up to those who ask.
-void addOption(CLI::App& command, const std::string& names, const std::string& value, const std::string& help);
-
-/// Adds an argument without a name of its own that may be written several times.
-void addArguments(CLI::App& command, const std::string& name, const std::string& help);
 
 /// Refuses an output whose name does not end in `ending`.
 void requireEnding(const std::string& option, const std::filesystem::path& path, const std::string& ending);

@@ -1,23 +1,103 @@
 // `shadowlab probe`: what a technique knows about one pixel.
 // SPDX-License-Identifier: MIT
-#include "app/cli/command_line.h"
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/cli/command.h"
 #include "app/cli/json/probe_report.h"
 #include "app/cli/messages.h"
-#include "app/cli/probe_options.h"
+#include "app/cli/option_values.h"
 #include "app/context/assets.h"
 #include "app/drawing/paint.h"
 #include "app/figures/figures.h"
+#include "app/lab/old_spelling.h"
 #include "app/lab/settings.h"
 #include "app/picture/limits.h"
 #include "app/picture/session.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/png/png.h"
+#include "techniques/foundation/math/types.h"
 #include "techniques/foundation/scene/load/load.h"
 
 namespace shadowlab::cli {
 
 namespace {
+
+struct ProbeOptions {
+    std::string scene;
+    ivec2 pixel{0};               ///< column and row, from the upper left corner
+    std::optional<ivec2> partner; ///< a second one
+    std::string technique = "shadow-volume-zfail";
+    ivec2 size{1280, 720};
+    std::vector<std::string> settings; ///< [SLOT:]ID.PARAM=VALUE
+    std::string light;                 ///< empty: the first
+    bool json = false;
+    std::filesystem::path diagram; ///< empty: none
+    std::string figure = "pixel";  ///< what is drawn there (figures/figures.h)
+    std::vector<std::filesystem::path> allowed;
+};
+
+void describeProbe(DescribedOptions& add) {
+    add.option("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh");
+    add.option("--pixel", "X,Y", "column and row of the pixel, counted from 0 at the upper left corner");
+    add.option(
+        "--partner", "X,Y",
+        "a second pixel: radiosity tells what its patch and the first one's send each other; other techniques take no "
+        "notice");
+    add.option("-t,--technique", "ID", "the technique that is asked (`list techniques`; default shadow-volume-zfail)");
+    add.option("--size", "WxH",
+               "width and height in pixels of the picture that the pixel belongs to (default 1280x720)");
+    add.option("--set", "ID.PARAM=VALUE", "a parameter (`list parameters`); may be repeated");
+    add.option("--light", "NAME", "the light that is asked about (default: the first)");
+    add.flag("--json", "one JSON object instead of lines");
+    add.option(
+        "--diagram", "OUT",
+        "draws the lecture's figure from that pixel: faces of shadow volumes and their counts, texels of a shadow map, "
+        "or a projected shadow, in the plane through eye, light and point; of ray tracing the pixel's rays and their "
+        "tree; of radiosity two patches with the angles of their form factor. OUT ends in .svg, or in .png for a "
+        "picture");
+    add.option("--figure", "NAME",
+               "which figure --diagram draws (`list figures`; default pixel, all that the technique has)");
+    add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
+    add.footer("Needs no graphics card.\n"
+               "Examples:\n"
+               "  shadowlab probe still-life --pixel 640,360\n"
+               "  shadowlab probe still-life --pixel 700,420 -t shadow-volume --diagram count.svg\n"
+               "  shadowlab probe mirror-and-glass --pixel 500,420 -t ray-traced --diagram tree.svg\n"
+               "  shadowlab probe cornell-room --pixel 500,690 --partner 300,400 -t radiosity --diagram pair.svg\n"
+               "  shadowlab probe still-life --pixel 640,360 -t shadow-map --set shadow-map.resolution=512 --json");
+}
+
+/// Is the diagram wanted as a picture, not as SVG?
+bool isPicture(const std::filesystem::path& diagram) { return diagram.extension() == ".png"; }
+
+ProbeOptions probeOptions(const GivenOptions& given) {
+    const std::string example = "shadowlab probe SCENE --pixel X,Y";
+    ProbeOptions options;
+    options.scene = given.required("SCENE", example);
+    options.size = sizeFrom("--size", given.text("--size", "1280x720"), "picture-side");
+    options.pixel = pixelFrom("--pixel", given.required("--pixel", example), options.size);
+    if (given.has("--partner")) options.partner = pixelFrom("--partner", given.text("--partner"), options.size);
+    std::vector<std::string> techniques =
+        given.has("--technique") ? splitAtCommas(given.texts("--technique")) : std::vector{options.technique};
+    if (techniques.size() != 1) refuseUsage("-t: one technique is asked at a time; write it alone");
+    options.settings = given.texts("--set");
+    lab::respell(techniques, {}, options.settings);
+    options.technique = techniques.front();
+    options.light = given.text("--light");
+    options.json = given.has("--json");
+    options.diagram = given.text("--diagram");
+    if (!options.diagram.empty())
+        requireEnding("--diagram", options.diagram, isPicture(options.diagram) ? ".png" : ".svg");
+    if (given.has("--figure") && options.diagram.empty())
+        refuseUsage("--figure is drawn into a file; write --diagram OUT.svg or OUT.png, too");
+    options.figure = figures::findFigure(given.text("--figure", options.figure)).name;
+    options.allowed = given.allowedFolders();
+    return options;
+}
 
 /// The bytes of the file.
 std::vector<std::uint8_t> diagramOf(const ProbeOptions& options, const Probe& probe, const scene::Scene& scene,
@@ -40,8 +120,6 @@ std::vector<std::uint8_t> diagramOf(const ProbeOptions& options, const Probe& pr
     drawing::Painter(fonts).paint(drawn.drawing, picture);
     return image::encodePng(picture, {.opaque = true, .text = {}});
 }
-
-} // namespace
 
 int probe(const ProbeOptions& options) {
     std::vector<picture::Slot> slots;
@@ -74,5 +152,14 @@ int probe(const ProbeOptions& options) {
     print(options.json ? probeJson(probed) : probeText(probed));
     return 0;
 }
+
+Work probeWork(const GivenOptions& given) {
+    return [options = probeOptions(given)] { return probe(options); };
+}
+
+} // namespace
+
+const Command kProbe{"probe", "What a technique knows about one pixel: facts, vectors, and the tree of its rays",
+                     describeProbe, probeWork};
 
 } // namespace shadowlab::cli

@@ -1,210 +1,83 @@
-// `shadowlab report`: speed against error, for every technique's own sweeps.
+// `shadowlab report`: what is asked for, and the merging of parts that were measured apart.
 // SPDX-License-Identifier: MIT
-#include <algorithm>
+#include "app/cli/report.h"
 
-#include "app/cli/command_line.h"
-#include "app/cli/measure_options.h"
+#include "app/cli/command.h"
+#include "app/cli/measure.h"
 #include "app/cli/messages.h"
-#include "app/cli/progress.h"
-#include "app/context/assets.h"
-#include "app/context/signals.h"
-#include "app/context/software.h"
-#include "app/lab/settings.h"
-#include "app/picture/digest.h"
-#include "app/picture/limits.h"
+#include "app/cli/option_values.h"
 #include "app/report/assemble.h"
-#include "app/report/machine.h"
-#include "app/student/plugins.h"
-#include "app/student/program_digest.h"
 #include "techniques/foundation/base/error.h"
-#include "techniques/foundation/scene/load/load.h"
-#include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::cli {
 
 namespace {
 
-using report::PlannedGroup;
-using report::PointKey;
-
-/// How often each point has its turn, and how long that is.
-struct Effort {
-    int rounds = 7; // of five frames: thirty and more, from which 95th percentiles are told
-    report::TurnLength turn;
-};
-constexpr Effort kQuickEffort{3, {.warming = 2, .counted = 3, .resting = 1}};
-
-/// And says where it is to be looked at.
-void writeAll(const report::Store& store) {
-    report::writeOutputs(store, report::assemble(store));
-    print((store.folder() / "index.html").string() + "\n");
+void describeReport(DescribedOptions& add) {
+    add.arguments("SCENE",
+                  "a built-in name, a .json scene or an .obj mesh; may be repeated (default: all built-in scenes)");
+    add.option("-o,--output", "DIR", "the folder of the report; where one was begun there, it goes on");
+    add.option("-t,--technique", "ID[,ID...]",
+               "techniques (`list techniques`; default all that say what they make of a light)");
+    add.option("--light", "NAME", "the light whose shadows are judged (default: the first of each scene)");
+    add.option("--size", "WxH", "width and height in pixels (default 1280x720; with --quick 640x360)");
+    add.flag("--quick", "three scenes, few points and few frames: under two minutes on two cores");
+    add.flag("--hard",
+             "the hard cases instead: what each technique makes of them, and whether careless versions are caught");
+    add.option("--shard", "I/N",
+               "only the I-th of N parts, for a scheduler that runs the others; `report merge` joins them");
+    add.option("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    add.option("--allow", "DIR", "a further folder that the scenes may take meshes from; may be repeated");
+    add.footer("Writes DIR/index.html (open it in a browser), report.json, points.csv and charts/*.svg.\n"
+               "`shadowlab report merge DIR... -o DIR` puts the parts of a report together.\n"
+               "Examples:\n"
+               "  shadowlab report --quick -o report\n"
+               "  shadowlab report still-life -t shadow-map,shadow-volume-zfail -o report\n"
+               "  shadowlab report -o part-2 --shard 2/4\n"
+               "  shadowlab report --hard -o hard\n"
+               "  shadowlab report merge part-1 part-2 part-3 part-4 -o report");
 }
 
-class Reporter {
-public:
-    explicit Reporter(const ReportOptions& options)
-        : options_(options), effort_(options.isQuick ? kQuickEffort : Effort{}), store_(options.output) {}
+/// `report merge DIR...`: nothing is drawn, so options of the drawing have no meaning.
+void refuseDrawingOptions(const GivenOptions& given) {
+    for (const char* option : {"--technique", "--light", "--size", "--shard", "--backend", "--allow"})
+        if (given.has(option)) refuseUsage(std::string(option) + ": `report merge` draws nothing; leave it out");
+    if (given.has("--quick")) refuseUsage("--quick: `report merge` draws nothing; leave it out");
+}
 
-    int run() {
-        loadScenes();
-        context_ = context::createContext(options_.backend);
-        if (const int limit = context::largestSide(); std::max(options_.size.x, options_.size.y) > limit)
-            throw Error(ExitStatus::overLimit, "this OpenGL driver draws pictures of up to " + std::to_string(limit) +
-                                                   " pixels on a side; choose a smaller --size");
-        const report::Plan plan = makePlan();
-        store_.begin(plan);
-        store_.keep(options_.shard, report::thisMachine(std::string(context_->backend())));
-        const std::vector<PlannedGroup> groups = report::shardOf(plan, options_.shard);
-        int work = 0;
-        for (const PlannedGroup& group : groups)
-            work += static_cast<int>(group.points.size()) * (1 + effort_.rounds);
-        Progress progress("report: step", work, Progress::Remaining::told);
-        progress_ = &progress;
-        try {
-            for (const PlannedGroup& group : groups)
-                measureGroup(group);
-        } catch (const context::Interrupted&) {
-            note("interrupted; the same command goes on from here");
-            throw;
-        }
-        writeAll(store_);
-        if (measured_ == 0) note("all of it was measured before; for new times choose another folder");
-        return 0;
+/// `report --hard`: the cases say which scenes, techniques, lights and sizes.
+void refuseSceneOptions(const GivenOptions& given, const std::vector<std::string>& scenes) {
+    if (!scenes.empty()) refuseUsage("--hard has scenes of its own; leave '" + scenes.front() + "' out");
+    for (const char* option : {"--technique", "--light", "--size", "--shard"})
+        if (given.has(option)) refuseUsage(std::string(option) + ": the hard cases say that themselves; leave it out");
+}
+
+ReportOptions reportOptions(const GivenOptions& given) {
+    ReportOptions options;
+    options.output = given.required("--output", "shadowlab report -o DIR");
+    std::vector<std::string> words = given.texts("SCENE");
+    if (!words.empty() && words.front() == "merge") {
+        refuseDrawingOptions(given);
+        if (words.size() == 1)
+            refuseUsage("report merge: no folder is named; write shadowlab report merge part-1 part-2 -o DIR");
+        options.merged.assign(words.begin() + 1, words.end());
+        return options;
     }
+    options.scenes = std::move(words);
+    options.isQuick = given.has("--quick");
+    options.isHard = given.has("--hard");
+    if (options.isHard) refuseSceneOptions(given, options.scenes);
+    if (given.has("--technique")) options.techniques = measuredTechniquesFrom(given.texts("--technique"));
+    options.light = given.text("--light");
+    options.size = sizeFrom("--size", given.text("--size", options.isQuick ? "640x360" : "1280x720"), "measured-side");
+    reserveForMeasured(options.size);
+    if (given.has("--shard")) options.shard = report::shardFrom(given.text("--shard"));
+    options.backend = context::backendFromName(given.text("--backend", "auto"));
+    options.allowed = given.allowedFolders();
+    return options;
+}
 
-private:
-    struct Shown {
-        std::string asked;
-        scene::Snapshot scene;
-        int light;
-    };
-
-    void loadScenes() {
-        std::vector<std::string> names = options_.scenes;
-        if (names.empty())
-            names = options_.isQuick ? std::vector<std::string>{"still-life", "room-with-lamps", "three-lights"}
-                                     : scene::builtInScenes(context::assetsRoot());
-        for (const std::string& name : names) {
-            scene::Snapshot scene = scene::loadScene(
-                name, {.assetsRoot = context::assetsRoot(), .allowed = options_.allowed, .limits = picture::limits()});
-            if (scene->lights.empty())
-                throw Error(ExitStatus::badInput,
-                            scene::shown(name) +
-                                ": has no light whose shadows could be measured; add one under \"lights\"");
-            const int light = options_.light.empty() ? 0 : picture::lightIndex(*scene, options_.light);
-            if (std::ranges::any_of(scenes_, [&](const Shown& shown) { return shown.scene->name == scene->name; }))
-                throw Error(ExitStatus::usage,
-                            "two of the scenes are called '" + scene->name + "'; give them files of different names");
-            scenes_.push_back({name, std::move(scene), light});
-        }
-    }
-
-    [[nodiscard]] report::Plan makePlan() const {
-        std::vector<std::string> techniques = options_.techniques;
-        if (techniques.empty()) techniques = measuredTechniquesFrom({"all"});
-        std::erase(techniques, report::kYardstick);
-        techniques.emplace(techniques.begin(), report::kYardstick);
-        report::Plan plan{SHADOWLAB_VERSION,
-                          student::programDigest(),
-                          options_.size,
-                          options_.isQuick,
-                          context::glRenderer(),
-                          furtherWords(),
-                          {}};
-        for (const Shown& shown : scenes_) {
-            const scene::Light& light = shown.scene->light(shown.light);
-            PlannedGroup group{shown.asked, shown.scene->name, light.name, picture::digestOf(*shown.scene), {}};
-            for (const std::string& technique : techniques)
-                for (PointKey& point :
-                     report::pointsOf(*picture::Session::makeSlot(technique).info, light, options_.isQuick))
-                    group.points.push_back(std::move(point));
-            plan.groups.push_back(std::move(group));
-        }
-        return plan;
-    }
-
-    [[nodiscard]] std::vector<std::string> furtherWords() const {
-        std::vector<std::string> words;
-        if (options_.backend != context::Backend::automatic) words = {"--backend", std::string(context_->backend())};
-        for (const std::filesystem::path& folder : options_.allowed)
-            words.insert(words.end(), {"--allow", folder.string()});
-        for (const student::LoadedPlugin& plugin : student::loadedPlugins())
-            words.insert(words.end(), {"--plugin", plugin.file});
-        if (context::isSoftwareDemanded()) words.emplace_back("--software");
-        const std::vector<std::string> limits = picture::limitWords();
-        words.insert(words.end(), limits.begin(), limits.end());
-        return words;
-    }
-
-    void measureGroup(const PlannedGroup& group) {
-        const Shown& shown = *std::ranges::find(scenes_, group.scene, &Shown::asked);
-        report::Times times = store_.times(group, options_.shard);
-        std::vector<picture::Slot> slots;
-        for (const PointKey& point : group.points) {
-            std::vector<picture::Slot> one;
-            one.push_back(picture::Session::makeSlot(point.technique));
-            std::vector<std::string> settings;
-            for (const std::string& setting : point.settings)
-                settings.push_back(point.technique + "." + setting);
-            lab::applySettings(one, settings);
-            slots.push_back(std::move(one.front()));
-        }
-        picture::Session session(shown.scene);
-        judgeGroup(group, shown, session, slots);
-        if (static_cast<int>(times.rounds.size()) >= effort_.rounds)
-            return step(group.points.size() * times.rounds.size());
-        step(group.points.size() * times.rounds.size());
-        report::Clock clock(session, shown.scene, options_.size, effort_.turn);
-        for (std::size_t i = 0; i < slots.size(); ++i)
-            clock.first(group.points[i].name(), slots[i], times);
-        while (static_cast<int>(times.rounds.size()) < effort_.rounds) {
-            const int round = static_cast<int>(times.rounds.size());
-            report::Times::Round turns;
-            for (std::size_t i = 0; i < slots.size(); ++i) {
-                context::throwIfInterrupted();
-                // Every other round backwards: nobody always comes after the same one.
-                const std::size_t at = round % 2 ? slots.size() - 1 - i : i;
-                turns.emplace(group.points[at].name(), clock.turn(group.points[at].name(), slots[at], round));
-                step(1);
-            }
-            times.rounds.push_back(std::move(turns));
-            store_.keep(group, options_.shard, times);
-            ++measured_;
-        }
-    }
-
-    void judgeGroup(const PlannedGroup& group, const Shown& shown, picture::Session& session,
-                    std::vector<picture::Slot>& slots) {
-        View view;
-        view.camera = shown.scene->camera;
-        view.size = options_.size;
-        std::optional<report::Judge> judge; // made when there is something to be judged: a truth takes seconds
-        for (std::size_t i = 0; i < slots.size(); ++i) {
-            context::throwIfInterrupted();
-            if (!store_.judged(group, group.points[i])) {
-                if (!judge) judge.emplace(session, view, shown.light);
-                store_.keep(group, group.points[i], judge->judge(slots[i]));
-                ++measured_;
-            }
-            step(1);
-        }
-    }
-
-    void step(std::size_t count) {
-        done_ += static_cast<int>(count);
-        progress_->done(done_);
-    }
-
-    const ReportOptions& options_;
-    Effort effort_;
-    report::Store store_;
-    std::vector<Shown> scenes_;
-    std::unique_ptr<context::Context> context_;
-    Progress* progress_ = nullptr;
-    int done_ = 0;
-    int measured_ = 0; ///< points and rounds that were not known before
-};
-
+/// `report merge DIR... -o DIR`.
 int mergeReports(const ReportOptions& options) {
     std::vector<report::Store> stores;
     for (const std::filesystem::path& folder : options.merged) {
@@ -232,14 +105,28 @@ int mergeReports(const ReportOptions& options) {
     store.begin(plan);
     for (const report::Store& part : stores)
         store.takeOver(part);
-    writeAll(store);
+    writeReport(store);
     return 0;
+}
+
+int report(const ReportOptions& options) {
+    if (options.isHard) return reportHard(options);
+    return options.merged.empty() ? reportScenes(options) : mergeReports(options);
+}
+
+Work reportWork(const GivenOptions& given) {
+    return [options = reportOptions(given)] { return report(options); };
 }
 
 } // namespace
 
-int report(const ReportOptions& options) {
-    return options.merged.empty() ? Reporter(options).run() : mergeReports(options);
+void writeReport(const report::Store& store) {
+    report::writeOutputs(store, report::assemble(store));
+    print((store.folder() / "index.html").string() + "\n");
 }
+
+const Command kReport{"report",
+                      "Speed against error: every technique's sweeps on scenes, as a page, charts, CSV and JSON",
+                      describeReport, reportWork};
 
 } // namespace shadowlab::cli

@@ -1,6 +1,7 @@
 // `shadowlab report --hard`: every hard case, each technique as it should be and its careless version, and all techniques before it.
 // SPDX-License-Identifier: MIT
-#include "app/cli/command_line.h"
+#include "app/cli/report.h"
+
 #include "app/cli/messages.h"
 #include "app/cli/progress.h"
 #include "app/context/assets.h"

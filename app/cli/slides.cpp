@@ -1,15 +1,17 @@
 // `shadowlab slides`: decks as pictures, as a page for a browser, and as a text for pandoc.
 // SPDX-License-Identifier: MIT
+#include "app/cli/slides.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
 #include <optional>
 
-#include "app/cli/command_line.h"
+#include "app/cli/command.h"
 #include "app/cli/messages.h"
+#include "app/cli/option_values.h"
 #include "app/cli/progress.h"
-#include "app/cli/slides_options.h"
 #include "app/context/assets.h"
 #include "app/context/signals.h"
 #include "app/course/slides/pages.h"
@@ -27,6 +29,48 @@
 namespace shadowlab::cli {
 
 namespace {
+
+void describeSlides(DescribedOptions& add) {
+    add.arguments("DECK",
+                  "a built-in name (`list decks`) or a .json deck; may be repeated (default: all built-in decks)");
+    add.option("-o,--output", "DIR", "the folder that the slides are written into; it is made where there is none");
+    add.option("--only", "SLIDE", "draws that slide alone, and no page of all; several with commas between them");
+    add.option("--size", "WxH", "width and height of the slides in pixels (default 1920x1080; 4K is 3840x2160)");
+    add.option("--supersample", "N", "N x N samples for each pixel of a picture, from 1 to 8 (default 2)");
+    add.option("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    add.option("--allow", "DIR", "a further folder that the decks' scenes may take meshes from; may be repeated");
+    add.footer(
+        "For each deck: DECK-01-NAME.png ..., the same without words as pictures/DECK-01-NAME.png, DECK.html for "
+        "a browser,\nand DECK.md for pandoc. Interrupted, the same command goes on where it was.\n"
+        "Examples:\n"
+        "  shadowlab slides -o out\n"
+        "  shadowlab slides my-deck.json -o out --size 3840x2160\n"
+        "  cd out && pandoc shadow-rendering-techniques.md -o lecture.pptx");
+}
+
+SlidesOptions slidesOptions(const GivenOptions& given) {
+    SlidesOptions options;
+    options.decks = given.texts("DECK");
+    options.output = given.required("--output", "shadowlab slides -o DIR");
+    options.only = splitAtCommas(given.texts("--only"));
+    options.look.size = sizeFrom("--size", given.text("--size", "1920x1080"), "picture-side");
+    constexpr int kLeastHeight = 360;                 // below, type dissolves
+    constexpr double kNarrowest = 1.2, kWidest = 2.5; // shapes that slides are laid out for
+    const double aspect = static_cast<double>(options.look.size.x) / options.look.size.y;
+    if (options.look.size.y < kLeastHeight || aspect < kNarrowest || aspect > kWidest)
+        refuseUsage(
+            "--size: slides are at least 360 pixels high and 1.2 to 2.5 times as wide; write for example 1920x1080");
+    constexpr int kMostSamples = 8;
+    options.look.supersample = countFrom("--supersample", given.text("--supersample", "2"), kMostSamples);
+    const std::uint64_t samplesOnASide = static_cast<std::uint64_t>(options.look.supersample);
+    picture::reserveForPictures(static_cast<std::uint64_t>(options.look.size.x) * samplesOnASide *
+                                    static_cast<std::uint64_t>(options.look.size.y) * samplesOnASide,
+                                picture::kBytesPerDrawnSample, "--size " + given.text("--size", "1920x1080"),
+                                "choose a smaller --size or --supersample");
+    options.backend = context::backendFromName(given.text("--backend", "auto"));
+    options.allowed = given.allowedFolders();
+    return options;
+}
 
 using course::Deck;
 
@@ -218,8 +262,15 @@ private:
     ExitStatus worst_ = ExitStatus::ok; ///< of the first slide that failed
 };
 
+Work slidesWork(const GivenOptions& given) {
+    return [options = slidesOptions(given)] { return slides(options); };
+}
+
 } // namespace
 
 int slides(const SlidesOptions& options) { return Slides(options).run(); }
+
+const Command kSlides{"slides", "A deck as pictures, as a page for a browser, and as a text for pandoc", describeSlides,
+                      slidesWork};
 
 } // namespace shadowlab::cli

@@ -2,7 +2,7 @@
 // Words with an equals sign are also tried as settings of every technique's parameters.
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
-#include "app/cli/words_anywhere.h"
+#include "app/cli/global_options.h"
 #include "app/lab/settings.h"
 #include "tests/fuzz/target.h"
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/cli/measure_options.h"
+#include "app/cli/measure.h"
 #include "techniques/registry.h"
 
 namespace shadowlab {

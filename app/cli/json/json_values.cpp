@@ -13,4 +13,24 @@ Json numberJson(double value) { return std::isfinite(value) ? Json(value) : Json
 Json numberJson(const std::optional<double>& value) { return value ? numberJson(*value) : Json(); }
 Json textJson(const std::string& text) { return text.empty() ? Json() : Json(text); }
 
+Json timesJson(const judge::FrameTimes& times) {
+    Json ms;
+    ms["frame"] = times.frameMs();
+    ms["prepare"] = times.prepareMs();
+    ms["passes"] = Json::object();
+    for (const gl::PassTimer::Result& pass : times.passMs())
+        ms["passes"][pass.name] = pass.elapsedMs;
+    return ms;
+}
+
+Json countersJson(const std::vector<Counter>& counters) {
+    Json entries = Json::object();
+    for (const Counter& counter : counters) {
+        entries[counter.id]["built"] = counter.built;
+        if (counter.of > 0) entries[counter.id]["of"] = counter.of;
+        if (!counter.unit.empty()) entries[counter.id]["unit"] = counter.unit;
+    }
+    return entries;
+}
+
 } // namespace shadowlab::cli

@@ -3,10 +3,13 @@
 #pragma once
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "app/judge/metrics/frame_times.h"
 #include "techniques/foundation/math/types.h"
+#include "techniques/frame.h"
 
 namespace shadowlab::cli {
 
@@ -20,6 +23,10 @@ Json vectorJson(const std::optional<dvec3>& v); ///< null where there is none
 /// null where the number is infinite or none at all: JSON has no such number.
 Json numberJson(double value);
 Json numberJson(const std::optional<double>& value);
+/// {"frame", "prepare", "passes": {...}}, medians in milliseconds.
+Json timesJson(const judge::FrameTimes& times);
+/// {"casters": {"built", "of", "unit"}, ...}
+Json countersJson(const std::vector<Counter>& counters);
 /// null where the text is empty.
 Json textJson(const std::string& text);
 

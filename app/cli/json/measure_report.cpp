@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "app/cli/capture_stats.h"
 #include "app/cli/json/json_values.h"
 #include "app/cli/text_table.h"
 

@@ -1,9 +1,10 @@
-// What `capture` is asked to do: its options, described and checked.
+// `shadowlab capture`: what it is asked to do, and the two ways to do it. Also called by `demo` where there is no display.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,6 @@
 #include "app/picture/figure.h"
 #include "app/picture/stage_ref.h"
 #include "techniques/foundation/math/types.h"
-
-namespace CLI {
-class App;
-}
 
 namespace shadowlab::cli {
 
@@ -49,23 +46,15 @@ struct CaptureOptions {
     std::vector<std::filesystem::path> allowed;
 };
 
-void describeCapture(CLI::App& command);
-
-/// From what was written to what is meant. Throws Error (usage, overLimit) for what is wrong in itself; what depends on
-/// the scene, or on the graphics card, is seen later.
-CaptureOptions captureOptions(const CLI::App& command);
-
-/// `name_####.png` with the hashes replaced by the frame's number, counted from 1, padded with zeros to their width.
-std::filesystem::path numbered(const std::filesystem::path& pattern, int frame);
-
 /// Is the output one file in which several pictures follow each other?
 inline bool isFilm(const CaptureOptions& options) { return options.steps || options.animate; }
 
-/// Throws Error (usage) when several pictures would have one name.
-void requirePlaceForNumbers(const CaptureOptions& options, int frames);
+/// Draws and writes what the options ask for. Throws Error.
+int capture(const CaptureOptions& options);
 
-/// Samples of the largest panel on a side. Throws Error when the panels are too small to be drawn (usage) or all
-/// together too large (overLimit).
-int requireDrawable(const CaptureOptions& options);
+/// The pictures alone.
+int capturePictures(const CaptureOptions& options);
+/// --ui: the window with its widgets around the pictures.
+int captureWindow(const CaptureOptions& options);
 
 } // namespace shadowlab::cli

@@ -1,4 +1,4 @@
-// What `lesson` is asked to do: its options, described and checked.
+// `shadowlab lesson`; also called by `demo` where there is no display.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
@@ -8,10 +8,6 @@
 
 #include "app/context/context.h"
 #include "techniques/foundation/math/types.h"
-
-namespace CLI {
-class App;
-}
 
 namespace shadowlab::cli {
 
@@ -27,9 +23,7 @@ struct LessonOptions {
     std::vector<std::filesystem::path> allowed;
 };
 
-void describeLesson(CLI::App& command);
-
-/// From what was written to what is meant. Throws Error (usage, overLimit).
-LessonOptions lessonOptions(const CLI::App& command);
+/// Draws a lesson, measures it, or both. Throws Error (badInput) when what was measured is not as the lesson says.
+int lesson(const LessonOptions& options);
 
 } // namespace shadowlab::cli

@@ -1,4 +1,4 @@
-// What `report` is asked for: its options, described and checked.
+// The three forms of `shadowlab report`: of scenes, of the hard cases, and the merging of parts.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
@@ -7,10 +7,7 @@
 
 #include "app/context/context.h"
 #include "app/report/plan.h"
-
-namespace CLI {
-class App;
-}
+#include "app/report/store.h"
 
 namespace shadowlab::cli {
 
@@ -29,9 +26,13 @@ struct ReportOptions {
         merged; ///< folders of reports; not empty: they are put together, nothing is drawn
 };
 
-void describeReport(CLI::App& command);
+/// Measures every technique's sweeps on the scenes, and writes the report into a folder. Goes on with a report that was begun there.
+int reportScenes(const ReportOptions& options);
 
-/// Throws Error (usage, overLimit).
-ReportOptions reportOptions(const CLI::App& command);
+/// Runs the hard cases and writes their tables. 0: every check passed; 1: some did not.
+int reportHard(const ReportOptions& options);
+
+/// Writes all outputs of a report, and prints where its page is.
+void writeReport(const report::Store& store);
 
 } // namespace shadowlab::cli

@@ -1,4 +1,4 @@
-// What `slides` is asked for: its options, described and checked.
+// `shadowlab slides`; also called by `demo` where there is no display.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
@@ -7,10 +7,6 @@
 
 #include "app/context/context.h"
 #include "app/course/slides/slide_painter.h"
-
-namespace CLI {
-class App;
-}
 
 namespace shadowlab::cli {
 
@@ -23,9 +19,7 @@ struct SlidesOptions {
     std::vector<std::filesystem::path> allowed;
 };
 
-void describeSlides(CLI::App& command);
-
-/// Throws Error (usage, overLimit) for what is wrong in itself; what depends on the decks is seen later.
-SlidesOptions slidesOptions(const CLI::App& command);
+/// Draws decks. After a slide that fails the others are drawn all the same; the exit status is that of the first failure.
+int slides(const SlidesOptions& options);
 
 } // namespace shadowlab::cli

@@ -1,9 +1,10 @@
+// `shadowlab capture --ui`: the window as it looks, without a window.
 // SPDX-License-Identifier: MIT
-#include "app/cli/capture_window.h"
-
 #include <chrono>
 #include <thread>
 
+#include "app/cli/capture/capture.h"
+#include "app/cli/capture/capture_outputs.h"
 #include "app/cli/messages.h"
 #include "app/context/assets.h"
 #include "app/context/signals.h"

@@ -1,29 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/capture_stats.h"
+#include "app/cli/capture/capture_stats.h"
 
 #include <algorithm>
 
+#include "techniques/foundation/params/param_json.h"
+
 namespace shadowlab::cli {
-
-nlohmann::ordered_json timesJson(const judge::FrameTimes& times) {
-    nlohmann::ordered_json ms;
-    ms["frame"] = times.frameMs();
-    ms["prepare"] = times.prepareMs();
-    ms["passes"] = nlohmann::ordered_json::object();
-    for (const gl::PassTimer::Result& pass : times.passMs())
-        ms["passes"][pass.name] = pass.elapsedMs;
-    return ms;
-}
-
-nlohmann::ordered_json countersJson(const std::vector<Counter>& counters) {
-    nlohmann::ordered_json entries = nlohmann::ordered_json::object();
-    for (const Counter& counter : counters) {
-        entries[counter.id]["built"] = counter.built;
-        if (counter.of > 0) entries[counter.id]["of"] = counter.of;
-        if (!counter.unit.empty()) entries[counter.id]["unit"] = counter.unit;
-    }
-    return entries;
-}
 
 CaptureStats::CaptureStats(const scene::Scene& scene, const CaptureOptions& options, const context::Context& context,
                            const std::vector<picture::Slot>& slots)
@@ -47,8 +29,8 @@ CaptureStats::CaptureStats(const scene::Scene& scene, const CaptureOptions& opti
     for (std::size_t i = 0; i < (sameForAll ? std::min<std::size_t>(1, options.stages.size()) : options.stages.size());
          ++i)
         if (!options.stages[i].isPicture())
-            stages +=
-                (stages.empty() ? "" : "\n") + (sameForAll ? "" : std::to_string(i + 1) + ":") + options.stages[i].text();
+            stages += (stages.empty() ? "" : "\n") + (sameForAll ? "" : std::to_string(i + 1) + ":") +
+                      options.stages[i].text();
     if (!stages.empty()) pngText_.push_back({"Stage", stages});
     if (!options.light.empty()) pngText_.push_back({"Light", options.light});
     if (!settings.empty()) pngText_.push_back({"Settings", settings});
@@ -63,27 +45,27 @@ void CaptureStats::add(std::size_t slot, const picture::RenderedFrame& rendered)
 }
 
 std::string CaptureStats::json() const {
-    nlohmann::ordered_json root;
+    Json root;
     root["scene"] = scene_;
     root["size"] = {size_.x, size_.y};
     root["backend"] = backend_;
     root["renderer"] = renderer_;
     root["version"] = version_;
-    root["results"] = nlohmann::ordered_json::array();
+    root["results"] = Json::array();
     for (const SlotStats& slot : slots_) {
-        nlohmann::ordered_json entry;
+        Json entry;
         entry["technique"] = slot.technique;
         entry["parameters"] = slot.parameters;
         entry["frames"] = slot.times.frames();
         entry["ms"] = timesJson(slot.times);
         entry["counters"] = countersJson(slot.counters);
-        entry["found"] = nlohmann::ordered_json::array();
+        entry["found"] = Json::array();
         for (const Note& note : slot.notes)
             entry["found"].push_back({{"what", note.label}, {"is", note.text}});
         root["results"].push_back(std::move(entry));
     }
     // A file's name may hold bytes that are no UTF-8; JSON may not.
-    return root.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace shadowlab::cli

@@ -4,18 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/capture_options.h"
+#include "app/cli/capture/capture.h"
+#include "app/cli/json/json_values.h"
 #include "app/judge/metrics/frame_times.h"
 #include "app/picture/session.h"
 #include "techniques/foundation/image/png/png.h"
-#include "techniques/foundation/params/param_json.h"
 
 namespace shadowlab::cli {
-
-/// {"frame", "prepare", "passes": {...}}, in milliseconds.
-nlohmann::ordered_json timesJson(const judge::FrameTimes& times);
-/// {"casters": {"built", "of", "unit"}, ...}
-nlohmann::ordered_json countersJson(const std::vector<Counter>& counters);
 
 class CaptureStats {
 public:
@@ -34,7 +29,7 @@ public:
 private:
     struct SlotStats {
         std::string technique;
-        nlohmann::ordered_json parameters;
+        Json parameters;
         judge::FrameTimes times;
         std::vector<Counter> counters; ///< of the last frame
         std::vector<Note> notes;       ///< of the last frame

@@ -1,12 +1,12 @@
-// `shadowlab capture`: one picture, or a sequence, of one or several techniques.
+// `shadowlab capture` without --ui: draws the pictures of the techniques, one frame after another, and writes them.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <memory>
 #include <utility>
 
-#include "app/cli/capture_stats.h"
-#include "app/cli/capture_window.h"
-#include "app/cli/command_line.h"
+#include "app/cli/capture/capture_checks.h"
+#include "app/cli/capture/capture_outputs.h"
+#include "app/cli/capture/capture_stats.h"
 #include "app/cli/messages.h"
 #include "app/context/assets.h"
 #include "app/context/signals.h"
@@ -32,23 +32,6 @@ namespace shadowlab::cli {
 
 namespace {
 
-/// The file that SCENE stands for; it may not exist.
-std::filesystem::path sceneFile(const std::string& scene) {
-    const std::filesystem::path path(scene);
-    return path.has_extension() ? path : context::assetsRoot() / "scenes" / (scene + ".json");
-}
-
-/// Would these two names lead to one and the same regular file?
-bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
-    std::error_code ignored;
-    if (std::filesystem::exists(a, ignored) && !std::filesystem::is_regular_file(a, ignored)) return false; // /dev/null
-    return std::filesystem::equivalent(a, b, ignored) || image::outputTarget(a) == image::outputTarget(b);
-}
-
-[[noreturn]] void refuseOutput(const std::string& option, const std::filesystem::path& path, const std::string& other) {
-    throw Error(ExitStatus::usage, option + ": '" + path.string() + "' is also " + other + "; choose another name");
-}
-
 class Capture {
 public:
     explicit Capture(const CaptureOptions& options)
@@ -60,15 +43,11 @@ public:
         for (const std::string& id : options_.techniques)
             slots_.push_back(picture::Session::makeSlot(id));
         lab::applySettings(slots_, options_.settings);
-        checkOutputs();
+        checkOutputs(options_);
         loadScene();
         motion_ = motionOf(options_.motion, *base_);
         requirePlaceForNumbers(options_, motion_.frames);
-        for (int frame = 1; frame < motion_.frames && !isFilm(options_); ++frame)
-            image::requireNoInput(numbered(options_.output, frame));
-        for (int frame = 1; frame < motion_.frames && !options_.stats.empty() && !isFilm(options_); ++frame)
-            if (const auto picture = numbered(options_.output, frame); sameFile(options_.stats, picture))
-                refuseOutput("--stats", options_.stats, "the picture " + picture.string() + " that is written");
+        checkFurtherOutputs(options_, motion_.frames);
         for (std::size_t i = 0; i < slots_.size(); ++i) {
             stages_.emplace_back();
             if (i < options_.stages.size())
@@ -97,22 +76,6 @@ public:
     }
 
 private:
-    /// Before any work: can the outputs be written, and would they destroy something?
-    void checkOutputs() const {
-        const std::filesystem::path picture = numbered(options_.output, 0), input = sceneFile(options_.scene);
-        if (sameFile(picture, input)) refuseOutput("-o", picture, "the scene that is read");
-        const std::filesystem::path& path = options_.motion.path;
-        if (!path.empty() && sameFile(picture, path)) refuseOutput("-o", picture, "the path that is read");
-        image::probeWritable(picture);
-        if (film::isMp4(picture)) film::requireFfmpeg(picture);
-        if (options_.stats.empty()) return;
-        if (sameFile(options_.stats, input)) refuseOutput("--stats", options_.stats, "the scene that is read");
-        if (!path.empty() && sameFile(options_.stats, path))
-            refuseOutput("--stats", options_.stats, "the path that is read");
-        if (sameFile(options_.stats, picture)) refuseOutput("--stats", options_.stats, "the picture that is written");
-        image::probeWritable(options_.stats);
-    }
-
     void loadScene() {
         base_ = scene::loadScene(
             options_.scene,
@@ -185,8 +148,8 @@ private:
         }
         std::vector<picture::Panel> panels;
         for (std::size_t i = 0; i < slots_.size(); ++i) {
-            picture::RenderedPanel drawn =
-                picture::renderPanel(*session_, slots_[i], *encoder_, cells[i], panelRequest(i, cells[i], moment.camera));
+            picture::RenderedPanel drawn = picture::renderPanel(*session_, slots_[i], *encoder_, cells[i],
+                                                                panelRequest(i, cells[i], moment.camera));
             stats_->add(i, drawn.rendered);
             if (options_.labels && slots_.size() > 1) drawn.panel.title = slots_[i].info->title;
             panels.push_back(std::move(drawn.panel));
@@ -251,8 +214,8 @@ private:
         stats_->add(0, rendered);
         const picture::VisibilityImage visibility =
             picture::readVisibility(picture::findStage(rendered, stages_[0].key));
-        image::writeWhole(path, image::encodeGreyAlpha(visibility.width, visibility.height, visibility.greyAlpha,
-                                                       stats_->pngText()));
+        image::writeWhole(
+            path, image::encodeGreyAlpha(visibility.width, visibility.height, visibility.greyAlpha, stats_->pngText()));
     }
 
     const image::Font& font() {
@@ -294,7 +257,7 @@ private:
     std::vector<picture::Slot> slots_;
     std::vector<picture::ResolvedStage> stages_; ///< one for each slot
     std::unique_ptr<CaptureStats> stats_;
-    ivec2 size_;                          ///< of the picture, without what stands below it
+    ivec2 size_;                       ///< of the picture, without what stands below it
     std::unique_ptr<film::Film> film_; ///< none: a file for each picture
     std::unique_ptr<image::Font> font_;
     std::optional<picture::StepCaptions> captions_; ///< of steps, and the one that is drawn now
@@ -303,6 +266,6 @@ private:
 
 } // namespace
 
-int capture(const CaptureOptions& options) { return options.ui ? captureWindow(options) : Capture(options).run(); }
+int capturePictures(const CaptureOptions& options) { return Capture(options).run(); }
 
 } // namespace shadowlab::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/words_anywhere.h"
+#include "app/cli/global_options.h"
 
 #include <algorithm>
 
