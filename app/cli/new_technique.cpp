@@ -7,7 +7,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
 #include "app/context/assets.h"
-#include "app/course/capture_words.h"
+#include "app/course/capture_arguments.h"
 #include "app/student/skeletons.h"
 
 namespace shadowlab::cli {

@@ -148,9 +148,9 @@ private:
         if (static_cast<int>(times.rounds.size()) >= effort_.rounds)
             return step(group.points.size() * times.rounds.size());
         step(group.points.size() * times.rounds.size());
-        report::Clock clock(session, shown.scene, options_.size, effort_.turn);
+        report::FrameTimer timer(session, shown.scene, options_.size, effort_.turn);
         for (std::size_t i = 0; i < slots.size(); ++i)
-            clock.first(group.points[i].name(), slots[i], times);
+            timer.first(group.points[i].name(), slots[i], times);
         while (static_cast<int>(times.rounds.size()) < effort_.rounds) {
             const int round = static_cast<int>(times.rounds.size());
             report::Times::Round turns;
@@ -158,7 +158,7 @@ private:
                 context::throwIfInterrupted();
                 // Every other round backwards: nobody always comes after the same one.
                 const std::size_t at = round % 2 ? slots.size() - 1 - i : i;
-                turns.emplace(group.points[at].name(), clock.turn(group.points[at].name(), slots[at], round));
+                turns.emplace(group.points[at].name(), timer.turn(group.points[at].name(), slots[at], round));
                 step(1);
             }
             times.rounds.push_back(std::move(turns));

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/course/capture_words.h"
+#include "app/course/capture_arguments.h"
 #include "app/course/deck.h"
 #include "app/picture/derived_stages.h"
 #include "app/picture/limits.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "app/course/capture_words.h"
+#include "app/course/capture_arguments.h"
 #include "app/course/lessons/lesson_parts.h"
 #include "app/film/light_changes.h"
 #include "app/lab/settings.h"

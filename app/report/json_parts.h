@@ -3,7 +3,7 @@
 #pragma once
 #include <nlohmann/json.hpp>
 
-#include "app/report/clock.h"
+#include "app/report/frame_timer.h"
 #include "app/report/plan.h"
 #include "app/report/results.h"
 

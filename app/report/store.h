@@ -12,7 +12,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "app/report/clock.h"
+#include "app/report/frame_timer.h"
 #include "app/report/judge.h"
 #include "app/report/plan.h"
 

@@ -10,118 +10,11 @@
 
 #include <imgui.h>
 
-#include "app/lab/camera_control.h"
-#include "techniques/registry.h"
+#include "app/window/key_functions.h"
 
 namespace shadowlab::window {
 
 namespace {
-
-using picture::Layout;
-
-// Steps of the keys, small enough to aim and large enough to get about. A held key repeats some 30 times a second.
-constexpr double kTurnDegrees = 3, kPanShare = 0.04, kZoomFactor = 0.92, kFlyShare = 0.04, kMoveShare = 0.02,
-                 kSplitShare = 0.02;
-
-void technique(Desk& desk, std::size_t number) {
-    if (desk.lesson.asksChoice()) return answer(desk, static_cast<int>(number));
-    const auto all = techniquesOf(TechniqueGroup::production);
-    if (number < all.size()) chooseTechnique(desk, all[number].info->id);
-}
-
-void orbit(Desk& desk, double right, double over) {
-    moveCamera(desk, [&](const scene::Camera& camera) { return lab::orbited(camera, right, over); });
-}
-void pan(Desk& desk, double right, double up) {
-    moveCamera(desk, [&](const scene::Camera& camera) { return lab::panned(camera, -right, -up); });
-}
-void fly(Desk& desk, double right, double forward) {
-    moveCamera(desk, [&](const scene::Camera& camera) {
-        const double step = kFlyShare * lab::targetDistance(camera);
-        return lab::flown(camera, right * step, 0, forward * step);
-    });
-}
-void zoom(Desk& desk, double factor) {
-    moveCamera(desk, [&](const scene::Camera& camera) { return lab::zoomed(camera, factor); });
-}
-
-/// With something selected the arrows move it, level with the ground and as the picture has it; else the camera orbits.
-void arrows(Desk& desk, double right, double forward) {
-    if (desk.selection.kind == lab::Selection::Kind::none) {
-        orbit(desk, right * kTurnDegrees, forward * kTurnDegrees);
-        return;
-    }
-    const scene::Camera& camera = desk.bench.document().camera;
-    const dvec3 upWorld = glm::normalize(camera.upWorld);
-    const dvec3 rightWorld = glm::normalize(glm::cross(camera.targetWorld - camera.positionWorld, upWorld));
-    const double step = kMoveShare * lab::targetDistance(camera);
-    moveSelected(desk, step * (right * rightWorld + forward * glm::cross(upWorld, rightWorld)), "move by keys");
-}
-void lift(Desk& desk, double up) {
-    if (desk.selection.kind == lab::Selection::Kind::none) {
-        pan(desk, 0, up * kPanShare);
-        return;
-    }
-    const scene::Camera& camera = desk.bench.document().camera;
-    moveSelected(desk, up * kMoveShare * lab::targetDistance(camera) * glm::normalize(camera.upWorld),
-                 "move by keys");
-}
-
-void moveSplit(Desk& desk, double by) {
-    desk.bench.change("split",
-                      [&](lab::Document& document) { document.split = std::clamp(document.split + by, 0.0, 1.0); });
-}
-void nextScene(Desk& desk, int by) {
-    if (desk.scenes.empty()) return;
-    const auto now = std::ranges::find(desk.scenes, desk.bench.document().sceneName);
-    const auto count = static_cast<int>(desk.scenes.size());
-    const int at = now == desk.scenes.end() ? (by > 0 ? -1 : 0) : static_cast<int>(now - desk.scenes.begin());
-    desk.requests.scene = desk.scenes[static_cast<std::size_t>((at + by + count) % count)];
-}
-void changeSpeed(Desk& desk, double factor) {
-    desk.bench.setAnimation([&](lab::Animation& animation) {
-        animation.speed = std::clamp(animation.speed * factor, lab::kSlowest, lab::kFastest);
-    });
-}
-/// Lights and objects, the camera alone, all of them, and around again.
-void nextMovers(Desk& desk) {
-    desk.bench.setAnimation([](lab::Animation& animation) {
-        const bool lightsAlone = animation.lights && !animation.camera, all = animation.lights && animation.camera;
-        animation.lights = animation.objects = !lightsAlone;
-        animation.camera = lightsAlone || !all;
-    });
-}
-void nextLight(Desk& desk) {
-    const auto count = static_cast<int>(desk.bench.shownScene()->lights.size());
-    if (count == 0) return;
-    desk.bench.change("", [&](lab::Document& document) { document.light = (document.light + 1) % count; });
-}
-void nextLayout(Desk& desk, int by) {
-    constexpr int kCount = 5;
-    const int now = static_cast<int>(desk.bench.document().layout);
-    chooseLayout(desk, static_cast<Layout>((now + by + kCount) % kCount));
-}
-/// Out of what lies nearest: the list of keys, messages of faults, what is selected, picked pixels, a stage.
-void leave(Desk& desk) {
-    if (desk.shown.keys)
-        desk.shown.keys = false;
-    else if (std::erase_if(desk.messages, [](const Message& message) { return message.fault; }) > 0)
-        return;
-    else if (desk.selection.kind != lab::Selection::Kind::none)
-        desk.selection = {};
-    else if (desk.bench.document().partner)
-        desk.bench.unpickPartner();
-    else if (desk.bench.document().picked)
-        desk.bench.unpick();
-    else if (desk.lesson.isOn())
-        leaveLesson(desk);
-    else if (desk.slides.isOn())
-        leaveSlides(desk);
-    else if (!desk.bench.activeState().stage.isPicture())
-        chooseStage(desk, {});
-    else
-        desk.shown.blink = desk.shown.magnifier = false;
-}
 
 template <std::size_t number>
 constexpr Action techniqueKey(const char* id, const char* digit) {
@@ -133,7 +26,7 @@ constexpr Action techniqueKey(const char* id, const char* digit) {
             false,
             false,
             false,
-            [](Desk& d) { technique(d, number - 1); }};
+            [](WindowState& d) { chooseNumber(d, number - 1); }};
 }
 
 const Action kActions[] = {
@@ -146,148 +39,149 @@ const Action kActions[] = {
     techniqueKey<7>("technique-7", "7"),
     techniqueKey<8>("technique-8", "8"),
     techniqueKey<9>("technique-9", "9"),
-    {"sister", "Techniques and layout", "Shift+L", "the lecture's version of the technique, and back", GLFW_KEY_L, false, true,
-     false, [](Desk& d) { chooseSister(d); }},
+    {"sister", "Techniques and layout", "Shift+L", "the lecture's version of the technique, and back", GLFW_KEY_L,
+     false, true, false, [](WindowState& d) { chooseSister(d); }},
     {"next-pane", "Techniques and layout", "Tab", "the next pane is the active one", GLFW_KEY_TAB, false, false, false,
-     [](Desk& d) {
+     [](WindowState& d) {
          const int count = std::max(2, lab::shownPanes(d.bench.document().layout));
          d.bench.activate((d.bench.document().active + 1) % count);
      }},
     {"next-layout", "Techniques and layout", "V", "single, side by side, split, grid, difference", GLFW_KEY_V, false,
-     false, false, [](Desk& d) { nextLayout(d, 1); }},
+     false, false, [](WindowState& d) { nextLayout(d, 1); }},
     {"previous-layout", "Techniques and layout", "Shift+V", "the layout before", GLFW_KEY_V, false, true, false,
-     [](Desk& d) { nextLayout(d, -1); }},
+     [](WindowState& d) { nextLayout(d, -1); }},
     {"split-left", "Techniques and layout", "[", "the split line goes left", GLFW_KEY_LEFT_BRACKET, false, false, true,
-     [](Desk& d) { moveSplit(d, -kSplitShare); }},
+     [](WindowState& d) { moveSplit(d, -kSplitShare); }},
     {"split-right", "Techniques and layout", "]", "the split line goes right", GLFW_KEY_RIGHT_BRACKET, false, false,
-     true, [](Desk& d) { moveSplit(d, kSplitShare); }},
+     true, [](WindowState& d) { moveSplit(d, kSplitShare); }},
     {"blink", "Techniques and layout", "B", "blink: the first two panes take turns in one place", GLFW_KEY_B, false,
-     false, false, [](Desk& d) { d.shown.blink = !d.shown.blink; }},
+     false, false, [](WindowState& d) { d.shown.blink = !d.shown.blink; }},
     {"magnifier", "Techniques and layout", "M", "magnifier, at the same place in all panes", GLFW_KEY_M, false, false,
-     false, [](Desk& d) { d.shown.magnifier = !d.shown.magnifier; }},
+     false, [](WindowState& d) { d.shown.magnifier = !d.shown.magnifier; }},
 
     {"step-forward", "Steps and stages", "PageDown", "the next step of the algorithm", GLFW_KEY_PAGE_DOWN, false, false,
-     true, [](Desk& d) { step(d, 1); }},
+     true, [](WindowState& d) { step(d, 1); }},
     {"step-forward-n", "Steps and stages", "N", "the next step of the algorithm", GLFW_KEY_N, false, false, true,
-     [](Desk& d) { step(d, 1); }},
+     [](WindowState& d) { step(d, 1); }},
     {"step-back", "Steps and stages", "PageUp", "the step before", GLFW_KEY_PAGE_UP, false, false, true,
-     [](Desk& d) { step(d, -1); }},
+     [](WindowState& d) { step(d, -1); }},
     {"step-back-n", "Steps and stages", "Shift+N", "the step before", GLFW_KEY_N, false, true, true,
-     [](Desk& d) { step(d, -1); }},
+     [](WindowState& d) { step(d, -1); }},
     {"source", "Steps and stages", "Y", "formula, pseudocode and source of the step, beside its picture", GLFW_KEY_Y,
      false, false, false, toggleSource},
     {"source-on", "Steps and stages", "Shift+PageDown", "their text goes on", GLFW_KEY_PAGE_DOWN, false, true, true,
-     [](Desk& d) { ++d.requests.scrollSource; }},
+     [](WindowState& d) { ++d.requests.scrollSource; }},
     {"source-back", "Steps and stages", "Shift+PageUp", "their text goes back", GLFW_KEY_PAGE_UP, false, true, true,
-     [](Desk& d) { --d.requests.scrollSource; }},
+     [](WindowState& d) { --d.requests.scrollSource; }},
     {"strip", "Steps and stages", "T", "all stages as small pictures", GLFW_KEY_T, false, false, false,
-     [](Desk& d) { d.shown.strip = !d.shown.strip; }},
+     [](WindowState& d) { d.shown.strip = !d.shown.strip; }},
     {"error", "Steps and stages", "E", "where the technique is wrong", GLFW_KEY_E, false, false, false,
-     [](Desk& d) { toggleStage(d, {"error"}); }},
+     [](WindowState& d) { toggleStage(d, {"error"}); }},
     {"truth", "Steps and stages", "U", "the exact answer", GLFW_KEY_U, false, false, false,
-     [](Desk& d) { toggleStage(d, {"truth"}); }},
+     [](WindowState& d) { toggleStage(d, {"truth"}); }},
     {"outside", "Steps and stages", "O", "the second camera, which looks on from outside", GLFW_KEY_O, false, false,
-     false, [](Desk& d) { toggleStage(d, {"outside"}); }},
+     false, [](WindowState& d) { toggleStage(d, {"outside"}); }},
     {"pick", "Steps and stages", "X", "picks the pixel under the mouse: all that is known about it", GLFW_KEY_X, false,
-     false, false, [](Desk& d) { d.requests.pick = true; }},
+     false, false, [](WindowState& d) { d.requests.pick = true; }},
     {"pick-partner", "Steps and stages", "Shift+X", "picks a second pixel: what radiosity's patches there exchange",
-     GLFW_KEY_X, false, true, false, [](Desk& d) { d.requests.pickPartner = true; }},
+     GLFW_KEY_X, false, true, false, [](WindowState& d) { d.requests.pickPartner = true; }},
     {"next-light", "Steps and stages", "L", "stages and errors are about the next light", GLFW_KEY_L, false, false,
      false, nextLight},
 
     {"lesson-on", "Steps and stages", "J", "lessons: the artefact, its mend, the next lesson", GLFW_KEY_J, false, false,
-     false, [](Desk& d) { stepLesson(d, 1); }},
+     false, [](WindowState& d) { stepLesson(d, 1); }},
     {"lesson-back", "Steps and stages", "Shift+J", "lessons: one step back", GLFW_KEY_J, false, true, false,
-     [](Desk& d) { stepLesson(d, -1); }},
+     [](WindowState& d) { stepLesson(d, -1); }},
     {"slide-on", "Steps and stages", "S", "slides: the next picture, and the next slide", GLFW_KEY_S, false, false,
-     true, [](Desk& d) { stepSlides(d, 1); }},
+     true, [](WindowState& d) { stepSlides(d, 1); }},
     {"slide-back", "Steps and stages", "Shift+S", "slides: one picture back", GLFW_KEY_S, false, true, true,
-     [](Desk& d) { stepSlides(d, -1); }},
+     [](WindowState& d) { stepSlides(d, -1); }},
 
     {"left", "Camera, lights and objects", "Left", "around to the left; or moves what is selected", GLFW_KEY_LEFT,
-     false, false, true, [](Desk& d) { arrows(d, -1, 0); }},
+     false, false, true, [](WindowState& d) { arrows(d, -1, 0); }},
     {"right", "Camera, lights and objects", "Right", "around to the right", GLFW_KEY_RIGHT, false, false, true,
-     [](Desk& d) { arrows(d, 1, 0); }},
+     [](WindowState& d) { arrows(d, 1, 0); }},
     {"up", "Camera, lights and objects", "Up", "over the scene; or moves away", GLFW_KEY_UP, false, false, true,
-     [](Desk& d) { arrows(d, 0, 1); }},
+     [](WindowState& d) { arrows(d, 0, 1); }},
     {"down", "Camera, lights and objects", "Down", "under the scene; or moves nearer", GLFW_KEY_DOWN, false, false,
-     true, [](Desk& d) { arrows(d, 0, -1); }},
+     true, [](WindowState& d) { arrows(d, 0, -1); }},
     {"pan-left", "Camera, lights and objects", "Shift+Left", "the camera goes left", GLFW_KEY_LEFT, false, true, true,
-     [](Desk& d) { pan(d, -kPanShare, 0); }},
+     [](WindowState& d) { pan(d, -kPanShare, 0); }},
     {"pan-right", "Camera, lights and objects", "Shift+Right", "the camera goes right", GLFW_KEY_RIGHT, false, true,
-     true, [](Desk& d) { pan(d, kPanShare, 0); }},
+     true, [](WindowState& d) { pan(d, kPanShare, 0); }},
     {"lift", "Camera, lights and objects", "Shift+Up", "the camera, or what is selected, goes up", GLFW_KEY_UP, false,
-     true, true, [](Desk& d) { lift(d, 1); }},
+     true, true, [](WindowState& d) { lift(d, 1); }},
     {"lower", "Camera, lights and objects", "Shift+Down", "it goes down", GLFW_KEY_DOWN, false, true, true,
-     [](Desk& d) { lift(d, -1); }},
+     [](WindowState& d) { lift(d, -1); }},
     {"fly-left", "Camera, lights and objects", "Ctrl+Left", "flies left", GLFW_KEY_LEFT, true, false, true,
-     [](Desk& d) { fly(d, -1, 0); }},
+     [](WindowState& d) { fly(d, -1, 0); }},
     {"fly-right", "Camera, lights and objects", "Ctrl+Right", "flies right", GLFW_KEY_RIGHT, true, false, true,
-     [](Desk& d) { fly(d, 1, 0); }},
+     [](WindowState& d) { fly(d, 1, 0); }},
     {"fly-forward", "Camera, lights and objects", "Ctrl+Up", "flies forward", GLFW_KEY_UP, true, false, true,
-     [](Desk& d) { fly(d, 0, 1); }},
+     [](WindowState& d) { fly(d, 0, 1); }},
     {"fly-back", "Camera, lights and objects", "Ctrl+Down", "flies back", GLFW_KEY_DOWN, true, false, true,
-     [](Desk& d) { fly(d, 0, -1); }},
+     [](WindowState& d) { fly(d, 0, -1); }},
     {"nearer", "Camera, lights and objects", "+", "nearer", GLFW_KEY_EQUAL, false, false, true,
-     [](Desk& d) { zoom(d, kZoomFactor); }},
+     [](WindowState& d) { zoom(d, kZoomFactor); }},
     {"farther", "Camera, lights and objects", "-", "farther", GLFW_KEY_MINUS, false, false, true,
-     [](Desk& d) { zoom(d, 1 / kZoomFactor); }},
+     [](WindowState& d) { zoom(d, 1 / kZoomFactor); }},
     {"reset-camera", "Camera, lights and objects", "0", "the scene's own camera", GLFW_KEY_0, false, false, false,
      resetCamera},
     {"select-next", "Camera, lights and objects", "K", "selects the next light or object", GLFW_KEY_K, false, false,
-     true, [](Desk& d) { selectNext(d, 1); }},
+     true, [](WindowState& d) { selectNext(d, 1); }},
     {"select-previous", "Camera, lights and objects", "Shift+K", "selects the one before", GLFW_KEY_K, false, true,
-     true, [](Desk& d) { selectNext(d, -1); }},
+     true, [](WindowState& d) { selectNext(d, -1); }},
     {"handles", "Camera, lights and objects", "G", "handles of lights and objects", GLFW_KEY_G, false, false, false,
-     [](Desk& d) { d.shown.handles = !d.shown.handles; }},
+     [](WindowState& d) { d.shown.handles = !d.shown.handles; }},
 
     {"play", "Animation and scenes", "Space", "plays, pauses", GLFW_KEY_SPACE, false, false, false,
-     [](Desk& d) { d.bench.play(!d.bench.animation().playing); }},
+     [](WindowState& d) { d.bench.play(!d.bench.animation().playing); }},
     {"slower", "Animation and scenes", ",", "half as fast", GLFW_KEY_COMMA, false, false, false,
-     [](Desk& d) { changeSpeed(d, 0.5); }},
+     [](WindowState& d) { changeSpeed(d, 0.5); }},
     {"faster", "Animation and scenes", ".", "twice as fast", GLFW_KEY_PERIOD, false, false, false,
-     [](Desk& d) { changeSpeed(d, 2); }},
+     [](WindowState& d) { changeSpeed(d, 2); }},
     {"movers", "Animation and scenes", "A", "what moves: lights and objects, the camera, all", GLFW_KEY_A, false, false,
      false, nextMovers},
     {"next-scene", "Animation and scenes", "Ctrl+PageDown", "the next scene", GLFW_KEY_PAGE_DOWN, true, false, false,
-     [](Desk& d) { nextScene(d, 1); }},
+     [](WindowState& d) { nextScene(d, 1); }},
     {"previous-scene", "Animation and scenes", "Ctrl+PageUp", "the scene before", GLFW_KEY_PAGE_UP, true, false, false,
-     [](Desk& d) { nextScene(d, -1); }},
+     [](WindowState& d) { nextScene(d, -1); }},
     {"save-scene", "Animation and scenes", "Ctrl+S", "saves what is seen as a scene", GLFW_KEY_S, true, false, false,
-     [](Desk& d) { d.requests.saveScene = true; }},
+     [](WindowState& d) { d.requests.saveScene = true; }},
     {"screenshot", "Animation and scenes", "P", "saves the picture, its command line, and the scene", GLFW_KEY_P, false,
-     false, false, [](Desk& d) { d.requests.screenshot = true; }},
+     false, false, [](WindowState& d) { d.requests.screenshot = true; }},
     {"save-slide", "Animation and scenes", "W", "adds what is seen to slides.json, a deck for `slides`", GLFW_KEY_W,
-     false, false, false, [](Desk& d) { d.requests.saveSlide = true; }},
+     false, false, false, [](WindowState& d) { d.requests.saveSlide = true; }},
 
     {"keys", "Window", "H", "this list", GLFW_KEY_H, false, false, false,
-     [](Desk& d) { d.shown.keys = !d.shown.keys; }},
+     [](WindowState& d) { d.shown.keys = !d.shown.keys; }},
     {"keys-f1", "Window", "F1", "this list", GLFW_KEY_F1, false, false, false,
-     [](Desk& d) { d.shown.keys = !d.shown.keys; }},
+     [](WindowState& d) { d.shown.keys = !d.shown.keys; }},
     {"panel", "Window", "I", "settings, on and off", GLFW_KEY_I, false, false, false,
-     [](Desk& d) { d.shown.panel = !d.shown.panel; }},
+     [](WindowState& d) { d.shown.panel = !d.shown.panel; }},
     {"focus-panel", "Window", "Enter", "into the settings: arrows choose, Space and Enter change, Esc leaves",
      GLFW_KEY_ENTER, false, false, false,
-     [](Desk& d) { d.shown.panel = d.requests.focusPanel = d.panelHasKeys = true; }},
+     [](WindowState& d) { d.shown.panel = d.requests.focusPanel = d.panelHasKeys = true; }},
     {"presenter", "Window", "D", "presenter mode: large type, high contrast", GLFW_KEY_D, false, false, false,
      togglePresenter},
     {"coarse", "Window", "C", "coarse pictures while it moves, where full ones come late", GLFW_KEY_C, false, false,
-     false, [](Desk& d) { d.shown.coarse = !d.shown.coarse; }},
+     false, [](WindowState& d) { d.shown.coarse = !d.shown.coarse; }},
     {"full-screen", "Window", "F", "full screen", GLFW_KEY_F, false, false, false,
-     [](Desk& d) { d.requests.fullScreen = true; }},
+     [](WindowState& d) { d.requests.fullScreen = true; }},
     {"full-screen-f11", "Window", "F11", "full screen", GLFW_KEY_F11, false, false, false,
-     [](Desk& d) { d.requests.fullScreen = true; }},
+     [](WindowState& d) { d.requests.fullScreen = true; }},
     {"undo", "Window", "Ctrl+Z", "takes the last change back", GLFW_KEY_Z, true, false, true,
-     [](Desk& d) { d.bench.undo(); }},
-    {"redo", "Window", "Ctrl+Y", "makes it again", GLFW_KEY_Y, true, false, true, [](Desk& d) { d.bench.redo(); }},
+     [](WindowState& d) { d.bench.undo(); }},
+    {"redo", "Window", "Ctrl+Y", "makes it again", GLFW_KEY_Y, true, false, true,
+     [](WindowState& d) { d.bench.redo(); }},
     {"reset-settings", "Window", "R", "the technique's own settings", GLFW_KEY_R, false, false, false, resetSettings},
     {"reload-shaders", "Window", "F5", "compiles all shaders anew", GLFW_KEY_F5, false, false, false,
-     [](Desk& d) { d.requests.reloadShaders = true; }},
+     [](WindowState& d) { d.requests.reloadShaders = true; }},
     {"leave", "Window", "Esc",
      "out of the list, messages, the selection, the picked pixel, the lesson, the slides, the stage", GLFW_KEY_ESCAPE,
      false, false, false, leave},
     {"quit", "Window", "Ctrl+Q", "ends the program", GLFW_KEY_Q, true, false, false,
-     [](Desk& d) { d.requests.quit = true; }},
+     [](WindowState& d) { d.requests.quit = true; }},
 };
 
 } // namespace
@@ -297,27 +191,27 @@ std::span<const Action> actions() { return kActions; }
 namespace {
 
 /// While the class paints where the shadow will be, nothing may show it, and no other picture is asked about.
-bool waitsForTheAnswer(const Desk& desk, const Action& action) {
+bool waitsForTheAnswer(const WindowState& ui, const Action& action) {
     const std::string_view id = action.id, group = action.group;
-    return desk.lesson.paints() && (group == "Steps and stages" || group == "Techniques and layout") &&
+    return ui.lesson.paints() && (group == "Steps and stages" || group == "Techniques and layout") &&
            !id.starts_with("lesson-");
 }
 
 /// While the right button holds the camera, these fly it (pictures.cpp), with Shift faster.
-bool fliesTheCamera(const Desk& desk, const KeyPress& press) {
+bool fliesTheCamera(const WindowState& ui, const KeyPress& press) {
     constexpr std::array kFlying = {GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_E, GLFW_KEY_Q};
-    return desk.drag == Drag::camera && ImGui::IsMouseDown(1) && !press.ctrl && !press.alt &&
+    return ui.drag == Drag::camera && ImGui::IsMouseDown(1) && !press.ctrl && !press.alt &&
            std::ranges::find(kFlying, press.key) != kFlying.end();
 }
 
 } // namespace
 
-std::vector<std::string> runKeys(Desk& desk) {
+std::vector<std::string> runKeys(WindowState& ui) {
     std::vector<std::string> ran;
-    for (const KeyPress& press : std::exchange(desk.keys, {})) {
-        if (ImGui::GetIO().WantTextInput || fliesTheCamera(desk, press)) continue;
-        if (desk.panelHasKeys && press.key == GLFW_KEY_ESCAPE) {
-            desk.panelHasKeys = false;
+    for (const KeyPress& press : std::exchange(ui.keys, {})) {
+        if (ImGui::GetIO().WantTextInput || fliesTheCamera(ui, press)) continue;
+        if (ui.panelHasKeys && press.key == GLFW_KEY_ESCAPE) {
+            ui.panelHasKeys = false;
             ImGui::SetWindowFocus(nullptr);
             ran.emplace_back("leave-panel");
             continue;
@@ -327,13 +221,13 @@ std::vector<std::string> runKeys(Desk& desk) {
                                !press.alt && (action.repeats || !press.repeated);
             // While the settings have the keyboard, what ImGui itself understands is theirs; Ctrl still commands the
             // window.
-            if (!meant || (desk.panelHasKeys && !action.ctrl)) continue;
-            if (waitsForTheAnswer(desk, action)) {
-                desk.requests.news = "First the shadow is painted: J shows the truth, Esc leaves the lesson";
+            if (!meant || (ui.panelHasKeys && !action.ctrl)) continue;
+            if (waitsForTheAnswer(ui, action)) {
+                ui.requests.news = "First the shadow is painted: J shows the truth, Esc leaves the lesson";
                 continue;
             }
-            if (!press.repeated) desk.bench.endGesture(); // a new press is a new change
-            action.run(desk);
+            if (!press.repeated) ui.bench.endGesture(); // a new press is a new change
+            action.run(ui);
             ran.emplace_back(action.id);
         }
     }

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "app/window/desk.h"
+#include "app/window/window_state.h"
 
 namespace shadowlab::window {
 
@@ -16,12 +16,12 @@ struct Action {
     int key; ///< GLFW's number
     bool ctrl = false, shift = false;
     bool repeats = false; ///< goes on while the key is held
-    void (*run)(Desk& desk);
+    void (*run)(WindowState& ui);
 };
 
 std::span<const Action> actions();
 
 /// Runs what the keys of this frame ask for. Call inside an ImGui frame. Returns the ids of what ran.
-std::vector<std::string> runKeys(Desk& desk);
+std::vector<std::string> runKeys(WindowState& ui);
 
 } // namespace shadowlab::window

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/window/picture_mouse.h"
 #include "techniques/foundation/base/look.h"
 
 namespace shadowlab::window {
@@ -53,7 +54,7 @@ Seen seenIn(const ShownPane& pane, const scene::Camera& camera) {
 }
 
 /// What is seen from elsewhere, by the second camera or by a light, has other places for them.
-bool showsHandles(const Desk& desk, const ShownPane& pane) { return desk.bench.pane(pane.pane).showsTheEyesView(); }
+bool showsHandles(const WindowState& ui, const ShownPane& pane) { return ui.bench.pane(pane.pane).showsTheEyesView(); }
 
 double distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
@@ -185,76 +186,76 @@ std::optional<dvec3> pulled(const Seen& seen, const Handle& handle, int part, Im
 
 } // namespace
 
-bool handleGizmos(Desk& desk, const std::vector<ShownPane>& panes, const Theme& theme) {
-    desk.hovered = {};
-    if (!desk.shown.handles) return false;
+bool handleGizmos(WindowState& ui, const std::vector<ShownPane>& panes, const Theme& theme) {
+    ui.hovered = {};
+    if (!ui.shown.handles) return false;
     const ImGuiIO& io = ImGui::GetIO();
-    const lab::Document& document = desk.bench.document();
+    const lab::Document& document = ui.bench.document();
     const std::vector<Handle> handles =
-        lab::handles(*desk.bench.shownScene(), desk.bench.bounds(), document.camera);
-    const bool free = desk.drag == Drag::none && !io.WantCaptureMouse;
+        lab::handles(*ui.bench.shownScene(), ui.bench.bounds(), document.camera);
+    const bool free = ui.drag == Drag::none && !io.WantCaptureMouse;
 
     for (const ShownPane& pane : panes) {
-        if (!showsHandles(desk, pane)) continue;
+        if (!showsHandles(ui, pane)) continue;
         const Seen seen = seenIn(pane, document.camera);
-        const ImVec2 place = pressPlace(desk);
+        const ImVec2 place = pressPlace(ui);
         const bool over = pane.area.contains(place);
         // The selected thing first: its arrows may lie over other handles.
         const Handle* hovered = nullptr;
         int part = -1;
         for (const bool selectedOnes : {true, false})
             for (const Handle& handle : handles) {
-                const bool selected = handle.what == desk.selection;
+                const bool selected = handle.what == ui.selection;
                 if (selected != selectedOnes || hovered || !over || !free) continue;
                 if (const auto under = partUnder(seen, handle, selected, place, theme)) {
                     hovered = &handle;
                     part = *under;
                 }
             }
-        if (hovered) desk.hovered = hovered->what;
+        if (hovered) ui.hovered = hovered->what;
         if (hovered && ImGui::IsMouseClicked(0) && !io.KeyCtrl) {
-            desk.selection = hovered->what;
-            desk.drag = Drag::handle;
-            desk.dragPart = part;
-            desk.dragPane = pane.pane;
-            desk.heldAt = {place.x, place.y};
+            ui.selection = hovered->what;
+            ui.drag = Drag::handle;
+            ui.dragPart = part;
+            ui.dragPane = pane.pane;
+            ui.heldAt = {place.x, place.y};
         }
     }
-    if (desk.drag != Drag::handle) return false;
+    if (ui.drag != Drag::handle) return false;
     for (const ShownPane& pane : panes) {
-        if (pane.pane != desk.dragPane) continue;
+        if (pane.pane != ui.dragPane) continue;
         const Seen seen = seenIn(pane, document.camera);
-        const auto held = std::ranges::find(handles, desk.selection, &Handle::what);
-        const ImVec2 before(static_cast<float>(desk.heldAt.x), static_cast<float>(desk.heldAt.y));
+        const auto held = std::ranges::find(handles, ui.selection, &Handle::what);
+        const ImVec2 before(static_cast<float>(ui.heldAt.x), static_cast<float>(ui.heldAt.y));
         if (held == handles.end() || (io.MousePos.x == before.x && io.MousePos.y == before.y)) continue;
-        desk.heldAt = {io.MousePos.x, io.MousePos.y};
-        if (const auto byWorld = pulled(seen, *held, desk.dragPart, before, io.MousePos))
-            moveSelected(desk, *byWorld, "drag a handle");
+        ui.heldAt = {io.MousePos.x, io.MousePos.y};
+        if (const auto byWorld = pulled(seen, *held, ui.dragPart, before, io.MousePos))
+            moveSelected(ui, *byWorld, "drag a handle");
     }
     if (!ImGui::IsMouseDown(0)) {
-        desk.drag = Drag::none;
-        desk.bench.endGesture();
+        ui.drag = Drag::none;
+        ui.bench.endGesture();
     }
     return true;
 }
 
-void drawGizmos(ImDrawList& list, Desk& desk, const ShownPane& pane, const Theme& theme) {
-    if (!desk.shown.handles || !showsHandles(desk, pane)) return;
-    const scene::Camera& camera = desk.bench.document().camera;
+void drawGizmos(ImDrawList& list, WindowState& ui, const ShownPane& pane, const Theme& theme) {
+    if (!ui.shown.handles || !showsHandles(ui, pane)) return;
+    const scene::Camera& camera = ui.bench.document().camera;
     const Seen seen = seenIn(pane, camera);
-    for (const Handle& handle : lab::handles(*desk.bench.shownScene(), desk.bench.bounds(), camera)) {
-        const bool selected = handle.what == desk.selection, hovered = handle.what == desk.hovered;
+    for (const Handle& handle : lab::handles(*ui.bench.shownScene(), ui.bench.bounds(), camera)) {
+        const bool selected = handle.what == ui.selection, hovered = handle.what == ui.hovered;
         // Objects show theirs when the mouse is near: a picture full of dots would be no picture.
         if (handle.what.kind == Selection::Kind::object && !selected && !hovered) continue;
         drawHandle(list, seen, handle, selected, hovered, theme);
     }
 }
 
-std::vector<std::pair<std::string, dvec2>> handlePlaces(Desk& desk, const ShownPane& pane) {
-    const scene::Camera& camera = desk.bench.document().camera;
+std::vector<std::pair<std::string, dvec2>> handlePlaces(WindowState& ui, const ShownPane& pane) {
+    const scene::Camera& camera = ui.bench.document().camera;
     const Seen seen = seenIn(pane, camera);
     std::vector<std::pair<std::string, dvec2>> places;
-    for (const Handle& handle : lab::handles(*desk.bench.shownScene(), desk.bench.bounds(), camera))
+    for (const Handle& handle : lab::handles(*ui.bench.shownScene(), ui.bench.bounds(), camera))
         if (const auto place = seen.place(handle.positionWorld); place && pane.area.contains(*place))
             places.emplace_back(handle.label, dvec2(place->x, place->y));
     return places;

@@ -3,12 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
-#include "app/lab/camera_control.h"
 #include "app/window/gizmo.h"
 #include "app/window/imgui_bridge.h"
 #include "app/window/panels/legend.h"
@@ -23,28 +18,18 @@ using picture::Layout;
 
 constexpr double kBlinkSeconds = 0.6; ///< of each picture: slow enough to see it, quick enough that differences jump
 constexpr float kHalfSplitLine = 2;   ///< pixels
-constexpr float kLineGrip = 0.6f;     ///< em to either side of the split line that take hold of it
-constexpr double kOrbitDegrees = 200, kTurnHeadDegrees = 90; ///< for a drag over the whole height of the picture
-constexpr double kWheelFactor = 0.88;
 constexpr ImU32 kPartnerRing = IM_COL32(0x56, 0xB4, 0xE9, 0xFF); ///< look::kPatchK, as kAccent is look::kPatchJ
 
-float splitLineX(const Desk& desk, const Area& area) {
-    return std::round(static_cast<float>(area.corner.x) +
-                      static_cast<float>(desk.bench.document().split) * static_cast<float>(area.size.x));
-}
-
-bool hasSplitLine(const Desk& desk) { return desk.bench.document().layout == Layout::split && !desk.shown.blink; }
-
-std::string titleOf(const Desk& desk, int pane) {
-    const lab::PaneState& state = desk.bench.document().panes[static_cast<std::size_t>(pane)];
-    const lab::Pane& drawn = desk.bench.pane(pane);
+std::string titleOf(const WindowState& ui, int pane) {
+    const lab::PaneState& state = ui.bench.document().panes[static_cast<std::size_t>(pane)];
+    const lab::Pane& drawn = ui.bench.pane(pane);
     std::string title(findTechnique(state.technique).title);
     // Of one technique twice, the settings say which is which.
-    const int others = lab::shownPanes(desk.bench.document().layout);
+    const int others = lab::shownPanes(ui.bench.document().layout);
     bool twice = false;
     for (int other = 0; other < others; ++other)
         twice = twice || (other != pane &&
-                          desk.bench.document().panes[static_cast<std::size_t>(other)].technique == state.technique);
+                          ui.bench.document().panes[static_cast<std::size_t>(other)].technique == state.technique);
     if (twice)
         for (const auto& [param, value] : state.values())
             title += "\n" + param + " = " + value;
@@ -110,12 +95,11 @@ void drawJudged(ImDrawList& list, const lab::JudgedPicture* judged, const lab::P
     shown.legendSize = drawLegend(list, judged->legend, true, shown.area.corner, shown.area.size, theme);
 }
 
-std::string noteOf(const Desk& desk, const lab::Pane& pane) {
+std::string noteOf(const WindowState& ui, const lab::Pane& pane) {
     if (!pane.failure().empty()) return pane.failure();
     if (pane.progress() < 1) return "preparing: " + std::to_string(static_cast<int>(100 * pane.progress())) + " %";
-    return desk.bench.draft() > 1
-               ? "while it moves: one pixel for " + std::to_string(desk.bench.draft() * desk.bench.draft())
-               : "";
+    return ui.bench.draft() > 1 ? "while it moves: one pixel for " + std::to_string(ui.bench.draft() * ui.bench.draft())
+                                : "";
 }
 
 /// A ring with four strokes around a pixel: none of them covers it.
@@ -133,24 +117,24 @@ void drawRing(ImDrawList& list, const ShownPane& shown, const dvec2& picked, ImU
 }
 
 /// Around the picked pixels, each in a colour and a size of its own: both are seen where they are one.
-void drawPicked(ImDrawList& list, const Desk& desk, const ShownPane& shown, const Theme& theme) {
-    if (!desk.bench.pane(shown.pane).showsTheEyesView()) return;
-    const lab::Document& document = desk.bench.document();
+void drawPicked(ImDrawList& list, const WindowState& ui, const ShownPane& shown, const Theme& theme) {
+    if (!ui.bench.pane(shown.pane).showsTheEyesView()) return;
+    const lab::Document& document = ui.bench.document();
     if (document.partner) drawRing(list, shown, *document.partner, kPartnerRing, 0.8f * theme.em);
     if (document.picked) drawRing(list, shown, *document.picked, kAccent, 0.55f * theme.em);
 }
 
-void drawPane(ImDrawList& list, Desk& desk, const lab::LiveErrors& errors, ShownPane& shown, const Theme& theme) {
-    const lab::Pane& pane = desk.bench.pane(shown.pane);
-    const lab::Document& document = desk.bench.document();
+void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, ShownPane& shown, const Theme& theme) {
+    const lab::Pane& pane = ui.bench.pane(shown.pane);
+    const lab::Document& document = ui.bench.document();
     const ImVec2 low = imVec(shown.area.corner), high = imVec(shown.area.corner + shown.area.size);
     list.PushClipRect(low, high, true);
     if (!pane.picture().texture || pane.picture().texture.size() != pane.drawnFor().view.size)
         list.AddRectFilled(low, high, IM_COL32(12, 12, 14, 255));
-    std::string title = titleOf(desk, shown.pane);
+    std::string title = titleOf(ui, shown.pane);
     bool legend = false;
     if (document.layout == Layout::diff) {
-        title += " against " + titleOf(desk, 1 - shown.pane);
+        title += " against " + titleOf(ui, 1 - shown.pane);
         drawJudged(list, errors.difference(), pane, shown, theme);
     } else if (document.panes[static_cast<std::size_t>(shown.pane)].stage.isJudged()) {
         drawJudged(list, errors.picture(shown.pane), pane, shown, theme);
@@ -161,36 +145,21 @@ void drawPane(ImDrawList& list, Desk& desk, const lab::LiveErrors& errors, Shown
             drawFitted(list, texture, shown.area);
         legend = true;
     }
-    if (!desk.lesson.isOn())
-        drawGizmos(list, desk, shown, theme); // under the plates: a title has to be read, a handle can be moved
-    drawPicked(list, desk, shown, theme);
+    if (!ui.lesson.isOn())
+        drawGizmos(list, ui, shown, theme); // under the plates: a title has to be read, a handle can be moved
+    drawPicked(list, ui, shown, theme);
     if (legend) shown.legendSize = drawLegend(list, pane.picture(), false, shown.area.corner, shown.area.size, theme);
     const bool active = shown.pane == document.active && document.layout != Layout::single;
     // Clear of the split line, half of which lies on the pane to its right.
-    const float beside = hasSplitLine(desk) && shown.area.corner.x > 0 ? kHalfSplitLine : 0;
+    const float beside = hasSplitLine(ui) && shown.area.corner.x > 0 ? kHalfSplitLine : 0;
     drawPlate(list, {low.x + beside, low.y}, high.x - low.x - beside, title, theme, active);
-    drawLessonMarks(list, desk, shown, theme);
-    drawNote(list, shown, noteOf(desk, pane), pane.failure().empty() ? kPlateText : kAccent, theme);
+    drawLessonMarks(list, ui, shown, theme);
+    drawNote(list, shown, noteOf(ui, pane), pane.failure().empty() ? kPlateText : kAccent, theme);
     list.PopClipRect();
 }
 
-/// The pixel of what the eye sees there, and its pane.
-void pickPixel(Desk& desk, const std::vector<ShownPane>& panes, ImVec2 place, bool asPartner) {
-    for (const ShownPane& shown : panes) {
-        if (!shown.area.contains(place) || !desk.bench.pane(shown.pane).showsTheEyesView()) continue;
-        desk.bench.activate(shown.pane);
-        // The middle of the pixel: its edge may be rounded to either side.
-        const dvec2 share = (dvec2(place.x, place.y) + 0.5 - dvec2(shown.pictureCorner.x, shown.pictureCorner.y)) /
-                            dvec2(shown.pictureSize.x, shown.pictureSize.y);
-        if (asPartner)
-            desk.bench.pickPartner(share);
-        else
-            desk.bench.pick(share);
-    }
-}
-
-void drawSplitLine(ImDrawList& list, const Desk& desk, const Area& area, const Theme& theme) {
-    const float x = splitLineX(desk, area), top = static_cast<float>(area.corner.y),
+void drawSplitLine(ImDrawList& list, const WindowState& ui, const Area& area, const Theme& theme) {
+    const float x = splitLineX(ui, area), top = static_cast<float>(area.corner.y),
                 bottom = top + static_cast<float>(area.size.y), middle = (top + bottom) / 2;
     // A dark line and a light one: one of them is seen on any picture.
     list.AddRectFilled({x - kHalfSplitLine, top}, {x, bottom}, IM_COL32(16, 16, 18, 255));
@@ -206,9 +175,16 @@ void drawSplitLine(ImDrawList& list, const Desk& desk, const Area& area, const T
 
 } // namespace
 
-std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double seconds) {
+float splitLineX(const WindowState& ui, const Area& area) {
+    return std::round(static_cast<float>(area.corner.x) +
+                      static_cast<float>(ui.bench.document().split) * static_cast<float>(area.size.x));
+}
+
+bool hasSplitLine(const WindowState& ui) { return ui.bench.document().layout == Layout::split && !ui.shown.blink; }
+
+std::vector<ShownPane> shownPanes(const WindowState& ui, const Area& area, double seconds) {
     std::vector<ShownPane> panes;
-    for (const lab::PlacedPane& placed : desk.bench.placed(area.size)) {
+    for (const lab::PlacedPane& placed : ui.bench.placed(area.size)) {
         const picture::Cell& cell = placed.cell;
         ShownPane shown;
         shown.pane = placed.pane;
@@ -217,8 +193,8 @@ std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double sec
         shown.pictureSize = imVec(cell.pictureSize);
         panes.push_back(shown);
     }
-    if (desk.bench.document().layout == Layout::diff && panes.size() > 1) panes.pop_back(); // one picture of both
-    if (desk.shown.blink && panes.size() >= 2) {
+    if (ui.bench.document().layout == Layout::diff && panes.size() > 1) panes.pop_back(); // one picture of both
+    if (ui.shown.blink && panes.size() >= 2) {
         const int turn = static_cast<int>(seconds / kBlinkSeconds) % 2;
         ShownPane shown = panes[static_cast<std::size_t>(turn)];
         shown.area = area;
@@ -229,90 +205,20 @@ std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double sec
     return panes;
 }
 
-void drawPictures(Desk& desk, const lab::LiveErrors& errors, std::vector<ShownPane>& panes, const Area& area,
+void drawPictures(WindowState& ui, const lab::LiveErrors& errors, std::vector<ShownPane>& panes, const Area& area,
                   const Theme& theme) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     for (ShownPane& pane : panes)
-        drawPane(list, desk, errors, pane, theme);
+        drawPane(list, ui, errors, pane, theme);
     for (const ShownPane& pane : panes) { // the lines between panes of the grid
-        if (hasSplitLine(desk)) break;
+        if (hasSplitLine(ui)) break;
         const ImVec2 low = imVec(pane.area.corner);
         if (pane.area.corner.x > area.corner.x)
             list.AddLine(low, {low.x, low.y + static_cast<float>(pane.area.size.y)}, kPlateText, 2);
         if (pane.area.corner.y > area.corner.y)
             list.AddLine(low, {low.x + static_cast<float>(pane.area.size.x), low.y}, kPlateText, 2);
     }
-    if (hasSplitLine(desk)) drawSplitLine(list, desk, area, theme);
-}
-
-ImVec2 pressPlace(const Desk& desk) {
-    if (!desk.pressedAt) return ImGui::GetIO().MousePos;
-    return {static_cast<float>(desk.pressedAt->x), static_cast<float>(desk.pressedAt->y)};
-}
-
-bool handleMouse(Desk& desk, const std::vector<ShownPane>& panes, const Area& area, const Theme& theme) {
-    const ImGuiIO& io = ImGui::GetIO();
-    static_assert(ImGuiMouseButton_Left == 0);
-    const ImVec2 place = pressPlace(desk);
-    const bool over = area.contains(place) && !io.WantCaptureMouse;
-    const float lineX = splitLineX(desk, area);
-    const bool onLine = over && hasSplitLine(desk) && std::abs(place.x - lineX) <= kLineGrip * theme.em;
-    if (onLine) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-
-    if (std::exchange(desk.requests.pick, false)) pickPixel(desk, panes, io.MousePos, false);
-    if (std::exchange(desk.requests.pickPartner, false)) pickPixel(desk, panes, io.MousePos, true);
-    const bool picks = over && desk.drag == Drag::none && io.KeyCtrl && ImGui::IsMouseClicked(0);
-    if (picks) pickPixel(desk, panes, place, io.KeyShift);
-    if (over && !picks && desk.drag == Drag::none &&
-        (ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1) || ImGui::IsMouseClicked(2))) {
-        desk.drag = onLine && ImGui::IsMouseClicked(0) ? Drag::splitLine : Drag::camera;
-        if (desk.drag == Drag::camera)
-            for (const ShownPane& pane : panes)
-                if (pane.area.contains(place)) desk.bench.activate(pane.pane);
-        desk.heldAt = {place.x, place.y};
-    }
-    const dvec2 byPixels = dvec2(io.MousePos.x, io.MousePos.y) - desk.heldAt;
-    const double height = std::max(1, area.size.y), right = byPixels.x / height, down = byPixels.y / height;
-    if (desk.drag == Drag::splitLine || desk.drag == Drag::camera) desk.heldAt = {io.MousePos.x, io.MousePos.y};
-    bool moved = false;
-    if (desk.drag == Drag::splitLine) {
-        const double share = (io.MousePos.x - static_cast<float>(area.corner.x)) / std::max(1, area.size.x);
-        desk.bench.change("split", [&](lab::Document& document) { document.split = std::clamp(share, 0.0, 1.0); });
-        moved = byPixels.x != 0;
-    } else if (desk.drag == Drag::camera && (right != 0 || down != 0)) {
-        moved = true;
-        const bool pan = wasDown(2) || (wasDown(0) && io.KeyShift);
-        moveCamera(desk, [&](const scene::Camera& camera) {
-            if (wasDown(1)) return lab::turnedHead(camera, right * kTurnHeadDegrees, -down * kTurnHeadDegrees);
-            if (pan) return lab::panned(camera, right, -down);
-            return lab::orbited(camera, -right * kOrbitDegrees, down * kOrbitDegrees);
-        });
-    }
-    if (desk.drag == Drag::camera && ImGui::IsMouseDown(1)) { // fly, as long as the right button is down
-        const auto pressed = [&](int key) { return desk.held.contains(key) ? 1.0 : 0.0; };
-        const double step = io.DeltaTime * (io.KeyShift ? 2.0 : 0.5);
-        const double x = pressed(GLFW_KEY_D) - pressed(GLFW_KEY_A), y = pressed(GLFW_KEY_E) - pressed(GLFW_KEY_Q),
-                     z = pressed(GLFW_KEY_W) - pressed(GLFW_KEY_S);
-        if (x != 0 || y != 0 || z != 0) {
-            moved = true;
-            moveCamera(desk, [&](const scene::Camera& camera) {
-                const double metres = step * lab::targetDistance(camera);
-                return lab::flown(camera, x * metres, y * metres, z * metres);
-            });
-        }
-    }
-    if (over && io.MouseWheel != 0) {
-        moved = true;
-        moveCamera(desk, [&](const scene::Camera& camera) {
-            return lab::zoomed(camera, std::pow(kWheelFactor, io.MouseWheel));
-        });
-    }
-    if (!ImGui::IsMouseDown(0) && !ImGui::IsMouseDown(1) && !ImGui::IsMouseDown(2) &&
-        (desk.drag == Drag::camera || desk.drag == Drag::splitLine)) {
-        desk.drag = Drag::none;
-        desk.bench.endGesture();
-    }
-    return moved || desk.drag != Drag::none;
+    if (hasSplitLine(ui)) drawSplitLine(list, ui, area, theme);
 }
 
 } // namespace shadowlab::window

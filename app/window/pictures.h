@@ -1,9 +1,9 @@
-// The picture area: the panes' pictures with their titles and legends, the split line, and what the mouse does there.
+// The picture area: the panes' pictures with their titles and legends, and the split line.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "app/lab/errors/live_errors.h"
-#include "app/window/desk.h"
 #include "app/window/theme.h"
+#include "app/window/window_state.h"
 
 namespace shadowlab::window {
 
@@ -26,17 +26,14 @@ struct ShownPane {
 };
 
 /// The panes that are seen now: those of the layout, or of two that take turns the one whose turn it is.
-std::vector<ShownPane> shownPanes(const Desk& desk, const Area& area, double seconds);
+std::vector<ShownPane> shownPanes(const WindowState& ui, const Area& area, double seconds);
 
 /// Draws pictures, titles, legends and the split line, behind all widgets.
-void drawPictures(Desk& desk, const lab::LiveErrors& errors, std::vector<ShownPane>& panes, const Area& area,
+void drawPictures(WindowState& ui, const lab::LiveErrors& errors, std::vector<ShownPane>& panes, const Area& area,
                   const Theme& theme);
 
-/// Where the mouse went down, when it did since the last frame; else where it is.
-ImVec2 pressPlace(const Desk& desk);
-
-/// What the mouse does over the pictures: orbit, pan, zoom, fly, drag the split line, choose the active pane. True while
-/// it moves something.
-bool handleMouse(Desk& desk, const std::vector<ShownPane>& panes, const Area& area, const Theme& theme);
+/// Whether the picture is split by a line, and where that line is: x in pixels of the window.
+bool hasSplitLine(const WindowState& ui);
+float splitLineX(const WindowState& ui, const Area& area);
 
 } // namespace shadowlab::window

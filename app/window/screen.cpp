@@ -7,13 +7,9 @@
 
 #include "app/window/actions.h"
 #include "app/window/gizmo.h"
-#include "app/window/panels/key_overlay.h"
 #include "app/window/panels/lesson_marks.h"
-#include "app/window/panels/lesson_panel.h"
-#include "app/window/panels/magnifier.h"
 #include "app/window/panels/panels.h"
-#include "app/window/panels/slide_panel.h"
-#include "app/window/panels/strip_panel.h"
+#include "app/window/picture_mouse.h"
 
 namespace shadowlab::window {
 
@@ -30,9 +26,9 @@ float panelWidth(const Theme& theme, int windowWidth) {
 
 void Screen::ContextDeleter::operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
 
-Screen::Screen(Desk& desk, std::filesystem::path fontFile)
-    : desk_(desk), fontFile_(std::move(fontFile)), imgui_(ImGui::CreateContext()), labels_(fontFile_),
-      errors_(labels_, desk.live) {
+Screen::Screen(WindowState& ui, std::filesystem::path fontFile)
+    : ui_(ui), fontFile_(std::move(fontFile)), imgui_(ImGui::CreateContext()), labels_(fontFile_),
+      errors_(labels_, ui.live) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // what is kept between runs is our own business
     io.LogFilename = nullptr;
@@ -52,9 +48,9 @@ void Screen::fit(ivec2 windowPixels, float contentScale) {
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
     windowPixels = glm::min(windowPixels, ivec2(most));
     ImGui::GetIO().DisplaySize = {static_cast<float>(windowPixels.x), static_cast<float>(windowPixels.y)};
-    const float em = typeSize(windowPixels, contentScale, desk_.shown.presenter);
-    if (em != theme_.em || desk_.shown.presenter != theme_.presenter || !theme_.text) {
-        theme_ = applyTheme(em, desk_.shown.presenter, fontFile_);
+    const float em = typeSize(windowPixels, contentScale, ui_.shown.presenter);
+    if (em != theme_.em || ui_.shown.presenter != theme_.presenter || !theme_.text) {
+        theme_ = applyTheme(em, ui_.shown.presenter, fontFile_);
         renderer_->uploadFonts();
     }
     if (windowPixels == size_) return;
@@ -65,18 +61,18 @@ void Screen::fit(ivec2 windowPixels, float contentScale) {
 }
 
 Area Screen::pictureArea() const {
-    const auto top = static_cast<int>(topBarHeight(desk_, theme_, static_cast<float>(size_.x)));
-    const int right = desk_.shown.panel ? static_cast<int>(panelWidth(theme_, size_.x)) : 0;
+    const auto top = static_cast<int>(topBarHeight(ui_, theme_, static_cast<float>(size_.x)));
+    const int right = ui_.shown.panel ? static_cast<int>(panelWidth(theme_, size_.x)) : 0;
     const int width = std::max(0, size_.x - right - sourceWidth());
-    const auto bottom = static_cast<int>(stepPanelHeight(desk_, theme_, static_cast<float>(width)) +
-                                         lessonPanelHeight(desk_, theme_, static_cast<float>(width)) +
-                                         slidePanelHeight(desk_, theme_, static_cast<float>(width)) +
-                                         (desk_.shown.strip ? stripHeight(theme_) : 0));
+    const auto bottom = static_cast<int>(stepPanelHeight(ui_, theme_, static_cast<float>(width)) +
+                                         lessonPanelHeight(ui_, theme_, static_cast<float>(width)) +
+                                         slidePanelHeight(ui_, theme_, static_cast<float>(width)) +
+                                         (ui_.shown.strip ? stripHeight(theme_) : 0));
     return {{0, top}, glm::max(ivec2(0), ivec2(width, size_.y - top - bottom))};
 }
 
 int Screen::sourceWidth() const {
-    return static_cast<int>(SourcePanel::width(desk_, theme_, static_cast<float>(size_.x)));
+    return static_cast<int>(SourcePanel::width(ui_, theme_, static_cast<float>(size_.x)));
 }
 
 bool Screen::frame(double seconds) {
@@ -85,49 +81,49 @@ bool Screen::frame(double seconds) {
     clock_ += seconds;
     ImGuiIO& io = ImGui::GetIO();
     io.DeltaTime = static_cast<float>(std::max(seconds, 1e-5));
-    if (desk_.panelHasKeys)
+    if (ui_.panelHasKeys)
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     else
         io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
     ImGui::NewFrame();
-    ran_ = runKeys(desk_);
-    if (!desk_.requests.news.empty()) say(std::exchange(desk_.requests.news, {}));
+    ran_ = runKeys(ui_);
+    if (!ui_.requests.news.empty()) say(std::exchange(ui_.requests.news, {}));
 
     const Area area = pictureArea();
-    panes_ = window::shownPanes(desk_, area, clock_);
-    const bool painting = desk_.lesson.paints(); // then the mouse is a brush
-    const bool painted = handlePainting(desk_, panes_);
-    const bool held = !painting && handleGizmos(desk_, panes_, theme_);
-    const bool moved = !painting && (handleMouse(desk_, panes_, area, theme_) || held);
-    desk_.pressedAt.reset();
-    desk_.bench.setMoving(moved);
-    desk_.bench.allowDraft(desk_.shown.coarse);
-    desk_.bench.drawWhole(desk_.shown.magnifier || desk_.shown.blink);
-    desk_.bench.advance(seconds);
-    const bool asked = errors_.ask(desk_.bench, area.size, clock_);
+    panes_ = window::shownPanes(ui_, area, clock_);
+    const bool painting = ui_.lesson.paints(); // then the mouse is a brush
+    const bool painted = handlePainting(ui_, panes_);
+    const bool held = !painting && handleGizmos(ui_, panes_, theme_);
+    const bool moved = !painting && (handleMouse(ui_, panes_, area, theme_) || held);
+    ui_.pressedAt.reset();
+    ui_.bench.setMoving(moved);
+    ui_.bench.allowDraft(ui_.shown.coarse);
+    ui_.bench.drawWhole(ui_.shown.magnifier || ui_.shown.blink);
+    ui_.bench.advance(seconds);
+    const bool asked = errors_.ask(ui_.bench, area.size, clock_);
     // A clock around every pass keeps the driver from doing two things at once. So what is new is drawn without it, and
     // again with it when all is at rest; and while something moves, now and then a frame that has no more to draw than
     // others.
-    const bool atRest = !moved && !desk_.bench.animation().playing;
-    const bool timed = !desk_.live || (atRest ? asked || clock_ - drawn_ >= kRestBeforeTimes
+    const bool atRest = !moved && !ui_.bench.animation().playing;
+    const bool timed = !ui_.live || (atRest ? asked || clock_ - drawn_ >= kRestBeforeTimes
                                               : clock_ - timed_ >= kBetweenTimes && !asked);
     if (timed) timed_ = clock_;
-    desk_.bench.setTimePasses(timed);
+    ui_.bench.setTimePasses(timed);
     const Deadline deadline = std::chrono::steady_clock::now() + patience_;
-    const bool drawn = desk_.bench.update(area.size, deadline);
+    const bool drawn = ui_.bench.update(area.size, deadline);
     if (drawn && !timed) drawn_ = clock_;
-    const bool judged = errors_.update(desk_.bench, area.size, clock_);
+    const bool judged = errors_.update(ui_.bench, area.size, clock_);
     if (const std::string failure = errors_.takeFailure(); !failure.empty())
         complain("errors cannot be found: " + failure);
     const bool small = updateStrip(deadline);
-    busy_ = drawn || moved || painted || judged || small || !ran_.empty() || !desk_.bench.isAtRest();
+    busy_ = drawn || moved || painted || judged || small || !ran_.empty() || !ui_.bench.isAtRest();
     settled_ = !busy_ && errors_.isDone();
 
-    drawPictures(desk_, errors_, panes_, area, theme_);
-    drawMagnifiers(desk_, panes_, theme_);
+    drawPictures(ui_, errors_, panes_, area, theme_);
+    drawMagnifiers(ui_, panes_, theme_);
     drawWidgets();
     drawMessages(area);
-    desk_.requests.focusPanel = false;
+    ui_.requests.focusPanel = false;
     ImGui::Render();
 
     framebuffer_.bind();
@@ -139,11 +135,11 @@ bool Screen::frame(double seconds) {
 }
 
 bool Screen::updateStrip(Deadline deadline) {
-    if (!desk_.shown.strip || !desk_.bench.isAtRest()) return false;
+    if (!ui_.shown.strip || !ui_.bench.isAtRest()) return false;
     lab::PlacedPane active;
-    active.pane = desk_.bench.document().active;
+    active.pane = ui_.bench.document().active;
     try {
-        return strip_.update(desk_.bench.session(), desk_.bench.encoder(), desk_.bench.requestFor(active),
+        return strip_.update(ui_.bench.session(), ui_.bench.encoder(), ui_.bench.requestFor(active),
                              thumbnailSize(theme_), deadline);
     } catch (const std::exception& fault) {
         complain(fault.what());
@@ -154,41 +150,41 @@ bool Screen::updateStrip(Deadline deadline) {
 void Screen::drawWidgets() {
     const Area pictures = pictureArea();
     const int top = pictures.corner.y;
-    topBar(desk_, {{0, 0}, {size_.x, top}}, theme_);
+    topBar(ui_, {{0, 0}, {size_.x, top}}, theme_);
     const int besidePictures = pictures.size.x + sourceWidth();
-    if (desk_.shown.source) source_.draw(desk_, {{pictures.size.x, top}, {sourceWidth(), size_.y - top}}, theme_);
-    if (desk_.shown.panel)
-        sidePanel(desk_, errors_, {{besidePictures, top}, {size_.x - besidePictures, size_.y - top}}, theme_);
+    if (ui_.shown.source) source_.draw(ui_, {{pictures.size.x, top}, {sourceWidth(), size_.y - top}}, theme_);
+    if (ui_.shown.panel)
+        sidePanel(ui_, errors_, {{besidePictures, top}, {size_.x - besidePictures, size_.y - top}}, theme_);
     int below = pictures.corner.y + pictures.size.y;
-    if (desk_.lesson.isOn()) {
-        const auto height = static_cast<int>(lessonPanelHeight(desk_, theme_, static_cast<float>(pictures.size.x)));
-        lessonPanel(desk_, {{0, below}, {pictures.size.x, height}}, theme_);
+    if (ui_.lesson.isOn()) {
+        const auto height = static_cast<int>(lessonPanelHeight(ui_, theme_, static_cast<float>(pictures.size.x)));
+        lessonPanel(ui_, {{0, below}, {pictures.size.x, height}}, theme_);
         below += height;
     }
-    if (desk_.slides.isOn()) {
-        const auto height = static_cast<int>(slidePanelHeight(desk_, theme_, static_cast<float>(pictures.size.x)));
-        slidePanel(desk_, {{0, below}, {pictures.size.x, height}}, theme_);
+    if (ui_.slides.isOn()) {
+        const auto height = static_cast<int>(slidePanelHeight(ui_, theme_, static_cast<float>(pictures.size.x)));
+        slidePanel(ui_, {{0, below}, {pictures.size.x, height}}, theme_);
         below += height;
     }
-    if (isStepping(desk_)) {
-        const auto height = static_cast<int>(stepPanelHeight(desk_, theme_, static_cast<float>(pictures.size.x)));
-        stepPanel(desk_, {{0, below}, {pictures.size.x, height}}, theme_);
+    if (isStepping(ui_)) {
+        const auto height = static_cast<int>(stepPanelHeight(ui_, theme_, static_cast<float>(pictures.size.x)));
+        stepPanel(ui_, {{0, below}, {pictures.size.x, height}}, theme_);
         below += height;
     }
-    if (desk_.shown.strip) stripPanel(desk_, strip_, {{0, below}, {pictures.size.x, size_.y - below}}, theme_);
-    if (desk_.shown.keys) keyOverlay(size_, theme_);
+    if (ui_.shown.strip) stripPanel(ui_, strip_, {{0, below}, {pictures.size.x, size_.y - below}}, theme_);
+    if (ui_.shown.keys) keyOverlay(size_, theme_);
 }
 
 void Screen::withdraw(const std::string& beginning) {
-    std::erase_if(desk_.messages, [&](const Message& message) { return message.text.starts_with(beginning); });
+    std::erase_if(ui_.messages, [&](const Message& message) { return message.text.starts_with(beginning); });
 }
 
 void Screen::drawMessages(const Area& pictures) {
-    std::erase_if(desk_.messages,
+    std::erase_if(ui_.messages,
                   [&](const Message& message) { return !message.fault && clock_ > message.untilSeconds; });
     float y = static_cast<float>(pictures.corner.y) + theme_.em * 3;
     int number = 0;
-    for (auto message = desk_.messages.begin(); message != desk_.messages.end();) {
+    for (auto message = ui_.messages.begin(); message != ui_.messages.end();) {
         const float width = std::min(static_cast<float>(size_.x) * 0.8f, theme_.em * 60);
         ImGui::SetNextWindowPos(
             {(static_cast<float>(pictures.size.x) - std::min(width, static_cast<float>(pictures.size.x))) / 2, y});
@@ -210,7 +206,7 @@ void Screen::drawMessages(const Area& pictures) {
         ImGui::End();
         ImGui::PopStyleVar();
         ImGui::PopStyleColor();
-        message = away ? desk_.messages.erase(message) : message + 1;
+        message = away ? ui_.messages.erase(message) : message + 1;
     }
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/lab/stage_strip.h"
-#include "app/window/desk.h"
+#include "app/window/window_state.h"
 #include "app/window/panels/source_panel.h"
 #include "app/window/pictures.h"
 #include "app/window/theme.h"
@@ -22,7 +22,7 @@ namespace shadowlab::window {
 class Screen {
 public:
     /// Needs a current GL context for its whole life. `fontFile` is DejaVu Sans.
-    Screen(Desk& desk, std::filesystem::path fontFile);
+    Screen(WindowState& ui, std::filesystem::path fontFile);
     ~Screen();
     Screen(const Screen&) = delete;
     Screen& operator=(const Screen&) = delete;
@@ -43,7 +43,7 @@ public:
     /// Is the next frame wanted at once? Not while nothing is left but to wait for exact errors, which need the processor.
     [[nodiscard]] bool isBusy() const { return busy_; }
     /// Pixels of the picture area: what a capture of the pictures alone has.
-    [[nodiscard]] ivec2 pictureSize() const { return desk_.bench.shownSize(pictureArea().size); }
+    [[nodiscard]] ivec2 pictureSize() const { return ui_.bench.shownSize(pictureArea().size); }
     /// Would the next frame look just like this one, if no hand moves and no time goes by?
     [[nodiscard]] bool isSettled() const { return settled_; }
     [[nodiscard]] const lab::LiveErrors& errors() const { return errors_; }
@@ -53,9 +53,9 @@ public:
     /// The ids of the actions that keys have run in the last frame.
     [[nodiscard]] const std::vector<std::string>& ran() const { return ran_; }
 
-    void say(const std::string& news) { desk_.messages.push_back({news, false, clock_ + 6}); }
-    void complain(const std::string& fault) { window::complain(desk_, fault); }
-    [[nodiscard]] const std::vector<Message>& messages() const { return desk_.messages; }
+    void say(const std::string& news) { ui_.messages.push_back({news, false, clock_ + 6}); }
+    void complain(const std::string& fault) { window::complain(ui_, fault); }
+    [[nodiscard]] const std::vector<Message>& messages() const { return ui_.messages; }
     /// Takes back a fault that has been mended.
     void withdraw(const std::string& beginning);
 
@@ -67,7 +67,7 @@ private:
     /// Small pictures wait until nothing moves: they must not slow down what does.
     bool updateStrip(Deadline deadline);
 
-    Desk& desk_;
+    WindowState& ui_;
     std::filesystem::path fontFile_;
     struct ContextDeleter {
         void operator()(ImGuiContext* context) const;

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/course/capture_words.h"
+#include "app/course/capture_arguments.h"
 #include "app/window/gizmo.h"
 #include "techniques/foundation/gl/handle.h"
 
@@ -19,7 +19,7 @@ nlohmann::ordered_json cameraJson(const scene::Camera& camera) {
     return {{"position", numbers(camera.positionWorld)}, {"target", numbers(camera.targetWorld)}};
 }
 
-/// The same for the same pixels, and hardly ever for others (FNV-1a: Fowler, Noll and Vo).
+/// A hash of the pixels (FNV-1a: Fowler, Noll and Vo): equal for equal pictures, and very rarely for different ones.
 std::string fingerprint(const gl::Texture2D& picture) {
     std::uint64_t hash = 14695981039346656037ull;
     for (const std::uint8_t channel : picture::PictureEncoder::read(picture).rgba)
@@ -29,8 +29,8 @@ std::string fingerprint(const gl::Texture2D& picture) {
 
 } // namespace
 
-std::string stateReport(Desk& desk, const Screen& screen) {
-    const lab::Document& document = desk.bench.document();
+nlohmann::ordered_json stateReport(WindowState& ui, const Screen& screen) {
+    const lab::Document& document = ui.bench.document();
     nlohmann::ordered_json json;
     json["ran"] = screen.ran();
     json["settled"] = screen.isSettled();
@@ -42,7 +42,7 @@ std::string stateReport(Desk& desk, const Screen& screen) {
     json["panes"] = nlohmann::ordered_json::array();
     for (int i = 0; i < lab::kPanes; ++i) {
         const lab::PaneState& state = document.panes[static_cast<std::size_t>(i)];
-        const lab::Pane& pane = desk.bench.pane(i);
+        const lab::Pane& pane = ui.bench.pane(i);
         json["panes"].push_back({{"technique", state.technique},
                                  {"stage", state.stage.text()},
                                  {"settings", state.values()},
@@ -51,19 +51,19 @@ std::string stateReport(Desk& desk, const Screen& screen) {
     }
     json["camera"] = cameraJson(document.camera);
     json["outsideCamera"] = cameraJson(document.outsideCamera);
-    const scene::Scene& scene = *desk.bench.shownScene();
+    const scene::Scene& scene = *ui.bench.shownScene();
     json["lights"] = nlohmann::ordered_json::array();
     for (const scene::Light& light : scene.lights)
         json["lights"].push_back({{"name", light.name},
                                   {"position", numbers(light.positionWorld)},
                                   {"direction", numbers(light.directionWorld)}});
     using Kind = lab::Selection::Kind;
-    const auto index = static_cast<std::size_t>(desk.selection.index);
+    const auto index = static_cast<std::size_t>(ui.selection.index);
     // What is undone may take what is selected away.
-    const bool isLight = desk.selection.kind == Kind::light && index < scene.lights.size();
-    const bool isObject = desk.selection.kind == Kind::object && index < scene.objects.size();
+    const bool isLight = ui.selection.kind == Kind::light && index < scene.lights.size();
+    const bool isObject = ui.selection.kind == Kind::object && index < scene.objects.size();
     json["selection"] = isLight ? scene.lights[index].name : isObject ? scene.objects[index].name : std::string();
-    const lab::PickedPixel& picked = desk.bench.pickedPixel();
+    const lab::PickedPixel& picked = ui.bench.pickedPixel();
     json["picked"] = nullptr;
     json["partner"] = nullptr;
     if (picked.askedFor.view.partner)
@@ -74,36 +74,35 @@ std::string stateReport(Desk& desk, const Screen& screen) {
                           {"facts", picked.probe.facts.size()},
                           {"rays", picked.probe.tree.size()}};
     json["lesson"] = nullptr;
-    if (desk.lesson.now) {
+    if (ui.lesson.now) {
         constexpr const char* kSteps[] = {"question", "reveal", "artefact", "mend"};
-        json["lesson"] = {{"name", desk.lesson.now->text.name}, {"step", kSteps[static_cast<int>(desk.lesson.step)]}};
-        if (desk.lesson.score)
-            json["lesson"]["score"] = {desk.lesson.score->paintedRight(), desk.lesson.score->shadowFound()};
+        json["lesson"] = {{"name", ui.lesson.now->text.name}, {"step", kSteps[static_cast<int>(ui.lesson.step)]}};
+        if (ui.lesson.score)
+            json["lesson"]["score"] = {ui.lesson.score->paintedRight(), ui.lesson.score->shadowFound()};
     }
     json["slide"] = nullptr;
-    if (desk.slides.deck)
-        json["slide"] = {
-            {"deck", desk.slides.deck->name()}, {"name", desk.slides.slide.name}, {"picture", desk.slides.stop}};
-    json["playing"] = desk.bench.animation().playing;
-    json["moves"] = {{"lights", desk.bench.animation().lights},
-                     {"camera", desk.bench.animation().camera},
-                     {"objects", desk.bench.animation().objects}};
-    json["speed"] = desk.bench.animation().speed;
-    const Shown& shown = desk.shown;
+    if (ui.slides.deck)
+        json["slide"] = {{"deck", ui.slides.deck->name()}, {"name", ui.slides.slide.name}, {"picture", ui.slides.stop}};
+    json["playing"] = ui.bench.animation().playing;
+    json["moves"] = {{"lights", ui.bench.animation().lights},
+                     {"camera", ui.bench.animation().camera},
+                     {"objects", ui.bench.animation().objects}};
+    json["speed"] = ui.bench.animation().speed;
+    const Shown& shown = ui.shown;
     json["shown"] = {{"keys", shown.keys},           {"panel", shown.panel},
                      {"strip", shown.strip},         {"source", shown.source},
                      {"magnifier", shown.magnifier}, {"blink", shown.blink},
                      {"presenter", shown.presenter}, {"handles", shown.handles},
-                     {"coarse", shown.coarse},       {"panelHasKeys", desk.panelHasKeys}};
-    json["canUndo"] = desk.bench.history().canUndo();
-    json["canRedo"] = desk.bench.history().canRedo();
-    json["draft"] = desk.bench.draft();
+                     {"coarse", shown.coarse},       {"panelHasKeys", ui.panelHasKeys}};
+    json["canUndo"] = ui.bench.history().canUndo();
+    json["canRedo"] = ui.bench.history().canRedo();
+    json["draft"] = ui.bench.draft();
     json["messages"] = nlohmann::ordered_json::array();
     for (const Message& message : screen.messages())
         json["messages"].push_back(message.text);
     json["handles"] = nlohmann::ordered_json::object();
     for (const ShownPane& pane : screen.shownPanes())
-        for (const auto& [name, place] : handlePlaces(desk, pane))
+        for (const auto& [name, place] : handlePlaces(ui, pane))
             json["handles"][name] = {std::lround(place.x), std::lround(place.y)};
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     json["mouse"] =
@@ -112,7 +111,11 @@ std::string stateReport(Desk& desk, const Screen& screen) {
     json["size"] = {size.x, size.y};
     if (screen.isSettled()) json["picture"] = fingerprint(screen.picture());
     json["glObjects"] = gl::liveObjects;
-    return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    return json;
+}
+
+std::string stateLine(const nlohmann::ordered_json& report) {
+    return report.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
 } // namespace shadowlab::window

@@ -2,31 +2,26 @@
 #include "app/window/window.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <optional>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <nlohmann/json.hpp>
 
 #include "app/context/assets.h"
 #include "app/context/signals.h"
 #include "app/context/window_context.h"
-#include "app/course/capture_words.h"
-#include "app/course/slide_file.h"
 #include "app/lab/scene_loader.h"
 #include "app/lab/shader_watch.h"
 #include "app/window/imgui_bridge.h"
-#include "app/window/own_program.h"
 #include "app/window/screen.h"
 #include "app/window/state_report.h"
+#include "app/window/window_files.h"
 #include "app/window/window_settings.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/gl/debug.h"
-#include "techniques/foundation/image/output_file.h"
-#include "techniques/foundation/image/output_folder.h"
-#include "techniques/foundation/scene/json/write_scene.h"
 #include "techniques/foundation/scene/load/message_text.h"
 
 namespace shadowlab::window {
@@ -46,9 +41,7 @@ class Window {
 public:
     Window(const WindowSettings& settings, const scene::LoadOptions& loading)
         : settings_(settings), loading_(loading),
-          memory_(settings.keepSettings ? readWindowMemory(windowMemoryFile())
-                                        : WindowMemory{}),
-          loader_(loading) {
+          memory_(settings.keepSettings ? readWindowMemory(windowMemoryFile()) : WindowMemory{}), loader_(loading) {
         // Before a window flashes up.
         const scene::Snapshot first = scene::loadScene(settings.scene, loading);
         if (!settings.deck.empty()) static_cast<void>(course::Deck(settings.deck, loading));
@@ -58,32 +51,33 @@ public:
             {.width = size.x, .height = size.y, .title = "Shadowlab", .visible = true, .debug = false});
         window_ = context::glfwWindow(*context_);
         glfwSwapInterval(1);
-        desk_.emplace(lab::newDocument(first, settings.scene));
-        desk_->scenes = scene::builtInScenes(context::assetsRoot());
-        desk_->lesson.all = course::builtInLessons(context::assetsRoot());
-        desk_->lesson.loading = loading;
-        desk_->slides.decks = course::builtInDecks(context::assetsRoot());
-        desk_->slides.loading = loading;
-        desk_->shown.panel = memory_.panel;
-        desk_->shown.strip = memory_.strip;
-        desk_->shown.handles = memory_.handles;
-        desk_->shown.coarse = memory_.coarse;
-        if (settings.presenter && !memory_.presenter) togglePresenter(*desk_);
-        desk_->shown.presenter = desk_->shown.presenter || memory_.presenter;
-        screen_.emplace(*desk_, context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+        ui_.emplace(lab::newDocument(first, settings.scene));
+        ui_->scenes = scene::builtInScenes(context::assetsRoot());
+        ui_->lesson.all = course::builtInLessons(context::assetsRoot());
+        ui_->lesson.loading = loading;
+        ui_->slides.decks = course::builtInDecks(context::assetsRoot());
+        ui_->slides.loading = loading;
+        ui_->shown.panel = memory_.panel;
+        ui_->shown.strip = memory_.strip;
+        ui_->shown.handles = memory_.handles;
+        ui_->shown.coarse = memory_.coarse;
+        if (settings.presenter && !memory_.presenter) togglePresenter(*ui_);
+        ui_->shown.presenter = ui_->shown.presenter || memory_.presenter;
+        screen_.emplace(*ui_, context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+        files_.emplace(*ui_, *screen_);
         glfwSetWindowUserPointer(window_, this);
         glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
-            static_cast<Window*>(glfwGetWindowUserPointer(window))->drop(count, paths);
+            static_cast<Window*>(glfwGetWindowUserPointer(window))->files_->openDropped(count, paths);
         });
         glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int scancode, int action, int modifiers) {
             static_cast<Window*>(glfwGetWindowUserPointer(window))->press(key, scancode, action, modifiers);
         });
         glfwSetMouseButtonCallback(window_, [](GLFWwindow* window, int, int action, int) {
             auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
-            if (action == GLFW_PRESS) self.desk_->pressedAt = self.cursor_ * self.pixelsPerPoint_;
+            if (action == GLFW_PRESS) self.ui_->pressedAt = self.cursor_ * self.pixelsPerPoint_;
         });
-        if (!settings.lesson.empty()) openLesson(*desk_, settings.lesson);
-        if (!settings.deck.empty()) openDeck(*desk_, settings.deck, settings.slide);
+        if (!settings.lesson.empty()) openLesson(*ui_, settings.lesson);
+        if (!settings.deck.empty()) openDeck(*ui_, settings.deck, settings.slide);
         ImGui_ImplGlfw_InitForOpenGL(window_, true); // it calls what was set before it
         glfwSetCursorPosCallback(window_, [](GLFWwindow* window, double x, double y) { // in its place: it takes pixels
             auto& self = *static_cast<Window*>(glfwGetWindowUserPointer(window));
@@ -98,7 +92,7 @@ public:
     int run() {
         Clock::time_point last = Clock::now();
         int busy = kFramesAfter;
-        while (!glfwWindowShouldClose(window_) && !desk_->requests.quit) {
+        while (!glfwWindowShouldClose(window_) && !ui_->requests.quit) {
             context::throwIfInterrupted();
             if (busy > 0)
                 glfwPollEvents();
@@ -112,7 +106,7 @@ public:
                 busy = 0; // minimised: nothing to draw to
                 continue;
             }
-            busy = screen_->isBusy() || desk_->shown.blink ? kFramesAfter : std::max(0, busy - 1);
+            busy = screen_->isBusy() || ui_->shown.blink ? kFramesAfter : std::max(0, busy - 1);
             doRequests();
         }
         keepMemory();
@@ -151,13 +145,14 @@ private:
     void report() {
         ++frames_;
         if (!settings_.report) return;
-        const std::string state = stateReport(*desk_, *screen_);
+        nlohmann::ordered_json state = stateReport(*ui_, *screen_);
         if (state == reported_) return;
         reported_ = state;
-        // Frames since the first, and seconds: how quick the window is, for whoever watches it play.
+        // How quick the window is, for a program that drives it: frames since the first, and seconds.
         const double seconds = std::chrono::duration<double>(Clock::now() - began_).count();
-        std::printf("%s, \"frames\": %ld, \"seconds\": %s}\n", state.substr(0, state.size() - 1).c_str(), frames_,
-                    scene::numberText(std::round(seconds * 1e4) / 1e4).c_str());
+        state["frames"] = frames_;
+        state["seconds"] = std::round(seconds * 1e4) / 1e4;
+        std::printf("%s\n", stateLine(state).c_str());
         std::fflush(stdout);
     }
 
@@ -168,12 +163,12 @@ private:
             any = true;
             screen_->withdraw("loading ");
             if (loaded->scene) {
-                desk_->selection = {};
-                desk_->lesson.now.reset(); // whoever chooses a scene has left the lesson
-                desk_->lesson.earlier.reset();
-                desk_->slides.deck.reset(); // and the slides
-                desk_->slides.earlier.reset();
-                desk_->bench.showScene(loaded->scene, loaded->nameOrPath);
+                ui_->selection = {};
+                ui_->lesson.now.reset(); // whoever chooses a scene has left the lesson
+                ui_->lesson.earlier.reset();
+                ui_->slides.deck.reset(); // and the slides
+                ui_->slides.earlier.reset();
+                ui_->bench.showScene(loaded->scene, loaded->nameOrPath);
                 for (const std::string& note : loaded->scene->notes)
                     screen_->say(note);
             } else {
@@ -181,24 +176,16 @@ private:
                 loadFault_ = loaded->fault;
             }
         }
-        if (const auto ended = program_.take()) {
-            any = true;
-            screen_->withdraw("saving ");
-            if (ended->status == 0)
-                screen_->say("saved " + scene::shown(ended->words[3]) +
-                             " and beside it the scene and the command line");
-            else
-                discardScreenshot(*ended);
-        }
+        if (files_->takeWhatArrived()) any = true;
         if (watch_.changed()) {
             any = true;
-            desk_->requests.reloadShaders = true;
+            ui_->requests.reloadShaders = true;
         }
         return any;
     }
 
     void doRequests() {
-        Requests& requests = desk_->requests;
+        Requests& requests = ui_->requests;
         if (!requests.scene.empty()) {
             if (!loadFault_.empty()) screen_->withdraw(std::exchange(loadFault_, {})); // one such message is enough
             loader_.begin(requests.scene);
@@ -206,13 +193,13 @@ private:
             screen_->say("loading " + scene::shown(requests.scene));
             requests.scene.clear();
         }
-        if (std::exchange(requests.saveScene, false)) saveScene();
-        if (std::exchange(requests.saveSlide, false)) saveAsSlide(*desk_);
-        if (std::exchange(requests.screenshot, false)) saveScreenshot();
+        if (std::exchange(requests.saveScene, false)) files_->saveScene();
+        if (std::exchange(requests.saveSlide, false)) saveAsSlide(*ui_);
+        if (std::exchange(requests.screenshot, false)) files_->saveScreenshot();
         if (std::exchange(requests.fullScreen, false)) toggleFullScreen();
         if (std::exchange(requests.reloadShaders, false)) {
             gl::reloadShaders();
-            desk_->bench.drawAnew();
+            ui_->bench.drawAnew();
             shadersReloaded_ = true;
         } else if (std::exchange(shadersReloaded_, false)) {
             // By now every program on show was compiled again.
@@ -224,65 +211,6 @@ private:
                 screen_->complain(fault);
             if (faults.empty()) screen_->say("shaders compiled");
         }
-    }
-
-    /// "still-life-3" in the current folder: the first number under which nothing is there yet.
-    [[nodiscard]] std::filesystem::path freeName(const std::vector<std::string>& endings) const {
-        const std::string stem = desk_->bench.shownScene()->name;
-        for (int number = 1;; ++number) {
-            const std::filesystem::path path = course::currentFolder() / (stem + "-" + std::to_string(number));
-            const bool taken = std::ranges::any_of(endings, [&](const std::string& ending) {
-                std::error_code ignored;
-                return std::filesystem::exists(path.string() + ending, ignored);
-            });
-            if (!taken) return path;
-        }
-    }
-
-    [[nodiscard]] std::string sceneText() const {
-        return scene::sceneText(*desk_->bench.shownScene(), desk_->bench.document().camera, course::currentFolder());
-    }
-
-    void saveScene() {
-        try {
-            const image::FolderLock alone(course::currentFolder()); // two windows choose two names
-            const std::filesystem::path file = freeName({".json"}).string() + ".json";
-            image::writeWhole(file, sceneText());
-            screen_->say("saved " + scene::shownPath(file));
-        } catch (const std::exception& fault) {
-            screen_->complain(fault.what());
-        }
-    }
-
-    void saveScreenshot() {
-        try {
-            const ivec2 size = screen_->pictureSize();
-            if (std::min(size.x, size.y) < 1)
-                throw Error(ExitStatus::usage, "there is no room for a picture in this window; make it larger");
-            const image::FolderLock alone(course::currentFolder());
-            const std::string stem = freeName({".json", ".png", ".txt"}).string();
-            image::writeWhole(stem + ".json", sceneText());
-            std::vector<std::string> words =
-                course::captureWords(desk_->bench.document(), stem + ".json", stem + ".png", size);
-            for (const std::filesystem::path& folder :
-                 scene::foldersToAllow(*desk_->bench.shownScene(), course::currentFolder(), context::assetsRoot()))
-                words.insert(words.end(), {"--allow", folder.string()});
-            image::writeWhole(stem + ".txt", "shadowlab " + course::asCommandLine(words) + "\n");
-            screen_->say("saving " + scene::shownPath(stem + ".png"));
-            program_.start(std::move(words));
-        } catch (const std::exception& fault) {
-            screen_->complain(fault.what());
-        }
-    }
-
-    /// Without the picture the scene and the command line beside it are of no use.
-    void discardScreenshot(const OwnProgram::Ended& ended) {
-        std::error_code ignored;
-        for (const char* ending : {".json", ".txt"})
-            std::filesystem::remove(std::filesystem::path(ended.words[3]).replace_extension(ending), ignored);
-        constexpr std::string_view kProgram = "shadowlab: ";
-        const std::size_t begin = ended.message.starts_with(kProgram) ? kProgram.size() : 0;
-        screen_->complain("the picture was not saved: " + ended.message.substr(begin));
     }
 
     void toggleFullScreen() {
@@ -306,49 +234,26 @@ private:
             key = c >= 'a' && c <= 'z' ? GLFW_KEY_A + (c - 'a') : c == '+' ? GLFW_KEY_EQUAL : c;
         }
         if (action == GLFW_RELEASE) {
-            desk_->held.erase(key);
+            ui_->held.erase(key);
             return;
         }
-        desk_->held.insert(key);
+        ui_->held.insert(key);
         KeyPress press{key, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0,
                        (modifiers & GLFW_MOD_ALT) != 0, action == GLFW_REPEAT};
         if (key == GLFW_KEY_EQUAL) press.shift = false; // where it takes Shift to write a plus
         if (key == GLFW_KEY_KP_ENTER) press.key = GLFW_KEY_ENTER;
-        desk_->keys.push_back(press);
-    }
-
-    void drop(int count, const char** paths) {
-        for (int i = 0; i < count; ++i) {
-            const std::string dropped = scene::shown(paths[i]);
-            if (dropped.find("://") != std::string::npos) {
-                screen_->complain(dropped + ": is an address and no file; save it, and drop the file");
-                continue;
-            }
-            std::error_code failed;
-            const std::filesystem::path path = std::filesystem::absolute(paths[i], failed);
-            if (failed) {
-                screen_->complain(dropped + ": cannot be found: " + failed.message() + "; drop it from another folder");
-                continue;
-            }
-            std::string ending = path.extension().string();
-            std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-            if (ending == ".json" || ending == ".obj")
-                desk_->requests.scene = path.string();
-            else
-                screen_->complain(scene::shownPath(path) +
-                                  ": neither a .json scene nor an .obj mesh; drop one of these");
-        }
+        ui_->keys.push_back(press);
     }
 
     void keepMemory() {
         if (!settings_.keepSettings) return;
         WindowMemory memory = memory_;
         if (!glfwGetWindowMonitor(window_)) glfwGetWindowSize(window_, &memory.size.x, &memory.size.y);
-        memory.panel = desk_->shown.panel;
-        memory.strip = desk_->shown.strip;
-        memory.handles = desk_->shown.handles;
-        memory.coarse = desk_->shown.coarse;
-        memory.presenter = desk_->shown.presenter;
+        memory.panel = ui_->shown.panel;
+        memory.strip = ui_->shown.strip;
+        memory.handles = ui_->shown.handles;
+        memory.coarse = ui_->shown.coarse;
+        memory.presenter = ui_->shown.presenter;
         const std::filesystem::path file = windowMemoryFile();
         if (memory == memory_ || file.empty()) return;
         try {
@@ -363,15 +268,15 @@ private:
     WindowMemory memory_;
     std::unique_ptr<context::Context> context_; ///< before all that lives in it
     GLFWwindow* window_ = nullptr;
-    std::optional<Desk> desk_;
+    std::optional<WindowState> ui_;
     std::optional<Screen> screen_;
+    std::optional<WindowFiles> files_;
     lab::SceneLoader loader_;
-    OwnProgram program_;
     lab::ShaderWatch watch_;
     std::vector<std::string> shaderFaults_;
     bool shadersReloaded_ = false;
-    std::string loadFault_; ///< of the last scene that could not be loaded
-    std::string reported_;
+    std::string loadFault_;           ///< of the last scene that could not be loaded
+    nlohmann::ordered_json reported_; ///< without frames and seconds
     long frames_ = 0;
     Clock::time_point began_ = Clock::now();
     dvec2 cursor_{0.0}; ///< of the last event, in window coordinates

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "app/course/capture_words.h"
+#include "app/course/capture_arguments.h"
 #include "app/lab/document.h"
 #include "app/picture/steps/stepping.h"
 #include "app/window/window_settings.h"
@@ -87,7 +87,7 @@ TEST(Stepping, AStepThatWritesNoPictureIsShownByItsStage) {
 
     document.layout = picture::Layout::single;
     document.panes[0].stage = picture::StageRef::parse("pass:depth@the sun");
-    const std::string line = course::asCommandLine(course::captureWords(document, "s.json", "o.png", {10, 20}));
+    const std::string line = course::asCommandLine(course::captureArguments(document, "s.json", "o.png", {10, 20}));
     EXPECT_NE(line.find("--stage 'light-depth@the sun'"), std::string::npos) << line;
 }
 
@@ -98,13 +98,13 @@ TEST(CaptureWords, SayAllThatThePictureDependsOn) {
     document.panes[0].stage = picture::StageRef::parse("error@the sun");
     document.panes[1].settings["shadow-volume-zfail"]["caps"] = "false";
     document.panes[1].settings["shadow-map"]["resolution"] = "64"; // of a technique that is not shown there
-    const std::string line = course::asCommandLine(course::captureWords(document, "/a b/scene.json", "out.png", {1000, 500}));
+    const std::string line = course::asCommandLine(course::captureArguments(document, "/a b/scene.json", "out.png", {1000, 500}));
     EXPECT_EQ(line, "capture '/a b/scene.json' -o out.png -t shadow-map,shadow-volume-zfail --size 1000x500 "
                     "--layout split --split 0.3125 --light 'the sun' --stage '1:error@the sun' "
                     "--set 2:shadow-volume-zfail.caps=false");
     document.layout = picture::Layout::single;
     document.active = 2;
-    EXPECT_EQ(course::asCommandLine(course::captureWords(document, "s.json", "o.png", {10, 20})),
+    EXPECT_EQ(course::asCommandLine(course::captureArguments(document, "s.json", "o.png", {10, 20})),
               "capture s.json -o o.png -t ray-traced --size 10x20 --light 'the sun'");
     EXPECT_EQ(course::asCommandLine({"it's"}), "'it'\\''s'");
 }
@@ -115,7 +115,7 @@ TEST(CaptureWords, NameAPickedPixelWhereItsRaysAreSeen) {
     document.layout = picture::Layout::single;
     document.active = 2;
     document.picked = dvec2(0.255, 0.75);
-    const auto line = [&](ivec2 size) { return course::asCommandLine(course::captureWords(document, "s.json", "o.png", size)); };
+    const auto line = [&](ivec2 size) { return course::asCommandLine(course::captureArguments(document, "s.json", "o.png", size)); };
     EXPECT_EQ(line({100, 40}).find("--pixel"), std::string::npos);
     document.panes[2].stage = {"outside"};
     EXPECT_NE(line({100, 40}).find(" --pixel 25,30"), std::string::npos) << line({100, 40});
@@ -133,7 +133,7 @@ TEST(CaptureWords, NameBothPickedPixelsWhereAStageIsAboutThem) {
     document.picked = dvec2(0.255, 0.75);
     document.partner = dvec2(0.5, 0.1);
     document.panes[0].technique = "radiosity";
-    const auto line = [&] { return course::asCommandLine(course::captureWords(document, "s.json", "o.png", {100, 40})); };
+    const auto line = [&] { return course::asCommandLine(course::captureArguments(document, "s.json", "o.png", {100, 40})); };
     EXPECT_EQ(line().find("--p"), std::string::npos) << line();
     document.panes[0].stage = {"row-sums"}; // of all patches
     EXPECT_EQ(line().find("--p"), std::string::npos) << line();

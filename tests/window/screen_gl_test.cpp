@@ -16,7 +16,7 @@
 namespace shadowlab {
 namespace {
 
-using window::Desk;
+using window::WindowState;
 using window::Screen;
 
 class ScreenTest : public testing::GlTest {
@@ -40,17 +40,17 @@ protected:
 /// A desk and its screen, at which nobody sits: exact errors come at once.
 struct Lab {
     Lab(const scene::Snapshot& scene, ivec2 size)
-        : desk(lab::newDocument(scene, scene->name)), screen(calm(desk), font()) {
+        : ui(lab::newDocument(scene, scene->name)), screen(calm(ui), font()) {
         screen.setPatience(std::chrono::hours(1));
         screen.fit(size, 1);
     }
     static std::filesystem::path font() { return context::assetsRoot() / "fonts" / "DejaVuSans.ttf"; }
-    static Desk& calm(Desk& desk) {
-        desk.live = false;
-        desk.bench.allowDraft(false);
-        return desk;
+    static WindowState& calm(WindowState& ui) {
+        ui.live = false;
+        ui.bench.allowDraft(false);
+        return ui;
     }
-    Desk desk;
+    WindowState ui;
     Screen screen;
 };
 
@@ -64,31 +64,31 @@ TEST_F(ScreenTest, EveryLayoutAndPartDrawsSomethingElseAndNothingFails) {
         EXPECT_EQ(std::ranges::find(seen, now), seen.end()) << what;
         seen.push_back(now);
         for (int i = 0; i < lab::kPanes; ++i)
-            EXPECT_EQ(lab.desk.bench.pane(i).failure(), "") << what;
+            EXPECT_EQ(lab.ui.bench.pane(i).failure(), "") << what;
         EXPECT_TRUE(lab.screen.messages().empty()) << what;
     };
-    lab.desk.shown.panel = false;
+    lab.ui.shown.panel = false;
     expectNew("without settings");
     for (const picture::Layout layout : {picture::Layout::single, picture::Layout::side, picture::Layout::grid,
                                          picture::Layout::diff, picture::Layout::split}) {
-        chooseLayout(lab.desk, layout);
-        if (layout == picture::Layout::split) lab.desk.shown.strip = true;
+        chooseLayout(lab.ui, layout);
+        if (layout == picture::Layout::split) lab.ui.shown.strip = true;
         expectNew("layout");
     }
-    lab.desk.shown.strip = false;
+    lab.ui.shown.strip = false;
     for (const char* stage :
          {"error", "truth", "scanline", "shadow-outline", "outside", "mesh-edges", "visibility", "pass:light"}) {
-        chooseStage(lab.desk, picture::StageRef::parse(stage));
+        chooseStage(lab.ui, picture::StageRef::parse(stage));
         expectNew(stage);
     }
-    chooseStage(lab.desk, {});
-    lab.desk.shown.magnifier = true;
+    chooseStage(lab.ui, {});
+    lab.ui.shown.magnifier = true;
     expectNew("magnifier");
-    lab.desk.shown.magnifier = false;
-    lab.desk.shown.keys = true;
+    lab.ui.shown.magnifier = false;
+    lab.ui.shown.keys = true;
     expectNew("keys");
-    lab.desk.shown.keys = false;
-    togglePresenter(lab.desk);
+    lab.ui.shown.keys = false;
+    togglePresenter(lab.ui);
     lab.screen.fit({640, 400}, 1);
     expectNew("presenter");
     EXPECT_GE(seen.size(), 15u);
@@ -137,33 +137,33 @@ TEST_F(ScreenTest, EveryKeyHasOneMeaningAndRunsWithoutAFault) {
     Lab lab(scene("sphere-on-plane"), {400, 260});
     settle(lab.screen);
     for (const window::Action& action : window::actions()) {
-        lab.desk.keys.push_back({action.key, action.ctrl, action.shift, false, false});
+        lab.ui.keys.push_back({action.key, action.ctrl, action.shift, false, false});
         lab.screen.frame(0.03);
         const std::vector<std::string>& ran = lab.screen.ran();
         EXPECT_NE(std::ranges::find(ran, action.id), ran.end()) << action.keys << " did nothing";
-        lab.desk.panelHasKeys = false;
+        lab.ui.panelHasKeys = false;
     }
-    lab.desk.bench.play(false);
-    EXPECT_TRUE(lab.desk.requests.quit && lab.desk.requests.screenshot && lab.desk.requests.saveScene);
+    lab.ui.bench.play(false);
+    EXPECT_TRUE(lab.ui.requests.quit && lab.ui.requests.screenshot && lab.ui.requests.saveScene);
 }
 
 TEST_F(ScreenTest, AWrongSettingLeavesTheLastPictureAndSaysWhy) {
     Lab lab(scene("sphere-on-plane"), {400, 260});
     settle(lab.screen);
-    const GLuint picture = lab.desk.bench.pane(0).picture().texture.id();
-    lab.desk.bench.change("", [](lab::Document& d) { d.panes[0].settings["shadow-map"]["resolution"] = "7"; });
+    const GLuint picture = lab.ui.bench.pane(0).picture().texture.id();
+    lab.ui.bench.change("", [](lab::Document& d) { d.panes[0].settings["shadow-map"]["resolution"] = "7"; });
     lab.screen.frame(0.03);
-    EXPECT_NE(lab.desk.bench.pane(0).failure().find("64..32768"), std::string::npos)
-        << lab.desk.bench.pane(0).failure();
-    EXPECT_EQ(lab.desk.bench.pane(0).picture().texture.id(), picture);
-    lab.desk.bench.undo();
+    EXPECT_NE(lab.ui.bench.pane(0).failure().find("64..32768"), std::string::npos)
+        << lab.ui.bench.pane(0).failure();
+    EXPECT_EQ(lab.ui.bench.pane(0).picture().texture.id(), picture);
+    lab.ui.bench.undo();
     settle(lab.screen);
-    EXPECT_EQ(lab.desk.bench.pane(0).failure(), "");
+    EXPECT_EQ(lab.ui.bench.pane(0).failure(), "");
 }
 
 TEST_F(ScreenTest, LiveErrorsAreThoseOfTheTechniques) {
     Lab lab(scene("eye-in-shadow"), {640, 400});
-    lab.desk.bench.change("", [](lab::Document& d) {
+    lab.ui.bench.change("", [](lab::Document& d) {
         d.panes[0].technique = "shadow-volume-zpass";
         d.layout = picture::Layout::side;
     });
@@ -180,7 +180,7 @@ TEST_F(ScreenTest, LiveErrorsAreThoseOfTheTechniques) {
 // One lamp, a sharp map beside many points of it: each is judged by what it answers to.
 TEST_F(ScreenTest, LiveErrorsOfAnAreaComeAtRest) {
     Lab lab(scene("cornell-room"), {640, 400});
-    lab.desk.bench.change("", [](lab::Document& d) {
+    lab.ui.bench.change("", [](lab::Document& d) {
         for (lab::PaneState& pane : d.panes)
             pane.technique = "shadow-map";
         d.panes[1].settings["shadow-map"]["light-samples"] = "64";

@@ -20,79 +20,79 @@ protected:
         return lab::newDocument(scene::loadScene("sphere-on-plane", loading()), "sphere-on-plane");
     }
     struct Lab {
-        Lab() : desk(beginning()) {
-            desk.slides.decks = course::builtInDecks(context::assetsRoot());
-            desk.slides.loading = loading();
-            desk.lesson.loading = loading();
+        Lab() : ui(beginning()) {
+            ui.slides.decks = course::builtInDecks(context::assetsRoot());
+            ui.slides.loading = loading();
+            ui.lesson.loading = loading();
         }
         void press(int key, bool shift = false) {
-            desk.keys.push_back({key, false, shift, false, false});
+            ui.keys.push_back({key, false, shift, false, false});
             screen.frame(0.03);
         }
-        window::Desk desk;
-        window::Screen screen{desk, context::assetsRoot() / "fonts" / "DejaVuSans.ttf"};
+        window::WindowState ui;
+        window::Screen screen{ui, context::assetsRoot() / "fonts" / "DejaVuSans.ttf"};
     };
 };
 
 TEST_F(SlideDeskTest, EveryDeckGoesToItsEndAndBack) {
     Lab lab;
-    window::Desk& desk = lab.desk;
-    const lab::Document before = desk.bench.document();
+    window::WindowState& ui = lab.ui;
+    const lab::Document before = ui.bench.document();
     int pictures = 0;
-    for (const std::string& name : desk.slides.decks) {
-        window::openDeck(desk, name);
+    for (const std::string& name : ui.slides.decks) {
+        window::openDeck(ui, name);
         std::vector<std::pair<std::string, std::size_t>> way;
         do {
             ASSERT_LT(way.size(), 500u);
-            ASSERT_TRUE(desk.messages.empty()) << desk.messages.front().text;
-            way.emplace_back(desk.slides.slide.name, desk.slides.stop);
-            if (!desk.slides.stops.empty()) {
+            ASSERT_TRUE(ui.messages.empty()) << ui.messages.front().text;
+            way.emplace_back(ui.slides.slide.name, ui.slides.stop);
+            if (!ui.slides.stops.empty()) {
                 ++pictures;
-                EXPECT_EQ(desk.bench.document(), desk.slides.stops[desk.slides.stop].document);
+                EXPECT_EQ(ui.bench.document(), ui.slides.stops[ui.slides.stop].document);
             }
-            window::stepSlides(desk, 1);
-        } while (desk.requests.news.empty());
-        desk.requests.news.clear();
-        EXPECT_EQ(way.back().first, desk.slides.deck->slides().back());
+            window::stepSlides(ui, 1);
+        } while (ui.requests.news.empty());
+        ui.requests.news.clear();
+        EXPECT_EQ(way.back().first, ui.slides.deck->slides().back());
         for (auto stop = way.rbegin() + 1; stop != way.rend(); ++stop) {
-            window::stepSlides(desk, -1);
-            EXPECT_EQ(std::pair(desk.slides.slide.name, desk.slides.stop), *stop);
+            window::stepSlides(ui, -1);
+            EXPECT_EQ(std::pair(ui.slides.slide.name, ui.slides.stop), *stop);
         }
     }
     EXPECT_GE(pictures, 56) << "slides of both lectures";
-    window::leaveSlides(desk);
-    EXPECT_EQ(desk.bench.document(), before);
+    window::leaveSlides(ui);
+    EXPECT_EQ(ui.bench.document(), before);
 }
 
 TEST_F(SlideDeskTest, KeysGoOnAndBackAndOut) {
     Lab lab;
     lab.screen.fit({640, 400}, 1);
-    const lab::Document before = lab.desk.bench.document();
-    window::openDeck(lab.desk, "shadows", "from-the-light");
-    ASSERT_EQ(lab.desk.slides.stops.size(), 3u);
+    const lab::Document before = lab.ui.bench.document();
+    window::openDeck(lab.ui, "shadows", "from-the-light");
+    ASSERT_EQ(lab.ui.slides.stops.size(), 3u);
     lab.press(GLFW_KEY_S);
-    EXPECT_EQ(lab.desk.slides.stop, 1u);
-    EXPECT_EQ(lab.desk.bench.document().panes[0].stage.text(), "light-view");
+    EXPECT_EQ(lab.ui.slides.stop, 1u);
+    EXPECT_EQ(lab.ui.bench.document().panes[0].stage.text(), "light-view");
     lab.press(GLFW_KEY_S, true);
     lab.press(GLFW_KEY_S, true);
-    EXPECT_EQ(lab.desk.slides.slide.name, "algorithm");
-    window::openLesson(lab.desk, "acne");
-    EXPECT_FALSE(lab.desk.slides.isOn()) << "a lesson takes the place of slides";
-    window::openDeck(lab.desk, "shadows");
-    EXPECT_FALSE(lab.desk.lesson.isOn()) << "and the other way round";
+    EXPECT_EQ(lab.ui.slides.slide.name, "algorithm");
+    window::openLesson(lab.ui, "acne");
+    EXPECT_FALSE(lab.ui.slides.isOn()) << "a lesson takes the place of slides";
+    window::openDeck(lab.ui, "shadows");
+    EXPECT_FALSE(lab.ui.lesson.isOn()) << "and the other way round";
     lab.press(GLFW_KEY_ESCAPE);
-    EXPECT_FALSE(lab.desk.slides.isOn());
-    EXPECT_EQ(lab.desk.bench.document(), before);
+    EXPECT_FALSE(lab.ui.slides.isOn());
+    EXPECT_EQ(lab.ui.bench.document(), before);
 }
 
 TEST_F(SlideDeskTest, WhatIsNotThereIsSaidAndNothingChanges) {
     Lab lab;
-    const lab::Document before = lab.desk.bench.document();
-    window::openDeck(lab.desk, "shadows", "silhouetes");
-    ASSERT_EQ(lab.desk.messages.size(), 1u);
-    EXPECT_NE(lab.desk.messages[0].text.find("silhouettes"), std::string::npos);
-    EXPECT_FALSE(lab.desk.slides.isOn());
-    EXPECT_EQ(lab.desk.bench.document(), before);
+    const lab::Document before = lab.ui.bench.document();
+    window::openDeck(lab.ui, "shadows", "silhouetes");
+    ASSERT_EQ(lab.ui.messages.size(), 1u);
+    EXPECT_NE(lab.ui.messages[0].text.find("silhouettes"), std::string::npos);
+    EXPECT_FALSE(lab.ui.slides.isOn());
+    EXPECT_EQ(lab.ui.bench.document(), before);
 }
 
 // The pane's picture and the slide's are made by different code (Workbench, StatePicture): they agree in every byte.
@@ -110,9 +110,9 @@ TEST_F(SlideDeskTest, TheWindowShowsWhatTheSlideHas) {
             if (state.slots.size() != 1 || !state.slots[0].stage.isPicture() || !picture.figure.empty() ||
                 state.slots[0].technique == "ray-traced" || state.slots[0].technique == "radiosity")
                 continue;
-            lab.desk.bench.showDocument(course::documentOf(state));
-            lab.desk.bench.update(kSize, Deadline::max());
-            const image::Image window = picture::PictureEncoder::read(lab.desk.bench.pane(0).picture().texture);
+            lab.ui.bench.showDocument(course::documentOf(state));
+            lab.ui.bench.update(kSize, Deadline::max());
+            const image::Image window = picture::PictureEncoder::read(lab.ui.bench.pane(0).picture().texture);
             EXPECT_EQ(window.rgba, course::drawState(state, {.size = kSize}, font).rgba) << slide.name;
             ++compared;
         }
@@ -128,9 +128,9 @@ TEST_F(SlideDeskTest, OneKeyMakesASlideOfWhatIsSeen) {
     lab.screen.fit({640, 400}, 1);
     lab.press(GLFW_KEY_E);
     lab.press(GLFW_KEY_W);
-    EXPECT_TRUE(lab.desk.requests.saveSlide);
-    window::saveAsSlide(lab.desk); // as the window does when it is asked to
-    window::saveAsSlide(lab.desk);
+    EXPECT_TRUE(lab.ui.requests.saveSlide);
+    window::saveAsSlide(lab.ui); // as the window does when it is asked to
+    window::saveAsSlide(lab.ui);
     std::filesystem::current_path(home);
     course::Deck deck((folder.path() / "slides.json").string(), loading());
     ASSERT_EQ(deck.slides().size(), 2u);
@@ -147,22 +147,22 @@ TEST_F(SlideDeskTest, ADeckMayBecomeShorter) {
     std::filesystem::current_path(folder.path());
     Lab lab;
     lab.screen.fit({640, 400}, 1);
-    window::saveAsSlide(lab.desk);
+    window::saveAsSlide(lab.ui);
     const std::filesystem::path file = folder.path() / "slides.json";
     const std::filesystem::path shorter = folder.path() / "shorter.json";
     std::filesystem::copy_file(file, shorter);
     for (int i = 0; i < 4; ++i)
-        window::saveAsSlide(lab.desk);
-    window::openDeck(lab.desk, file.string());
-    while (lab.desk.slides.at < 4)
-        window::stepSlides(lab.desk, 1);
+        window::saveAsSlide(lab.ui);
+    window::openDeck(lab.ui, file.string());
+    while (lab.ui.slides.at < 4)
+        window::stepSlides(lab.ui, 1);
     std::filesystem::rename(shorter, file);
-    window::saveAsSlide(lab.desk);
-    ASSERT_TRUE(lab.desk.slides.deck);
-    ASSERT_EQ(lab.desk.slides.deck->slides().size(), 2u);
-    EXPECT_EQ(lab.desk.slides.at, 1u);
-    window::stepSlides(lab.desk, -1);
-    EXPECT_EQ(lab.desk.slides.at, 0u);
+    window::saveAsSlide(lab.ui);
+    ASSERT_TRUE(lab.ui.slides.deck);
+    ASSERT_EQ(lab.ui.slides.deck->slides().size(), 2u);
+    EXPECT_EQ(lab.ui.slides.at, 1u);
+    window::stepSlides(lab.ui, -1);
+    EXPECT_EQ(lab.ui.slides.at, 0u);
     EXPECT_TRUE(lab.screen.messages().empty());
     std::filesystem::current_path(home);
 }

@@ -22,22 +22,22 @@ protected:
         GlTest::SetUp();
         const scene::Snapshot scene =
             scene::loadScene("three-lights", {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
-        desk.emplace(lab::newDocument(scene, scene->name));
-        desk->live = false;
-        desk->bench.allowDraft(false);
-        window::chooseLayout(*desk, picture::Layout::single);
-        screen.emplace(*desk, context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+        ui.emplace(lab::newDocument(scene, scene->name));
+        ui->live = false;
+        ui->bench.allowDraft(false);
+        window::chooseLayout(*ui, picture::Layout::single);
+        screen.emplace(*ui, context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
         screen->setPatience(std::chrono::hours(1));
         screen->fit({960, 540}, 1);
     }
     void TearDown() override {
         screen.reset();
-        desk.reset();
+        ui.reset();
         GlTest::TearDown();
     }
     void show(const std::string& technique, const std::string& stage) {
-        window::chooseTechnique(*desk, technique);
-        window::chooseStage(*desk, picture::StageRef::parse(stage));
+        window::chooseTechnique(*ui, technique);
+        window::chooseStage(*ui, picture::StageRef::parse(stage));
         drawn();
     }
     std::vector<std::uint8_t> drawn() {
@@ -45,19 +45,19 @@ protected:
             screen->frame(1.0 / 30);
         return picture::PictureEncoder::read(screen->picture()).rgba;
     }
-    std::optional<window::Desk> desk;
+    std::optional<window::WindowState> ui;
     std::optional<window::Screen> screen;
 };
 
 TEST_F(SourcePanelTest, EveryStepOfEveryTechniqueShowsItsLines) {
-    window::toggleSource(*desk);
+    window::toggleSource(*ui);
     std::size_t steps = 0;
     for (const RegisteredTechnique& technique : registeredTechniques()) {
         if (technique.info->id == "radiosity") continue; // its form factors take long, and it draws no other panel
         show(std::string(technique.info->id), "");
         for (const StageKey& pass :
-             std::vector(desk->bench.pane(0).passesOf(technique.info->id, *desk->bench.shownScene()))) {
-            show(std::string(technique.info->id), picture::refOf(pass, true, *desk->bench.shownScene()).text());
+             std::vector(ui->bench.pane(0).passesOf(technique.info->id, *ui->bench.shownScene()))) {
+            show(std::string(technique.info->id), picture::refOf(pass, true, *ui->bench.shownScene()).text());
             const picture::StepSource& step = screen->stepSource();
             EXPECT_FALSE(step.pieces.empty()) << technique.info->id << " " << pass.id;
             EXPECT_TRUE(step.faults.empty()) << step.faults.front();
@@ -76,18 +76,18 @@ TEST_F(SourcePanelTest, NoStepOfOneTechniqueIsTakenForOneOfAnother) {
     };
     ASSERT_TRUE(hasPass("shadow-map", "lights-off"));
     ASSERT_FALSE(hasPass("radiosity", "lights-off"));
-    window::toggleSource(*desk);
+    window::toggleSource(*ui);
     show("shadow-map", "pass:lights-off");
     EXPECT_FALSE(screen->stepSource().pieces.empty());
-    window::chooseTechnique(*desk, "radiosity");
-    EXPECT_TRUE(desk->bench.pane(0).passesOf("radiosity", *desk->bench.shownScene()).empty());
-    window::step(*desk, 1);
-    EXPECT_TRUE(desk->bench.document().panes[0].stage.isPicture());
+    window::chooseTechnique(*ui, "radiosity");
+    EXPECT_TRUE(ui->bench.pane(0).passesOf("radiosity", *ui->bench.shownScene()).empty());
+    window::step(*ui, 1);
+    EXPECT_TRUE(ui->bench.document().panes[0].stage.isPicture());
     show("radiosity", "pass:lights-off"); // which nothing in the window asks for any more
     EXPECT_TRUE(screen->stepSource().pieces.empty());
     show("planar", "");
-    window::step(*desk, 1);
-    EXPECT_EQ(desk->bench.document().panes[0].stage.text(), "pass:lights-off");
+    window::step(*ui, 1);
+    EXPECT_EQ(ui->bench.document().panes[0].stage.text(), "pass:lights-off");
     drawn();
     EXPECT_FALSE(screen->stepSource().pieces.empty());
 }
@@ -98,16 +98,16 @@ TEST_F(SourcePanelTest, NoStepOfASceneWithMoreLightsIsTaken) {
         return scene::loadScene(name,
                                 {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = picture::limits()});
     };
-    desk->bench.showScene(scene("three-lights"), "three-lights");
+    ui->bench.showScene(scene("three-lights"), "three-lights");
     show("shadow-map", "");
-    const std::vector<StageKey> passes = desk->bench.pane(0).passesOf("shadow-map", *desk->bench.shownScene());
+    const std::vector<StageKey> passes = ui->bench.pane(0).passesOf("shadow-map", *ui->bench.shownScene());
     ASSERT_TRUE(std::ranges::any_of(passes, [](const StageKey& pass) { return pass.light == 2; }));
-    window::toggleSource(*desk);
+    window::toggleSource(*ui);
     show("shadow-map", "outside");
-    desk->bench.showScene(scene("still-life"), "still-life");
-    ASSERT_LT(desk->bench.shownScene()->lights.size(), 3u);
-    EXPECT_TRUE(desk->bench.pane(0).passesOf("shadow-map", *desk->bench.shownScene()).empty());
-    window::step(*desk, 1);
+    ui->bench.showScene(scene("still-life"), "still-life");
+    ASSERT_LT(ui->bench.shownScene()->lights.size(), 3u);
+    EXPECT_TRUE(ui->bench.pane(0).passesOf("shadow-map", *ui->bench.shownScene()).empty());
+    window::step(*ui, 1);
     drawn();
     EXPECT_TRUE(screen->messages().empty());
 }
@@ -115,28 +115,28 @@ TEST_F(SourcePanelTest, NoStepOfASceneWithMoreLightsIsTaken) {
 TEST_F(SourcePanelTest, ThePictureMakesRoomForItAndTheSettingsToo) {
     show("planar", "pass:shadows");
     const int before = screen->pictureSize().x;
-    EXPECT_TRUE(desk->shown.panel);
-    window::toggleSource(*desk);
+    EXPECT_TRUE(ui->shown.panel);
+    window::toggleSource(*ui);
     const std::vector<std::uint8_t> withSource = drawn();
-    EXPECT_FALSE(desk->shown.panel);
+    EXPECT_FALSE(ui->shown.panel);
     EXPECT_GE(screen->pictureSize().x, 960 / 2) << "the picture keeps half of the window";
-    desk->requests.scrollSource = 1;
+    ui->requests.scrollSource = 1;
     EXPECT_NE(drawn(), withSource) << "the text goes on";
-    window::toggleSource(*desk);
+    window::toggleSource(*ui);
     drawn();
-    EXPECT_TRUE(desk->shown.panel);
+    EXPECT_TRUE(ui->shown.panel);
     EXPECT_EQ(screen->pictureSize().x, before);
     // In presenter mode settings are away, and stay away when the source goes.
-    window::togglePresenter(*desk);
-    window::toggleSource(*desk);
-    window::toggleSource(*desk);
-    EXPECT_FALSE(desk->shown.panel);
-    window::togglePresenter(*desk);
-    EXPECT_TRUE(desk->shown.panel);
+    window::togglePresenter(*ui);
+    window::toggleSource(*ui);
+    window::toggleSource(*ui);
+    EXPECT_FALSE(ui->shown.panel);
+    window::togglePresenter(*ui);
+    EXPECT_TRUE(ui->shown.panel);
 }
 
 TEST_F(SourcePanelTest, AShaderThatIsSavedIsShownAsItIsNow) {
-    window::toggleSource(*desk);
+    window::toggleSource(*ui);
     show("planar", "pass:shadows");
     const auto line = [&](const std::string& text) {
         for (const picture::SourcePiece& piece : screen->stepSource().pieces)
@@ -150,7 +150,7 @@ TEST_F(SourcePanelTest, AShaderThatIsSavedIsShownAsItIsNow) {
         folder.write("planar/flatten.vert", text);
         ::setenv("SHADOWLAB_SHADERS", folder.path().c_str(), 1);
         gl::reloadShaders(); // as the window does when it notices a saved file
-        desk->bench.drawAnew();
+        ui->bench.drawAnew();
         drawn();
     };
     std::ifstream file(std::filesystem::path(SHADOWLAB_SOURCE_DIR) / "shaders/planar/flatten.vert");
@@ -163,7 +163,7 @@ TEST_F(SourcePanelTest, AShaderThatIsSavedIsShownAsItIsNow) {
     changed.erase(changed.find("// [anchor: flatten]"), 20);
     save(changed);
     ASSERT_EQ(screen->stepSource().faults.size(), 1u) << "said in the panel; nothing else stops";
-    EXPECT_TRUE(desk->bench.pane(0).failure().empty());
+    EXPECT_TRUE(ui->bench.pane(0).failure().empty());
     ::unsetenv("SHADOWLAB_SHADERS");
     gl::reloadShaders();
     drawn();
@@ -171,7 +171,7 @@ TEST_F(SourcePanelTest, AShaderThatIsSavedIsShownAsItIsNow) {
 }
 
 TEST_F(SourcePanelTest, ValuesOfThePickedPixelStandBesideTheirNames) {
-    window::toggleSource(*desk);
+    window::toggleSource(*ui);
     show("shadow-map", "pass:light");
     const auto values = [&] {
         std::string all;
@@ -180,10 +180,10 @@ TEST_F(SourcePanelTest, ValuesOfThePickedPixelStandBesideTheirNames) {
         return all;
     };
     EXPECT_EQ(values(), "");
-    desk->bench.pick({0.5, 0.75}); // the floor
+    ui->bench.pick({0.5, 0.75}); // the floor
     drawn();
     EXPECT_NE(values().find("z(u,v) = "), std::string::npos) << values();
-    desk->bench.unpick();
+    ui->bench.unpick();
     drawn();
     EXPECT_EQ(values(), "");
 }

@@ -74,20 +74,20 @@ int captureWindow(const CaptureOptions& options) {
     const film::Motion motion = motionOf(options.motion, *scene);
     requirePlaceForNumbers(options, motion.frames);
     const std::unique_ptr<context::Context> context = context::createContext(options.backend);
-    window::Desk desk(documentFor(options, scene));
-    desk.live = false;
-    desk.scenes = scene::builtInScenes(context::assetsRoot());
-    if (options.presenter) window::togglePresenter(desk);
-    desk.lesson.all = course::builtInLessons(context::assetsRoot());
-    desk.shown.keys = options.keys;
-    if (options.source) window::toggleSource(desk);
-    desk.shown.coarse = false;
-    window::Screen screen(desk, context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+    window::WindowState ui(documentFor(options, scene));
+    ui.live = false;
+    ui.scenes = scene::builtInScenes(context::assetsRoot());
+    if (options.presenter) window::togglePresenter(ui);
+    ui.lesson.all = course::builtInLessons(context::assetsRoot());
+    ui.shown.keys = options.keys;
+    if (options.source) window::toggleSource(ui);
+    ui.shown.coarse = false;
+    window::Screen screen(ui, context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
     screen.fit(options.size, 1);
     screen.setPatience(std::chrono::hours(1)); // nobody waits, and the picture must not depend on the clock
     if (options.pixel) {
         screen.frame(kFrameSeconds); // type is measured in it, and from that follows how large the pictures are
-        const std::vector<lab::PlacedPane> panes = desk.bench.placed(screen.pictureSize());
+        const std::vector<lab::PlacedPane> panes = ui.bench.placed(screen.pictureSize());
         const ivec2 shown = panes.empty() ? ivec2(0) : panes.front().cell.pictureSize;
         if (shown.x <= 0 || shown.y <= 0)
             throw Error(ExitStatus::usage, "--size: a window of this size has no room for a picture beside its panels; "
@@ -99,8 +99,8 @@ int captureWindow(const CaptureOptions& options) {
                                                    " pixels; choose one within");
             return (dvec2(pixel) + 0.5) / dvec2(shown);
         };
-        desk.bench.pick(placeOf("--pixel", *options.pixel));
-        if (options.partner) desk.bench.pickPartner(placeOf("--partner", *options.partner));
+        ui.bench.pick(placeOf("--pixel", *options.pixel));
+        if (options.partner) ui.bench.pickPartner(placeOf("--partner", *options.partner));
     }
     std::unique_ptr<film::Film> film;
     if (isFilm(options)) film = film::makeFilm(options.output, options.time, {});
@@ -115,15 +115,15 @@ int captureWindow(const CaptureOptions& options) {
     if (options.steps) {
         settle(screen); // which passes run is known when they have run
         for (const StageKey& pass :
-             std::vector(desk.bench.pane(0).passesOf(desk.bench.document().panes[0].technique, *scene))) {
-            window::chooseStage(desk, picture::refOf(pass, true, *scene));
+             std::vector(ui.bench.pane(0).passesOf(ui.bench.document().panes[0].technique, *scene))) {
+            window::chooseStage(ui, picture::refOf(pass, true, *scene));
             write(0);
         }
     }
     for (int frame = 0; frame < motion.frames && !options.steps; ++frame) {
-        const film::Moment moment = film::momentAt(motion, scene, frame, desk.bench.document().scene);
-        desk.bench.changeScene("", [&](const scene::Snapshot&) { return moment.snapshot; });
-        desk.bench.setCamera(moment.camera);
+        const film::Moment moment = film::momentAt(motion, scene, frame, ui.bench.document().scene);
+        ui.bench.changeScene("", [&](const scene::Snapshot&) { return moment.snapshot; });
+        ui.bench.setCamera(moment.camera);
         write(frame);
     }
     if (film) film->finish();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/panels/error_panel.h"
+#include "app/window/panels/panels.h"
 
 #include <algorithm>
 #include <array>
@@ -11,18 +11,27 @@ namespace shadowlab::window {
 
 namespace {
 
+/// The colour of a pane's curve, and of its number in the table.
+ImU32 paneColor(int pane) {
+    // Okabe and Ito, without those that mean false lit and false shadow.
+    static const std::array<vec3, lab::kPanes> kColors = {
+        look::linearFromSrgb8(0xF0, 0xE4, 0x42), look::linearFromSrgb8(0x56, 0xB4, 0xE9),
+        look::linearFromSrgb8(0x00, 0x9E, 0x73), look::linearFromSrgb8(0xCC, 0x79, 0xA7)};
+    return shownColor(kColors[static_cast<std::size_t>(pane)]);
+}
+
 constexpr double kPlotSeconds = 30; ///< the plot shows the last half minute
 
-int panesOf(const Desk& desk) { return lab::shownPanes(desk.bench.document().layout); }
+int panesOf(const WindowState& ui) { return lab::shownPanes(ui.bench.document().layout); }
 
-int paneAt(const Desk& desk, int i) {
-    return desk.bench.document().layout == picture::Layout::single ? desk.bench.document().active : i;
+int paneAt(const WindowState& ui, int i) {
+    return ui.bench.document().layout == picture::Layout::single ? ui.bench.document().active : i;
 }
 
 /// One curve chart: `value(sample)` of each pane over the last seconds, from zero to the largest.
 template <typename ValueOf>
-void chart(const Desk& desk, const lab::LiveErrors& errors, const Theme& theme, const char* label, const char* unit,
-           const ValueOf& valueOf) {
+void chart(const WindowState& ui, const lab::LiveErrors& errors, const Theme& theme, const char* label,
+           const char* unit, const ValueOf& valueOf) {
     const std::deque<lab::Sample>& samples = errors.history().samples();
     const float width = ImGui::GetContentRegionAvail().x, height = theme.em * 4;
     const ImVec2 low = ImGui::GetCursorScreenPos(), high(low.x + width, low.y + height);
@@ -39,8 +48,8 @@ void chart(const Desk& desk, const lab::LiveErrors& errors, const Theme& theme, 
     double top = 1e-3;
     for (int i = 0; top < largest; ++i)
         top *= i % 3 == 1 ? 2.5 : 2;
-    for (int i = 0; i < panesOf(desk); ++i) {
-        const int pane = paneAt(desk, i);
+    for (int i = 0; i < panesOf(ui); ++i) {
+        const int pane = paneAt(ui, i);
         ImVec2 before{};
         bool joined = false;
         for (const lab::Sample& sample : samples) {
@@ -65,15 +74,7 @@ void chart(const Desk& desk, const lab::LiveErrors& errors, const Theme& theme, 
 
 } // namespace
 
-ImU32 paneColor(int pane) {
-    // Okabe and Ito, without those that mean false lit and false shadow.
-    static const std::array<vec3, lab::kPanes> kColors = {
-        look::linearFromSrgb8(0xF0, 0xE4, 0x42), look::linearFromSrgb8(0x56, 0xB4, 0xE9),
-        look::linearFromSrgb8(0x00, 0x9E, 0x73), look::linearFromSrgb8(0xCC, 0x79, 0xA7)};
-    return shownColor(kColors[static_cast<std::size_t>(pane)]);
-}
-
-void errorTable(const Desk& desk, const lab::LiveErrors& errors) {
+void errorTable(const WindowState& ui, const lab::LiveErrors& errors) {
     if (!ImGui::BeginTable("errors", 5, ImGuiTableFlags_SizingStretchProp)) return;
     for (const char* title : {"pane", "false lit", "false sh.", "edge px", "frame"})
         ImGui::TableSetupColumn(title);
@@ -82,8 +83,8 @@ void errorTable(const Desk& desk, const lab::LiveErrors& errors) {
         ImGui::TableNextColumn();
         ImGui::TextDisabled("%s", title);
     }
-    for (int i = 0; i < panesOf(desk); ++i) {
-        const int pane = paneAt(desk, i);
+    for (int i = 0; i < panesOf(ui); ++i) {
+        const int pane = paneAt(ui, i);
         const lab::PaneErrors* const known = errors.errors(pane);
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
@@ -105,8 +106,8 @@ void errorTable(const Desk& desk, const lab::LiveErrors& errors) {
             }
         }
         ImGui::TableNextColumn();
-        if (desk.live)
-            ImGui::Text("%.0f ms", desk.bench.pane(pane).rendered().frameMs);
+        if (ui.live)
+            ImGui::Text("%.0f ms", ui.bench.pane(pane).rendered().frameMs);
         else
             ImGui::TextDisabled("- ms");
     }
@@ -114,11 +115,11 @@ void errorTable(const Desk& desk, const lab::LiveErrors& errors) {
     ImGui::TextDisabled(errors.isDone() ? "exact, at rest" : "without ties; exact when all is at rest");
 }
 
-void historyPlot(const Desk& desk, const lab::LiveErrors& errors, const Theme& theme) {
-    if (!desk.live) return; // a plot over time is never the same twice
-    chart(desk, errors, theme, "frame", "ms",
+void historyPlot(const WindowState& ui, const lab::LiveErrors& errors, const Theme& theme) {
+    if (!ui.live) return; // a plot over time is never the same twice
+    chart(ui, errors, theme, "frame", "ms",
           [](const lab::SlotSample& s) { return s.frameMs > 0 ? std::optional(s.frameMs) : std::nullopt; });
-    chart(desk, errors, theme, "edge error", "px", [](const lab::SlotSample& s) { return s.edgeErrorPx; });
+    chart(ui, errors, theme, "edge error", "px", [](const lab::SlotSample& s) { return s.edgeErrorPx; });
 }
 
 } // namespace shadowlab::window

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/panels/key_overlay.h"
+#include "app/window/panels/panels.h"
 
 #include <algorithm>
 #include <array>

@@ -40,8 +40,7 @@ bool place(Plate& plate, ivec2 corner, ivec2 size) {
     return true;
 }
 
-ImVec2 drawBar(Plate plate, const lab::PanePicture& picture, ivec2 corner, ivec2 size, const Theme& theme,
-               float em) {
+ImVec2 drawBar(Plate plate, const lab::PanePicture& picture, ivec2 corner, ivec2 size, const Theme& theme, float em) {
     const Display& display = picture.display;
     const std::string low = shortNumber(display.minimum), high = shortNumber(display.maximum);
     const float widest = std::max(4 * em, static_cast<float>(size.x) - 2 * plate.pad);

@@ -63,11 +63,11 @@ void drawCells(ImDrawList& list, const ShownPane& shown, const ColorOf& colorOf)
 
 } // namespace
 
-void drawLessonMarks(ImDrawList& list, const Desk& desk, const ShownPane& shown, const Theme& theme) {
-    const LessonDesk& on = desk.lesson;
+void drawLessonMarks(ImDrawList& list, const WindowState& ui, const ShownPane& shown, const Theme& theme) {
+    const LessonState& on = ui.lesson;
     if (!on.now) return;
     const course::ShownState& state = on.now->states[on.step == LessonStep::mend ? 1 : 0];
-    if (desk.bench.document().camera != state.camera) return;
+    if (ui.bench.document().camera != state.camera) return;
     if (on.paints())
         drawCells(list, shown, [&](int x, int y) { return on.painted.isPainted(x, y) ? kPaint : ImU32{0}; });
     if (on.step == LessonStep::reveal && on.score)
@@ -85,8 +85,8 @@ void drawLessonMarks(ImDrawList& list, const Desk& desk, const ShownPane& shown,
         drawLook(list, box, shown, theme, on.step == LessonStep::artefact);
 }
 
-bool handlePainting(Desk& desk, const std::vector<ShownPane>& panes) {
-    if (!desk.lesson.paints() || panes.empty()) return false;
+bool handlePainting(WindowState& ui, const std::vector<ShownPane>& panes) {
+    if (!ui.lesson.paints() || panes.empty()) return false;
     const ImGuiIO& io = ImGui::GetIO();
     const bool paints = wasDown(0), wipes = wasDown(1);
     if (io.WantCaptureMouse || (!paints && !wipes)) return false;
@@ -98,7 +98,7 @@ bool handlePainting(Desk& desk, const std::vector<ShownPane>& panes) {
     const dvec2 from = begins ? to : shareOf(shown, {io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y});
     const int steps = 1 + static_cast<int>(glm::length(to - from) / (0.5 * kBrush));
     for (int i = 0; i <= steps; ++i)
-        desk.lesson.painted.paint(glm::mix(from, to, static_cast<double>(i) / steps), kBrush, paints);
+        ui.lesson.painted.paint(glm::mix(from, to, static_cast<double>(i) / steps), kBrush, paints);
     return true;
 }
 

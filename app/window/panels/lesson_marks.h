@@ -3,16 +3,16 @@
 #pragma once
 #include <imgui.h>
 
-#include "app/window/desk.h"
 #include "app/window/pictures.h"
 #include "app/window/theme.h"
+#include "app/window/window_state.h"
 
 namespace shadowlab::window {
 
 /// Nothing without a lesson, and nothing after the camera has left the place that the frames are for.
-void drawLessonMarks(ImDrawList& list, const Desk& desk, const ShownPane& shown, const Theme& theme);
+void drawLessonMarks(ImDrawList& list, const WindowState& ui, const ShownPane& shown, const Theme& theme);
 
 /// While the shadow is to be painted, the mouse over the pictures paints, and does nothing else. True while it does.
-bool handlePainting(Desk& desk, const std::vector<ShownPane>& panes);
+bool handlePainting(WindowState& ui, const std::vector<ShownPane>& panes);
 
 } // namespace shadowlab::window

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/panels/lesson_panel.h"
+#include "app/window/panels/panels.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "app/course/lessons/lesson_figure.h"
-#include "app/window/panels/band.h"
+#include "app/window/panels/widgets.h"
 
 namespace shadowlab::window {
 
@@ -18,7 +18,7 @@ constexpr const char* kHint = "J: on   Shift+J: back   Esc: out";
 std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
 
 /// "1 of 2: the artefact"; before that, what is to be done.
-std::string stepTitle(const LessonDesk& on) {
+std::string stepTitle(const LessonState& on) {
     switch (on.step) {
     case LessonStep::question: return on.paints() ? "Predict: paint the shadow" : "A question";
     case LessonStep::reveal: return "The truth";
@@ -33,25 +33,25 @@ std::string choiceLine(const Question& question, std::size_t i) {
 }
 
 /// What was answered, and what is right: said with the artefact.
-std::string verdictOnChoice(const LessonDesk& on) {
+std::string verdictOnChoice(const LessonState& on) {
     const Question& question = *on.now->question;
     const std::string& right = question.choices[static_cast<std::size_t>(question.right)];
     if (!on.chosen) return "The answer: " + right + ".";
     return (*on.chosen == question.right ? "Right: " : "Not so. It is: ") + right + ".";
 }
 
-std::string scoreLine(const LessonDesk& on) {
+std::string scoreLine(const LessonState& on) {
     if (on.painted.isEmpty()) return "Nothing was painted.";
     return percent(on.score->shadowFound()) + " of the shadow found, " + percent(on.score->paintedRight()) +
            " of the paint in it";
 }
 
-bool answersChoice(const LessonDesk& on) {
+bool answersChoice(const LessonState& on) {
     return on.now->question && on.now->question->kind == Question::Kind::choice;
 }
 
 /// The lines of a step below its title, in the order in which they stand; the first of them large where it is a score.
-std::vector<std::string> lessonLines(const LessonDesk& on, LessonStep step) {
+std::vector<std::string> lessonLines(const LessonState& on, LessonStep step) {
     const course::Lesson& lesson = *on.now;
     std::vector<std::string> lines;
     if (step == LessonStep::question) {
@@ -79,8 +79,8 @@ void swatch(const Theme& theme, ImU32 color, const char* text) {
     ImGui::SameLine(0, 1.5f * theme.em);
 }
 
-void questionPart(Desk& desk) {
-    LessonDesk& on = desk.lesson;
+void questionPart(WindowState& ui) {
+    LessonState& on = ui.lesson;
     const Question& question = *on.now->question;
     ImGui::TextWrapped("%s", question.text.c_str());
     if (on.paints()) {
@@ -89,10 +89,10 @@ void questionPart(Desk& desk) {
     }
     for (std::size_t i = 0; i < question.choices.size(); ++i)
         if (ImGui::Selectable(choiceLine(question, i).c_str(), on.chosen == static_cast<int>(i)))
-            answer(desk, static_cast<int>(i));
+            answer(ui, static_cast<int>(i));
 }
 
-void revealPart(const LessonDesk& on, const Theme& theme) {
+void revealPart(const LessonState& on, const Theme& theme) {
     ImGui::PushFont(theme.heading);
     ImGui::TextWrapped("%s", scoreLine(on).c_str());
     ImGui::PopFont();
@@ -104,14 +104,14 @@ void revealPart(const LessonDesk& on, const Theme& theme) {
 
 } // namespace
 
-float lessonPanelHeight(const Desk& desk, const Theme& theme, float width) {
-    if (!desk.lesson.isOn()) return 0;
+float lessonPanelHeight(const WindowState& ui, const Theme& theme, float width) {
+    if (!ui.lesson.isOn()) return 0;
     const ImGuiStyle& style = ImGui::GetStyle();
     const float room = std::max(theme.em, width - 2 * style.WindowPadding.x);
     float highest = 0;
-    for (const LessonStep step : stepsOf(*desk.lesson.now)) {
+    for (const LessonStep step : stepsOf(*ui.lesson.now)) {
         float height = 0;
-        for (const std::string& line : lessonLines(desk.lesson, step))
+        for (const std::string& line : lessonLines(ui.lesson, step))
             height += (step == LessonStep::reveal ? wrappedHeight(theme.heading, theme.headingSize, line, room)
                                                   : wrappedHeight(theme.text, theme.em, line, room)) +
                       style.ItemSpacing.y;
@@ -121,26 +121,26 @@ float lessonPanelHeight(const Desk& desk, const Theme& theme, float width) {
     return std::ceil(title + highest + 2 * style.WindowPadding.y + 2 * style.ItemSpacing.y);
 }
 
-void lessonPanel(Desk& desk, const Area& area, const Theme& theme) {
-    const int by = beginBand({"lesson", desk.lesson.now->text.title, stepTitle(desk.lesson), kHint}, area, theme);
-    switch (desk.lesson.step) {
-    case LessonStep::question: questionPart(desk); break;
-    case LessonStep::reveal: revealPart(desk.lesson, theme); break;
+void lessonPanel(WindowState& ui, const Area& area, const Theme& theme) {
+    const int by = beginBand({"lesson", ui.lesson.now->text.title, stepTitle(ui.lesson), kHint}, area, theme);
+    switch (ui.lesson.step) {
+    case LessonStep::question: questionPart(ui); break;
+    case LessonStep::reveal: revealPart(ui.lesson, theme); break;
     case LessonStep::artefact:
     case LessonStep::mend:
-        for (const std::string& line : lessonLines(desk.lesson, desk.lesson.step))
+        for (const std::string& line : lessonLines(ui.lesson, ui.lesson.step))
             ImGui::TextWrapped("%s", line.c_str());
         break;
     }
     ImGui::End();
-    if (by != 0) stepLesson(desk, by);
+    if (by != 0) stepLesson(ui, by);
 }
 
-void lessonList(Desk& desk) {
-    if (desk.lesson.all.empty() || !ImGui::CollapsingHeader("Lessons")) return;
-    for (const course::LessonText& lesson : desk.lesson.all) {
-        const bool on = desk.lesson.now && desk.lesson.now->text.file == lesson.file;
-        if (ImGui::Selectable(lesson.title.c_str(), on)) openLesson(desk, lesson.name);
+void lessonList(WindowState& ui) {
+    if (ui.lesson.all.empty() || !ImGui::CollapsingHeader("Lessons")) return;
+    for (const course::LessonText& lesson : ui.lesson.all) {
+        const bool on = ui.lesson.now && ui.lesson.now->text.file == lesson.file;
+        if (ImGui::Selectable(lesson.title.c_str(), on)) openLesson(ui, lesson.name);
     }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/panels/magnifier.h"
+#include "app/window/panels/panels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,23 +64,23 @@ void drawGlass(ImDrawList& list, const gl::Texture2D& texture, const ShownPane& 
 
 } // namespace
 
-void drawMagnifiers(Desk& desk, const std::vector<ShownPane>& panes, const Theme& theme) {
-    if (!desk.shown.magnifier) return;
+void drawMagnifiers(WindowState& ui, const std::vector<ShownPane>& panes, const Theme& theme) {
+    if (!ui.shown.magnifier) return;
     const ImGuiIO& io = ImGui::GetIO();
     for (const ShownPane& pane : panes)
         if (pane.area.contains(io.MousePos) && !io.WantCaptureMouse)
-            desk.lens = dvec2((io.MousePos.x - pane.pictureCorner.x) / pane.pictureSize.x,
-                              (io.MousePos.y - pane.pictureCorner.y) / pane.pictureSize.y);
+            ui.lens = dvec2((io.MousePos.x - pane.pictureCorner.x) / pane.pictureSize.x,
+                            (io.MousePos.y - pane.pictureCorner.y) / pane.pictureSize.y);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
     for (const ShownPane& pane : panes) {
-        const gl::Texture2D& texture = desk.bench.pane(pane.pane).picture().texture;
+        const gl::Texture2D& texture = ui.bench.pane(pane.pane).picture().texture;
         if (!texture) continue;
         const ivec2 middle =
-            glm::clamp(ivec2(glm::floor(desk.lens * dvec2(texture.size()))), ivec2(0), texture.size() - 1);
+            glm::clamp(ivec2(glm::floor(ui.lens * dvec2(texture.size()))), ivec2(0), texture.size() - 1);
         drawGlass(list, texture, pane, middle, theme);
         // Where in the picture that is, for the panes in which the mouse is not.
-        const ImVec2 at(pane.pictureCorner.x + static_cast<float>(desk.lens.x) * pane.pictureSize.x,
-                        pane.pictureCorner.y + static_cast<float>(desk.lens.y) * pane.pictureSize.y);
+        const ImVec2 at(pane.pictureCorner.x + static_cast<float>(ui.lens.x) * pane.pictureSize.x,
+                        pane.pictureCorner.y + static_cast<float>(ui.lens.y) * pane.pictureSize.y);
         list.PushClipRect({static_cast<float>(pane.area.corner.x), static_cast<float>(pane.area.corner.y)},
                           {static_cast<float>(pane.area.corner.x + pane.area.size.x),
                            static_cast<float>(pane.area.corner.y + pane.area.size.y)},

@@ -1,26 +1,57 @@
-// The widgets around the pictures: the bar on top, the panel beside them, the steps and the strip of stages below.
+// The panels around the pictures, and what is drawn over them. Each draws into the area it is given; heights are in pixels.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "app/window/desk.h"
+#include "app/lab/errors/live_errors.h"
+#include "app/lab/stage_strip.h"
 #include "app/window/pictures.h"
 #include "app/window/theme.h"
+#include "app/window/window_state.h"
 
 namespace shadowlab::window {
 
-/// Begins an ImGui window that fills the area and stays there; ImGui::End() ends it. True while anything of it is seen.
-bool beginIn(const char* name, const Area& area, ImGuiWindowFlags flags = 0);
+// The bar at the top: the scene, and buttons for what is used most.
+float topBarHeight(const WindowState& ui, const Theme& theme, float width);
+void topBar(WindowState& ui, const Area& area, const Theme& theme);
 
-// Each draws its window into the area it is given.
-void topBar(Desk& desk, const Area& area, const Theme& theme);
-void sidePanel(Desk& desk, const lab::LiveErrors& errors, const Area& area, const Theme& theme);
-/// What the step that is on show does, and why.
-void stepPanel(Desk& desk, const Area& area, const Theme& theme);
+// Beside the pictures: all about the active pane.
+void sidePanel(WindowState& ui, const lab::LiveErrors& errors, const Area& area, const Theme& theme);
+/// The settings of the active pane's technique, made from its parameter list: a checkbox, slider or choice for each, with its
+/// help, its range and a way back to its default.
+void parameterPanel(WindowState& ui, const Theme& theme);
+/// What the active pane's technique reports about the picked pixel: facts, and the tree of its rays. Nothing while none is picked.
+void pixelPanel(WindowState& ui);
+/// Errors and frame times, a row for each pane on show.
+void errorTable(const WindowState& ui, const lab::LiveErrors& errors);
+/// Frame times above, edge errors below, one curve for each pane on show.
+void historyPlot(const WindowState& ui, const lab::LiveErrors& errors, const Theme& theme);
+/// All lessons of the course, to choose from.
+void lessonList(WindowState& ui);
+/// All built-in decks, to be opened; of the one that is on, its slides.
+void deckList(WindowState& ui);
 
-/// How high the bar and the panel of the steps are.
-float topBarHeight(const Desk& desk, const Theme& theme, float width);
-float stepPanelHeight(const Desk& desk, const Theme& theme, float width);
+// Below the pictures. The heights are 0 while there is nothing to show.
+/// Whether the active pane shows a step.
+bool isStepping(const WindowState& ui);
+/// Room for the longest of the technique's steps, so that the pictures do not jump from step to step.
+float stepPanelHeight(const WindowState& ui, const Theme& theme, float width);
+/// What the step on show does, and why.
+void stepPanel(WindowState& ui, const Area& area, const Theme& theme);
+/// Room for the longest of the lesson's steps.
+float lessonPanelHeight(const WindowState& ui, const Theme& theme, float width);
+void lessonPanel(WindowState& ui, const Area& area, const Theme& theme);
+float slidePanelHeight(const WindowState& ui, const Theme& theme, float width);
+/// The slide's title, which of its pictures is on show, and what it says.
+void slidePanel(WindowState& ui, const Area& area, const Theme& theme);
+float stripHeight(const Theme& theme);
+/// The size of one small picture of the strip.
+ivec2 thumbnailSize(const Theme& theme);
+/// All stages as small pictures; a click fills the active pane with one.
+void stripPanel(WindowState& ui, const lab::StageStrip& strip, const Area& area, const Theme& theme);
 
-/// Is a step on show in the active pane?
-bool isStepping(const Desk& desk);
+// Over the pictures.
+/// The same place of every pane's picture, enlarged until single pixels are seen, in the lower right corner of each pane.
+void drawMagnifiers(WindowState& ui, const std::vector<ShownPane>& panes, const Theme& theme);
+/// The list of all keys, made from the actions.
+void keyOverlay(ivec2 windowSize, const Theme& theme);
 
 } // namespace shadowlab::window

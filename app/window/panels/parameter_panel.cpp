@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/panels/parameter_panel.h"
+#include "app/window/panels/panels.h"
 
 #include <cmath>
 
@@ -77,15 +77,15 @@ std::optional<double> widget(const params::Param& param) {
 
 } // namespace
 
-void parameterPanel(Desk& desk, const Theme& theme) {
-    const lab::Document& document = desk.bench.document();
+void parameterPanel(WindowState& ui, const Theme& theme) {
+    const lab::Document& document = ui.bench.document();
     const lab::PaneState state = document.panes[static_cast<std::size_t>(document.active)];
     picture::Slot* found = nullptr;
     try {
-        found = &desk.bench.pane(document.active).slotFor(state);
+        found = &ui.bench.pane(document.active).slotFor(state);
     } catch (const Error&) {
         // The pane says what is wrong with a value; here is the way out.
-        if (ImGui::Button("All as by default  (R)")) resetSettings(desk);
+        if (ImGui::Button("All as by default  (R)")) resetSettings(ui);
         return;
     }
     picture::Slot& slot = *found;
@@ -106,7 +106,7 @@ void parameterPanel(Desk& desk, const Theme& theme) {
             tooltip(param, theme);
             ImGui::TableNextColumn();
             const auto set = [&](const std::string& text, const std::string& gesture) {
-                desk.bench.change(gesture, [&](lab::Document& changed) {
+                ui.bench.change(gesture, [&](lab::Document& changed) {
                     lab::Values& values =
                         changed.panes[static_cast<std::size_t>(changed.active)].settings[state.technique];
                     if (text == params::initialText(param))
@@ -124,7 +124,7 @@ void parameterPanel(Desk& desk, const Theme& theme) {
                 param.set(before); // the slot takes it from the document, as from everywhere else
                 set(text, "set " + param.id);
             }
-            if (ImGui::IsItemDeactivated()) desk.bench.endGesture();
+            if (ImGui::IsItemDeactivated()) ui.bench.endGesture();
             ImGui::TableNextColumn();
             if (params::valueText(param) != params::initialText(param)) {
                 if (ImGui::Button("\xC2\xAB", {reset, 0})) set(params::initialText(param), "");
@@ -134,7 +134,7 @@ void parameterPanel(Desk& desk, const Theme& theme) {
         }
         ImGui::EndTable();
     }
-    if (!state.values().empty() && ImGui::Button("All as by default  (R)")) resetSettings(desk);
+    if (!state.values().empty() && ImGui::Button("All as by default  (R)")) resetSettings(ui);
 }
 
 } // namespace shadowlab::window

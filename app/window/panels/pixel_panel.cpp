@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/panels/pixel_panel.h"
+#include "app/window/panels/panels.h"
 
 #include <imgui.h>
 
@@ -47,13 +47,13 @@ void rayTree(const std::vector<Probe::Node>& tree, std::size_t index) {
 
 } // namespace
 
-void pixelPanel(Desk& desk) {
-    const lab::PickedPixel& picked = desk.bench.pickedPixel();
+void pixelPanel(WindowState& ui) {
+    const lab::PickedPixel& picked = ui.bench.pickedPixel();
     if (!picked.askedFor.view.picked) return;
     if (!ImGui::CollapsingHeader("Pixel", ImGuiTreeNodeFlags_DefaultOpen)) return;
     factTable("facts", picked.probe.facts);
     if (!picked.probe.tree.empty()) rayTree(picked.probe.tree, 0);
-    if (ImGui::Button("Let go (Esc)")) desk.bench.unpick();
+    if (ImGui::Button("Let go (Esc)")) ui.bench.unpick();
 }
 
 } // namespace shadowlab::window

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/panels/slide_panel.h"
+#include "app/window/panels/panels.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "app/drawing/formula.h"
-#include "app/window/panels/band.h"
+#include "app/window/panels/widgets.h"
 
 namespace shadowlab::window {
 
@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kSlideHint = "S: on   Shift+S: back   Esc: out";
 
 /// "7 of 17", and which picture, where there are more.
-std::string placeInDeck(const SlideDesk& on) {
+std::string placeInDeck(const SlideState& on) {
     std::string text = std::to_string(on.at + 1) + " of " + std::to_string(on.deck->slides().size());
     if (on.stops.size() > 1)
         text += ", picture " + std::to_string(on.stop + 1) + " of " + std::to_string(on.stops.size());
@@ -22,7 +22,7 @@ std::string placeInDeck(const SlideDesk& on) {
 }
 
 /// The lines below the title.
-std::vector<std::string> slideLines(const SlideDesk& on) {
+std::vector<std::string> slideLines(const SlideState& on) {
     std::vector<std::string> lines;
     if (!on.stops.empty()) {
         const course::SlideStop& stop = on.stops[on.stop];
@@ -39,28 +39,28 @@ std::vector<std::string> slideLines(const SlideDesk& on) {
 
 } // namespace
 
-float slidePanelHeight(const Desk& desk, const Theme& theme, float width) {
-    if (!desk.slides.isOn()) return 0;
+float slidePanelHeight(const WindowState& ui, const Theme& theme, float width) {
+    if (!ui.slides.isOn()) return 0;
     const ImGuiStyle& style = ImGui::GetStyle();
     const float room = std::max(theme.em, width - 2 * style.WindowPadding.x);
     float height = std::max(ImGui::GetFrameHeight(), theme.headingSize);
-    for (const std::string& line : slideLines(desk.slides))
+    for (const std::string& line : slideLines(ui.slides))
         height += wrappedHeight(theme.text, theme.em, line, room) + style.ItemSpacing.y;
     return std::ceil(height + 2 * style.WindowPadding.y + 2 * style.ItemSpacing.y);
 }
 
-void slidePanel(Desk& desk, const Area& area, const Theme& theme) {
-    const SlideDesk& on = desk.slides;
+void slidePanel(WindowState& ui, const Area& area, const Theme& theme) {
+    const SlideState& on = ui.slides;
     const int by = beginBand({"slide", on.slide.title, placeInDeck(on), kSlideHint}, area, theme);
     for (const std::string& line : slideLines(on))
         ImGui::TextWrapped("%s", line.c_str());
     ImGui::End();
-    if (by != 0) stepSlides(desk, by);
+    if (by != 0) stepSlides(ui, by);
 }
 
-void deckList(Desk& desk) {
-    if (desk.slides.decks.empty() || !ImGui::CollapsingHeader("Slides")) return;
-    const SlideDesk& on = desk.slides;
+void deckList(WindowState& ui) {
+    if (ui.slides.decks.empty() || !ImGui::CollapsingHeader("Slides")) return;
+    const SlideState& on = ui.slides;
     const std::string open = on.deck ? on.deck->name() : "";
     std::string chosenDeck, chosenSlide;
     std::vector<std::string> decks = on.decks;
@@ -78,7 +78,7 @@ void deckList(Desk& desk) {
             }
         ImGui::Unindent();
     }
-    if (!chosenDeck.empty()) openDeck(desk, chosenDeck, chosenSlide);
+    if (!chosenDeck.empty()) openDeck(ui, chosenDeck, chosenSlide);
 }
 
 } // namespace shadowlab::window

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/picture/steps/stepping.h"
-#include "app/window/panels/panels.h"
+#include "app/window/panels/widgets.h"
 #include "techniques/foundation/gl/program.h"
 #include "techniques/frame.h"
 #include "techniques/registry.h"
@@ -131,41 +131,41 @@ void part(const Theme& theme, const std::string& title, const std::vector<pictur
 
 } // namespace
 
-float SourcePanel::width(const Desk& desk, const Theme& theme, float windowWidth) {
-    if (!desk.shown.source || !theme.code) return 0;
+float SourcePanel::width(const WindowState& ui, const Theme& theme, float windowWidth) {
+    if (!ui.shown.source || !theme.code) return 0;
     const float column = theme.code->CalcTextSizeA(theme.codeSize, FLT_MAX, 0, "M").x;
     const float wanted = (kColumns + kNumberColumns + 1) * column + 2 * ImGui::GetStyle().WindowPadding.x +
                          ImGui::GetStyle().ScrollbarSize;
     return std::round(std::min(wanted, windowWidth * kLargestListing));
 }
 
-void SourcePanel::update(Desk& desk) {
+void SourcePanel::update(WindowState& ui) {
     if (!source_ || reloadsRead_ != gl::shaderReloads()) source_ = SourceText::read();
     reloadsRead_ = gl::shaderReloads();
-    const lab::Document& document = desk.bench.document();
+    const lab::Document& document = ui.bench.document();
     const lab::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
-    lab::Pane& pane = desk.bench.pane(document.active);
+    lab::Pane& pane = ui.bench.pane(document.active);
     const TechniqueInfo& info = findTechnique(state.technique);
-    const scene::Scene& scene = *desk.bench.shownScene();
+    const scene::Scene& scene = *ui.bench.shownScene();
     const std::vector<StageKey>& passes = pane.passesOf(state.technique, scene);
     const auto now = picture::stepOf(state.stage, passes, scene, document.light);
-    const lab::PickedPixel& picked = desk.bench.pickedPixel();
+    const lab::PickedPixel& picked = ui.bench.pickedPixel();
     const bool isKnown = picked.askedFor.view.picked && picked.askedFor.state.technique == state.technique;
     shown_ = picture::stepSource(info, now ? &passInfo(info.passes, passes[*now].id) : nullptr,
                                  pane.slotFor(state).params, *source_, isKnown ? &picked.probe : nullptr);
 }
 
-void SourcePanel::draw(Desk& desk, const Area& area, const Theme& theme) {
-    update(desk);
-    const lab::Document& document = desk.bench.document();
+void SourcePanel::draw(WindowState& ui, const Area& area, const Theme& theme) {
+    update(ui);
+    const lab::Document& document = ui.bench.document();
     const lab::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
     beginIn("source", area, ImGuiWindowFlags_NoNav);
     const std::string step = state.technique + " " + state.stage.text();
     if (step != shownStep_) ImGui::SetScrollY(0);
     shownStep_ = step;
-    if (desk.requests.scrollSource != 0)
-        ImGui::SetScrollY(ImGui::GetScrollY() + static_cast<float>(desk.requests.scrollSource * area.size.y) / 2);
-    desk.requests.scrollSource = 0;
+    if (ui.requests.scrollSource != 0)
+        ImGui::SetScrollY(ImGui::GetScrollY() + static_cast<float>(ui.requests.scrollSource * area.size.y) / 2);
+    ui.requests.scrollSource = 0;
     part(theme, "Formula", shown_.formula, false, false);
     part(theme, "Pseudocode", shown_.pseudocode, false, true);
     for (const picture::SourcePiece& piece : shown_.pieces)
@@ -173,7 +173,7 @@ void SourcePanel::draw(Desk& desk, const Area& area, const Theme& theme) {
     ImGui::PushTextWrapPos();
     for (const std::string& fault : shown_.faults)
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kWarning), "%s", fault.c_str());
-    if (!isStepping(desk)) ImGui::TextDisabled("PageDown goes to the first step, and shows its lines of source.");
+    if (!isStepping(ui)) ImGui::TextDisabled("PageDown goes to the first step, and shows its lines of source.");
     ImGui::PopTextWrapPos();
     ImGui::End();
 }

@@ -10,14 +10,14 @@ namespace shadowlab::window {
 class SourcePanel {
 public:
     /// Pixels that it takes of a window of that width; 0 while it is not on show.
-    [[nodiscard]] static float width(const Desk& desk, const Theme& theme, float windowWidth);
-    void draw(Desk& desk, const Area& area, const Theme& theme);
+    [[nodiscard]] static float width(const WindowState& ui, const Theme& theme, float windowWidth);
+    void draw(WindowState& ui, const Area& area, const Theme& theme);
 
     /// What it showed last.
     [[nodiscard]] const picture::StepSource& shown() const { return shown_; }
 
 private:
-    void update(Desk& desk);
+    void update(WindowState& ui);
 
     std::optional<SourceText> source_;
     int reloadsRead_ = -1;

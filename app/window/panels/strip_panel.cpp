@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/panels/strip_panel.h"
+#include "app/window/panels/panels.h"
 
 #include <algorithm>
 
@@ -34,14 +34,14 @@ float stripHeight(const Theme& theme) {
            style.ScrollbarSize + theme.em * 0.3f;
 }
 
-void stripPanel(Desk& desk, const lab::StageStrip& strip, const Area& area, const Theme& theme) {
+void stripPanel(WindowState& ui, const lab::StageStrip& strip, const Area& area, const Theme& theme) {
     ImGui::SetNextWindowPos(imVec(area.corner));
     ImGui::SetNextWindowSize(imVec(area.size));
     ImGui::Begin("stages", nullptr,
                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_HorizontalScrollbar |
                      ImGuiWindowFlags_NoBringToFrontOnFocus);
-    const picture::StageRef now = desk.bench.activeState().stage.ofAnyLight();
+    const picture::StageRef now = ui.bench.activeState().stage.ofAnyLight();
     const ImVec2 frame = imVec(thumbnailSize(theme));
     const float small = theme.em * 0.85f;
     int number = 0;
@@ -50,7 +50,7 @@ void stripPanel(Desk& desk, const lab::StageStrip& strip, const Area& area, cons
         ImGui::PushID(number++);
         const ImVec2 corner = ImGui::GetCursorScreenPos();
         const ImVec2 size(frame.x, frame.y + kCaptionLines * theme.em * 0.95f);
-        if (ImGui::InvisibleButton("stage", size)) chooseStage(desk, thumbnail.stage);
+        if (ImGui::InvisibleButton("stage", size)) chooseStage(ui, thumbnail.stage);
         const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemFocused(), chosen = thumbnail.stage == now;
         ImDrawList& list = *ImGui::GetWindowDrawList();
         drawInFrame(list, thumbnail.picture, corner, frame);

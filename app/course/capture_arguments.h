@@ -11,7 +11,7 @@ namespace shadowlab::course {
 
 /// What follows the program's name: `capture SCENE -o OUT.png -t ...`. `sceneFile` holds the scene as it is seen, with its
 /// camera; `size` is that of the picture area.
-std::vector<std::string> captureWords(const lab::Document& document, const std::filesystem::path& sceneFile,
+std::vector<std::string> captureArguments(const lab::Document& document, const std::filesystem::path& sceneFile,
                                       const std::filesystem::path& picture, ivec2 size);
 
 /// For a shell: words with odd characters in quotes.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/course/capture_words.h"
+#include "app/course/capture_arguments.h"
 
 #include <algorithm>
 #include <array>
@@ -46,7 +46,7 @@ std::string_view layoutName(picture::Layout layout) {
     return kNames[static_cast<std::size_t>(layout)];
 }
 
-std::vector<std::string> captureWords(const lab::Document& document, const std::filesystem::path& sceneFile,
+std::vector<std::string> captureArguments(const lab::Document& document, const std::filesystem::path& sceneFile,
                                       const std::filesystem::path& picture, ivec2 size) {
     const bool single = document.layout == picture::Layout::single;
     const int count = lab::shownPanes(document.layout);

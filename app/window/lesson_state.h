@@ -10,12 +10,12 @@
 
 namespace shadowlab::window {
 
-struct Desk;
+struct WindowState;
 
 /// What a lesson goes through; questions only where it asks one, revealing only where something was painted.
 enum class LessonStep { question, reveal, artefact, mend };
 
-struct LessonDesk {
+struct LessonState {
     std::vector<course::LessonText> all; ///< the course
     scene::LoadOptions loading;
     std::optional<course::Lesson> now; ///< none: no lesson is on
@@ -35,12 +35,12 @@ struct LessonDesk {
 std::vector<LessonStep> stepsOf(const course::Lesson& lesson);
 
 /// Begins a lesson: a built-in name or a file. One that cannot be loaded leaves a message, and all as it was.
-void openLesson(Desk& desk, const std::string& nameOrPath, bool atItsEnd = false);
+void openLesson(WindowState& ui, const std::string& nameOrPath, bool atItsEnd = false);
 /// One step on (1) or back (-1), into the next or the last lesson where this one ends. Without a lesson: the first, or the last.
-void stepLesson(Desk& desk, int by);
+void stepLesson(WindowState& ui, int by);
 /// The lesson is over, and what was there before it is back.
-void leaveLesson(Desk& desk);
+void leaveLesson(WindowState& ui);
 /// An answer to the question that is asked; counted from 0.
-void answer(Desk& desk, int choice);
+void answer(WindowState& ui, int choice);
 
 } // namespace shadowlab::window

@@ -11,9 +11,9 @@
 
 namespace shadowlab::window {
 
-struct Desk;
+struct WindowState;
 
-struct SlideDesk {
+struct SlideState {
     std::vector<std::string> decks; ///< built-in ones
     scene::LoadOptions loading;
     std::optional<course::Deck> deck;        ///< none: no deck is on
@@ -28,12 +28,12 @@ struct SlideDesk {
 
 /// Opens a deck, a built-in name or a file, at the slide of that name; empty: the first. What cannot be read leaves a
 /// message, and all as it was.
-void openDeck(Desk& desk, const std::string& nameOrPath, const std::string& slide = {});
+void openDeck(WindowState& ui, const std::string& nameOrPath, const std::string& slide = {});
 /// One picture on (1) or back (-1), into the next or the last slide where this one ends. Without a deck: opens the first.
-void stepSlides(Desk& desk, int by);
+void stepSlides(WindowState& ui, int by);
 /// The deck is closed, and what was there before it is back.
-void leaveSlides(Desk& desk);
+void leaveSlides(WindowState& ui);
 /// Adds what is on show to the deck of the current folder (course/slide_file.h), and says so.
-void saveAsSlide(Desk& desk);
+void saveAsSlide(WindowState& ui);
 
 } // namespace shadowlab::window

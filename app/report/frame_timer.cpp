@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/report/clock.h"
+#include "app/report/frame_timer.h"
 
 #include <unistd.h>
 
@@ -30,14 +30,14 @@ constexpr double kTurnMs = 400;
 
 } // namespace
 
-film::Moment Clock::momentOf(int frame) {
+film::Moment FrameTimer::momentOf(int frame) {
     const film::Motion motion{.frames = 360, .orbitLightDegrees = 360.0, .orbitCameraDegrees = {}, .path = {}};
     film::Moment moment = film::momentAt(motion, base_, frame % motion.frames, previous_);
     previous_ = moment.snapshot;
     return moment;
 }
 
-picture::RenderedFrame Clock::draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses) {
+picture::RenderedFrame FrameTimer::draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses) {
     session_.setScene(moment.snapshot);
     View view;
     view.camera = moment.camera;
@@ -47,14 +47,14 @@ picture::RenderedFrame Clock::draw(picture::Slot& slot, const film::Moment& mome
     return session_.render(slot, view, request);
 }
 
-double Clock::encode(picture::Slot& slot, const film::Moment& moment) {
+double FrameTimer::encode(picture::Slot& slot, const film::Moment& moment) {
     const SteadyClock::time_point start = SteadyClock::now();
     picture_ = encoder_.encodeInPlace(slot.target.color, moment.snapshot->exposure, 1, {}, std::move(picture_));
     glFinish();
     return elapsedMs(start);
 }
 
-void Clock::first(const std::string& name, picture::Slot& slot, Times& times) {
+void FrameTimer::first(const std::string& name, picture::Slot& slot, Times& times) {
     const double before = residentMegabytes();
     const film::Moment moment = momentOf(0);
     times.firstMs[name] = draw(slot, moment).frameMs;
@@ -64,7 +64,7 @@ void Clock::first(const std::string& name, picture::Slot& slot, Times& times) {
     usualMs_[name] = elapsedMs(start);
 }
 
-Turn Clock::turn(const std::string& name, picture::Slot& slot, int round) {
+Turn FrameTimer::turn(const std::string& name, picture::Slot& slot, int round) {
     const double usualMs = std::max(usualMs_[name], 0.1);
     const int most = static_cast<int>(kTurnMs / usualMs);
     const int counted = std::clamp(most, 1, length_.counted);

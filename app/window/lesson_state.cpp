@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/lesson_desk.h"
+#include "app/window/lesson_state.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "app/window/desk.h"
+#include "app/window/window_state.h"
 #include "techniques/foundation/base/error.h"
 
 namespace shadowlab::window {
@@ -28,23 +28,23 @@ lab::Document documentOf(const Lesson& lesson, LessonStep step) {
     return course::documentOf(state);
 }
 
-void reveal(Desk& desk) {
-    const lab::Document& document = desk.bench.document();
+void reveal(WindowState& ui) {
+    const lab::Document& document = ui.bench.document();
     View view;
     view.camera = document.camera;
     view.size = course::kPredictionSize;
-    desk.lesson.score = course::scorePrediction(desk.lesson.painted, desk.bench.session().truth(view, document.light));
+    ui.lesson.score = course::scorePrediction(ui.lesson.painted, ui.bench.session().truth(view, document.light));
 }
 
-void show(Desk& desk, LessonStep step) {
-    LessonDesk& on = desk.lesson;
+void show(WindowState& ui, LessonStep step) {
+    LessonState& on = ui.lesson;
     on.step = step;
-    desk.selection = {};
-    desk.shown.blink = false;
-    desk.bench.showDocument(documentOf(*on.now, step));
+    ui.selection = {};
+    ui.shown.blink = false;
+    ui.bench.showDocument(documentOf(*on.now, step));
     const film::Motion& motion = on.now->motion;
     if (motion.frames > 1)
-        desk.bench.setAnimation([&](lab::Animation& animation) {
+        ui.bench.setAnimation([&](lab::Animation& animation) {
             const double degrees = motion.orbitCameraDegrees.value_or(0) + motion.orbitLightDegrees.value_or(0);
             animation.lights = motion.orbitLightDegrees.has_value();
             animation.camera = motion.orbitCameraDegrees.has_value();
@@ -58,15 +58,15 @@ void show(Desk& desk, LessonStep step) {
         on.painted.clear();
         on.score.reset();
     }
-    if (step == LessonStep::reveal) reveal(desk);
+    if (step == LessonStep::reveal) reveal(ui);
 }
 
 } // namespace
 
-bool LessonDesk::paints() const {
+bool LessonState::paints() const {
     return now && step == LessonStep::question && now->question->kind == Question::Kind::mark;
 }
-bool LessonDesk::asksChoice() const {
+bool LessonState::asksChoice() const {
     return now && step == LessonStep::question && now->question->kind == Question::Kind::choice;
 }
 
@@ -78,29 +78,29 @@ std::vector<LessonStep> stepsOf(const Lesson& lesson) {
     return steps;
 }
 
-void openLesson(Desk& desk, const std::string& nameOrPath, bool atItsEnd) {
+void openLesson(WindowState& ui, const std::string& nameOrPath, bool atItsEnd) {
     try {
-        Lesson lesson = course::loadLesson(nameOrPath, desk.lesson.loading);
-        leaveSlides(desk);
-        if (!desk.lesson.earlier) desk.lesson.earlier = desk.bench.document();
-        desk.lesson.now = std::move(lesson);
+        Lesson lesson = course::loadLesson(nameOrPath, ui.lesson.loading);
+        leaveSlides(ui);
+        if (!ui.lesson.earlier) ui.lesson.earlier = ui.bench.document();
+        ui.lesson.now = std::move(lesson);
     } catch (const Error& fault) {
-        complain(desk, fault.what());
+        complain(ui, fault.what());
         return;
     }
-    const std::vector<LessonStep> steps = stepsOf(*desk.lesson.now);
-    desk.lesson.chosen.reset();
-    desk.lesson.painted.clear();
-    desk.lesson.score.reset();
-    show(desk, atItsEnd ? steps.back() : steps.front());
+    const std::vector<LessonStep> steps = stepsOf(*ui.lesson.now);
+    ui.lesson.chosen.reset();
+    ui.lesson.painted.clear();
+    ui.lesson.score.reset();
+    show(ui, atItsEnd ? steps.back() : steps.front());
 }
 
-void stepLesson(Desk& desk, int by) {
-    LessonDesk& on = desk.lesson;
+void stepLesson(WindowState& ui, int by) {
+    LessonState& on = ui.lesson;
     if (on.now) {
         const std::vector<LessonStep> steps = stepsOf(*on.now);
         const auto at = std::ranges::find(steps, on.step) - steps.begin() + by;
-        if (at >= 0 && at < std::ssize(steps)) return show(desk, steps[static_cast<std::size_t>(at)]);
+        if (at >= 0 && at < std::ssize(steps)) return show(ui, steps[static_cast<std::size_t>(at)]);
     }
     if (on.all.empty()) return;
     const auto count = static_cast<int>(on.all.size());
@@ -109,19 +109,19 @@ void stepLesson(Desk& desk, int by) {
         const auto found = std::ranges::find(on.all, on.now->text.file, &course::LessonText::file);
         if (found != on.all.end()) next = (static_cast<int>(found - on.all.begin()) + by + count) % count;
     }
-    openLesson(desk, on.all[static_cast<std::size_t>(next)].name, by < 0);
+    openLesson(ui, on.all[static_cast<std::size_t>(next)].name, by < 0);
 }
 
-void leaveLesson(Desk& desk) {
-    if (!desk.lesson.isOn()) return;
-    desk.lesson.now.reset();
-    if (desk.lesson.earlier) desk.bench.showDocument(*desk.lesson.earlier);
-    desk.lesson.earlier.reset();
+void leaveLesson(WindowState& ui) {
+    if (!ui.lesson.isOn()) return;
+    ui.lesson.now.reset();
+    if (ui.lesson.earlier) ui.bench.showDocument(*ui.lesson.earlier);
+    ui.lesson.earlier.reset();
 }
 
-void answer(Desk& desk, int choice) {
-    if (desk.lesson.asksChoice() && choice < static_cast<int>(desk.lesson.now->question->choices.size()))
-        desk.lesson.chosen = choice;
+void answer(WindowState& ui, int choice) {
+    if (ui.lesson.asksChoice() && choice < static_cast<int>(ui.lesson.now->question->choices.size()))
+        ui.lesson.chosen = choice;
 }
 
 } // namespace shadowlab::window

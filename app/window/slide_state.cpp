@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/window/slide_desk.h"
+#include "app/window/slide_state.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "app/course/slide_file.h"
-#include "app/window/desk.h"
+#include "app/window/window_state.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
 
@@ -14,8 +14,8 @@ namespace shadowlab::window {
 namespace {
 
 /// The slide of that number, on show. Throws what reading it throws; then nothing has changed.
-void show(Desk& desk, course::Deck& deck, std::size_t slide, bool atItsEnd) {
-    SlideDesk& on = desk.slides;
+void show(WindowState& ui, course::Deck& deck, std::size_t slide, bool atItsEnd) {
+    SlideState& on = ui.slides;
     course::Slide read = deck.read(slide);
     on.stops = course::stopsOf(read);
     on.slide = std::move(read);
@@ -23,24 +23,24 @@ void show(Desk& desk, course::Deck& deck, std::size_t slide, bool atItsEnd) {
     on.stop = atItsEnd && !on.stops.empty() ? on.stops.size() - 1 : 0;
 }
 
-void showStop(Desk& desk) {
-    const SlideDesk& on = desk.slides;
+void showStop(WindowState& ui) {
+    const SlideState& on = ui.slides;
     if (on.stops.empty()) return; // words alone: the picture before stays
-    desk.selection = {};
-    desk.shown.blink = false;
-    desk.bench.showDocument(on.stops[on.stop].document);
+    ui.selection = {};
+    ui.shown.blink = false;
+    ui.bench.showDocument(on.stops[on.stop].document);
 }
 
 /// The deck as it is now. Somebody may have made it shorter.
-void replaceDeck(SlideDesk& on, const std::filesystem::path& file) {
+void replaceDeck(SlideState& on, const std::filesystem::path& file) {
     on.deck.emplace(file.string(), on.loading);
     on.at = std::min(on.at, on.deck->slides().size() - 1);
 }
 
 } // namespace
 
-void openDeck(Desk& desk, const std::string& nameOrPath, const std::string& slide) {
-    SlideDesk& on = desk.slides;
+void openDeck(WindowState& ui, const std::string& nameOrPath, const std::string& slide) {
+    SlideState& on = ui.slides;
     try {
         course::Deck deck(nameOrPath, on.loading);
         const std::vector<std::string>& names = deck.slides();
@@ -48,34 +48,34 @@ void openDeck(Desk& desk, const std::string& nameOrPath, const std::string& slid
         if (found == names.end())
             throw Error(ExitStatus::usage,
                         "deck '" + deck.name() + "' has no slide '" + slide + "'; " + suggestion(slide, names));
-        leaveLesson(desk);
-        show(desk, deck, static_cast<std::size_t>(found - names.begin()), false);
-        if (!on.earlier) on.earlier = desk.bench.document();
+        leaveLesson(ui);
+        show(ui, deck, static_cast<std::size_t>(found - names.begin()), false);
+        if (!on.earlier) on.earlier = ui.bench.document();
         on.deck.emplace(std::move(deck));
     } catch (const Error& fault) {
-        return complain(desk, fault.what());
+        return complain(ui, fault.what());
     }
-    showStop(desk);
+    showStop(ui);
 }
 
-void stepSlides(Desk& desk, int by) {
-    SlideDesk& on = desk.slides;
+void stepSlides(WindowState& ui, int by) {
+    SlideState& on = ui.slides;
     if (!on.deck) {
-        if (!on.decks.empty()) openDeck(desk, on.decks.front());
+        if (!on.decks.empty()) openDeck(ui, on.decks.front());
         return;
     }
     if (by > 0 ? on.stop + 1 < on.stops.size() : on.stop > 0) {
         on.stop += by > 0 ? 1 : std::size_t(-1);
-        return showStop(desk);
+        return showStop(ui);
     }
     const std::size_t count = on.deck->slides().size();
     if (by > 0 ? on.at + 1 >= count : on.at == 0) {
-        desk.requests.news = by > 0 ? "This was the last slide." : "This is the first slide.";
+        ui.requests.news = by > 0 ? "This was the last slide." : "This is the first slide.";
         return;
     }
     const std::size_t next = by > 0 ? on.at + 1 : on.at - 1;
     try {
-        show(desk, *on.deck, next, by < 0);
+        show(ui, *on.deck, next, by < 0);
     } catch (const Error& fault) { // the slides behind it can be shown all the same
         on.at = next;
         on.slide = course::Slide();
@@ -83,31 +83,31 @@ void stepSlides(Desk& desk, int by) {
         on.slide.title = on.slide.name + " cannot be shown";
         on.stops.clear();
         on.stop = 0;
-        return complain(desk, fault.what());
+        return complain(ui, fault.what());
     }
-    showStop(desk);
+    showStop(ui);
 }
 
-void leaveSlides(Desk& desk) {
-    if (!desk.slides.isOn()) return;
-    desk.slides.deck.reset();
-    desk.slides.stops.clear();
-    if (desk.slides.earlier) desk.bench.showDocument(*desk.slides.earlier);
-    desk.slides.earlier.reset();
+void leaveSlides(WindowState& ui) {
+    if (!ui.slides.isOn()) return;
+    ui.slides.deck.reset();
+    ui.slides.stops.clear();
+    if (ui.slides.earlier) ui.bench.showDocument(*ui.slides.earlier);
+    ui.slides.earlier.reset();
 }
 
-void saveAsSlide(Desk& desk) {
+void saveAsSlide(WindowState& ui) {
     try {
-        const course::SavedSlide saved = course::saveSlide(desk.bench.document(), *desk.bench.shownScene(),
-                                                             course::currentFolder(), desk.slides.loading);
-        desk.requests.news = "saved as slide " + saved.name + " of " + saved.deck.string() +
+        const course::SavedSlide saved = course::saveSlide(ui.bench.document(), *ui.bench.shownScene(),
+                                                             course::currentFolder(), ui.slides.loading);
+        ui.requests.news = "saved as slide " + saved.name + " of " + saved.deck.string() +
                              (saved.sceneFile.empty() ? "" : ", with its scene " + saved.sceneFile.filename().string());
         // Whoever goes through that very deck finds the slide at its end.
         std::error_code ignored;
-        if (desk.slides.deck && std::filesystem::equivalent(desk.slides.deck->file(), saved.deck, ignored))
-            replaceDeck(desk.slides, saved.deck);
+        if (ui.slides.deck && std::filesystem::equivalent(ui.slides.deck->file(), saved.deck, ignored))
+            replaceDeck(ui.slides, saved.deck);
     } catch (const std::exception& fault) {
-        complain(desk, fault.what());
+        complain(ui, fault.what());
     }
 }
 

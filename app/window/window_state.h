@@ -9,8 +9,8 @@
 
 #include "app/lab/handles.h"
 #include "app/lab/workbench.h"
-#include "app/window/lesson_desk.h"
-#include "app/window/slide_desk.h"
+#include "app/window/lesson_state.h"
+#include "app/window/slide_state.h"
 
 namespace shadowlab::window {
 
@@ -57,7 +57,7 @@ struct Message {
 /// What the mouse holds.
 enum class Drag { none, camera, splitLine, handle };
 
-struct Desk {
+struct WindowState {
     lab::Workbench bench;
     Shown shown;
     Requests requests;
@@ -65,52 +65,52 @@ struct Desk {
     std::vector<KeyPress> keys; ///< since the last frame, in order: none is lost, however quick the hand
     std::set<int> held;         ///< keys that are down, numbered as KeyPress does
     lab::Selection selection, hovered;
-    LessonDesk lesson;
-    SlideDesk slides;
+    LessonState lesson;
+    SlideState slides;
     dvec2 lens{
         0.5}; ///< where the magnifier looks, as shares of a picture's width and height from its upper left corner
     Drag drag = Drag::none;
     int dragPart = -1, dragPane = 0; ///< of the handle that is held: an axis, or -1 for its disc; and where
     std::vector<std::string> scenes; ///< built-in ones
     bool live = true; ///< hands are at it. Else: no times, which are never the same twice, and exact errors at once
-    bool panelOnDesk = true;       ///< whether the settings come back after presenter mode
-    bool panelBesideSource = true; ///< whether they come back after the source was on show
-    bool panelHasKeys = false;     ///< the arrows walk through the settings, and not around the scene
+    bool panelOutsidePresenter = true; ///< whether the settings come back after presenter mode
+    bool panelBesideSource = true;     ///< whether they come back after the source was on show
+    bool panelHasKeys = false;         ///< the arrows walk through the settings, and not around the scene
 
     // Where the mouse went down since the last frame: a quick hand is elsewhere by the time the frame is drawn. And where
     // it was when what it holds was last moved. Pixels of the window.
     std::optional<dvec2> pressedAt;
     dvec2 heldAt{0.0};
 
-    explicit Desk(lab::Document document) : bench(std::move(document)) {}
+    explicit WindowState(lab::Document document) : bench(std::move(document)) {}
 };
 
 // What more than one key or button does.
 
 /// The technique of the active pane. Its settings are those it had there before.
-void chooseTechnique(Desk& desk, std::string_view id);
+void chooseTechnique(WindowState& ui, std::string_view id);
 /// The lecture's version of the active pane's technique, or back from it to the one that refines it.
-void chooseSister(Desk& desk);
+void chooseSister(WindowState& ui);
 /// What the active pane shows of its technique.
-void chooseStage(Desk& desk, const picture::StageRef& stage);
+void chooseStage(WindowState& ui, const picture::StageRef& stage);
 /// That, or the finished picture where the pane shows it already.
-void toggleStage(Desk& desk, const picture::StageRef& stage);
-void chooseLayout(Desk& desk, picture::Layout layout);
-void step(Desk& desk, int by);
+void toggleStage(WindowState& ui, const picture::StageRef& stage);
+void chooseLayout(WindowState& ui, picture::Layout layout);
+void step(WindowState& ui, int by);
 /// Where the selected thing is, or the point at which the arrow of a directional light is held.
-void moveSelected(Desk& desk, const dvec3& byWorld, const std::string& gesture);
-void selectNext(Desk& desk, int by);
-void resetSettings(Desk& desk);
+void moveSelected(WindowState& ui, const dvec3& byWorld, const std::string& gesture);
+void selectNext(WindowState& ui, int by);
+void resetSettings(WindowState& ui);
 /// Large type leaves less room: the settings make way for it, and come back with it gone.
-void togglePresenter(Desk& desk);
+void togglePresenter(WindowState& ui);
 /// Formula, pseudocode and source of the step need room, too.
-void toggleSource(Desk& desk);
-void resetCamera(Desk& desk);
+void toggleSource(WindowState& ui);
+void resetCamera(WindowState& ui);
 /// Which of the two cameras the active pane looks through, and hands move.
-bool looksFromOutside(const Desk& desk);
-void moveCamera(Desk& desk, const std::function<scene::Camera(const scene::Camera&)>& move);
+bool looksFromOutside(const WindowState& ui);
+void moveCamera(WindowState& ui, const std::function<scene::Camera(const scene::Camera&)>& move);
 
 /// Tells of a fault, once.
-void complain(Desk& desk, const std::string& fault);
+void complain(WindowState& ui, const std::string& fault);
 
 } // namespace shadowlab::window

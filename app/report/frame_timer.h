@@ -33,9 +33,9 @@ struct Times {
     std::map<std::string, double> firstMs, residentMegabytes;
 };
 
-class Clock {
+class FrameTimer {
 public:
-    Clock(picture::Session& session, scene::Snapshot base, ivec2 size, TurnLength length)
+    FrameTimer(picture::Session& session, scene::Snapshot base, ivec2 size, TurnLength length)
         : session_(session), base_(std::move(base)), size_(size), length_(length) {}
 
     /// The first frame of a new slot. Remembers how long frames of it are.
