@@ -14,10 +14,16 @@ import math
 import subprocess
 import sys
 
-FILTERS = ["hard", "hw2x2", "pcf", "disc", "pcss", "vsm", "esm", "evsm", "msm"]
+FILTERS = []  # those of the program, in its order: filters_of()
 COLORS = ["#000000", "#56B4E9", "#0072B2", "#009E73", "#999999", "#E69F00", "#CC79A7", "#D55E00", "#8B5A2B"]
 RESOLUTIONS = [256, 512, 1024, 2048]
 MOTION = ["--frames", "5", "--orbit-light", "5"]
+
+
+def filters_of(program):
+    listed = subprocess.run([program, "list", "parameters"], capture_output=True, text=True, check=True).stdout
+    row = next(line.split("\t") for line in listed.splitlines() if line.startswith("shadow-map.filter\t"))
+    return row[2].split("|")
 
 
 def scene_names(program):
@@ -97,6 +103,7 @@ def chart(means, pareto):
 
 def main():
     program = sys.argv[1]
+    FILTERS.extend(filters_of(program))
     scenes, cells, means = scene_names(program), {}, {}
     for scene in scenes:
         for resolution in RESOLUTIONS:

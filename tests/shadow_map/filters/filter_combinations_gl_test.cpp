@@ -10,6 +10,8 @@
 
 #include "techniques/foundation/scene/model/shapes.h"
 #include "techniques/foundation/scene/query/casters.h"
+#include "techniques/shadow_map/bias/biases.h"
+#include "techniques/shadow_map/filters/filters.h"
 #include "tests/shadow_map/edge_reach.h"
 #include "tests/shadow_map/fit/scene_maps.h"
 #include "tests/support/gl_fixture.h"
@@ -27,9 +29,14 @@ using Settings = std::vector<std::string>;
 
 constexpr ivec2 kPictureSize{160, 120};
 
-const Settings kFilters = {"hard", "hw2x2", "pcf", "disc", "pcss", "vsm", "esm", "evsm", "msm"};
-const Settings kModes = {"none",           "constant",   "slope-scaled", "normal-offset",
-                         "receiver-plane", "dual-depth", "adaptive"};
+template <typename Table>
+Settings namesOf(const Table& table) {
+    Settings names;
+    for (const auto& entry : table)
+        names.emplace_back(entry.name);
+    return names;
+}
+const Settings kFilters = namesOf(shadow_map::filters()), kModes = namesOf(shadow_map::biases());
 
 using enum scene::LightType;
 struct MapKind {
