@@ -36,8 +36,8 @@ struct GradeOptions {
 
 void describeGrade(DescribedOptions& add) {
     add.option("-t,--technique", "ID", "which of the plug-in's techniques, where it has several");
-    add.option("--family", "FAMILY",
-               "planar, shadow-map or shadow-volume (default: what the plug-in's CMakeLists.txt says)");
+    const std::string family = student::familyNames() + " (default: what the plug-in's CMakeLists.txt says)";
+    add.option("--family", "FAMILY", family.c_str());
     add.option("-o,--output", "DIR",
                "a folder for the picture of the first failing case; it is made where there is none");
     add.option("--time-limit", "SECONDS", "for each case (default 30)");
@@ -98,8 +98,8 @@ const student::Family& chosenFamily(const GradeOptions& options, const student::
     const std::string& id = options.family.empty() ? declared.family : options.family;
     if (id.empty())
         throw Error(ExitStatus::usage, "grade: " + options.plugin.string() +
-                                           " does not say what family it is of; add --family planar, shadow-map or "
-                                           "shadow-volume");
+                                           " does not say what family it is of; add --family with one of " +
+                                           student::familyNames());
     return student::findFamily(id);
 }
 
@@ -118,7 +118,10 @@ std::string sheetText(const Sheet& sheet, const std::string& picture) {
     for (const CaseResult& result : sheet.results) {
         if (result.isRight()) continue;
         text += "\n" + std::string(result.which->id) + ": ";
-        if (result.wrong)
+        if (result.wrong && result.which->judged != student::Judged::visibility)
+            text += std::to_string(*result.wrong) + " pixels are more than " + std::to_string(sheet.family->levels) +
+                    " of 255 levels off. ";
+        else if (result.wrong)
             text += std::to_string(result.counts.falseLit) + " pixels lit that should be dark, " +
                     std::to_string(result.counts.falseShadow) + " dark that should be lit. ";
         else
@@ -134,6 +137,7 @@ std::string sheetJson(const Sheet& sheet, const std::string& picture) {
     for (const CaseResult& result : sheet.results)
         cases.push_back({{"case", result.which->id},
                          {"idea", result.which->idea},
+                         {"judged", student::toText(result.which->judged)},
                          {"wrong", result.wrong ? Json(*result.wrong) : Json(nullptr)},
                          {"falseLit", result.wrong ? Json(result.counts.falseLit) : Json(nullptr)},
                          {"falseShadow", result.wrong ? Json(result.counts.falseShadow) : Json(nullptr)},

@@ -1,7 +1,7 @@
-# shadowlab_plugin(NAME [FAMILY planar|shadow-map|shadow-volume] [SOURCES FILE...]): builds NAME.so, a plug-in of shadowlab.
+# shadowlab_plugin(NAME [FAMILY F] [SOURCES FILE...]): builds NAME.so, a plug-in of shadowlab.
 #
 # NAME is the namespace in which techniques() is defined, and the folder of shaders/ that its shaders lie in. FAMILY is what
-# `shadowlab grade` asks of it. Without SOURCES: every .cpp file of the folder.
+# `shadowlab grade` asks of it: planar, shadow-map, shadow-volume, ray-tracing or radiosity. Without SOURCES: every .cpp file of the folder.
 function(shadowlab_plugin name)
   cmake_parse_arguments(PARSE_ARGV 1 plugin "" "FAMILY" "SOURCES")
   if(plugin_UNPARSED_ARGUMENTS)

@@ -10,10 +10,31 @@
 namespace shadowlab::student {
 
 std::span<const Family> families() {
-    static const std::array<Family, 3> all = {{{"planar", "Planar projected shadows", planarCases()},
-                                               {"shadow-map", "Shadow map", shadowMapCases()},
-                                               {"shadow-volume", "Shadow volume", shadowVolumeCases()}}};
+    // Two levels: either picture is rounded to 8 bits, and float arithmetic rounds on the way there. Six levels, some 5 % of a grey's
+    // intensity: other points of the same patches change a form factor by as much.
+    static const std::array<Family, 5> all = {
+        {{"planar", "Planar projected shadows", planarCases()},
+         {"shadow-map", "Shadow map", shadowMapCases()},
+         {"shadow-volume", "Shadow volume", shadowVolumeCases()},
+         {"ray-tracing", "Ray tracing", rayTracingCases(), "lecture-ray-tracing", 2},
+         {"radiosity", "Radiosity", radiosityCases(), "lecture-radiosity", 6}}};
     return all;
+}
+
+std::string_view toText(Judged judged) {
+    switch (judged) {
+    case Judged::picture: return "picture";
+    case Judged::treeDepth: return "tree-depth";
+    case Judged::visibility: break;
+    }
+    return "visibility";
+}
+
+std::string familyNames() {
+    std::string text;
+    for (const Family& family : families())
+        text += (text.empty() ? "" : &family == &families().back() ? " or " : ", ") + std::string(family.id);
+    return text;
 }
 
 const Family& findFamily(std::string_view id) {

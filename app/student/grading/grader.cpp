@@ -13,6 +13,7 @@
 #include "app/context/signals.h"
 #include "app/picture/limits.h"
 #include "app/picture/session.h"
+#include "app/student/grading/picture_difference.h"
 #include "app/student/grading/score_picture.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/png/png.h"
@@ -49,22 +50,24 @@ private:
 
 fs::path sceneOf(const Case& which) { return context::assetsRoot() / "grading" / (std::string(which.id) + ".json"); }
 
-/// A picture that the plug-in drew in another process; or why there is none.
+/// A picture that another process drew; or why there is none.
 struct Drawn {
     std::optional<image::Image> picture;
     std::string failure;
 };
-Drawn draw(const Candidate& candidate, const Case& which, bool visibility, const ChildLimits& limits,
+
+/// Without a plug-in the technique is one of the program's own. Drawn is a stage; Judged::picture: the finished picture.
+Drawn draw(const Candidate& candidate, const Case& which, Judged stage, const ChildLimits& limits,
            const TemporaryFolder& folder) {
-    const fs::path file = folder.file(std::string(which.id) + (visibility ? "-visibility.png" : ".png"));
+    const fs::path file = folder.file(std::string(which.id) + "-" + std::string(toText(stage)) + ".png");
     std::vector<std::string> words{"capture",   sceneOf(which).string(),
-                                   "--plugin",  candidate.plugin.string(),
                                    "-t",        candidate.technique,
                                    "-o",        file.string(),
                                    "--size",    std::to_string(kCaseWidth) + "x" + std::to_string(kCaseHeight),
                                    "--labels",  "false",
                                    "--backend", candidate.backend};
-    if (visibility) words.insert(words.end(), {"--stage", "visibility"});
+    if (!candidate.plugin.empty()) words.insert(words.end(), {"--plugin", candidate.plugin.string()});
+    if (stage != Judged::picture) words.insert(words.end(), {"--stage", std::string(toText(stage))});
     const ChildEnd end = runChild(words, limits);
     if (end.how != ChildEnd::How::finished) return {std::nullopt, end.message};
     try {
@@ -89,7 +92,13 @@ class Grader {
 public:
     Grader(const Candidate& candidate, const ChildLimits& limits) : candidate_(candidate), limits_(limits) {}
 
-    CaseResult judge(const Case& which, image::Image& failing) {
+    CaseResult judge(const Family& family, const Case& which, image::Image& failing) {
+        return which.judged == Judged::visibility ? judgeVisibility(which, failing)
+                                                  : judgePicture(family, which, failing);
+    }
+
+private:
+    CaseResult judgeVisibility(const Case& which, image::Image& failing) {
         const scene::Snapshot scene = scene::loadScene(
             sceneOf(which).string(), {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = picture::limits()});
         picture::Session session(scene);
@@ -98,7 +107,7 @@ public:
         view.size = {kCaseWidth, kCaseHeight};
         const judge::Truth& truth = session.truth(view, picture::LightTruth(0));
 
-        const Drawn drawn = draw(candidate_, which, true, limits_, folder_);
+        const Drawn drawn = draw(candidate_, which, Judged::visibility, limits_, folder_);
         // Without a picture nothing is shown anywhere.
         const std::vector<std::uint8_t> greyAlpha =
             drawn.picture ? greyAlphaOf(*drawn.picture) : std::vector<std::uint8_t>(2 * truth.visibility.size(), 0);
@@ -106,13 +115,27 @@ public:
         CaseResult result{&which, std::nullopt, drawn.failure, judgement.counts};
         if (drawn.picture) result.wrong = judgement.counts.wrong() + judgement.counts.stray;
         if (!result.isRight() && failing.rgba.empty()) {
-            Drawn seen = drawn.picture ? draw(candidate_, which, false, limits_, folder_) : drawn;
+            Drawn seen = drawn.picture ? draw(candidate_, which, Judged::picture, limits_, folder_) : drawn;
             failing = scorePicture(std::move(seen.picture), seen.failure, truth, judgement);
         }
         return result;
     }
 
-private:
+    CaseResult judgePicture(const Family& family, const Case& which, image::Image& failing) {
+        const Drawn right =
+            draw({"", std::string(family.reference), candidate_.backend}, which, which.judged, limits_, folder_);
+        if (!right.picture)
+            throw Error(ExitStatus::overLimit, "grade: no picture of " + std::string(family.reference) +
+                                                   " for the case " + std::string(which.id) + " (" + right.failure +
+                                                   "); give it more with --time-limit or --memory-limit");
+        Drawn drawn = draw(candidate_, which, which.judged, limits_, folder_);
+        CaseResult result{&which, std::nullopt, drawn.failure, {}};
+        if (drawn.picture) result.wrong = difference(*drawn.picture, *right.picture, family.levels).count;
+        if (!result.isRight() && failing.rgba.empty())
+            failing = scorePicture(std::move(drawn.picture), drawn.failure, *right.picture, family.levels);
+        return result;
+    }
+
     Candidate candidate_;
     ChildLimits limits_;
     TemporaryFolder folder_;
@@ -154,7 +177,7 @@ Sheet grade(const Candidate& candidate, const Family& family, const ChildLimits&
     Grader grader(candidate, limits);
     for (const Case& which : family.cases) {
         context::throwIfInterrupted();
-        sheet.results.push_back(grader.judge(which, sheet.firstFailing));
+        sheet.results.push_back(grader.judge(family, which, sheet.firstFailing));
         done(static_cast<int>(sheet.results.size()));
     }
     return sheet;

@@ -1,7 +1,8 @@
-// Holds a plug-in against the truth in every case of a family.
+// Holds a plug-in against what is right in every case of a family: the truth about visibility, or the picture of the lecture's own
+// algorithm.
 //
-// The plug-in draws in another process, a new one for each case, and hands over pictures; the truth is found here, where nothing of
-// the plug-in runs. So it cannot change its marks, and what happens to it happens to it alone.
+// The plug-in draws in another process, a new one for each case, and hands over pictures; what is right is found where nothing of the
+// plug-in runs. So it cannot change its marks, and what happens to it happens to it alone.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
@@ -28,7 +29,7 @@ struct CaseResult {
     const Case* which = nullptr;
     std::optional<int> wrong; ///< pixels; none: it drew no picture
     std::string failure;      ///< why it drew none
-    judge::Counts counts;   ///< of the truth and, if there is a picture, of what is wrong in it
+    judge::Counts counts;     ///< of visibility: of the truth and, if there is a picture, of what is wrong in it
     [[nodiscard]] bool isRight() const { return wrong && *wrong <= which->limit; }
     [[nodiscard]] int points() const { return isRight() ? which->points : 0; }
 };
@@ -37,7 +38,7 @@ struct Sheet {
     const Family* family = nullptr;
     Candidate candidate;
     std::vector<CaseResult> results;
-    image::Image firstFailing; ///< student, truth, difference; empty where all is right
+    image::Image firstFailing; ///< student, what is right, difference; empty where all is right
     [[nodiscard]] int points() const;
     [[nodiscard]] int mostPoints() const;
 };

@@ -6,6 +6,8 @@
 #include "app/context/assets.h"
 #include "app/picture/figure.h"
 #include "app/picture/verdict_panels.h"
+#include "app/student/grading/picture_difference.h"
+#include "techniques/foundation/base/look.h"
 #include "techniques/foundation/image/text.h"
 
 namespace shadowlab::student {
@@ -34,6 +36,32 @@ image::Image withoutPicture(const std::string& why, ivec2 size, const image::Fon
     return picture;
 }
 
+/// The three beside each other, under their titles.
+image::Image sideBySide(std::vector<picture::Panel> panels, ivec2 size, const image::Font& font) {
+    const ivec2 whole(3 * size.x, size.y);
+    std::vector<picture::Cell> cells = picture::layoutCells(picture::Layout::side, 3, whole);
+    return picture::composeFigure(cells, panels, whole, &font).picture;
+}
+
+/// Grey, and no darker than a third of white, so that what is marked stands out.
+image::Color8 faint(const image::Color8& c) {
+    const int grey = 85 + (c.r + c.g + c.b) * 170 / 765;
+    const auto level = static_cast<std::uint8_t>(grey);
+    return {level, level, level, 255};
+}
+
+picture::Panel differencePanel(image::Image picture, const image::Image& right, int levels) {
+    const PictureDifference found = difference(picture, right, levels);
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x)
+            picture.set(x, y,
+                        found.wrong[static_cast<std::size_t>(y * picture.width + x)] ? image::encoded(look::kFalseLit)
+                                                                                     : faint(picture.at(x, y)));
+    const std::string label =
+        "more than " + std::to_string(levels) + " of 255 levels off: " + std::to_string(found.count) + " px";
+    return {std::move(picture), "", StageKind::swatches, {.unit = "", .key = {{look::kFalseLit, label}}}};
+}
+
 } // namespace
 
 image::Image scorePicture(std::optional<image::Image> student, const std::string& failure, const judge::Truth& truth,
@@ -52,9 +80,23 @@ image::Image scorePicture(std::optional<image::Image> student, const std::string
     panels[0].title = "Student";
     panels[1].title = "Truth";
     panels[2].title = "Difference";
-    const ivec2 whole(3 * size.x, size.y);
-    std::vector<picture::Cell> cells = picture::layoutCells(picture::Layout::side, 3, whole);
-    return picture::composeFigure(cells, panels, whole, &font).picture;
+    return sideBySide(std::move(panels), size, font);
+}
+
+image::Image scorePicture(std::optional<image::Image> student, const std::string& failure, const image::Image& right,
+                          int levels) {
+    const image::Font font(context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
+    const ivec2 size = kEnlarged * ivec2(right.width, right.height);
+    picture::Panel errors = differencePanel(
+        student ? *student : image::Image(right.width, right.height, {0x20, 0x20, 0x24, 255}), right, levels);
+    std::vector<picture::Panel> panels(3);
+    panels[0] = {
+        student ? enlarged(*student) : withoutPicture(failure, size, font), "Student", StageKind::radiance, {}};
+    panels[1] = {enlarged(right), "Right", StageKind::radiance, {}};
+    panels[2] = std::move(errors);
+    panels[2].picture = enlarged(panels[2].picture);
+    panels[2].title = "Difference";
+    return sideBySide(std::move(panels), size, font);
 }
 
 } // namespace shadowlab::student

@@ -1,4 +1,4 @@
-// What went wrong in one case, to be seen: the student's picture, the truth, and the difference, side by side.
+// What went wrong in one case, to be seen: the student's picture, the truth or the right picture, and the difference, side by side.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -13,5 +13,9 @@ namespace shadowlab::student {
 /// told apart.
 image::Image scorePicture(std::optional<image::Image> student, const std::string& failure, const judge::Truth& truth,
                           const judge::Judgement& judgement);
+
+/// The same of a case that has a right picture. `levels`: what counts as a difference.
+image::Image scorePicture(std::optional<image::Image> student, const std::string& failure, const image::Image& right,
+                          int levels);
 
 } // namespace shadowlab::student
