@@ -38,8 +38,8 @@ function(technique_list output sources_variable)
   set(${sources_variable} ${all_sources} PARENT_SCOPE)
 endfunction()
 
-# embed_sources(OUTPUT ROOT...): of the techniques below the roots every C++ file that has an anchor (techniques/source_text.h),
-# named relative to its root.
+# embed_sources(OUTPUT ROOT...): of the techniques below the roots every C++ file that has an anchor (techniques/source_text.h), and all
+# of techniques/lecture, named relative to its root.
 function(embed_sources output)
   set(files "")
   foreach(root IN LISTS ARGN)

@@ -19,7 +19,7 @@
 
 namespace shadowlab {
 
-/// A C++ file with an anchor, as it was when the program was built; the name is relative to the project.
+/// A C++ file with an anchor, or of techniques/lecture, as it was when the program was built; the name is relative to the project.
 struct EmbeddedSource {
     std::string_view name, text;
 };

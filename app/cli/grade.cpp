@@ -36,8 +36,7 @@ struct GradeOptions {
 
 void describeGrade(DescribedOptions& add) {
     add.option("-t,--technique", "ID", "which of the plug-in's techniques, where it has several");
-    const std::string family = student::familyNames() + " (default: what the plug-in's CMakeLists.txt says)";
-    add.option("--family", "FAMILY", family.c_str());
+    add.option("--family", "FAMILY", student::familyNames() + " (default: what the plug-in's CMakeLists.txt says)");
     add.option("-o,--output", "DIR",
                "a folder for the picture of the first failing case; it is made where there is none");
     add.option("--time-limit", "SECONDS", "for each case (default 30)");

@@ -23,8 +23,8 @@ struct NewTechniqueOptions {
 void describeNewTechnique(DescribedOptions& add) {
     add.option("NAME", "", "id of the technique: small letters, digits and hyphens, as my-shadows");
     add.option("--from", "SKELETON",
-               "what to begin with: empty (a technique without shadows), planar, shadow-map or z-fail, the lecture's "
-               "algorithms with blanks to be filled in (default empty)");
+               "what to begin with: empty (a technique without shadows), or one of the lecture's algorithms with blanks to "
+               "be filled in: planar, shadow-map, z-fail, ray-tracing, radiosity (default empty)");
     add.option("-o,--output", "DIR", "the folder to be made (default: NAME)");
     add.footer("The folder has a README with the commands that build and try it.\n"
                "Examples:\n"

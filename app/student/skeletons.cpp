@@ -8,6 +8,8 @@
 
 #include "app/context/assets.h"
 #include "app/picture/limits.h"
+#include "app/student/blanks.h"
+#include "app/student/lecture_files.h"
 #include "app/student/plugins.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_error.h"
@@ -66,9 +68,66 @@ std::string textOf(const fs::path& file) {
     return scene::readFile(file, picture::limits().sceneFileBytes, "scene-file");
 }
 
+fs::path skeletonsFolder() { return context::assetsRoot() / "skeletons"; }
+
+std::map<std::string, std::string> filesOfFolder(const fs::path& folder) {
+    std::map<std::string, std::string> files;
+    try {
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+            if (!entry.is_directory()) files.emplace(fs::relative(entry.path(), folder).string(), textOf(entry.path()));
+    } catch (const fs::filesystem_error& fault) {
+        throw Error(ExitStatus::badInput,
+                    folder.string() + ": cannot be read: " + fault.code().message() + "; install shadowlab again");
+    }
+    return files;
+}
+
+std::string tableOf(const Skeleton& skeleton, const SourceFiles& source) {
+    std::string table = "| blank | where | the lecture's idea | when it is right |\n|---|---|---|---|\n";
+    for (std::size_t i = 0; i < skeleton.blanks.size(); ++i) {
+        const Blank& blank = skeleton.blanks[i];
+        table += "| " + std::to_string(i + 1) + " | `" + nameInPlugin(findLines(source, blank).file, skeleton.source) +
+                 "` | " + blank.idea + " | " + blank.whenRight + " |\n";
+    }
+    return table;
+}
+
+/// What stands between two @ in the files of assets/skeletons/with_blanks.
+std::string filledTemplate(std::string text, const std::map<std::string, std::string>& values) {
+    for (const auto& [name, value] : values)
+        if (const std::size_t at = text.find("@" + name + "@"); at != std::string::npos)
+            text.replace(at, name.size() + 2, value);
+    return text;
+}
+
+std::map<std::string, std::string> filesWithBlanks(const fs::path& description) {
+    const Skeleton skeleton = readSkeleton(description);
+    const SourceFiles whole = lectureFiles(skeleton.source);
+    SourceFiles blanked = whole;
+    makeBlanks(blanked, skeleton.blanks);
+    std::map<std::string, std::string> files = asPlugin(blanked, skeleton.source);
+    files.at("technique.cpp")
+        .insert(0, "// " + skeleton.title + ", with " + std::to_string(skeleton.blanks.size()) +
+                       " blanks to be filled in; README.md lists them. The rest is the lecture's algorithm.\n//\n");
+    for (const auto& [name, text] : filesOfFolder(skeletonsFolder() / "with_blanks"))
+        files.emplace(name, filledTemplate(text, {{"TITLE", skeleton.title},
+                                                  {"COUNT", std::to_string(skeleton.blanks.size())},
+                                                  {"SCENE", skeleton.scene},
+                                                  {"FAMILY", skeleton.family},
+                                                  {"TABLE", tableOf(skeleton, whole)}}));
+    return files;
+}
+
 } // namespace
 
-std::vector<std::string> skeletonNames() { return {"empty", "planar", "shadow-map", "z-fail"}; }
+std::vector<std::string> skeletonNames() {
+    return {"empty", "planar", "shadow-map", "z-fail", "ray-tracing", "radiosity"};
+}
+
+std::map<std::string, std::string> skeletonFiles(const std::string& skeleton) {
+    return skeleton == "empty" ? filesOfFolder(skeletonsFolder() / skeleton)
+                               : filesWithBlanks(skeletonsFolder() / (skeleton + ".json"));
+}
 
 void requireFreeName(const std::string& name) {
     const auto refuse = [&](const std::string& why) {
@@ -89,10 +148,8 @@ void requireFreeName(const std::string& name) {
 
 void writeSkeleton(const std::string& skeleton, const std::string& name, const fs::path& folder) {
     requireFreeName(name);
-    const fs::path source = context::assetsRoot() / "skeletons" / skeleton;
+    const std::map<std::string, std::string> files = skeletonFiles(skeleton);
     std::error_code failed;
-    if (!fs::is_directory(source, failed))
-        throw Error(ExitStatus::badInput, source.string() + ": there is no such skeleton; install shadowlab again");
     const fs::path absolute = fs::absolute(folder, failed);
     if (failed) throw Error(ExitStatus::cannotWrite, image::outputErrorText(folder, failed.value(), false));
     const fs::path target = absolute.lexically_normal();
@@ -102,10 +159,10 @@ void writeSkeleton(const std::string& skeleton, const std::string& name, const f
                     folder.string() + ": there is something of that name already; choose another folder with -o");
     image::OutputFolder output(made);
     try {
-        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source)) {
-            const fs::path place = output.path() / renamed(fs::relative(entry.path(), source).string(), name);
-            image::makeFolders(entry.is_directory() ? place : place.parent_path());
-            if (!entry.is_directory()) image::writeWhole(place, renamed(textOf(entry.path()), name));
+        for (const auto& [file, text] : files) {
+            const fs::path place = output.path() / renamed(file, name);
+            image::makeFolders(place.parent_path());
+            image::writeWhole(place, renamed(text, name));
         }
     } catch (const Error& fault) {
         // Of a place that is gone when the message is read: named is the one that was asked for.
@@ -114,9 +171,6 @@ void writeSkeleton(const std::string& skeleton, const std::string& name, const f
         if (const std::size_t at = message.find(temporary); at != std::string::npos)
             message.replace(at, temporary.size(), made.string());
         throw Error(fault.status(), message);
-    } catch (const fs::filesystem_error& fault) {
-        throw Error(ExitStatus::badInput,
-                    source.string() + ": cannot be read: " + fault.code().message() + "; install shadowlab again");
     }
     output.commit();
 }

@@ -37,6 +37,7 @@ struct Plane {
     std::vector<std::uint32_t> triangles;
 
     /// (N, D), so that N.P + D = 0 for every point P of the plane: D = -N.A.
+    // [anchor: projection-equation]
     [[nodiscard]] dvec4 in(const dmat4& viewFromMesh) const {
         const dvec3 normalView = transformNormal(viewFromMesh, normalMesh);
         return dvec4(normalView, -glm::dot(normalView, transformPoint(viewFromMesh, pointMesh)));

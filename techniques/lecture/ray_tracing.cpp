@@ -1,5 +1,5 @@
-// Ray tracing in the order of the lecture's pages: the ray casting procedure with its binary tree, then the pixel intensity. The
-// passes at the end carry it out for each pixel. What a ray meets: parts/rays.cpp, with bounding volumes.
+// Ray tracing in the order of the lecture's pages: where secondary rays go, the ray casting procedure with its binary tree, then the
+// pixel intensity. The passes at the end carry it out for each pixel. What a ray meets: parts/rays.cpp, with bounding volumes.
 //
 // A. Appel, "Some Techniques for Shading Machine Renderings of Solids", 1968: rays from the eye, and from there to lights.
 // T. Whitted, "An Improved Illumination Model for Shaded Display", 1980: the tree of reflection and refraction rays.
@@ -19,6 +19,20 @@
 #include "techniques/lecture/words/ray_tracing.h"
 
 namespace shadowlab::lecture {
+
+// --- Secondary Rays -------------------------------------------------------------------------------------------------
+
+// [anchor: lecture-secondary-rays]
+dvec3 reflected(const dvec3& u, const dvec3& N) { return u - 2.0 * glm::dot(u, N) * N; }
+
+// Snell's law: sin(refracted) = eta sin(incoming).
+// [anchor: lecture-refraction]
+std::optional<dvec3> refracted(const dvec3& u, const dvec3& N, double eta) {
+    const double cosIncoming = -glm::dot(u, N);
+    const double cosSquared = 1 - eta * eta * (1 - cosIncoming * cosIncoming);
+    if (cosSquared <= 0) return std::nullopt;
+    return eta * u + (eta * cosIncoming - std::sqrt(cosSquared)) * N;
+}
 
 namespace {
 
@@ -69,21 +83,6 @@ void grow(const RayScene& rays, Node& node, int maximumDepth) {
     if (node.kR > 0) node.reflection = split(reflected(node.ray.u, N));
     if (node.kT > 0) node.refraction = split(*T); // "No refraction ray for opaque object."
 }
-
-} // namespace
-
-// [anchor: lecture-secondary-rays]
-dvec3 reflected(const dvec3& u, const dvec3& N) { return u - 2.0 * glm::dot(u, N) * N; }
-
-// Snell's law: sin(refracted) = eta sin(incoming).
-std::optional<dvec3> refracted(const dvec3& u, const dvec3& N, double eta) {
-    const double cosIncoming = -glm::dot(u, N);
-    const double cosSquared = 1 - eta * eta * (1 - cosIncoming * cosIncoming);
-    if (cosSquared <= 0) return std::nullopt;
-    return eta * u + (eta * cosIncoming - std::sqrt(cosSquared)) * N;
-}
-
-namespace {
 
 // --- Pixel Intensity Calculation -------------------------------------------------------------------------------------
 

@@ -147,6 +147,8 @@ def check_example_of_the_guide(program, prefix, place):
 def check_skeleton(program, prefix, place, skeleton, mistakes):
     """As it is, it runs and is far from full marks; filled in it has all; with one mistake it has lost some."""
     blanks = SOLUTIONS[skeleton]
+    # Without optimisation a picture of these takes longer than a case may.
+    build_type = "RelWithDebInfo" if skeleton in ("ray-tracing", "radiosity") else "Debug"
     right = {number: blank.right for number, blank in blanks.items()}
     folder = place / f"a-{skeleton}"
     plugin = folder / "build" / f"{folder.name.replace('-', '_')}.so"
@@ -157,7 +159,7 @@ def check_skeleton(program, prefix, place, skeleton, mistakes):
         for file, text in texts.items():
             file.write_text(text)
         fill_in(folder, filled)
-        said = build(folder, prefix, "-DCMAKE_BUILD_TYPE=Debug")
+        said = build(folder, prefix, f"-DCMAKE_BUILD_TYPE={build_type}")
         expect("warning" not in said, said)
         return grade(program, plugin, "-o", folder)
 
@@ -169,7 +171,8 @@ def check_skeleton(program, prefix, place, skeleton, mistakes):
     sheet, status = sheet_of(right)
     expect(status == 0 and sheet["points"] == sheet["of"] and sheet["picture"] is None, f"filled in {skeleton}: {sheet}")
     for case in sheet["cases"]:
-        expect(case["lit"] > 500 and case["shadowed"] > 500, f"the case proves nothing: {case}")
+        if case["judged"] == "visibility":
+            expect(case["lit"] > 500 and case["shadowed"] > 500, f"the case proves nothing: {case}")
         expect(all(case[key] for key in ("idea", "reason")), f"the case says too little: {case}")
     if LONG:
         expect(grade(program, plugin)[0] == sheet, "the same plug-in has the same sheet")

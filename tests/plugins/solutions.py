@@ -1,9 +1,15 @@
-"""The blanks of the skeletons (assets/skeletons), filled in: rightly, and with one mistake each that students make.
+"""The blanks of the skeletons (assets/skeletons), filled in: rightly, with the lecture's own lines, and with one mistake each that
+students make.
 
-`SOLUTIONS[skeleton][blank]` is a Blank. The right ones together get full marks; each mistake, in place of the right one, costs some.
+`solutions(skeleton)` is {number: Blank}. The right ones together get full marks; each mistake, in place of the right one, costs some.
 """
 # SPDX-License-Identifier: MIT
+import json
+import re
 from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent.parent
 
 
 @dataclass
@@ -13,62 +19,74 @@ class Blank:
     wrong: str
 
 
-PLANAR = {
-    1: Blank("return glm::dot(planeView, lightView) * dmat4(1.0) - glm::outerProduct(lightView, planeView);",
-             "the transposed matrix",
-             "return glm::dot(planeView, lightView) * dmat4(1.0) - glm::outerProduct(planeView, lightView);"),
-    2: Blank("glStencilFunc(GL_EQUAL, kTagBit | kMarkBit, kTagBit);",
-             "the stencil is not asked",
-             "glStencilFunc(GL_ALWAYS, kTagBit | kMarkBit, kTagBit);"),
-    3: Blank("abovePlane = planeView;",
-             "nothing is clipped at the plane",
-             ""),
+# In the order of the blanks: the mistake in words, what is exchanged in the right lines for it, and for what; or all of them.
+ALL = None
+MISTAKES = {
+    "planar": [
+        ("the transposed matrix", "outerProduct(lightView, planeView)", "outerProduct(planeView, lightView)"),
+        ("the sign of D", ", -glm::dot", ", glm::dot"),
+        ("the stencil is not asked", "GL_EQUAL", "GL_ALWAYS"),
+        ("nothing is clipped at the plane", ALL, "gl_ClipDistance[0] = 1.0;"),
+    ],
+    "shadow-map": [
+        ("the sun looks the other way", "ball.centerWorld + 2", "ball.centerWorld - 2"),
+        ("a fixed near and far plane", "1.0, near, distance + radius", "1.0, 0.01 + 0.0 * near, 1000.0"),
+        ("no bias at all", ALL, ""),
+        ("what is behind the lamp is not left out", "if (positionLightClip.w <= 0.0) return vec3(-1.0);", ""),
+        ("the comparison is the wrong way around", "d < z", "d > z"),
+    ],
+    "z-fail": [
+        ("the sun is taken for a place", "lightMesh.w * aMesh", "aMesh"),
+        ("all edges have one direction", "fromAToB ? OutlineEdge{edge.a, edge.b}", "!fromAToB ? OutlineEdge{edge.a, edge.b}"),
+        ("twenty metres are taken for enough", "if (distance == 0) return vec4(awayMesh, 0);", "if (distance == 0) distance = 20;"),
+        ("no bottom cap", ALL, ""),
+        ("they are subtracted", "GL_INCR_WRAP", "GL_DECR_WRAP"),
+        ("the wrong ones are culled", "GL_BACK", "GL_FRONT"),
+        ("the depth test's other outcome: z-pass", "GL_KEEP, change, GL_KEEP", "GL_KEEP, GL_KEEP, change"),
+    ],
+    "ray-tracing": [
+        ("through the corners of the pixels", " + 0.5", ""),
+        ("what stands behind the lamp casts shadows", "source.type != scene::LightType::directional", "false"),
+        ("half the way: the ray goes along the surface", "2.0 * glm::dot", "1.0 * glm::dot"),
+        ("eta is upside down", "eta * u + (eta * cosIncoming", "u / eta + (cosIncoming / eta"),
+        ("total reflection is lost", "node.kR += std::exchange(node.kT, 0.0)", "node.kT = 0"),
+        ("one level too few", "node.level == maximumDepth", "node.level + 1 >= maximumDepth"),
+        ("glass is not seen through", "if (node.kT > 0) node.refraction = split(*T);", ""),
+        ("the two coefficients are exchanged", "node->kR * I_R + node->kT * I_T", "node->kT * I_R + node->kR * I_T"),
+    ],
+    "radiosity": [
+        ("the receiver's cosine is forgotten", "cosJ * cosK /", "cosJ + 0 * cosK /"),
+        ("nothing hides anything", ALL, "(void)rays, (void)p, (void)q;\nfree += 1;"),
+        ("the areas are exchanged", "patches[j].area);\n", "patches[k].area);\n"),
+        ("pi is forgotten", "return pi * dvec3(material.emission)", "return dvec3(material.emission)"),
+        ("rho is forgotten", "equations.rho[i] * gathered", "gathered"),
+    ],
 }
 
-SHADOW_MAP = {
-    1: Blank("return glm::ortho(-ball.radius, ball.radius, -ball.radius, ball.radius, ball.radius, 3 * ball.radius) *\n"
-             "       glm::lookAt(ball.centerWorld + 2.0 * ball.radius * toLightWorld, ball.centerWorld, upWorld);",
-             "it looks the other way",
-             "return glm::ortho(-ball.radius, ball.radius, -ball.radius, ball.radius, ball.radius, 3 * ball.radius) *\n"
-             "       glm::lookAt(ball.centerWorld - 2.0 * ball.radius * toLightWorld, ball.centerWorld, upWorld);"),
-    2: Blank("const double away = glm::length(light.positionWorld - ball.centerWorld);\n"
-             "const double near = std::max(away - ball.radius, 0.01 * ball.radius);\n"
-             "return glm::perspective(2 * std::asin(std::min(ball.radius / away, 0.99)), 1.0, near, away + ball.radius) *\n"
-             "       glm::lookAt(light.positionWorld, ball.centerWorld, upWorld);",
-             "a fixed near and far plane",
-             "const double away = glm::length(light.positionWorld - ball.centerWorld);\n"
-             "return glm::perspective(2 * std::asin(std::min(ball.radius / away, 0.99)), 1.0, 0.01, 1000.0) *\n"
-             "       glm::lookAt(light.positionWorld, ball.centerWorld, upWorld);"),
-    3: Blank("glEnable(GL_POLYGON_OFFSET_FILL);\nglPolygonOffset(1.5f, 4.0f);",
-             "none at all",
-             ""),
-    4: Blank("if (positionLightClip.w <= 0.0) return 1.0;\n"
-             "vec3 str = 0.5 * positionLightClip.xyz / positionLightClip.w + 0.5;",
-             "what is behind the lamp is not left out",
-             "vec3 str = 0.5 * positionLightClip.xyz / positionLightClip.w + 0.5;"),
-    5: Blank("return z <= d ? 1.0 : 0.0;",
-             "the comparison is the wrong way around",
-             "return z >= d ? 1.0 : 0.0;"),
-}
 
-Z_FAIL = {
-    1: Blank("return glm::dot(glm::cross(b - a, c - a), dvec3(light) - light.w * a) > 0;",
-             "the sun is taken for a place",
-             "return glm::dot(glm::cross(b - a, c - a), dvec3(light) - a) > 0;"),
-    2: Blank("if (isFacing[use.triangle]) side += use.direction;",
-             "every edge of a facing triangle is extruded, once",
-             "if (isFacing[use.triangle]) side = use.direction;"),
-    3: Blank("glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);\n"
-             "glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);",
-             "the depth test's other outcome: z-pass",
-             "glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);\n"
-             "glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);"),
-    4: Blank("buffers.draw(volume.bottomCap);",
-             "no bottom cap",
-             ""),
-    5: Blank("vec4 farMesh = vec4(positionMesh * lightMesh.w - lightMesh.xyz, 0.0);",
-             "twenty metres are taken for enough",
-             "vec4 farMesh = vec4(positionMesh + 20.0 * normalize(positionMesh * lightMesh.w - lightMesh.xyz), 1.0);"),
-}
+def lecture_lines(blank):
+    """What `first` to `last` of a blank stand for in techniques/lecture and shaders/lecture, without indentation."""
+    mark = re.compile(rf"^\s*// \[anchor: {re.escape(blank['anchor'])}\]$")
+    for file in sorted([*(ROOT / "techniques" / "lecture").rglob("*.cpp"), *(ROOT / "shaders" / "lecture").iterdir()]):
+        lines = [line.strip() for line in file.read_text().splitlines()]
+        anchors = [number for number, line in enumerate(lines) if mark.match(line)]
+        if anchors:
+            first = lines.index(blank["first"], anchors[0])
+            return "\n".join(lines[first:lines.index(blank.get("last", blank["first"]), first) + 1])
+    raise ValueError(f"no anchor {blank['anchor']}")
 
-SOLUTIONS = {"planar": PLANAR, "shadow-map": SHADOW_MAP, "z-fail": Z_FAIL}
+
+def solutions(skeleton):
+    text = (ROOT / "assets" / "skeletons" / f"{skeleton}.json").read_text()
+    blanks = json.loads(re.sub(r"^//.*$", "", text, flags=re.MULTILINE))["blanks"]
+    assert len(blanks) == len(MISTAKES[skeleton]), skeleton
+    filled = {}
+    for number, (blank, (mistake, part, wrong)) in enumerate(zip(blanks, MISTAKES[skeleton]), 1):
+        right = lecture_lines(blank)
+        assert part is ALL or right.count(part) == 1, f"{skeleton}, blank {number}: '{part}' is not in {right}"
+        filled[number] = Blank(right, mistake, wrong if part is ALL else right.replace(part, wrong))
+        assert filled[number].right != filled[number].wrong
+    return filled
+
+
+SOLUTIONS = {skeleton: solutions(skeleton) for skeleton in MISTAKES}

@@ -25,7 +25,7 @@ private:
     gl::Program color_{"surface.vert", "constant.frag"};
 };
 
-/// Draws triangles, or lines, of homogeneous points in mesh space: for programs of "lecture/volume.vert".
+/// Draws triangles, or lines, of homogeneous points in mesh space: for vertex shaders that take these at location 0.
 void drawPoints(GLenum kind, const std::vector<vec4>& homogeneousMesh);
 
 /// GL state for half-transparent faces over a finished picture: those on a surface are seen, those behind it are not.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/lecture/parts/patch_picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/lecture/parts/patches.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>

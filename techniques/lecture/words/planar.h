@@ -32,7 +32,8 @@ inline constexpr PassInfo kPasses[] = {
      .shownBy = "flattened",
      .pseudocodeLines = {3, 6},
      .formula = "N·P' + D = 0\nP' = ((N·P_L + D) P - (N·P + D) P_L) / w'\nw' = (N·P_L + D) - (N·P + D)",
-     .anchors = "projection-matrix projection-plane projection-vertex projection-mark projection-tag projection-draw"},
+     .anchors = "projection-matrix projection-equation projection-plane projection-vertex projection-mark projection-tag "
+                "projection-draw"},
     {.id = "light",
      .title = "Render the scene again with the light source turned on, only where there is no mark",
      .why = "What lies on no projection plane has no mark: curved surfaces receive no shadows.",

@@ -40,7 +40,7 @@ inline constexpr PassInfo kRayPasses[] = {
      .shownBy = "tree-depth",
      .pseudocodeLines = {2, 4},
      .formula = "R = u - 2 (u.N) N",
-     .anchors = "lecture-tree lecture-secondary-rays"},
+     .anchors = "lecture-tree lecture-secondary-rays lecture-refraction"},
     {.id = "intensity",
      .title = "Process the tree in bottom-up order",
      .why = "The pixel intensity is that of the root.",
