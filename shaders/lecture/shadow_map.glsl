@@ -2,7 +2,8 @@
 in vec4 positionLightClip;       // the point, in the clip space of the light's camera
 uniform sampler2DArray depthMap; // d(u,v), from 0 to 1; beyond its border 1
 
-// The point in light source coordinates (s, t, r), from 0 to 1. What lies behind a lamp is in no map: it is put before everything.
+// The point in light source coordinates (s, t, r), from 0 to 1. A point behind the lamp (w <= 0) is in no map: with r = -1 the
+// comparison d < r is false, and it counts as lit.
 // [anchor: map-coordinates]
 vec3 lightCoordinates() {
     if (positionLightClip.w <= 0.0) return vec3(-1.0);

@@ -114,7 +114,8 @@ private:
         glEnable(GL_STENCIL_TEST);
         forEachPlane(frame, light, [&](const LitPlane& plane) {
             tagPlane(frame, plane);
-            // A shadow ends where its plane does: marks are written only where the plane is seen.
+            // A shadow ends where its plane does. The stencil test compares kPlaneBit alone (the mask): only pixels that show the
+            // plane pass, and GL_REPLACE, set by tagPlane, writes kShadowBit there.
             glStencilFunc(GL_EQUAL, kPlaneBit | kShadowBit, kPlaneBit);
             glStencilMask(kShadowBit);
             drawFlattened(frame, plane, program);
@@ -161,7 +162,7 @@ private:
     // [anchor: projection-draw]
     static void drawFlattened(const Frame& frame, const LitPlane& plane, const gl::Program& program) {
         program.use();
-        // They all lie in the plane: which is nearer, they or the plane, would be a matter of rounding.
+        // Flattened objects have the plane's own depth. A depth test would be decided by rounding, so it is off.
         glDisable(GL_DEPTH_TEST);
         // An object below the plane, N.P + D < 0, does not stand between light and plane: it is clipped away. So is, since
         // w' < 0, what lies above the light.

@@ -25,7 +25,7 @@ namespace {
 
 // --- Form Factor -----------------------------------------------------------------------------------------------------
 
-// The lecture's integrand. Where two pieces touch, r is no measure of their distance any more: neither sends more than all it has.
+// The lecture's integrand, times both areas. For pieces that touch, 1 / r^2 grows beyond all bounds; no piece exchanges more than its area.
 // [anchor: lecture-exchange]
 double exchange(const SurfacePoint& j, const SurfacePoint& k) {
     const dvec3 way = k.positionWorld - j.positionWorld;
@@ -68,15 +68,15 @@ void addFormFactors(const RayScene& rays, const std::vector<Patch>& patches, std
 
 namespace {
 
-// The second property: in an enclosed space the sum over k of F_jk is 1. More than 1 would make light out of nothing; it comes from
-// sums that stand for integrals, and is divided by. Less than 1: the rest sees no surface.
+// The second property: in an enclosed space the sum over k of F_jk is 1. A sum above 1, an error of integrals taken as sums, would create
+// light: the row is divided by it. Below 1, the rest of the directions meets no surface. Returns the sum before the division.
 double limitRow(FormFactors& F, std::size_t j) {
     double sum = 0;
     for (std::size_t k = 0; k < F.n; ++k)
         sum += F.at(j, k);
     for (std::size_t k = 0; sum > 1 && k < F.n; ++k)
         F.at(j, k) /= static_cast<float>(sum);
-    return std::min(1.0, sum);
+    return sum;
 }
 
 // --- Basic Radiosity Model -------------------------------------------------------------------------------------------
@@ -192,7 +192,7 @@ private:
             }
             rowSums_.emplace_back(limitRow(equations_.F, i), 1, 0);
             equations_.rho[i] = dvec3(patch.material->diffuse);
-            equations_.E[i] = emission(*patch.material, irradiance, rowSums_[i].x, dvec3(scene.background));
+            equations_.E[i] = emission(*patch.material, irradiance, std::min(1.0, rowSums_[i].x), dvec3(scene.background));
         }
         equations_.B = equations_.E;
         for (int bounce = 0; bounce < bounces_; ++bounce)
@@ -206,7 +206,7 @@ private:
             shares.emplace_back(100 * equations_.F.at(static_cast<std::size_t>(brightest), k), 1, 0);
         picture_.publishPatches(frame);
         picture_.publishNumbers(frame, "form-factors", shares, 0.1, "% of its light");
-        picture_.publishNumbers(frame, "row-sums", rowSums_, 1, "sum of form factors");
+        picture_.publishNumbers(frame, "row-sums", rowSums_, 1.25, "sum of form factors");
         for (std::size_t light = 0; light < seen_.size(); ++light)
             picture_.publishVisibility(frame, static_cast<int>(light), seen_[light]);
     }

@@ -51,8 +51,9 @@ dmat4 lightClipFromWorld(const scene::Light& light, const Ball& ball) {
     if (isParallel) // The rays of the sun are parallel: an orthographic camera that stands anywhere outside of the ball.
         return glm::ortho(-radius, radius, -radius, radius, radius, 3 * radius) *
                glm::lookAt(ball.centerWorld + 2 * radius * toLightWorld, ball.centerWorld, upWorld);
-    // A lamp is where its rays meet: a perspective camera there. A ray that touches the ball, the radius there, and the way to the
-    // centre make a right triangle, which gives half the field of view. Amidst the casters it is kept below 2 * 72 degrees.
+    // The rays of a lamp meet in it: a perspective camera there. A ray that touches the ball, the ball's radius at that place and the
+    // line from lamp to centre form a right triangle: sin(half the field of view) = radius / distance. Inside the ball the sine would
+    // exceed 1; 0.95 keeps the field of view below 2 * 72 degrees.
     const double distance = glm::length(light.positionWorld - ball.centerWorld);
     const double fieldOfView = 2 * std::asin(std::min(radius / distance, 0.95));
     // Depths are finest with the near plane as far out as the ball allows.
@@ -122,10 +123,10 @@ private:
         const scene::Light& source = scene.light(light);
         const std::vector<std::size_t> casters = scene::usefulCasters(scene, source);
         map.lightClipFromWorld = lightClipFromWorld(source, ballAround(scene, casters));
-        // The bias. A point lies up to half a texel beside the texel's centre, in both directions. The factor of glPolygonOffset
-        // counts how much depth changes from one texel to the next, in the direction in which it changes more: 1 covers both
-        // halves on a plane; 2 also where a texel covers two facets of a curved surface, of which one is steeper. Its second
-        // number counts the smallest steps of depth: two for rounding.
+        // The bias. The map holds the depth at a texel's centre; a point of the same surface lies up to half a texel away from it
+        // in u and in v. Its depth differs by at most half of both slopes, which is no more than the larger slope: factor 1 of
+        // glPolygonOffset, which multiplies just that. A texel on a curved surface may cover a second, steeper facet: factor 2.
+        // The second number counts the smallest steps that a depth can differ by: two, for rounding.
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(static_cast<float>(bias_), bias_ > 0 ? 2.0f : 0.0f);
         for (const std::size_t caster : casters)

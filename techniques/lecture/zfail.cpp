@@ -167,9 +167,9 @@ private:
         glDepthMask(GL_FALSE);
         for (const Volume& volume : volumes) {
             useFor(frame, volume.object, volume_);
-            // The top cap lies on the caster's own surface: equal depths, and so it fails the depth test LESS there.
+            // The top cap has to have exactly the depths of the caster's surface, so that it fails the test LESS: no clamping yet.
             drawPoints(GL_TRIANGLES, volume.topCap);
-            glEnable(GL_DEPTH_CLAMP); // no far plane cuts off what reaches infinity
+            glEnable(GL_DEPTH_CLAMP); // keeps faces that lie beyond the far plane
             drawPoints(GL_TRIANGLES, volume.bottomCap);
             drawPoints(GL_TRIANGLES, volume.sides);
             glDisable(GL_DEPTH_CLAMP);

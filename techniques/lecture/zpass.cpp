@@ -65,8 +65,8 @@ struct Volume {
     std::vector<vec4> silhouette, sides;
 };
 
-/// The volume has sides only. A cap at its top would be the object's own surface: nothing behind it is visible, so no line segment to
-/// a visible point crosses it. A cap at its bottom would be at infinity, and the segment ends before that.
+/// The volume has sides only. The cap at its top is the object's own surface: no visible point lies behind it, so no line segment from
+/// the view point crosses it. The cap at its bottom is at infinity, and the segment ends at the visible point.
 // [anchor: zpass-sides]
 Volume semiInfiniteVolume(const scene::Scene& scene, std::size_t object, const scene::MeshTopology& topology,
                           const scene::Light& light) {
@@ -101,7 +101,8 @@ public:
 
     // [anchor: zpass-passes]
     Progress render(Frame& frame) override {
-        // Faces before the near plane are cut off and not counted. The view's own plane cuts off least.
+        // Faces before the near plane are cut off and not counted. The camera's own near plane lies nearer to the eye than the
+        // one that is fitted to the scene for finer depths, so it cuts off fewer.
         frame.useNearPlaneOfView();
         frame.pass(passInfo(kPasses, "lights-off"), [&] { scene_.lightsOff(frame); });
         for (int light = 0; light < static_cast<int>(frame.scene().lights.size()); ++light) {
