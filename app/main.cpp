@@ -9,7 +9,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/messages.h"
-#include "app/context/address_space.h"
+#include "app/context/mesa.h"
 #include "app/context/signals.h"
 #include "app/student/plugins.h"
 #include "techniques/foundation/base/error.h"

@@ -5,14 +5,13 @@
 #include <algorithm>
 
 #include "app/cli/capture/capture.h"
+#include "app/cli/common_options.h"
 #include "app/cli/lesson.h"
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
 #include "app/cli/slides.h"
-#include "app/context/assets.h"
 #include "app/context/window_context.h"
 #include "app/course/deck.h"
-#include "app/picture/limits.h"
 #include "app/window/window.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
@@ -115,8 +114,7 @@ int writeInstead(const DemoOptions& options, const std::string& why) {
 }
 
 int demo(const DemoOptions& options) {
-    const scene::LoadOptions loading{
-        .assetsRoot = context::assetsRoot(), .allowed = options.allowed, .limits = picture::limits()};
+    const scene::LoadOptions loading = loadOptions(options.allowed);
     requireSlide(options, loading);
     if (const std::optional<std::string> missing = context::missingDisplay()) {
         (void)scene::loadScene(options.scene, loading); // also where a lesson or a deck is shown in its place

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/common_options.h"
 #include "app/cli/json/json_values.h"
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
@@ -41,7 +42,7 @@ void describeGrade(DescribedOptions& add) {
                "a folder for the picture of the first failing case; it is made where there is none");
     add.option("--time-limit", "SECONDS", "for each case (default 30)");
     add.option("--memory-limit", "MIB", "for each case (default 2048)");
-    add.option("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    describeBackend(add);
     add.flag("--json", "one JSON object instead of a table");
     add.footer("The exit status is 0 where all cases are right, and 1 where some are not.\n"
                "Examples:\n"

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include "app/context/assets.h"
-#include "app/picture/limits.h"
+#include "app/cli/common_options.h"
 #include "techniques/foundation/scene/load/load.h"
 #include "techniques/foundation/scene/model/holes.h"
 #include "techniques/foundation/scene/query/topology/outward_parts.h"
@@ -118,8 +117,7 @@ bool isMeshFile(const std::filesystem::path& path) {
 } // namespace
 
 Inspection inspectFile(const std::string& file, const std::vector<std::filesystem::path>& allowed) {
-    const scene::LoadOptions loading{
-        .assetsRoot = context::assetsRoot(), .allowed = allowed, .limits = picture::limits()};
+    const scene::LoadOptions loading = loadOptions(allowed);
     Inspection inspection;
     inspection.file = file;
     std::vector<scene::Material> materials;

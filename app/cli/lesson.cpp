@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "app/cli/command.h"
+#include "app/cli/common_options.h"
 #include "app/cli/json/json_values.h"
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
@@ -16,7 +17,6 @@
 #include "app/course/lessons/lesson_film.h"
 #include "app/course/lessons/lesson_quantities.h"
 #include "app/film/film.h"
-#include "app/picture/limits.h"
 #include "app/report/lesson_measure.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
@@ -40,7 +40,7 @@ void describeLesson(DescribedOptions& add) {
                "with --animate: how long each picture stays (default: as long as its words take to read)");
     add.flag("--measure", "prints what is measured before and after beside what it has to be (without -o the default)");
     add.flag("--json", "the numbers as one JSON object instead of a table");
-    add.option("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    describeBackend(add);
     add.option("--allow", "DIR", "a further folder that the lesson's scene may take meshes from; may be repeated");
     add.footer("Exit status 3 when a number is not as the lesson says.\n"
                "Examples:\n"
@@ -76,7 +76,7 @@ LessonOptions lessonOptions(const GivenOptions& given) {
     options.states = states[static_cast<std::size_t>(
         choiceFrom("--state", given.text("--state", "both"), {"before", "after", "both"}))];
     options.size = sizeFrom("--size", given.text("--size", options.animate ? "1280x720" : "1600x900"), "picture-side");
-    options.backend = context::backendFromName(given.text("--backend", "auto"));
+    options.backend = backendFrom(given);
     options.allowed = given.allowedFolders();
     return options;
 }
@@ -152,14 +152,11 @@ Work lessonWork(const GivenOptions& given) {
 
 int lesson(const LessonOptions& options) {
     if (!options.output.empty()) image::probeWritable(options.output);
-    const Lesson lesson = course::loadLesson(
-        options.lesson, {.assetsRoot = context::assetsRoot(), .allowed = options.allowed, .limits = picture::limits()});
+    const Lesson lesson = course::loadLesson(options.lesson, loadOptions(options.allowed));
     if (!options.output.empty()) image::probeWritable(options.output); // it may be a file that the lesson is read from
     const std::unique_ptr<context::Context> context = context::createContext(options.backend);
     if (!options.output.empty()) {
-        if (const int limit = context::largestSide(); std::max(options.size.x, options.size.y) > limit)
-            throw Error(ExitStatus::overLimit, "this OpenGL driver draws pictures of up to " + std::to_string(limit) +
-                                                   " pixels on a side; choose a smaller --size");
+        requireDriverDraws(options.size);
         const std::filesystem::path fonts = context::assetsRoot() / "fonts";
         const image::Font font(fonts / "DejaVuSans.ttf"), bold(fonts / "DejaVuSans-Bold.ttf");
         const std::vector<image::PngText> text{{"Title", lesson.text.title}};

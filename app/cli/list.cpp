@@ -1,4 +1,4 @@
-// `shadowlab list`: what there is, asked from the techniques and the folders themselves.
+// `shadowlab list`: tables of techniques, scenes, lessons and so on, made from the techniques and the folders themselves.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <functional>
@@ -6,6 +6,7 @@
 #include <glad/gl.h>
 
 #include "app/cli/command.h"
+#include "app/cli/common_options.h"
 #include "app/cli/json/json_values.h"
 #include "app/cli/messages.h"
 #include "app/context/assets.h"
@@ -141,7 +142,7 @@ Table figuresTable() {
 }
 
 Table decksTable() {
-    const scene::LoadOptions loading{.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = picture::limits()};
+    const scene::LoadOptions loading = loadOptions({});
     Table table{{"name", "title", "slides"}, {}};
     for (const std::string& name : course::builtInDecks(loading.assetsRoot)) {
         const course::Deck deck(name, loading);

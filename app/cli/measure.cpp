@@ -6,12 +6,12 @@
 #include <optional>
 
 #include "app/cli/command.h"
+#include "app/cli/common_options.h"
 #include "app/cli/json/measure_report.h"
 #include "app/cli/messages.h"
 #include "app/cli/motion_options.h"
 #include "app/cli/option_values.h"
 #include "app/cli/progress.h"
-#include "app/context/assets.h"
 #include "app/context/signals.h"
 #include "app/lab/settings.h"
 #include "app/picture/limits.h"
@@ -37,14 +37,14 @@ struct MeasureOptions {
 };
 
 void describeMeasure(DescribedOptions& add) {
-    add.option("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh");
+    describeScene(add);
     add.option("-t,--technique", "ID[,ID...]",
                "techniques (`list techniques`; default shadow-volume-zfail), all, or lecture for the lecture's own");
     add.option("--size", "WxH", "width and height in pixels (default 1280x720)");
     add.option("--set", "[SLOT:]ID.PARAM=VALUE",
                "a parameter (`list parameters`), of all slots or of one; may be repeated");
     add.option("--light", "NAME", "the light whose shadows are judged (default: the first)");
-    add.option("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    describeBackend(add);
     describeMotion(add);
     add.flag("--json", "one JSON object instead of a table");
     add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
@@ -64,7 +64,7 @@ MeasureOptions measureOptions(const GivenOptions& given) {
     options.settings = given.texts("--set");
     lab::respell(options.techniques, {}, options.settings);
     options.light = given.text("--light");
-    options.backend = context::backendFromName(given.text("--backend", "auto"));
+    options.backend = backendFrom(given);
     options.motion = motionOptions(given);
     options.json = given.has("--json");
     options.allowed = given.allowedFolders();
@@ -92,7 +92,7 @@ void sayWhatIsProved(const judge::Counts& truth, const std::string& scene, const
     else if (truth.provesNothing())
         note("nothing in view of scene '" + scene + "' is " + (truth.lit == 0 ? "lit by" : "in the shadow of") + " '" +
              light + "', so this measurement proves nothing about shadows; choose another light, camera or scene");
-    // More than one pixel in a thousand: the scene asks about the rasteriser's rounding rather than about shadows.
+    // With more than one pixel in a thousand, the scene tests the rasteriser's rounding rather than shadows.
     if (truth.ties > truth.pixels / 1000)
         note(std::to_string(truth.ties) + " of " + std::to_string(truth.pixels) +
              " pixels are ties, more than one in a thousand: what lies there is not judged");
@@ -106,15 +106,12 @@ int measure(const MeasureOptions& options) {
         requireVisibility(*slots.back().info);
     }
     lab::applySettings(slots, options.settings);
-    const scene::Snapshot base = scene::loadScene(
-        options.scene, {.assetsRoot = context::assetsRoot(), .allowed = options.allowed, .limits = picture::limits()});
+    const scene::Snapshot base = scene::loadScene(options.scene, loadOptions(options.allowed));
     const int light = lightToMeasure(*base, options.scene, options.light);
     const film::Motion motion = motionOf(options.motion, *base);
 
     context = context::createContext(options.backend);
-    if (const int limit = context::largestSide(); std::max(options.size.x, options.size.y) > limit)
-        throw Error(ExitStatus::overLimit, "this OpenGL driver draws pictures of up to " + std::to_string(limit) +
-                                               " pixels on a side; choose a smaller --size");
+    requireDriverDraws(options.size);
     picture::Session session(base);
     report::Measurement measurement(session, slots, light, options.size);
     Progress progress("frame", motion.frames);

@@ -18,7 +18,7 @@ namespace shadowlab::cli {
 
 namespace {
 
-constexpr std::size_t kLongestMessage = 2000; ///< bytes; a path may have 4096, but nobody reads that
+constexpr std::size_t kLongestMessage = 2000; ///< bytes; a path may have 4096, too many to read
 
 /// Something long is left out in the middle: a message begins with what is wrong, and ends with what to do.
 std::string shortened(std::string_view sentence) {

@@ -1,4 +1,4 @@
-// The program's voice: data on standard output, talk on standard error, one line a sentence.
+// What the program prints: data on standard output, messages on standard error, a line for each.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string_view>
@@ -13,10 +13,10 @@ void keepStandardDescriptors();
 /// has closed its end of the pipe (`list parameters | head -1`) has what it wanted, and is no failure.
 void print(std::string_view text);
 
-/// "shadowlab: note: ..." on standard error: something the user should know and need not mend.
+/// "shadowlab: note: ..." on standard error: a remark about something that is not an error.
 void note(std::string_view sentence);
 
-/// "shadowlab: ..." on standard error: why the program ends without having done what was asked.
+/// "shadowlab: ..." on standard error: the error that ends the program.
 void complain(std::string_view sentence);
 
 } // namespace shadowlab::cli

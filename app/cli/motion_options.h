@@ -20,7 +20,7 @@ void describeMotion(DescribedOptions& add);
 /// Throws Error (usage) for what is wrong in itself, or contradicts itself.
 MotionOptions motionOptions(const GivenOptions& given);
 
-/// The motion that is meant for this scene. Reads the path. Throws Error (badInput, overLimit).
+/// The motion of this scene. Reads the path. Throws Error (badInput, overLimit).
 film::Motion motionOf(const MotionOptions& options, const scene::Scene& scene);
 
 } // namespace shadowlab::cli

@@ -47,7 +47,7 @@ std::filesystem::path ownFile() {
     return failed ? "shadowlab" : file;
 }
 
-/// What CMake has to be told to find the package of this very program.
+/// The argument of CMake with which it finds the package that this program belongs to.
 std::string whereThePackageIs() {
     const std::filesystem::path folder = ownFile().parent_path();
     if (!context::installedShare()) return "-Dshadowlab_DIR=" + folder.string();

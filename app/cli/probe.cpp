@@ -1,4 +1,4 @@
-// `shadowlab probe`: what a technique knows about one pixel.
+// `shadowlab probe`: how a technique decided about one pixel.
 // SPDX-License-Identifier: MIT
 #include <filesystem>
 #include <optional>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/common_options.h"
 #include "app/cli/json/probe_report.h"
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
@@ -14,7 +15,6 @@
 #include "app/figures/figures.h"
 #include "app/lab/old_spelling.h"
 #include "app/lab/settings.h"
-#include "app/picture/limits.h"
 #include "app/picture/session.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
@@ -41,7 +41,7 @@ struct ProbeOptions {
 };
 
 void describeProbe(DescribedOptions& add) {
-    add.option("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh");
+    describeScene(add);
     add.option("--pixel", "X,Y", "column and row of the pixel, counted from 0 at the upper left corner");
     add.option(
         "--partner", "X,Y",
@@ -126,8 +126,7 @@ int probe(const ProbeOptions& options) {
     slots.push_back(picture::Session::makeSlot(options.technique));
     lab::applySettings(slots, options.settings);
     if (!options.diagram.empty()) image::probeWritable(options.diagram);
-    const scene::Snapshot scene = scene::loadScene(
-        options.scene, {.assetsRoot = context::assetsRoot(), .allowed = options.allowed, .limits = picture::limits()});
+    const scene::Snapshot scene = scene::loadScene(options.scene, loadOptions(options.allowed));
     int light = scene->lights.empty() ? kNoLight : 0;
     if (!options.light.empty()) light = picture::lightIndex(*scene, options.light);
     View view;

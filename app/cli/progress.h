@@ -1,4 +1,4 @@
-// How far a long command is, for whoever sits at a terminal; silent when standard error goes anywhere else.
+// Shows on a terminal how far a long command is; prints nothing when standard error is no terminal.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>
@@ -8,9 +8,9 @@ namespace shadowlab::cli {
 
 class Progress {
 public:
-    /// Of steps that take about the same time: "step 12 of 80, about 3 min left".
+    /// `told` for steps that take about the same time: "step 12 of 80, about 3 min left".
     enum class Remaining { untold, told };
-    /// "frame 3 of 60". A single piece of work has no progress to tell.
+    /// "frame 3 of 60". Prints nothing when there is only one.
     Progress(std::string what, int total, Remaining remaining = Remaining::untold);
     /// Wipes the line.
     ~Progress();
@@ -26,7 +26,7 @@ private:
     Remaining remaining_;
     bool shown_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    int already_ = -1; ///< steps that were done before the first that is told here
+    int already_ = -1; ///< steps that were done before this run began
 };
 
 } // namespace shadowlab::cli

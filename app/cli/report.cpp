@@ -3,6 +3,7 @@
 #include "app/cli/report.h"
 
 #include "app/cli/command.h"
+#include "app/cli/common_options.h"
 #include "app/cli/measure.h"
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
@@ -26,7 +27,7 @@ void describeReport(DescribedOptions& add) {
              "the hard cases instead: what each technique makes of them, and whether careless versions are caught");
     add.option("--shard", "I/N",
                "only the I-th of N parts, for a scheduler that runs the others; `report merge` joins them");
-    add.option("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    describeBackend(add);
     add.option("--allow", "DIR", "a further folder that the scenes may take meshes from; may be repeated");
     add.footer("Writes DIR/index.html (open it in a browser), report.json, points.csv and charts/*.svg.\n"
                "`shadowlab report merge DIR... -o DIR` puts the parts of a report together.\n"
@@ -72,7 +73,7 @@ ReportOptions reportOptions(const GivenOptions& given) {
     options.size = sizeFrom("--size", given.text("--size", options.isQuick ? "640x360" : "1280x720"), "measured-side");
     reserveForMeasured(options.size);
     if (given.has("--shard")) options.shard = report::shardFrom(given.text("--shard"));
-    options.backend = context::backendFromName(given.text("--backend", "auto"));
+    options.backend = backendFrom(given);
     options.allowed = given.allowedFolders();
     return options;
 }

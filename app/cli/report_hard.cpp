@@ -1,23 +1,21 @@
 // `shadowlab report --hard`: every hard case, each technique as it should be and its careless version, and all techniques before it.
 // SPDX-License-Identifier: MIT
+#include "app/cli/common_options.h"
 #include "app/cli/report.h"
 
 #include "app/cli/messages.h"
 #include "app/cli/progress.h"
-#include "app/context/assets.h"
 #include "app/context/signals.h"
 #include "app/hard/page.h"
 #include "app/hard/parts.h"
 #include "app/hard/run_case.h"
 #include "app/hard/tables.h"
-#include "app/picture/limits.h"
 #include "techniques/foundation/image/output_file.h"
 
 namespace shadowlab::cli {
 
 int reportHard(const ReportOptions& options) {
-    const scene::LoadOptions loading{
-        .assetsRoot = context::assetsRoot(), .allowed = options.allowed, .limits = picture::limits()};
+    const scene::LoadOptions loading = loadOptions(options.allowed);
     const std::vector<hard::Case> cases = hard::allCases(loading);
     const std::unique_ptr<context::Context> context = context::createContext(options.backend);
     const std::string renderer = context::glRenderer();

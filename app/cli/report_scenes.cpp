@@ -4,17 +4,16 @@
 
 #include <algorithm>
 
+#include "app/cli/common_options.h"
 #include "app/cli/measure.h"
 #include "app/cli/messages.h"
 #include "app/cli/progress.h"
 #include "app/context/assets.h"
 #include "app/context/signals.h"
-#include "app/context/software.h"
+#include "app/course/capture_arguments.h"
 #include "app/lab/settings.h"
 #include "app/picture/digest.h"
-#include "app/picture/limits.h"
 #include "app/report/machine.h"
-#include "app/student/plugins.h"
 #include "app/student/program_digest.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/load/load.h"
@@ -29,7 +28,7 @@ using report::PointKey;
 
 /// How often each point has its turn, and how long that is.
 struct Effort {
-    int rounds = 7; // of five frames: thirty and more, from which 95th percentiles are told
+    int rounds = 7; // of five frames each: thirty and more in all, enough for a 95th percentile
     report::TurnLength turn;
 };
 constexpr Effort kQuickEffort{3, {.warming = 2, .counted = 3, .resting = 1}};
@@ -42,9 +41,7 @@ public:
     int run() {
         loadScenes();
         context_ = context::createContext(options_.backend);
-        if (const int limit = context::largestSide(); std::max(options_.size.x, options_.size.y) > limit)
-            throw Error(ExitStatus::overLimit, "this OpenGL driver draws pictures of up to " + std::to_string(limit) +
-                                                   " pixels on a side; choose a smaller --size");
+        requireDriverDraws(options_.size);
         const report::Plan plan = makePlan();
         store_.begin(plan);
         store_.keep(options_.shard, report::thisMachine(std::string(context_->backend())));
@@ -79,8 +76,7 @@ private:
             names = options_.isQuick ? std::vector<std::string>{"still-life", "room-with-lamps", "three-lights"}
                                      : scene::builtInScenes(context::assetsRoot());
         for (const std::string& name : names) {
-            scene::Snapshot scene = scene::loadScene(
-                name, {.assetsRoot = context::assetsRoot(), .allowed = options_.allowed, .limits = picture::limits()});
+            scene::Snapshot scene = scene::loadScene(name, loadOptions(options_.allowed));
             if (scene->lights.empty())
                 throw Error(ExitStatus::badInput,
                             scene::shown(name) +
@@ -122,11 +118,8 @@ private:
         if (options_.backend != context::Backend::automatic) words = {"--backend", std::string(context_->backend())};
         for (const std::filesystem::path& folder : options_.allowed)
             words.insert(words.end(), {"--allow", folder.string()});
-        for (const student::LoadedPlugin& plugin : student::loadedPlugins())
-            words.insert(words.end(), {"--plugin", plugin.file});
-        if (context::isSoftwareDemanded()) words.emplace_back("--software");
-        const std::vector<std::string> limits = picture::limitWords();
-        words.insert(words.end(), limits.begin(), limits.end());
+        const std::vector<std::string> global = course::globalArguments();
+        words.insert(words.end(), global.begin(), global.end());
         return words;
     }
 
@@ -156,7 +149,7 @@ private:
             report::Times::Round turns;
             for (std::size_t i = 0; i < slots.size(); ++i) {
                 context::throwIfInterrupted();
-                // Every other round backwards: nobody always comes after the same one.
+                // Every other round runs backwards, so that no point always follows the same other point.
                 const std::size_t at = round % 2 ? slots.size() - 1 - i : i;
                 turns.emplace(group.points[at].name(), timer.turn(group.points[at].name(), slots[at], round));
                 step(1);

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/cli/command.h"
+#include "app/cli/common_options.h"
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
 #include "app/cli/progress.h"
@@ -37,7 +38,7 @@ void describeSlides(DescribedOptions& add) {
     add.option("--only", "SLIDE", "draws that slide alone, and no page of all; several with commas between them");
     add.option("--size", "WxH", "width and height of the slides in pixels (default 1920x1080; 4K is 3840x2160)");
     add.option("--supersample", "N", "N x N samples for each pixel of a picture, from 1 to 8 (default 2)");
-    add.option("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    describeBackend(add);
     add.option("--allow", "DIR", "a further folder that the decks' scenes may take meshes from; may be repeated");
     add.footer(
         "For each deck: DECK-01-NAME.png ..., the same without words as pictures/DECK-01-NAME.png, DECK.html for "
@@ -67,7 +68,7 @@ SlidesOptions slidesOptions(const GivenOptions& given) {
                                     static_cast<std::uint64_t>(options.look.size.y) * samplesOnASide,
                                 picture::kBytesPerDrawnSample, "--size " + given.text("--size", "1920x1080"),
                                 "choose a smaller --size or --supersample");
-    options.backend = context::backendFromName(given.text("--backend", "auto"));
+    options.backend = backendFrom(given);
     options.allowed = given.allowedFolders();
     return options;
 }
@@ -109,7 +110,7 @@ public:
             throw;
         }
         comeToTheEnd();
-        for (const int i : {0, 1}) // one that nothing came into goes again
+        for (const int i : {0, 1}) // a folder that is still empty is removed again
             if (!were[i] && std::filesystem::is_empty(folders[i], ignored))
                 std::filesystem::remove(folders[i], ignored);
         return static_cast<int>(worst_);
@@ -117,8 +118,7 @@ public:
 
 private:
     void openDecks() {
-        const scene::LoadOptions loading{
-            .assetsRoot = context::assetsRoot(), .allowed = options_.allowed, .limits = picture::limits()};
+        const scene::LoadOptions loading = loadOptions(options_.allowed);
         std::vector<std::string> names = options_.decks;
         if (names.empty()) names = course::builtInDecks(loading.assetsRoot);
         for (const std::string& name : names) {
@@ -153,7 +153,7 @@ private:
                   std::to_string(look.supersample);
     }
 
-    /// The next run draws all slides anew.
+    /// The next run draws all slides again.
     void comeToTheEnd() {
         for (const Deck& deck : decks_) {
             const course::Unfinished unfinished(options_.output, deck.name());

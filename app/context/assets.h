@@ -9,7 +9,7 @@ namespace shadowlab::context {
 /// share/shadowlab beside the folder that the program lies in, where it was installed; none: it was built and not installed.
 std::optional<std::filesystem::path> installedShare();
 
-/// The source tree that the program was built from, which need not be there any more.
+/// The source tree that the program was built from. It may have been deleted since.
 std::filesystem::path sourceTree();
 
 /// The folder that the environment variable SHADOWLAB_ASSETS names, else what was installed with the program, else assets/ of

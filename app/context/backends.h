@@ -10,7 +10,7 @@
 
 namespace shadowlab::context {
 
-/// A backend that cannot serve: what was found, and what the user can do.
+/// A backend that does not work here: what was found, and what the user can do.
 class Unavailable : public Error {
 public:
     Unavailable(const std::string& reasonIn, const std::string& mendIn)
@@ -19,7 +19,7 @@ public:
     std::string reason, mend;
 };
 
-/// What mends each, by what this system has: packages as Debian names them (packages.h), and other backends that are here.
+/// What to do about each, on this system: packages as Debian names them (packages.h), and other backends that are here.
 /// libegl1 does not pull in the drivers (libgl1-mesa-dri) by itself.
 std::string mendEgl();
 std::string mendOsmesa();
@@ -27,18 +27,18 @@ std::string mendDrivers();
 std::string mendEglDrivers();
 std::string mendWindowDrivers();
 std::string mendDisplay();
-std::string mendAll(); ///< where no backend serves
+std::string mendAll(); ///< where no backend works
 inline constexpr const char* kMoreMemory =
     "allow the program more memory (ulimit -v), or install the library's package again";
 inline constexpr const char* kNewerDriver = "take a newer driver, and unset MESA_GL_VERSION_OVERRIDE and "
                                             "MESA_GLSL_VERSION_OVERRIDE if they are set";
-/// A server for screens elsewhere may have neither GLX nor pictures of the depth that EGL wants: no package of this system mends it.
+/// A remote X server may have neither GLX nor visuals of the depth that EGL needs. No package of this system changes that.
 inline constexpr const char* kNoGlx = "use another X server, or take --backend egl, which needs none";
 inline constexpr const char* kNoSoftware = "unset GALLIUM_DRIVER and MESA_LOADER_DRIVER_OVERRIDE if they are set, or "
                                            "leave --software out";
 
-/// Keeps track of which context is current. EGL, GLX and OSMesa each have their own idea of it and do not know of each
-/// other, so the old context is let go through its own interface before the next is bound.
+/// Keeps track of which context is current. EGL, GLX and OSMesa each keep this state
+/// for themselves, so the old context is released through its own interface before the next is bound.
 class TrackedContext : public Context {
 public:
     /// Binds, loads glad and throws Unavailable unless the context is at least 3.3, and drawn as was asked for (software.h).
@@ -71,7 +71,7 @@ std::unique_ptr<Context> createHiddenWindowContext(bool debug);
 /// Whether this system has the library of OSMesa.
 bool isOsmesaHere();
 
-/// What is found where nothing is.
+/// The words for a backend of which nothing was found.
 inline constexpr const char* kNoOpenGl = "no OpenGL";
 
 /// "OpenGL 2.1 Mesa 22.3.6 (llvmpipe)" from a context's own glGetString, for messages before glad is loaded.

@@ -8,7 +8,7 @@
 #include <array>
 
 #include "app/context/backends.h"
-#include "app/context/driver_settings.h"
+#include "app/context/mesa.h"
 #include "app/context/software.h"
 #include "techniques/foundation/base/error.h"
 

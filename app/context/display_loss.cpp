@@ -25,7 +25,7 @@ using IoErrorHandler = int (*)(void* display);
 int onDisplayGone(void*) {
     image::removeTemporariesNow();
     if (::write(told, kMessage, std::strlen(kMessage)) < 0) {
-        // Nobody is left to be told: the exit status says the same.
+        // Standard error is gone, too; the exit status still tells the reason.
     }
     ::_exit(static_cast<int>(ExitStatus::noContext));
 }

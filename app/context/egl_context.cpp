@@ -14,8 +14,7 @@
 #include <vector>
 
 #include "app/context/backends.h"
-#include "app/context/driver_settings.h"
-#include "app/context/driver_threads.h"
+#include "app/context/mesa.h"
 #include "app/context/library.h"
 #include "app/context/software.h"
 

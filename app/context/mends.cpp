@@ -1,4 +1,4 @@
-// What is advised where a backend cannot serve.
+// Advice for the case that a backend does not work.
 // SPDX-License-Identifier: MIT
 #include "app/context/backends.h"
 #include "app/context/packages.h"

@@ -9,8 +9,7 @@
 #include <string_view>
 
 #include "app/context/backends.h"
-#include "app/context/driver_settings.h"
-#include "app/context/driver_threads.h"
+#include "app/context/mesa.h"
 #include "app/context/library.h"
 
 namespace shadowlab::context {

@@ -29,7 +29,7 @@ std::string textOf(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// As dpkg itself is told of another one.
+/// dpkg's database; DPKG_ADMINDIR names another one, as it does for dpkg itself.
 std::filesystem::path dpkgFolder() {
     const char* const given = std::getenv("DPKG_ADMINDIR");
     return given && *given ? given : "/var/lib/dpkg";

@@ -1,4 +1,4 @@
-// What is said of Debian's packages when a library is missing: none that is installed, none that cannot be had.
+// Which of Debian's packages to install when a library is missing: only those that are not installed and that exist.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
@@ -8,14 +8,14 @@
 
 namespace shadowlab::context {
 
-/// How to come by what these packages hold: "apt install" of those that are not installed. Where all of them are, an environment
-/// variable leads their libraries astray, or one of them is damaged.
+/// "apt install" of those packages that are not installed. Where all of them are, the message says that an environment variable
+/// leads to other libraries, or that a package is damaged.
 std::string mendPackages(const std::vector<std::string>& packages);
 
 /// Whether this system's distribution has the package libosmesa6: Mesa ended OSMesa in 25.1.
 bool hasOsmesaPackage();
 
-// --- what both are made of
+// --- parts of both, for tests
 
 /// `dpkgFolder`: with the file "status".
 bool isInstalled(std::string_view package, const std::filesystem::path& dpkgFolder);

@@ -1,5 +1,5 @@
 // The handlers do only what POSIX allows in one: set a flag and an alarm; when the alarm rings, or the second time, remove
-// temporaries and _exit. Signals that nobody sends to have work ended in order (Ctrl-\ and others) remove temporaries, too.
+// temporaries and _exit. Signals that are not meant to end work in order (Ctrl-\ and others) remove temporaries, too.
 // SPDX-License-Identifier: MIT
 #include "app/context/signals.h"
 
@@ -45,7 +45,7 @@ void onEnd(int signal) {
 
 void onAlarm(int signal) {
     if (const int received = receivedSignal.load()) endNow(received);
-    onEnd(signal); // an alarm of somebody else's
+    onEnd(signal); // an alarm that was not set here
 }
 
 /// Unless it was ignored from the start (nohup, a command in the background of a script).
@@ -77,7 +77,7 @@ void installSignalHandlers() {
     alarm.sa_handler = onAlarm;
     sigemptyset(&alarm.sa_mask);
     ::sigaction(SIGALRM, &alarm, nullptr);
-    // Whoever started the program may have held some back; that is inherited.
+    // A process inherits blocked signals from the one that started it.
     sigset_t handled;
     sigemptyset(&handled);
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU, SIGALRM})

@@ -1,12 +1,12 @@
-// Interruption and other signals. Ctrl-C sets a flag that long work asks for between frames and tiles, so that objects
-// are destroyed in order and no half-written file stays. The second Ctrl-C ends the program at once, and so does the first
-// where nobody has asked for two seconds: also then no half-written file stays.
+// Interruption and other signals. Ctrl-C sets a flag that long work tests between frames and tiles, so that objects are
+// destroyed in order. The second Ctrl-C ends the program at once, and so does the first when the flag was not tested for two
+// seconds. In every case half-written files are removed.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 namespace shadowlab::context {
 
-/// Thrown to unwind to main after SIGINT, SIGTERM, SIGHUP or SIGXCPU. Not a std::exception: nobody may take it for a failure.
+/// Thrown to unwind to main after SIGINT, SIGTERM, SIGHUP or SIGXCPU. Not a std::exception, so that no handler treats it as a failure.
 struct Interrupted {
     int exitStatus; ///< 128 + signal number, as shells count: 130 for SIGINT, 143 for SIGTERM, 129 for SIGHUP, 152 for SIGXCPU
 };

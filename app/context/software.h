@@ -6,8 +6,8 @@
 
 namespace shadowlab::context {
 
-/// From now on no context is made that the processor does not draw. Programs that this one starts draw so, too. Called before the
-/// first context: Mesa looks at its environment when it is loaded.
+/// From now on only contexts with software rendering are made, also by programs that this one starts. Called before the first
+/// context: Mesa reads its environment when it is loaded.
 void demandSoftware();
 [[nodiscard]] bool isSoftwareDemanded();
 

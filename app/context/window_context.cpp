@@ -13,8 +13,7 @@
 
 #include "app/context/backends.h"
 #include "app/context/display_loss.h"
-#include "app/context/driver_settings.h"
-#include "app/context/driver_threads.h"
+#include "app/context/mesa.h"
 
 namespace shadowlab::context {
 namespace {
@@ -26,8 +25,8 @@ std::string& lastError() {
 }
 void onGlfwError(int, const char* description) { lastError() = description; }
 
-/// Keeps drivers and Xlib from printing while it lives: libGL remarks on every driver that it cannot load, the last of them
-/// whatever it is told. Ours stay one line. Who has set LIBGL_DEBUG wants to read them.
+/// Keeps drivers and Xlib from printing during its lifetime, so that an error is one line: libGL reports every driver that it cannot
+/// load, and no setting silences the last report. With LIBGL_DEBUG set the user wants these reports, and nothing is suppressed.
 class SilentDrivers {
 public:
     SilentDrivers() : kept_(std::getenv("LIBGL_DEBUG") ? -1 : ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0)) {
@@ -91,7 +90,7 @@ private:
 
 class GlfwContext final : public TrackedContext {
 public:
-    /// `api`: through what the window asks for OpenGL, by GLFW's numbers.
+    /// `api`: GLFW's constant for GLX or EGL.
     GlfwContext(const WindowOptions& options, int api) {
         lastError().clear();
         glfwDefaultWindowHints();
@@ -145,7 +144,7 @@ private:
     GLFWwindow* window_ = nullptr;
 };
 
-/// By GLX, and where that does not serve by EGL: X servers of remote desktops (VNC, NX) often lack GLX, and Mesa's EGL needs nothing
+/// By GLX, and where that fails by EGL: X servers of remote desktops (VNC, NX) often lack GLX, and Mesa's EGL needs nothing
 /// of theirs. Throws Unavailable with what was wrong with the first.
 std::unique_ptr<Context> makeWindow(const WindowOptions& options) {
     requireUsableSettings();

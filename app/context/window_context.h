@@ -19,7 +19,7 @@ struct WindowOptions {
     bool debug = false;
 };
 
-/// There is no window to be had: `reason` alone, and what() with what mends it.
+/// No window can be opened: `reason` alone; what() adds what to do about it.
 class NoWindow : public Error {
 public:
     NoWindow(const std::string& what, const std::string& reasonIn)

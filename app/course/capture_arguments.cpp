@@ -88,6 +88,13 @@ std::vector<std::string> captureArguments(const lab::Document& document, const s
     if (document.light > 0 && document.light < static_cast<int>(lights.size()))
         words.insert(words.end(), {"--light", lights[static_cast<std::size_t>(document.light)].name});
     words.insert(words.end(), more.begin(), more.end());
+    const std::vector<std::string> global = globalArguments();
+    words.insert(words.end(), global.begin(), global.end());
+    return words;
+}
+
+std::vector<std::string> globalArguments() {
+    std::vector<std::string> words;
     for (const student::LoadedPlugin& plugin : student::loadedPlugins())
         words.insert(words.end(), {"--plugin", plugin.file});
     if (context::isSoftwareDemanded()) words.emplace_back("--software");

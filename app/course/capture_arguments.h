@@ -1,4 +1,4 @@
-// The words of a command line that make the picture which is on show.
+// The arguments of the command line that makes the picture on show.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
@@ -13,6 +13,9 @@ namespace shadowlab::course {
 /// camera; `size` is that of the picture area.
 std::vector<std::string> captureArguments(const lab::Document& document, const std::filesystem::path& sceneFile,
                                       const std::filesystem::path& picture, ivec2 size);
+
+/// The options that belong to no command, as this program was given them: --plugin, --software and --limit.
+std::vector<std::string> globalArguments();
 
 /// For a shell: words with odd characters in quotes.
 std::string asCommandLine(const std::vector<std::string>& words);

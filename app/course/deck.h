@@ -41,10 +41,10 @@ struct Slide {
     std::vector<std::string> formulas;   ///< each in the part of TeX that drawing/formula.h knows
     std::optional<int> supersample;      ///< N x N samples for a pixel; none: as many as for the other slides
     std::string caption;
-    std::string alt; ///< the picture in words, for who cannot see it
+    std::string alt; ///< the picture in words, for readers who cannot see it
 };
 
-/// A deck's file, open. Slides are read one by one: a fault of one is no fault of the others.
+/// A deck's file, open. Slides are read one by one: an error in one does not affect the others.
 class Deck {
 public:
     /// A path to a .json, else the name of a built-in deck. Throws Error (badInput, overLimit) with FILE:LINE:COLUMN for what

@@ -27,11 +27,11 @@ struct SavedSlide {
 };
 
 /// Adds what is on show to the deck of that folder, which begins with its first slide. `shown` is the scene as it is
-/// now. Throws Error: badInput where the deck there cannot be read, cannotWrite. Nothing is written by halves.
+/// now. Throws Error: badInput where the deck there cannot be read, cannotWrite. No file is left half-written.
 SavedSlide saveSlide(const lab::Document& document, const scene::Scene& shown, const std::filesystem::path& folder,
                      const scene::LoadOptions& loading);
 
-/// Where slides, scenes and pictures of the window go. Throws Error (cannotWrite) where somebody has deleted it.
+/// Where slides, scenes and pictures of the window go. Throws Error (cannotWrite) when it has been deleted.
 std::filesystem::path currentFolder();
 
 } // namespace shadowlab::course

@@ -57,7 +57,8 @@ ShownState StateReader::read(std::span<const JsonObject* const> levels) {
     readSlots(slotsAt, stageOf, spelledNow, state);
     const JsonObject& layoutOf = having(levels, {"layout"});
     std::vector<std::string> layouts;
-    for (const picture::Layout layout : {picture::Layout::single, picture::Layout::side, picture::Layout::split, picture::Layout::grid, picture::Layout::diff})
+    using enum picture::Layout;
+    for (const picture::Layout layout : {single, side, split, grid, diff})
         layouts.emplace_back(layoutName(layout));
     state.layout = static_cast<picture::Layout>(
         oneOf(layoutOf, "layout", layoutOf.text("layout", state.slots.size() == 1 ? "single" : "side"), layouts));

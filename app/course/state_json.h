@@ -23,7 +23,8 @@ public:
 
     /// The state that the levels say, from what is common to all pictures to what is this one's own: of scene, layout, light and
     /// slots the last that is there counts; cameras, lights and settings are changed one level after another. `stage` is
-    /// that of all slots; `step` names a pass in its place; `technique` stands for a single slot. Throws Error (badInput) with FILE:LINE:COLUMN, and all that loading a scene throws.
+    /// that of all slots; `step` names a pass in its place; `technique` means a single slot.
+    /// Throws Error (badInput) with FILE:LINE:COLUMN, and all that loading a scene throws.
     ShownState read(std::span<const scene::JsonObject* const> levels);
 
 private:

@@ -27,7 +27,7 @@ void setColor(cairo_t* cairo, const std::string& color, double opacity = 1) {
     cairo_set_source_rgba(cairo, channels[0] / 255.0, channels[1] / 255.0, channels[2] / 255.0, opacity);
 }
 
-/// Fills and strokes the path at hand, and forgets it.
+/// Fills and strokes the current path, and clears it.
 void fillAndStroke(cairo_t* cairo, const std::string& fill, const Stroke& stroke) {
     if (!fill.empty() && fill != "none") {
         setColor(cairo, fill);

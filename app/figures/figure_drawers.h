@@ -11,11 +11,11 @@ Diagram drawPathsFigure(const FigureSource& source);
 Diagram drawTreeFigure(const FigureSource& source);
 Diagram drawVectorsFigure(const FigureSource& source);
 
-// Of what spares rays their work.
+// Of structures that accelerate ray tracing.
 Diagram drawBoundingVolumes(const FigureSource& source);
 Diagram drawGrid(const FigureSource& source);
 
-// Of rays that are spread.
+// Of distributed ray tracing.
 Diagram drawJitter(const FigureSource& source);
 Diagram drawLens(const FigureSource& source);
 Diagram drawGloss(const FigureSource& source);
@@ -24,9 +24,29 @@ Diagram drawLamp(const FigureSource& source);
 Diagram drawPenumbra(const FigureSource& source);
 Diagram drawShutter(const FigureSource& source);
 
-// Of patches that send each other light.
+// Of radiosity.
 Diagram drawFormFactorFigure(const FigureSource& source);
 Diagram drawReflectorFigure(const FigureSource& source);
 Diagram drawEquations(const FigureSource& source);
+
+/// N, L and the sign of N.L of the pixel's polygon, and of one on the other side.
+Diagram drawPolygonFigure(const FigureSource& source);
+/// The outline edge nearest to the pixel with the two polygons that share it, and an edge that is no outline.
+Diagram drawEdgeFigure(const FigureSource& source);
+/// P_L, P and P' of a vertex of the outline.
+Diagram drawExtrusionFigure(const FigureSource& source);
+/// The whole volume, and where it cuts other objects.
+Diagram drawVolumeFigure(const FigureSource& source);
+
+/// The line that z-pass or z-fail follows, the faces on it, n_f and n_b.
+Diagram drawCountFigure(const FigureSource& source);
+
+/// The sides between the eye and the pixel, +1 or -1, and the polygon that the pixel shows.
+Diagram drawPlusOneFigure(const FigureSource& source);
+
+/// The systems of coordinates of eye and light, the map, and the depths of the picked point.
+Diagram drawCamerasFigure(const FigureSource& source);
+/// The passes of a frame, and how many polygons each of them draws.
+Diagram drawPassesFigure(const FigureSource& source);
 
 } // namespace shadowlab::figures

@@ -7,9 +7,7 @@
 #include <vector>
 
 #include "app/figures/figure_drawers.h"
-#include "app/figures/map/map_figures.h"
 #include "app/figures/panels.h"
-#include "app/figures/volume/volume_figures.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/nearest_names.h"
 

@@ -26,8 +26,8 @@ public:
 /// Does the name end as that of an MP4 film does? Else the file is an animated PNG.
 bool isMp4(const std::filesystem::path& path);
 
-/// `unit`: the time that a picture stays, or that is counted in where some stay longer. The texts go into an animated PNG; a film has none. Throws Error (cannotWrite) where the file
-/// cannot be written, or a film is wanted and the program ffmpeg, which makes it, is not installed.
+/// `unit`: how long a picture stays; a picture may also stay for several units. The texts go into an animated PNG; an MP4 film has
+/// none. Throws Error (cannotWrite) where the file cannot be written, or where an MP4 film needs ffmpeg and it is not installed.
 std::unique_ptr<Film> makeFilm(const std::filesystem::path& path, image::FrameTime unit,
                                std::vector<image::PngText> text);
 

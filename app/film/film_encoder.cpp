@@ -62,7 +62,7 @@ std::string lastLine(const std::vector<std::uint8_t>& text) {
     return last;
 }
 
-/// What the program is told, `time` being that of each picture. One thread, and no dates: the same pictures give the same film.
+/// The arguments of ffmpeg; `time` is that of each picture. One thread and no dates, so that the same pictures give the same film.
 std::vector<std::string> words(int width, int height, image::FrameTime time) {
     const std::string rate = std::to_string(time.denominator) + "/" + std::to_string(time.numerator);
     const bool isSlow = time.denominator < kLeastRate * time.numerator;
@@ -153,7 +153,7 @@ void FilmEncoder::add(const image::Image& picture) {
     while (pictures_.value >= 0 && written < rgb_.size()) {
         const ssize_t taken = ::write(pictures_.value, rgb_.data() + written, rgb_.size() - written);
         if (taken < 0 && errno == EINTR) continue;
-        if (taken < 0) pictures_.close(); // it has ended: finish() tells why
+        if (taken < 0) pictures_.close(); // ffmpeg has ended: finish() reports why
         written += taken < 0 ? 0 : static_cast<std::size_t>(taken);
     }
 }

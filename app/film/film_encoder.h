@@ -1,7 +1,7 @@
-// The program ffmpeg, which is given raw pictures and makes a film of them.
+// Encodes a film with the program ffmpeg, which reads raw pictures from a pipe.
 //
-// What it writes goes into memory that has no name, so that nothing is left of a film that was not finished, whatever ends
-// either program. H.264 in MP4, which every player and every slide program shows; the colours are declared, for players guess.
+// ffmpeg writes into a memory file without a name (memfd), so that nothing is left of an unfinished film, however either program
+// ends. H.264 in MP4, which every player and every slide program shows. The colour space is declared, because players guess otherwise.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <sys/types.h>
@@ -27,9 +27,9 @@ public:
     FilmEncoder(const FilmEncoder&) = delete;
     FilmEncoder& operator=(const FilmEncoder&) = delete;
 
-    /// The picture has the size that was said. A program that takes no more is heard of in finish().
+    /// Adds a picture of the size given before. If ffmpeg has failed, finish() reports it.
     void add(const image::Image& picture);
-    /// The bytes of the film. Throws Error (cannotWrite) with the last line that the program said, where it failed.
+    /// The bytes of the film. Throws Error (cannotWrite) with the last line that the program said, if it failed.
     std::vector<std::uint8_t> finish();
 
 private:
@@ -43,7 +43,7 @@ private:
         void close();
     };
 
-    Descriptor film_, said_, pictures_; ///< what it writes, what it says, and the pipe to it
+    Descriptor film_, said_, pictures_; ///< its output, its messages, and the pipe to it
     pid_t process_ = -1;
     std::vector<std::uint8_t> rgb_; ///< of one picture
 };

@@ -22,7 +22,7 @@ struct Moment {
 
 /// The moment of one frame; `frame` counts from 0. An orbit has gone frame / frames of its way, so that a full turn
 /// repeats without a double picture; on a path, frame 0 is its frame 1. `previous` is the snapshot of an earlier moment
-/// of the same motion, if there was one: what has not moved since then keeps its revisions, and nobody prepares it anew.
+/// of the same motion, if there was one: what has not moved since then keeps its revisions, and is not prepared again.
 Moment momentAt(const Motion& motion, const scene::Snapshot& base, int frame,
                 const scene::Snapshot& previous = nullptr);
 

@@ -37,8 +37,8 @@ private:
 };
 
 /// Reads a path for this scene. Throws Error (badInput, overLimit) with FILE:LINE:COLUMN: for what a scene file may not
-/// say either, for lights that the scene does not have, and where the way between two keys leads through nonsense
-/// (opposite directions, a camera at its own target).
+/// say either, for lights that the scene does not have, and where interpolating between two keys is
+/// impossible (opposite directions, a camera at its own target).
 Path loadPath(const std::filesystem::path& file, const scene::Scene& scene);
 
 /// The same from a text; `file` is named in errors.

@@ -1,5 +1,5 @@
 // A hard case: a scene made to break careless shadows, what each technique has to make of it, and the careless versions that
-// must be found out. What its file says (docs/hard-cases.md), checked and made complete.
+// must be detected. What its file says (docs/hard-cases.md), checked and made complete.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>

@@ -12,7 +12,7 @@ namespace shadowlab::hard {
 struct Column {
     std::string technique;  ///< id
     lab::Values values; ///< what differs from its defaults
-    bool isExact = false;   ///< it asks rays wherever the rasteriser may err: no pixel may be wrong but ties
+    bool isExact = false;   ///< it traces rays wherever the rasteriser may round wrongly: no pixel may be wrong but ties
 
     /// "shadow-volume-zfail repair=true"
     [[nodiscard]] std::string title() const;

@@ -11,7 +11,7 @@
 
 namespace shadowlab::hard {
 
-/// What came of one technique's frame.
+/// The result of one technique's frame.
 struct JudgedFrame {
     image::Image picture;
     image::Image errorMap; ///< report::errorMap()

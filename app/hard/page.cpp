@@ -2,10 +2,14 @@
 #include "app/hard/page.h"
 
 #include "app/drawing/markup.h"
-#include "app/hard/words.h"
+#include "app/hard/tables.h"
 #include "app/report/page/page_style.h"
+#include "app/report/csv.h"
 
 namespace shadowlab::hard {
+
+using report::joined;
+using report::numberText;
 
 namespace {
 

@@ -3,7 +3,8 @@
 
 namespace shadowlab::hard {
 
-// Blue, yellow and orange of Okabe and Ito's palette, lightened: told apart by every eye, and in grey by the sign beside them.
+// Blue, yellow and orange of Okabe and Ito's palette, lightened: distinguishable with any kind of colour vision, and in grey by the
+// sign beside them.
 const std::string_view kHardStyle = R"(
 .matrix { font-size: 13px; line-height: 17px }
 .matrix th, .matrix td { padding: 3px 6px; border-right: 1px solid #ddd; white-space: nowrap }

@@ -5,10 +5,14 @@
 
 #include "app/drawing/markup.h"
 #include "app/hard/page.h"
-#include "app/hard/words.h"
+#include "app/hard/tables.h"
 #include "app/report/page/log_axis.h"
+#include "app/report/csv.h"
 
 namespace shadowlab::hard {
+
+using report::joined;
+using report::numberText;
 
 namespace {
 
@@ -50,7 +54,7 @@ std::string cellMarkup(const CaseResult& result, const Cell& cell) {
     std::string small;
     if (cell.standing == Standing::wrong) small += std::to_string(cell.coreErrors) + " core";
     if (cell.standing != Standing::refused) small += (small.empty() ? "" : ", ") + report::threeDigits(cell.ms) + " ms";
-    // A sign that a reader cannot miss: what had to be exact is not, and nobody has said why.
+    // Marked clearly: this result had to be exact and is not, and no reason is known.
     const std::string kind = std::string(look.kind) + (cell.isGreen() ? "" : " bad");
     return "<td class=\"" + kind + "\">" +
            pictureLink(cell.pictures, text, result.id + ", " + cell.column, factsOf(cell)) + "<br><small>" + small +

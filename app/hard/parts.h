@@ -1,11 +1,11 @@
-// What is known of a run of the hard cases so far, in its folder: it goes on from wherever it was stopped.
+// The results of a run of the hard cases so far, in its folder, from which an interrupted run continues.
 //
 //     DIR/parts/P2b.json                    a case that is done
 //     DIR/pictures/P2b-planar.png, -errors.png
 //
-// Every file is whole or not there. A part counts only if it was made from what the case is made from now: the program, the
+// Every file is written atomically. A part counts only if it was made from what the case is made from now: the program, the
 // renderer, the size, the techniques, the case's file and its scenes; and if its pictures are as they were written. The parts of
-// a run that came to its end are taken away, so the next one measures everything anew.
+// a completed run are deleted, so the next one measures everything again.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
@@ -21,11 +21,11 @@ namespace shadowlab::hard {
 
 class Parts {
 public:
-    /// Makes the folders. Throws Error (cannotWrite), also where a file of somebody else's would be overwritten. `madeBy`: whatever
-    /// all parts of one run have in common.
+    /// Makes the folders. Throws Error (cannotWrite), also where a file that is no part of a run would be overwritten. `madeBy`: identifies
+    /// program, machine and settings, which all parts of one run have in common.
     Parts(std::filesystem::path folder, std::string madeBy, std::span<const Case> cases);
 
-    /// What came of the case; none: it has not been run, or has changed since.
+    /// The result of the case; none: it has not been run, or has changed since.
     [[nodiscard]] std::optional<CaseResult> find(const Case& one) const;
     void keep(const Case& one, const CaseResult& result) const;
     /// All is done, and written elsewhere.

@@ -10,8 +10,8 @@ namespace shadowlab::hard {
 
 struct Quantity {
     enum class Of {
-        visibility, ///< one technique's answers, held against the truth
-        comparison, ///< two pictures, held against each other
+        visibility, ///< one technique's answers, compared with the truth
+        comparison, ///< two pictures, compared with each other
     };
     std::string_view id;
     Of of;

@@ -1,4 +1,4 @@
-// What came of the hard cases: of each check, and of each technique that was drawn before a case's scene.
+// The result of the hard cases: of each check, and of each technique that was drawn before a case's scene.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -47,7 +47,7 @@ struct Row {
     [[nodiscard]] bool isGreen() const { return outcome == Outcome::right && caught.value_or(true); }
 };
 
-/// How a technique did before the scene of a case of which nobody has said what to expect.
+/// How a technique did on the scene of a case that states no expectation for it.
 enum class Standing {
     exact,         ///< no pixel is wrong
     edges,         ///< pixels are wrong, but only as aliasing makes them
@@ -73,7 +73,7 @@ struct Cell {
     [[nodiscard]] bool isGreen() const { return !isExact || standing != Standing::wrong || !reason.empty(); }
 };
 
-/// One case and what came of it; of a case without a scene there are neither rows nor cells.
+/// One case and the result; of a case without a scene there are neither rows nor cells.
 struct CaseResult {
     std::string id, title, why;
     std::vector<Row> rows;

@@ -1,4 +1,4 @@
-// What came of a hard case as JSON, and back: the parts of an interrupted run, and hard.json, which is made of them.
+// The result of a hard case as JSON, and back: the parts of an interrupted run, and hard.json, which is made of them.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
-// Runs one hard case: its checks, each technique as it should be and its careless version, which must be found out; and every
-// technique before its scene, whatever comes of it.
+// Runs one hard case: its checks, each technique as it should be and its careless version, which must be detected; and every
+// technique on its scene, whatever the result.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>
@@ -11,7 +11,7 @@
 namespace shadowlab::hard {
 
 /// A row for each check of the case, at its small size or at its own. Needs a current GL context. Throws Error (badInput) where
-/// a quantity cannot be had of a technique.
+/// a technique does not provide a quantity.
 std::vector<Row> runCase(const Case& one, bool small);
 
 /// The same with a cell for each column, where the case has a scene.

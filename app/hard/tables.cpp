@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/hard/tables.h"
 
+
 #include "app/hard/results_json.h"
-#include "app/hard/words.h"
 #include "app/report/csv.h"
 
 namespace shadowlab::hard {
+
+using report::joined;
+using report::numberText;
 
 std::string hardJson(const std::vector<CaseResult>& results, const std::string& renderer) {
     Json cases = Json::array();
@@ -49,6 +52,12 @@ std::string matrixCsv(const std::vector<CaseResult>& results) {
                                     std::to_string(c.ties), cell.reason});
         }
     return csv;
+}
+
+std::string caughtText(const Row& row) { return !row.caught ? "no setting" : *row.caught ? "caught" : "not caught"; }
+
+std::string titleOf(const CaseResult& result, const Row& row) {
+    return row.title.empty() ? result.title : result.title + ": " + row.title;
 }
 
 } // namespace shadowlab::hard

@@ -1,4 +1,4 @@
-// What came of the hard cases as JSON and as CSV (RFC 4180).
+// The result of the hard cases as text: JSON, CSV (RFC 4180), and the words of their tables.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
@@ -15,5 +15,10 @@ std::string hardCsv(const std::vector<CaseResult>& results);
 
 /// A line for each technique before each case's scene.
 std::string matrixCsv(const std::vector<CaseResult>& results);
+
+/// "caught", "not caught", or that the check has no careless version.
+std::string caughtText(const Row& row);
+/// Of the case and the check, as far as the latter has one.
+std::string titleOf(const CaseResult& result, const Row& row);
 
 } // namespace shadowlab::hard

@@ -1,7 +1,7 @@
 // The truth about a light's area: of each pixel, the share of the light that is seen (trace/area/area_visibility.h).
 //
-// Shares change slowly where one surface is seen, and how slowly is known. So the points around a pixel's centre are asked
-// only where they lie on another triangle, or where the share might pass one half on the way to them.
+// On one surface the share changes slowly, with a known bound. So the points around a pixel's centre (for ties) are traced only where
+// they lie on another triangle, or where the share might pass one half between the centre and them.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "app/judge/truth.h"

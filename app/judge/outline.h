@@ -1,8 +1,8 @@
 // The exact outline of a light's shadows in a picture, as a line: where on the visible surfaces they begin.
 //
 // The boundary between pixels (boundary.h) is a staircase. Here each of its edges is divided with rays, between the two
-// centres that see different things, until the place where the shadow begins is known to a small share of a pixel; the
-// places of neighbouring edges are joined. No technique has a say in it.
+// centres that see different things, until the place where the shadow begins is found to a small share of a pixel; the
+// places of neighbouring edges are joined. It depends on no technique.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>

@@ -1,5 +1,5 @@
 // How wrong a technique's picture of visibility is: by pixels, by the length of the shadows' boundary, and away from it.
-// No OpenGL: `measure` asks it once for a picture, the window on a thread of its own as often as it can.
+// No OpenGL: `measure` computes it once for a picture, the window on a thread of its own as often as it can.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -16,7 +16,7 @@ struct SlotErrors {
     std::optional<double> edgeErrorPx; ///< none: the truth has no boundary there
 };
 
-/// Where the truth has the boundary of its shadows: made once, for all techniques that are held against it.
+/// Where the truth has the boundary of its shadows: made once, for all techniques that are compared with it.
 std::vector<BoundaryEdge> trueBoundary(const Truth& truth);
 
 /// Length in pixels of what lies in the region. An edge belongs to the pixel on its right or below it, so that the parts
@@ -33,8 +33,8 @@ int coreErrors(const Truth& truth, const Judgement& judgement, const Grid<float>
                const std::optional<Grid<float>>& texelPx);
 
 /// How far the technique's boundary is from the true one, over a whole picture. The technique's answers are cut at one
-/// half, and ties are as the truth has them: a lonely pixel that nobody can judge would else count as a boundary of its
-/// own, far from any other.
+/// half, and ties are as the truth has them: otherwise a single pixel that cannot be judged would count as a
+/// boundary of its own, far from any other.
 std::optional<Displacement> displacement(const Truth& truth, const std::vector<BoundaryEdge>& boundary,
                                          std::span<const std::uint8_t> greyAlpha);
 

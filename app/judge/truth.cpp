@@ -52,7 +52,7 @@ private:
     int light_;
 };
 
-/// Asks the centres and then, tile by tile, whatever else `more` wants to know.
+/// Traces the pixels' centres and then, tile by tile, calls `more`.
 Truth askCentres(const Asking& asking, ivec2 size, const std::stop_token& stop,
                  const std::function<void(const Tile&, const Answers&, Truth&)>& more) {
     Truth truth = emptyTruth(size);

@@ -1,8 +1,8 @@
 // The truth of a picture: for each pixel, what the light's visibility is by definition, and whether it is a tie.
 //
-// An eye ray and a shadow ray through the pixel's centre, on the triangles that the techniques draw; no rasteriser has
-// a say in it. Definitions: docs/conventions.md. What a rasteriser drew is asked for one thing only: where it shows
-// another triangle than the eye ray found, and that triangle's answer differs, neither is wrong, and the pixel is a tie.
+// An eye ray and a shadow ray through the pixel's centre, on the triangles that the techniques draw; independent
+// of any rasteriser. Definitions: docs/conventions.md. The rasterised picture is used for one thing only: where it shows another
+// triangle than the eye ray found, and the visibility there differs, neither is wrong, and the pixel is a tie.
 //
 // For techniques that sample the area of a light (Technique::samplesArea) the truth is the share of it that is seen.
 // SPDX-License-Identifier: MIT
@@ -25,10 +25,10 @@ enum class TruthOf {
 /// How the rasteriser sees the picture.
 struct Rasterised {
     double tieRadiusPx = 1.0 / 64.0;       ///< see tieRadius()
-    std::vector<std::uint32_t> primitives; ///< drawn per pixel (gl::IdBuffer), rows from the top; empty: not asked
+    std::vector<std::uint32_t> primitives; ///< drawn per pixel (gl::IdBuffer), rows from the top; empty: not used
 };
 
-/// Nearer than this to an edge, in pixels, no rasteriser promises on which side a pixel's centre falls: two steps of
+/// Nearer than this to an edge, in pixels, rounding decides on which side of it a pixel's centre falls: two steps of
 /// the grid that vertices are rounded to (GL_SUBPIXEL_BITS), and no less than 1/64.
 double tieRadius(int subpixelBits);
 
@@ -53,17 +53,17 @@ struct Truth {
 };
 
 /// What the pixel centres see, without ties: enough to tell what changes from frame to frame. Both this and exactTruth()
-/// throw trace::Stopped soon after `stop` was asked for, some tens of microseconds of work later; of an area, some
+/// throw trace::Stopped soon after `stop` was requested, some tens of microseconds of work later; of an area, some
 /// milliseconds.
 Truth truthAtCentres(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light,
                      const std::stop_token& stop = {}, TruthOf of = TruthOf::centre);
 
-/// Which of these pixels are ties; for a few of them, where nobody asks about the others.
+/// Which of these pixels are ties; for a few pixels, where the others are not needed.
 std::vector<std::uint8_t> tiesAmong(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size,
                                     int light, double tieRadiusPx, const std::vector<ivec2>& pixels,
                                     TruthOf of = TruthOf::centre);
 
-/// With ties: sixteen points around each centre are asked as well.
+/// With ties: sixteen points around each centre are traced as well.
 Truth exactTruth(const trace::SceneTracer& tracer, const scene::Camera& camera, ivec2 size, int light,
                  const Rasterised& rasterised, const std::stop_token& stop = {}, TruthOf of = TruthOf::centre);
 

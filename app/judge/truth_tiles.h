@@ -1,5 +1,5 @@
 // What every truth is made of: tiles of pixels, the points that their eye rays end in, and the points around a centre that
-// tell whether a pixel is a tie.
+// decide whether a pixel is a tie.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -22,12 +22,12 @@ struct Tile {
 using TilePoints = std::array<trace::SurfacePoint, kTilePixels>;
 using TileVisibility = std::array<trace::Visibility, kTilePixels>;
 
-/// Points around a centre that are asked whether the truth is another one there: eight on the circle of the tie radius,
+/// Points around a centre at which the truth is compared with that of the centre: eight on the circle of the tie radius,
 /// and eight, turned by half a step, on the circle half as wide, for what is too thin to reach the outer one.
 constexpr int kPointsAround = 16;
 dvec2 pointAround(int step, double tieRadiusPx);
 
-/// Calls work(tile) for all tiles of a picture, on several threads. Throws trace::Stopped soon after somebody asked for it.
+/// Calls work(tile) for all tiles of a picture, on several threads. Throws trace::Stopped soon after `stop` was requested.
 void forEachTile(ivec2 size, const std::stop_token& stop, const std::function<void(const Tile&)>& work);
 
 /// Calls visit(index in the picture, index in the tile, pixel).
@@ -42,8 +42,8 @@ void forEachPixel(const Tile& tile, const Truth& truth, const Visit& visit) {
 /// All without a surface, and no ties.
 Truth emptyTruth(ivec2 size);
 
-/// Where the pixel would be seen if it showed this triangle, whatever lies before it. The eye ray may pass it at a hair's
-/// breadth: the point is where it meets the triangle's plane. Nothing where the eye sees the triangle's edge.
+/// Where the pixel would be seen if it showed this triangle, whatever lies before it. The eye ray may just miss the
+/// triangle: the point is where it meets the triangle's plane. Nothing where the eye sees the triangle edge-on.
 std::optional<trace::SurfacePoint> pointOfPrimitive(const trace::SceneTracer& tracer, const trace::EyeRays& rays,
                                                     std::uint32_t primitive, dvec2 pixel);
 

@@ -1,4 +1,4 @@
-// A technique's visibility image held against the truth: a verdict per pixel, and their counts.
+// A technique's visibility image compared with the truth: a verdict per pixel, and their counts.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -15,7 +15,7 @@ enum class Verdict : std::uint8_t {
     correct,     ///< the right side of one half
     falseLit,    ///< lit, but should be dark: a missed shadow, a light leak
     falseShadow, ///< dark, but should be lit: acne
-    tie,         ///< the truth changes within a hair's breadth: no verdict
+    tie,         ///< the truth changes within the tie radius: no verdict
     stray,       ///< a surface where there is none
 };
 
@@ -27,7 +27,7 @@ struct Counts {
     double rmse = 0; ///< of visibility 0..1, over lit, shadowed and turned away pixels
 
     [[nodiscard]] int wrong() const { return falseLit + falseShadow; }
-    /// Without a lit and a shadowed pixel, no error that matters could have been seen.
+    /// Without lit pixels, or without shadowed ones, a wrong technique could not have been noticed.
     [[nodiscard]] bool provesNothing() const { return lit == 0 || shadowed == 0; }
 };
 

@@ -1,4 +1,4 @@
-// Hands on the camera: what a drag of the mouse, a wheel and the arrow keys do to it. No window and no widget here.
+// Moving the camera: what a drag of the mouse, the wheel and the arrow keys do to it. No window and no widget here.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "techniques/foundation/scene/model/camera.h"

@@ -1,5 +1,5 @@
-// What the window shows, as plain values: the scene and its camera, the layout, and what each pane is told to show. Undo
-// brings an earlier one back; a screenshot writes it down.
+// What the window shows, as plain values: the scene and its camera, the layout, and what each pane shows. Undo restores
+// an earlier document; a screenshot writes it to a file.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -18,10 +18,10 @@ struct Document {
     scene::Snapshot scene; ///< as edited, at rest
     std::string sceneName; ///< as the command line takes it
     scene::Camera camera;
-    scene::Camera outsideCamera; ///< the second camera, which looks on from outside
+    scene::Camera outsideCamera; ///< the second camera, which shows the scene, the eye and its rays from outside
     picture::Layout layout = picture::Layout::split;
     double split = 0.5;           ///< share of the width that the left pane has
-    std::optional<dvec2> picked;  ///< a pixel that is asked about, as shares of a picture's width and height
+    std::optional<dvec2> picked;  ///< the picked pixel, as shares of a picture's width and height
     std::optional<dvec2> partner; ///< a second one beside it, never alone
     int light = 0;                ///< the light that stages and errors are about
     int active = 0;               ///< the pane that keys and panels are about
@@ -29,10 +29,10 @@ struct Document {
     friend bool operator==(const Document&, const Document&) = default;
 };
 
-/// The document that a scene is first shown with: shadow map beside shadow volume, and what else there is behind them.
+/// The document that a scene is first shown with: shadow map beside shadow volume; other techniques in the panes behind them.
 Document newDocument(scene::Snapshot scene, std::string sceneName);
 
-/// Where the second camera stands before anybody moves it.
+/// Where the second camera stands at first.
 scene::Camera outsideCameraOf(const scene::Scene& scene, const scene::Camera& eye);
 
 /// The pixel at a share of a picture's width and height.

@@ -11,7 +11,7 @@ namespace shadowlab::lab {
 
 namespace {
 
-/// Sine of the smallest angle between eye ray and plane, or line, at which a hand can still aim: half a degree.
+/// Sine of the smallest angle between eye ray and plane, or line, at which one can still aim with the mouse: half a degree.
 constexpr double kGrazing = 0.01;
 
 } // namespace

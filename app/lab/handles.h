@@ -1,4 +1,4 @@
-// Where lights and objects can be taken hold of in a picture, and where they go when the hand moves.
+// The handles of lights and objects in a picture, and where a drag of the mouse moves them.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>

@@ -15,7 +15,7 @@ namespace shadowlab::lab {
 /// "resolution" -> "1024", as --set takes them.
 using Values = std::map<std::string, std::string>;
 
-/// What a pane is told to show: plain values, so that it can be kept, compared, undone and written down.
+/// What a pane shows, as plain values, so that it can be stored, compared, undone and written to a file.
 struct PaneState {
     std::string technique;
     picture::StageRef stage;                ///< what of it
@@ -49,16 +49,16 @@ struct PanePicture {
 /// How a pane is drawn, apart from what it shows.
 struct PaneWork {
     Deadline deadline = Deadline::max();
-    bool timePasses = true;  ///< and wait until all is drawn; else the driver may go on while others draw
+    bool timePasses = true;  ///< measure each pass, which waits for the GPU; otherwise the panes are drawn concurrently
     bool refine = true;      ///< a picture that can get better, sample by sample, goes on doing so
     bool visibility = false; ///< publish the technique's answers for the request's light as well, to be judged
 };
 
-/// Draws a pane and keeps what came of it. Techniques that were shown before stay ready: going back to one costs nothing
+/// Draws a pane and keeps the result. Techniques that were shown before stay ready: going back to one costs nothing
 /// but its frame.
 class Pane {
 public:
-    /// Draws anew if anything differs from what the picture was made of. Returns true if something was drawn, or is not
+    /// Draws again if anything differs from what the picture was made of. Returns true if something was drawn, or is not
     /// finished. Work beyond the deadline waits for the next call; the last picture stays meanwhile. What fails is kept as
     /// `failure()`, and is not tried again before something changes.
     bool update(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, const PaneWork& work);
@@ -71,7 +71,7 @@ public:
     /// The slot of that state, made or found, its parameters set. Throws Error (usage) for a value that is out of range.
     picture::Slot& slotFor(const PaneState& state);
 
-    /// What the technique knows about the picked pixel of what was drawn last; nothing while it is not ready, or where no
+    /// The technique's probe of the picked pixel of what was drawn last; nothing while it is not ready, or where no
     /// pixel is picked. Throws what the technique throws.
     std::optional<Probe> probe(const View& view);
 

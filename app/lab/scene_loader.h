@@ -1,4 +1,4 @@
-// Loads scenes beside the running picture: a large mesh takes seconds, and nobody should wait for it with a dead window.
+// Loads scenes on a thread of its own: a large mesh takes seconds, in which the window must still react.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <future>
@@ -19,11 +19,12 @@ public:
 
     explicit SceneLoader(scene::LoadOptions options) : options_(std::move(options)) {}
 
-    /// Begins to load, or does so when what was asked for before is there, which is then forgotten: the limit of memory is for one.
+    /// Begins to load; while another scene is still being loaded, waits for that one and discards it, because the limit of memory is for
+    /// one scene.
     void begin(const std::string& nameOrPath);
-    /// What is asked for and not there yet; empty: nothing.
+    /// The scene that is being loaded; empty: none.
     [[nodiscard]] const std::string& loading() const { return wanted_; }
-    /// The scene that was asked for last, once.
+    /// The scene that was requested last; returned only once.
     std::optional<Result> take();
 
 private:

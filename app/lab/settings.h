@@ -20,8 +20,8 @@ Setting parseSetting(const std::string& text);
 /// Throws Error (usage) for anything unknown, out of range, or meant for a technique that no slot shows.
 void applySettings(std::vector<picture::Slot>& slots, const std::vector<std::string>& settings);
 
-/// A sentence for each parameter that somebody has set, and that does nothing as the others are set: an aperture with one ray
-/// for each pixel, say.
+/// A sentence for each parameter that was set and has no effect with the others as they are: for example an aperture with one ray
+/// for each pixel.
 std::vector<std::string> settingsWithoutEffect(const std::vector<picture::Slot>& slots);
 
 } // namespace shadowlab::lab

@@ -1,4 +1,4 @@
-// Notices that a shader file was saved, so that it is compiled while the picture runs.
+// Detects that a shader file was saved, so that it is compiled again while the program runs.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>

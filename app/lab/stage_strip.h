@@ -18,7 +18,7 @@ struct Thumbnail {
 
 class StageStrip {
 public:
-    /// Draws the stages of what the pane shows anew if anything but its stage has changed: all of them from one frame of
+    /// Draws the stages of what the pane shows again if anything but its stage has changed: all of them from one frame of
     /// that size. True if something was drawn, or is not finished. Work beyond the deadline waits for the next call; until the
     /// technique is ready there are no thumbnails. What throws is not tried again before something changes.
     bool update(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& pane, ivec2 size,

@@ -11,8 +11,8 @@ namespace shadowlab::lab {
 
 namespace {
 
-// Fifteen frames a second are what the eye still takes for motion; a hand notices no delay then either. Full frames that
-// take longer on average are drawn coarser; single slow ones (a judged frame, another program) are not.
+// Below about fifteen frames a second motion is no longer smooth, and dragging feels delayed. Frames that take longer than that on
+// average are drawn coarser; single slow ones (a judged frame, another program) have no effect.
 constexpr double kTooSlowMs = 1000.0 / 15;
 constexpr double kWorthIt = 0.7;   ///< of the time of full pictures, that coarse ones may take at most
 constexpr double kNewShare = 0.25; ///< of a new frame's time in the average
@@ -99,7 +99,7 @@ bool Workbench::update(ivec2 areaSize, Deadline deadline) {
     return drawn || asked;
 }
 
-/// True when there is something new to show. While something moves, only what is quick is asked again.
+/// True when there is something new to show. While something moves, only what is fast is computed again.
 bool Workbench::askAboutPixel(const PaneRequest& request, Pane& pane) {
     const PaneRequest& before = pickedPixel_.askedFor;
     if (!request.view.picked) {

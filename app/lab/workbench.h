@@ -1,5 +1,5 @@
-// The lab itself, without window and widgets: a document, the panes that draw it, and what hands may do to it. The window
-// puts pictures of it on the screen and turns keys into calls; headless pictures of the window and tests use the same.
+// The lab itself, without window and widgets: a document, the panes that draw it, and what the user may do to it. The window
+// shows its pictures and turns keys into calls; headless pictures of the window and tests use the same.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -22,7 +22,7 @@ struct PlacedPane {
     picture::Cell cell;
 };
 
-/// A pixel, and what is known about it.
+/// A pixel, and its probe.
 struct PickedPixel {
     PaneRequest askedFor;
     Probe probe;
@@ -56,14 +56,14 @@ public:
     /// Draws what has changed. `areaSize` is the picture area in pixels. Returns true if anything was drawn. Work that is
     /// not done by the deadline goes on in the next call.
     bool update(ivec2 areaSize, Deadline deadline);
-    /// How much coarser than the screen moving pictures are drawn, so that hands need not wait: 1, 2 or 4.
+    /// How much coarser than the screen moving pictures are drawn, so that the window reacts at once: 1, 2 or 4.
     [[nodiscard]] int draft() const { return draft_; }
-    /// Draws coarse as long as something moves and full frames take longer than the eye and hand allow.
+    /// Draws coarse as long as something moves and full frames take too long (kTooSlowMs).
     void setMoving(bool moving) { moving_ = moving; }
     void allowDraft(bool allowed) { draftAllowed_ = allowed; }
     /// Draws every pane whole, also where the layout shows a band of it: for what looks at one place in several panes.
     void drawWhole(bool whole) { whole_ = whole; }
-    /// Draws every pane again: its shaders are others now.
+    /// Draws every pane again, after its shaders have changed.
     void drawAnew();
     /// The panes that publish their answers with the next frame, to be judged.
     void wantVisibility(std::vector<int> panes) { answering_ = std::move(panes); }
@@ -72,21 +72,20 @@ public:
 
     // --- changes that can be undone; `gesture` names a run of changes that are one (document.h)
     void change(const std::string& gesture, const std::function<void(Document&)>& edit);
-    /// The same for what is in the scene. An animation ends where it is: hands would pull at what runs away.
+    /// The same for what is in the scene. An animation stops: what is dragged must not move away by itself.
     void changeScene(const std::string& gesture, const std::function<scene::Snapshot(const scene::Snapshot&)>& edit);
     void endGesture() { history_.endGesture(); }
     void undo();
     void redo();
     [[nodiscard]] const UndoHistory& history() const { return history_; }
 
-    // --- changes that cannot, because undo should not run after the eye
+    // --- changes that cannot be undone: undo concerns the scene, not the view of it
     void setCamera(const scene::Camera& camera);
     void setOutsideCamera(const scene::Camera& camera) { document_.outsideCamera = camera; }
     void resetOutsideCamera();
-    /// Asks about the pixel at that share of a picture's width and height. Nothing is known of the background: then no
-    /// pixel is picked any more.
+    /// Picks the pixel at that share of a picture's width and height. The background has no probe: then no pixel is picked any more.
     void pick(const dvec2& place);
-    /// A second pixel, for techniques in which two places have to do with one another. Without a first one it is the first.
+    /// A second pixel, for techniques in which two places exchange light. Without a first one it is the first.
     void pickPartner(const dvec2& place);
     /// Of both; of the second alone.
     void unpick();
@@ -96,7 +95,7 @@ public:
     /// Another scene in place of this one; layout, techniques and settings stay.
     void showScene(scene::Snapshot scene, std::string sceneName);
 
-    /// All of it in place of what is there, as a step of a lesson asks for it.
+    /// Replaces the whole document, as a step of a lesson does.
     void showDocument(Document document);
 
     void play(bool playing);
@@ -104,7 +103,7 @@ public:
     /// Lets time go by.
     void advance(double seconds);
 
-    /// What the active pane's technique knows about the picked pixel: of the last picture for which there was time to ask.
+    /// The probe of the picked pixel by the active pane's technique, of the last picture for which there was time.
     [[nodiscard]] const PickedPixel& pickedPixel() const { return pickedPixel_; }
 
 private:

@@ -13,8 +13,8 @@
 namespace shadowlab::picture {
 
 /// `ground` is the picture of either; its colours are taken away. On it every pixel that the first or the second technique
-/// gets wrong, in a colour for each, and those that both get wrong; ties are nobody's. Each has
-/// been judged by the truth that it answers to, all over the picture. No GL.
+/// gets wrong, in a colour for each, and those that both get wrong; ties are not
+/// coloured. Each technique was judged by its own kind of truth, over the whole picture. No OpenGL.
 Panel differencePanel(image::Image ground, const std::array<const judge::Judgement*, 2>& judgements,
                       const std::array<std::string, 2>& titles);
 

@@ -32,12 +32,12 @@ public:
                                 const LightTruth& light);
     /// Without ties, which are by far the most of the work.
     judge::Truth truthAtCentres(const scene::Snapshot& snapshot, const View& view, const LightTruth& light);
-    /// Which of a few pixels are ties, as far as rays tell.
+    /// Which of a few pixels are ties, found by rays alone.
     std::vector<std::uint8_t> tiesAmong(const scene::Snapshot& snapshot, const View& view, const LightTruth& light,
                                         const std::vector<ivec2>& pixels);
     /// Where the light's shadows end in the whole view. Valid until the next call.
     const std::vector<judge::OutlineSegment>& outline(const scene::Snapshot& snapshot, const View& view, int light);
-    /// What the rasteriser has to say about the view. Needs a current GL context; everything else about a truth does not.
+    /// The rasterised picture of the view. Needs a current GL context; everything else about a truth does not.
     judge::Rasterised rasterise(const scene::Snapshot& snapshot, const gl::SceneBuffers& buffers, const View& view);
 
 private:

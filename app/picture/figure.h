@@ -22,7 +22,7 @@ enum class Layout {
 struct Cell {
     int x = 0, y = 0, width = 0, height = 0;
     ivec2 pictureSize{0};
-    int cropX = 0; ///< column of the picture that comes to the cell's left edge
+    int cropX = 0; ///< column of the picture at the cell's left edge
 };
 /// One cell for each of `count` slots (of `diff`: one for all), in rows from the upper left. Their sizes differ by one
 /// pixel at most; but of two bands of `split` the left one has that share of the width.

@@ -1,4 +1,5 @@
-// A slot judged: its frame is drawn with what its technique says of one light, and that is held against the truth it answers to.
+// Judging a slot: its frame is drawn with its technique's visibility of one light, and that is compared with the kind of truth that
+// the technique is judged by (judge::TruthOf).
 // `measure`, `report`, hard cases and lessons all judge this way; the window does it on a thread without OpenGL, from the pure
 // part of it (judge/slot_errors.h).
 // SPDX-License-Identifier: MIT
@@ -17,7 +18,7 @@ struct Answers {
     VisibilityImage visibility;
     std::optional<judge::Grid<float>> texelPx; ///< pixels that a texel of its shadow map covers; none: it has no map
 };
-/// Asks a technique that publishes its visibility for its answers; to be rendered, and then read.
+/// The request for a frame in which a technique publishes its visibility; to be rendered, and then read.
 FrameRequest requestAnswers(const TechniqueInfo& info, int light);
 Answers readAnswers(const TechniqueInfo& info, const RenderedFrame& rendered, int light);
 
@@ -36,7 +37,7 @@ struct JudgedSlot {
     RenderedFrame rendered;
     Answers answers;
     LightTruth asked;          ///< what it was judged by
-    const judge::Truth& truth; ///< the session's: valid until it is asked for another one about the same thing
+    const judge::Truth& truth; ///< the session's: valid until the next request about the same light
     AnswerErrors found;
 };
 /// All of it, for one frame. Throws Error (badInput) for a technique that publishes no visibility.

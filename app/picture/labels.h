@@ -10,7 +10,7 @@
 
 namespace shadowlab::picture {
 
-/// A plate, laid out but not yet drawn: first one asks whether there is room for it.
+/// A plate that is laid out but not yet drawn, so that one can first test whether there is room for it.
 struct Plate {
     int width = 0, height = 0;
     int lines = 0;                                                    ///< of text

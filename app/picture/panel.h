@@ -1,7 +1,7 @@
-// One picture of a figure, from a slot to finished pixels: what is asked of the slot's frame, and how what came of it is shown.
+// One picture of a figure, from a slot to finished pixels: which frame is requested of the slot, and how the result is displayed.
 //
-// Captures, lessons and slides take all of it. The window asks for the same frame and shows it with the same look (lab/pane.cpp),
-// but leaves its picture on the graphics card, ends at a deadline and goes on in the next frame.
+// Captures, lessons and slides use all of it. The window requests the same frame and displays it in the same way (lab/pane.cpp), but
+// leaves its picture on the graphics card, stops at a deadline and continues in the next frame.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>

@@ -18,8 +18,8 @@ public:
 
     /// The radiance in a target: exposure, clamp, sRGB. `supersample` N averages N x N texels in linear light first.
     [[nodiscard]] image::Image encode(const gl::Texture2D& radiance, float exposure, int supersample = 1) const;
-    /// The same, left on the graphics card: what a frame costs when somebody only looks at it. Outside of a region that
-    /// is not empty nothing is written. `old`: a picture that nobody needs any more, to be drawn over if it has the size.
+    /// The same, left on the graphics card: the cost of a frame that is only shown. Outside of a region that
+    /// is not empty nothing is written. `old`: a picture that is no longer needed, to be drawn over if it has the size.
     [[nodiscard]] gl::Texture2D encodeInPlace(const gl::Texture2D& radiance, float exposure, int supersample = 1,
                                               const Region& region = {}, gl::Texture2D old = {}) const;
     [[nodiscard]] gl::Texture2D encodeInPlace(const Stage& stage, StageKind kind, float exposure,
@@ -28,7 +28,7 @@ public:
     /// The picture without its colours, its shadows lifted: the ground on which wrong pixels are shown (verdict_panels.h).
     [[nodiscard]] gl::Texture2D encodeGround(const gl::Texture2D& radiance, float exposure, const Region& region) const;
 
-    /// A stage as its kind asks: exposure, a palette, or the colours as they are.
+    /// A stage, encoded according to its kind: exposure, a palette, or the colours as they are.
     [[nodiscard]] image::Image encode(const Stage& stage, StageKind kind, float exposure, int supersample = 1) const;
 
     /// What was encoded, on the processor; and once more on the card.
@@ -54,7 +54,7 @@ private:
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }
 };
-/// The whole stage, or the part of it that a region stands for: then the image has the region's pixels only.
+/// The whole stage, or only the pixels of a region.
 VisibilityImage readVisibility(const Stage& stage, const Region& region = {});
 
 /// How many pixels a texel of a shadow map covers, for each pixel of a stage `texel-size`; 0 where it does not say.

@@ -49,8 +49,8 @@ public:
     /// The scene on the graphics card, as of the last frame.
     [[nodiscard]] const gl::SceneBuffers& buffers() const { return buffers_; }
 
-    /// Makes ready for the truth, and all else that rays are sent for; without it they do that themselves. Returns the share
-    /// that is done when the time has come, 1: all.
+    /// Builds the tree for rays, as far as the deadline allows. Truth and outline otherwise build it themselves. Returns the share that
+    /// is done, 1: all.
     double prepareTruth(Deadline deadline) { return exact_.prepare(snapshot_, deadline) ? 1 : exact_.prepared(); }
     /// The truth of what the view shows of one light, with its ties. Valid until the next call about the same
     /// thing, the light's centre or its area.
@@ -77,10 +77,10 @@ private:
     ExactView exact_;
 };
 
-/// What was published under that key. Throws std::logic_error if the technique did not keep its promise.
+/// What was published under that key. Throws std::logic_error if the technique did not publish a stage that it declares.
 const Stage& findStage(const RenderedFrame& rendered, const StageKey& key);
 
-/// A technique's own words about a stage.
+/// What a technique declares about a stage.
 const StageInfo& stageInfo(const TechniqueInfo& info, std::string_view id);
 
 /// Throws Error (usage) when the pass did not run with the slot's settings, naming those that did.

@@ -1,6 +1,6 @@
 // What of a technique is shown: the finished picture, one of its stages, or the picture after one of its passes. A StageRef
 // is read from text where text enters the program (command line, decks, lessons) and written where it leaves; between, it is
-// a value. The spelling of stages is known here alone.
+// a value. The spelling of stages is defined here alone.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace shadowlab::picture {
 
-/// What is wanted, before the scene and the technique are known. The default is the finished picture.
+/// A requested stage, not yet resolved against a scene and a technique. The default is the finished picture.
 struct StageRef {
     std::string id{};                   ///< of the stage or the pass
     std::optional<std::string> light{}; ///< its name; none: the light that all stages are about

@@ -1,5 +1,5 @@
-// Pictures of the truth and of verdicts, each with the key to its colours. No OpenGL: whoever has a truth can draw them,
-// on any thread. The stages `truth` and `error` are these.
+// Pictures of the truth and of verdicts, each with the key to its colours. No OpenGL, so that
+// any thread can draw them. The stages `truth` and `error` are these.
 //
 // All are as large as the truth; outside the region nothing is drawn.
 // SPDX-License-Identifier: MIT

@@ -24,7 +24,7 @@ bool isBetter(const Point& a, const Point& b) {
 std::string milliseconds(double value) {
     std::array<char, 32> text{};
     const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed,
-                                            value < 10 ? 2 : 1); // knows no locale
+                                            value < 10 ? 2 : 1); // independent of the locale
     return (error == std::errc{} ? std::string(text.data(), end) : "?") + " ms";
 }
 
@@ -48,7 +48,7 @@ std::string countersOf(const Errors& errors) {
 }
 
 /// The parts of a frame, the longest first: preparing, each pass, encoding. Passes are timed one by one, so that they add up to
-/// more than the frame; they are told as shares of their sum.
+/// more than the frame; they are given as shares of their sum.
 std::string whereTimeGoes(const Point& point) {
     std::vector<Costs::Pass> parts = point.costs->passes;
     parts.push_back({"preparing", point.costs->prepare.median});

@@ -6,7 +6,7 @@
 namespace shadowlab::report {
 
 /// Marks the Pareto front: the points than which no other is both cheaper (median of frames) and less wrong. The yardstick, and
-/// points that serve a part of the pixels only, are neither on it nor held against others.
+/// points that serve a part of the pixels only, are neither on it nor compared with others.
 void markFront(Group& group);
 
 /// Of every sweep whose parameter is a number: how cost and error grow along it.

@@ -10,13 +10,13 @@ namespace shadowlab::report {
 /// The points of a plan that none of the folders has yet, as "SCENE@LIGHT POINT".
 std::vector<std::string> missingPoints(std::span<const Store> stores, const Plan& plan);
 
-/// What the folder has of its plan, analysed. Groups are split where their points are held against different truths.
+/// What the folder has of its plan, analysed. Groups are split where their points are compared with different truths.
 Report assemble(const Store& store);
 
 /// The words that measure a point again, quoted for a shell.
 std::string commandFor(const Plan& plan, const PlannedGroup& group, const PointKey& point);
 
-/// Everything that numbers tell, for other programs.
+/// All numbers of the report, for other programs.
 std::string reportJson(const Report& report);
 /// One line for each point.
 std::string reportCsv(const Report& report);

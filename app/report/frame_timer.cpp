@@ -37,14 +37,15 @@ film::Moment FrameTimer::momentOf(int frame) {
     return moment;
 }
 
-picture::RenderedFrame FrameTimer::draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses) {
-    session_.setScene(moment.snapshot);
+picture::RenderedFrame drawMoment(picture::Session& session, picture::Slot& slot, const film::Moment& moment, ivec2 size,
+                                  bool timesPasses) {
+    session.setScene(moment.snapshot);
     View view;
     view.camera = moment.camera;
-    view.size = size_;
+    view.size = size;
     FrameRequest request;
     request.timePasses = timesPasses;
-    return session_.render(slot, view, request);
+    return session.render(slot, view, request);
 }
 
 double FrameTimer::encode(picture::Slot& slot, const film::Moment& moment) {

@@ -1,7 +1,8 @@
-// What points cost: they take turns, some frames at a time, so that whatever else the machine does meets all of them alike.
+// What points cost. They take turns, some frames at a time, so that disturbances by other programs affect all of them alike.
 //
-// The light goes on by one degree from frame to frame, and nothing that follows from it can be kept. The first frames of a turn do
-// not count: caches are full of what the point before left there. Then the light rests for a frame or two: what is kept is.
+// The light turns by one degree from frame to frame, so that nothing which depends on it can be cached. The first frames of a turn do
+// not count: the processor's caches still hold the data of the point before. Then the light rests for a frame or two, which are
+// counted apart: they show what a technique saves by its own caches.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <map>
@@ -33,18 +34,24 @@ struct Times {
     std::map<std::string, double> firstMs, residentMegabytes;
 };
 
+/// One frame of a slot. `timesPasses`: with a clock around each pass.
+picture::RenderedFrame drawMoment(picture::Session& session, picture::Slot& slot, const film::Moment& moment, ivec2 size,
+                                  bool timesPasses);
+
 class FrameTimer {
 public:
     FrameTimer(picture::Session& session, scene::Snapshot base, ivec2 size, TurnLength length)
         : session_(session), base_(std::move(base)), size_(size), length_(length) {}
 
-    /// The first frame of a new slot. Remembers how long frames of it are.
+    /// Draws the first frame of a new slot. Stores how long its frames take.
     void first(const std::string& name, picture::Slot& slot, Times& times);
     /// One turn in the given round, which says where the light is.
     Turn turn(const std::string& name, picture::Slot& slot, int round);
 
 private:
-    picture::RenderedFrame draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses = false);
+    picture::RenderedFrame draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses = false) {
+        return drawMoment(session_, slot, moment, size_, timesPasses);
+    }
     double encode(picture::Slot& slot, const film::Moment& moment);
     film::Moment momentOf(int frame);
 

@@ -1,4 +1,4 @@
-// How wrong one point is: its visibility held against the truth, and two small pictures of it.
+// How wrong one point is: its visibility compared with the truth, and two small pictures of it.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <vector>

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/course/lessons/lesson_quantities.h"
-#include "app/judge/metrics/crawl.h"
+#include "app/judge/metrics/flicker.h"
 #include "app/picture/judged_slot.h"
 #include "app/picture/stage_ref.h"
 #include "app/report/measurement.h"
@@ -62,7 +62,7 @@ public:
     }
 
 private:
-    /// What came of a slot's frame, with its answers for the light where it says them.
+    /// The result of a slot's frame, with its answers for the light where it says them.
     struct Drawn {
         picture::RenderedFrame rendered;
         image::Image picture;
@@ -135,8 +135,9 @@ private:
         for (int frame = 0; frame < lesson_.motion.frames; ++frame) {
             View view = view_;
             view.camera = film::momentAt(lesson_.motion, base(), frame).camera;
-            const picture::RenderedFrame rendered = session_.render(slot, view, {.stages = {picture::visibilityOf(state_.light)}});
-            const picture::VisibilityImage visibility = picture::readVisibility(picture::findStage(rendered, picture::visibilityOf(state_.light)));
+            const StageKey stage = picture::visibilityOf(state_.light);
+            const picture::RenderedFrame rendered = session_.render(slot, view, {.stages = {stage}});
+            const picture::VisibilityImage visibility = picture::readVisibility(picture::findStage(rendered, stage));
             const judge::Truth truth = session_.truthAtCentres(view, session_.truthFor(slot, state_.light));
             std::vector<std::uint8_t> lit(truth.visibility.size()), truthLit(truth.visibility.size());
             for (std::size_t i = 0; i < lit.size(); ++i) {
@@ -217,7 +218,7 @@ private:
     picture::Session session_;
     picture::PictureEncoder encoder_;
     std::vector<picture::Slot> slots_;
-    std::vector<std::optional<Drawn>> frames_; ///< one for each slot, once somebody has asked
+    std::vector<std::optional<Drawn>> frames_; ///< one for each slot, drawn when it is first needed
     View view_;
 };
 

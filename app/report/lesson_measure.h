@@ -16,7 +16,7 @@ struct MeasuredExpectation {
     std::array<bool, 2> holds{};
 };
 
-/// In the order of the lesson's expectations. A value that could not be measured (a fact that no probe tells) is an Error
+/// In the order of the lesson's expectations. A value that could not be measured (a fact that no probe contains) is an Error
 /// (badInput) naming what there is. Needs a current GL context.
 std::vector<MeasuredExpectation> measureLesson(const course::Lesson& lesson);
 

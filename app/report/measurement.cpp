@@ -53,7 +53,7 @@ void Measurement::addFrame(const film::Moment& moment) {
     view.camera = moment.camera;
     view.size = size_;
     if (first) session_.prepareTruth(Deadline::max()); // builds the tree
-    std::map<TruthOf, Judged> truths;                  // those that somebody is judged by
+    std::map<TruthOf, Judged> truths;                  // those that a slot is judged by
     std::optional<Shown> reference;
     if (first) reference = referencePicture(view);
 
@@ -96,16 +96,6 @@ void Measurement::timeTurn(int turn) {
     }
 }
 
-picture::RenderedFrame Measurement::draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses) {
-    session_.setScene(moment.snapshot);
-    View view;
-    view.camera = moment.camera;
-    view.size = size_;
-    FrameRequest request;
-    request.timePasses = timesPasses;
-    return session_.render(slot, view, request);
-}
-
 Measurement::Judged Measurement::truthOf(const View& view, const picture::LightTruth& light, bool first) {
     const SteadyClock::time_point start = SteadyClock::now();
     Truth truth = first ? session_.truth(view, light) : session_.truthAtCentres(view, light);
@@ -115,7 +105,7 @@ Measurement::Judged Measurement::truthOf(const View& view, const picture::LightT
 }
 
 /// The technique's lit pixels, ties as the truth has them: what no rasteriser promises is no flicker. Only pixels that
-/// differ have to be asked whether they are ties.
+/// differ have to be tested for ties.
 std::vector<std::uint8_t> Measurement::litOutsideTies(const picture::VisibilityImage& visibility, const Truth& truth,
                                                       const picture::LightTruth& light, const View& view) {
     std::vector<std::uint8_t> lit = litMask(visibility);

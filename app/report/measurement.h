@@ -1,9 +1,9 @@
-// Measuring: every technique draws the same frames, and each of its pixels is held against the truth.
+// Measuring: every technique draws the same frames, and each of its pixels is compared with the truth.
 //
-// First every frame is judged. Then the sequence is drawn again as if somebody only looked at it: that is the time of a frame,
-// because judging in between would leave caches cold and processors asleep; and once more with a clock around every pass, which
-// costs a little and is not counted. Techniques take turns of some frames each, so that whatever else the machine does meets
-// all of them alike; the frames before those of a turn are drawn first and do not count.
+// First every frame is judged. Then the sequence is drawn again without judging: that is the time of a frame,
+// because judging in between would leave caches cold and processors asleep. Then it is drawn once more with a clock around every
+// pass, which costs a little and is not counted. Techniques take turns of some frames each, so that disturbances by other programs
+// affect all of them alike; the frames before those of a turn are drawn first and do not count.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -12,12 +12,13 @@
 
 #include "app/film/motion.h"
 #include "app/judge/metrics/boundary.h"
-#include "app/judge/metrics/flips.h"
+#include "app/judge/metrics/flicker.h"
 #include "app/judge/metrics/frame_times.h"
 #include "app/judge/verdict.h"
 #include "app/picture/judged_slot.h"
 #include "app/picture/picture.h"
 #include "app/picture/session.h"
+#include "app/report/frame_timer.h"
 
 namespace shadowlab::report {
 
@@ -28,7 +29,7 @@ struct PictureErrors {
     double flip = 0; ///< mean over the picture
 };
 
-/// What is known of one technique, for one light.
+/// The errors and times of one technique, for one light.
 struct TechniqueErrors {
     std::string technique;
     judge::TruthOf truth = judge::TruthOf::centre; ///< what it was judged by
@@ -84,7 +85,9 @@ private:
                     const Judged& judged, const Shown& reference);
     Shown shown(const picture::Slot& slot) const;
     Shown referencePicture(const View& view);
-    picture::RenderedFrame draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses);
+    picture::RenderedFrame draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses = false) {
+        return drawMoment(session_, slot, moment, size_, timesPasses);
+    }
 
     picture::Session& session_;
     std::vector<Entry> entries_;

@@ -72,7 +72,7 @@ Shard shardFrom(const std::string& text) {
     };
     number(0, slash, shard.number);
     number(slash + 1, text.size(), shard.count);
-    constexpr int kMost = 10000; // more machines than anybody has, and far fewer than points would overflow
+    constexpr int kMost = 10000; // far more machines than are used for one report, and few enough for an int
     if (shard.number < 1 || shard.number > shard.count || shard.count > kMost) refuse();
     return shard;
 }

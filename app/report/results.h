@@ -97,7 +97,7 @@ struct ExactAgainstInexact {
     std::string why;                           ///< where frameRatio > 2: what takes the time
 };
 
-/// All points of one scene under one light that are held against the same truth.
+/// All points of one scene under one light that are compared with the same truth.
 struct Group {
     std::string scene, light;
     judge::TruthOf truth = judge::TruthOf::centre;
@@ -108,7 +108,7 @@ struct Group {
     [[nodiscard]] std::string name() const;
 };
 
-/// What exact shadows may cost, beside wrong ones, before a report has to say why.
+/// What exact shadows may cost, beside wrong ones, before a report has to state the reason.
 inline constexpr double kMostRatio = 2;
 
 struct Machine {

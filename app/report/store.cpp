@@ -36,7 +36,7 @@ namespace fs = std::filesystem;
     throw Error(ExitStatus::badInput, path.string() + ": is no part of a report that this program wrote; delete it");
 }
 
-/// None where there is no such file. One that cannot be read is not taken for one that is not there, and written anew.
+/// None where there is no such file. One that cannot be read is an error; it is not overwritten.
 std::optional<std::string> bytesOf(const fs::path& file) {
     std::error_code ignored;
     if (!fs::is_regular_file(file, ignored)) return std::nullopt;

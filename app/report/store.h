@@ -1,11 +1,11 @@
-// A report's folder: the plan, and what is known of it so far, a file for each point and one for the times of each group.
+// A report's folder: the plan, and the results so far, a file for each point and one for the times of each group.
 //
 //     DIR/plan.json                             what all shards of the report have in common
 //     DIR/parts/GROUP/POINT.json, .png, -errors.png
 //     DIR/parts/GROUP/times-1-of-1.json         rewritten whole after every round
 //     DIR/parts/machine-1-of-1.json
 //
-// Every file is whole or not there, so a report goes on from wherever it was stopped.
+// Every file is written atomically, so that a report gontinues from where it was interrupted.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -62,8 +62,8 @@ private:
     std::filesystem::path folder_;
 };
 
-/// As a file name: what may mean something to a file system or a shell becomes '_', with a number behind that tells names apart
-/// which have become the same.
+/// As a file name: characters with a meaning to a file system or a shell become '_'; a number behind distinguishes names that
+/// would become equal.
 std::string fileName(const std::string& name);
 
 } // namespace shadowlab::report

@@ -1,8 +1,5 @@
 // A report as JSON and as CSV (RFC 4180).
 // SPDX-License-Identifier: MIT
-#include <array>
-#include <charconv>
-
 #include "app/report/assemble.h"
 #include "app/report/csv.h"
 #include "app/report/json_parts.h"
@@ -41,19 +38,6 @@ Json exactnessJson(const Group& group) {
             {"frameRatio", exactness.frameRatio},
             {"shadowRatio", exactness.shadowRatio},
             {"why", exactness.why}};
-}
-
-std::string number(double value) {
-    std::array<char, 32> text{};
-    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-    return {text.data(), end};
-}
-
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words)
-        text += (text.empty() ? "" : " ") + word;
-    return text;
 }
 
 } // namespace
@@ -115,15 +99,15 @@ std::string reportCsv(const Report& report) {
             for (const int count :
                  {e.pixels, e.lit, e.shadowed, e.turnedAway, e.ties, e.falseLit, e.falseShadow, e.core})
                 fields.push_back(std::to_string(count));
-            fields.insert(fields.end(), {number(e.served), number(e.rmse), e.edgeErrorPx ? number(*e.edgeErrorPx) : "",
-                                         number(e.glMegabytes)});
+            fields.insert(fields.end(), {numberText(e.served), numberText(e.rmse), e.edgeErrorPx ? numberText(*e.edgeErrorPx) : "",
+                                         numberText(e.glMegabytes)});
             if (const std::optional<Costs>& c = point.costs) {
                 fields.push_back(std::to_string(c->frames));
                 for (const double ms :
                      {c->frame.median, c->frame.lower, c->frame.upper, c->frame.p95, c->prepare.median, c->draw.median,
                       c->encode.median, c->shadow.median, c->shadow.lower, c->shadow.upper, c->atRest.median,
                       c->firstMs, c->residentMegabytes})
-                    fields.push_back(number(ms));
+                    fields.push_back(numberText(ms));
             } else {
                 fields.insert(fields.end(), 14, "");
             }

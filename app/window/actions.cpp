@@ -190,7 +190,7 @@ std::span<const Action> actions() { return kActions; }
 
 namespace {
 
-/// While the class paints where the shadow will be, nothing may show it, and no other picture is asked about.
+/// While the class paints where the shadow will be, nothing may show it, and no other stage or technique can be chosen.
 bool waitsForTheAnswer(const WindowState& ui, const Action& action) {
     const std::string_view id = action.id, group = action.group;
     return ui.lesson.paints() && (group == "Steps and stages" || group == "Techniques and layout") &&

@@ -14,7 +14,7 @@ namespace {
 using lab::Handle;
 using lab::Selection;
 
-constexpr float kGripEm = 1.1f;  ///< how near to a handle the mouse takes hold: easy to hit with a nervous hand
+constexpr float kGripEm = 1.1f;  ///< how near to a handle the mouse has to be: large enough to hit without care
 constexpr float kArrowEm = 4.5f; ///< length of an axis arrow
 constexpr float kEdgeEm = 2.4f;  ///< how far within the picture, clear of titles, a light outside it has its mark
 constexpr ImU32 kDark = IM_COL32(16, 16, 18, 255);
@@ -158,7 +158,7 @@ void drawHandle(ImDrawList& list, const Seen& seen, const Handle& handle, bool s
     drawLabel(list, {place->x + theme.em * 1.2f, place->y - theme.em * 1.6f}, handle.label, theme);
 }
 
-/// How far the hand has moved the thing since the last frame.
+/// How far the mouse has moved the thing since the last frame.
 std::optional<dvec3> pulled(const Seen& seen, const Handle& handle, int part, ImVec2 from, ImVec2 to) {
     if (part >= 0) {
         const auto before =
@@ -179,7 +179,7 @@ std::optional<dvec3> pulled(const Seen& seen, const Handle& handle, int part, Im
     if (!before || !after) return {};
     const dvec3 byWorld = *after - *before;
     if (ImGui::GetIO().KeyShift) return glm::dot(byWorld, upWorld) * upWorld;
-    // Near the horizon a pixel is a mile: nobody means that.
+    // Near the horizon one pixel is a very long way, which is not what the user intends.
     if (glm::length(byWorld) > glm::length(handle.positionWorld - seen.camera.positionWorld)) return {};
     return byWorld;
 }

@@ -9,16 +9,16 @@
 
 namespace shadowlab::window {
 
-/// The number under which ImGui knows a texture of GL, and back. It is a pointer up to 1.91 and a number since: a cast of C makes both.
+/// The number under which ImGui knows a texture of GL, and back. It is a pointer up to 1.91 and a number since; a C cast converts to both.
 inline ImTextureID imguiTexture(unsigned int name) { return (ImTextureID)(std::uintptr_t)name; }
 inline unsigned int nameOf(ImTextureID texture) { return static_cast<unsigned int>((std::uintptr_t)texture); }
 
-/// Down, or let go in this frame: where the mouse went until then was still a part of it. Since 1.87 the way of a quick hand and its
-/// end come in one frame.
+/// Down, or released in this frame: the motion before the release still belongs to the drag. Since 1.87 a short drag and its end may
+/// arrive in one frame.
 inline bool wasDown(ImGuiMouseButton button) { return ImGui::IsMouseDown(button) || ImGui::IsMouseReleased(button); }
 
-/// Where window coordinates are not pixels. Up to 1.86 ImGui is told in every frame where the mouse is, and that is put right
-/// after its NewFrame of GLFW; since then it is told when the mouse moves, and keeps it.
+/// The mouse in pixels, where these differ from window coordinates. Up to 1.86 ImGui's backend sets the position in every frame, and
+/// it is scaled after the backend's NewFrame; since then the position is passed on when the mouse moves.
 #if IMGUI_VERSION_NUM < 18700
 inline void tellMouse(GLFWwindow*, double, double) {}
 inline void scaleMouse(float pixelsPerPoint) {

@@ -1,4 +1,4 @@
-// A lesson on the desk: which one, how far it has come, and what was there before it.
+// The lesson that the window shows: which one, at which step, and what was shown before it.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -12,7 +12,7 @@ namespace shadowlab::window {
 
 struct WindowState;
 
-/// What a lesson goes through; questions only where it asks one, revealing only where something was painted.
+/// The steps of a lesson. `question` only where it asks one, `reveal` only where a shadow was painted.
 enum class LessonStep { question, reveal, artefact, mend };
 
 struct LessonState {
@@ -34,11 +34,11 @@ struct LessonState {
 /// The steps of a lesson, in order.
 std::vector<LessonStep> stepsOf(const course::Lesson& lesson);
 
-/// Begins a lesson: a built-in name or a file. One that cannot be loaded leaves a message, and all as it was.
+/// Begins a lesson: a built-in name or a file. One that cannot be loaded only leads to a message.
 void openLesson(WindowState& ui, const std::string& nameOrPath, bool atItsEnd = false);
 /// One step on (1) or back (-1), into the next or the last lesson where this one ends. Without a lesson: the first, or the last.
 void stepLesson(WindowState& ui, int by);
-/// The lesson is over, and what was there before it is back.
+/// Ends the lesson and restores what was shown before it.
 void leaveLesson(WindowState& ui);
 /// An answer to the question that is asked; counted from 0.
 void answer(WindowState& ui, int choice);

@@ -1,4 +1,4 @@
-// Runs this very program once more, beside the window: what a key saves is then what the command line would have written.
+// Runs this program again, beside the window, so that a saved picture has the same bytes as one that the command line writes.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <future>

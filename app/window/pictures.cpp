@@ -60,7 +60,7 @@ void drawFitted(ImDrawList& list, const gl::Texture2D& texture, const Area& area
     list.AddImage(imguiTexture(texture), corner, {corner.x + shown.x, corner.y + shown.y}, {0, 1}, {1, 0});
 }
 
-/// In the place of the whole picture; verdicts let what is below shine through.
+/// Draws in the place of the whole picture; verdicts are transparent where they say nothing.
 void drawWhole(ImDrawList& list, const gl::Texture2D& texture, const ShownPane& shown, bool opaque) {
     const ImVec2 low = shown.pictureCorner, high(low.x + shown.pictureSize.x, low.y + shown.pictureSize.y);
     if (opaque)

@@ -25,7 +25,7 @@ struct ShownPane {
     ImVec2 legendSize{0, 0}; ///< of the plate in its lower left corner, once it is drawn
 };
 
-/// The panes that are seen now: those of the layout, or of two that take turns the one whose turn it is.
+/// The panes that are visible now: those of the layout, or while two of them blink the one that is shown at that time.
 std::vector<ShownPane> shownPanes(const WindowState& ui, const Area& area, double seconds);
 
 /// Draws pictures, titles, legends and the split line, behind all widgets.

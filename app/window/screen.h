@@ -40,11 +40,11 @@ public:
 
     [[nodiscard]] const gl::Framebuffer& framebuffer() const { return framebuffer_; }
     [[nodiscard]] const gl::Texture2D& picture() const { return picture_; }
-    /// Is the next frame wanted at once? Not while nothing is left but to wait for exact errors, which need the processor.
+    /// Whether the next frame should follow at once. False while only exact errors are missing, which need the processor.
     [[nodiscard]] bool isBusy() const { return busy_; }
     /// Pixels of the picture area: what a capture of the pictures alone has.
     [[nodiscard]] ivec2 pictureSize() const { return ui_.bench.shownSize(pictureArea().size); }
-    /// Would the next frame look just like this one, if no hand moves and no time goes by?
+    /// Whether the next frame would look just like this one, without input and without time passing.
     [[nodiscard]] bool isSettled() const { return settled_; }
     [[nodiscard]] const lab::LiveErrors& errors() const { return errors_; }
     /// The step as text, as it was shown last.
@@ -56,7 +56,7 @@ public:
     void say(const std::string& news) { ui_.messages.push_back({news, false, clock_ + 6}); }
     void complain(const std::string& fault) { window::complain(ui_, fault); }
     [[nodiscard]] const std::vector<Message>& messages() const { return ui_.messages; }
-    /// Takes back a fault that has been mended.
+    /// Removes the messages that begin so: their cause is gone.
     void withdraw(const std::string& beginning);
 
 private:
@@ -85,7 +85,7 @@ private:
     std::vector<std::string> ran_;
     std::vector<ShownPane> panes_;             ///< of the last frame
     double clock_ = 0, timed_ = 0, drawn_ = 0; ///< seconds: now, and of the last frames with and without times
-    // Hands wait a tenth of a second at most; what else belongs to a frame takes its part of it.
+    // The window has to react within a tenth of a second; the rest of a frame takes its part of that.
     std::chrono::milliseconds patience_{60};
     bool settled_ = false, busy_ = true;
 };

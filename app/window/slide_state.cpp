@@ -31,7 +31,7 @@ void showStop(WindowState& ui) {
     ui.bench.showDocument(on.stops[on.stop].document);
 }
 
-/// The deck as it is now. Somebody may have made it shorter.
+/// Reads the deck again. It may have become shorter in the meantime.
 void replaceDeck(SlideState& on, const std::filesystem::path& file) {
     on.deck.emplace(file.string(), on.loading);
     on.at = std::min(on.at, on.deck->slides().size() - 1);
@@ -102,7 +102,7 @@ void saveAsSlide(WindowState& ui) {
                                                              course::currentFolder(), ui.slides.loading);
         ui.requests.news = "saved as slide " + saved.name + " of " + saved.deck.string() +
                              (saved.sceneFile.empty() ? "" : ", with its scene " + saved.sceneFile.filename().string());
-        // Whoever goes through that very deck finds the slide at its end.
+        // If that deck is the one on show, its new slide can be reached at once.
         std::error_code ignored;
         if (ui.slides.deck && std::filesystem::equivalent(ui.slides.deck->file(), saved.deck, ignored))
             replaceDeck(ui.slides, saved.deck);

@@ -1,4 +1,4 @@
-// A deck on the desk: which slide, which of its pictures, and what was there before it.
+// The deck that the window shows: which slide, which of its pictures, and what was shown before it.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
@@ -26,12 +26,12 @@ struct SlideState {
     [[nodiscard]] bool isOn() const { return deck.has_value(); }
 };
 
-/// Opens a deck, a built-in name or a file, at the slide of that name; empty: the first. What cannot be read leaves a
-/// message, and all as it was.
+/// Opens a deck, a built-in name or a file, at the slide of that name; empty: the first. What cannot be read
+/// only leads to a message.
 void openDeck(WindowState& ui, const std::string& nameOrPath, const std::string& slide = {});
 /// One picture on (1) or back (-1), into the next or the last slide where this one ends. Without a deck: opens the first.
 void stepSlides(WindowState& ui, int by);
-/// The deck is closed, and what was there before it is back.
+/// Closes the deck and restores what was shown before it.
 void leaveSlides(WindowState& ui);
 /// Adds what is on show to the deck of the current folder (course/slide_file.h), and says so.
 void saveAsSlide(WindowState& ui);

@@ -15,7 +15,7 @@ struct Theme {
     ImFont* text = nullptr;
     ImFont* heading = nullptr;
     ImFont* code = nullptr; ///< every letter as wide as every other
-    // Pixels, as for `text` it is em: ImGui keeps them under another name in each version.
+    // In pixels, as em is for `text`. Stored here because ImGui names them differently in each version.
     float headingSize = 20, codeSize = 14;
 };
 
@@ -34,7 +34,7 @@ ImU32 shownColor(const vec3& linear, float alpha = 1);
 constexpr ImU32 kAccent = IM_COL32(0xE6, 0x9F, 0x00, 0xFF); ///< what is chosen, or can be taken hold of
 constexpr ImU32 kPlateColor = IM_COL32(16, 16, 18, 230);    ///< under text on pictures (app/picture/labels.cpp)
 constexpr ImU32 kPlateText = IM_COL32(245, 245, 245, 255);
-// What came of a painted shadow: those for false lit and false shadow, and a third that is told from both.
+// The result of a painted shadow: the colours of false lit and false shadow, and a third that differs from both.
 constexpr ImU32 kPredictedRight = IM_COL32(0x00, 0x9E, 0x73, 0xC8), kPredictedMissed = IM_COL32(0xE6, 0x9F, 0x00, 0xC8),
                 kPredictedWrong = IM_COL32(0x00, 0x72, 0xB2, 0xC8);
 constexpr ImU32 kWarning = IM_COL32(0xD5, 0x5E, 0x00, 0xFF);

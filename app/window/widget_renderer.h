@@ -14,7 +14,7 @@ inline ImTextureID imguiTexture(const gl::Texture2D& texture) { return imguiText
 /// A place in pixels, as ImGui takes it.
 inline ImVec2 imVec(ivec2 v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
 
-/// Draws a picture that has nothing to shine through, by that much quicker.
+/// Draws a picture without blending, which is faster.
 void addOpaqueImage(ImDrawList& list, const gl::Texture2D& texture, ImVec2 low, ImVec2 high);
 
 class WidgetRenderer {

@@ -156,7 +156,7 @@ private:
         std::fflush(stdout);
     }
 
-    /// What others have finished meanwhile. True if there was anything.
+    /// Takes what other threads and programs have finished. True if there was anything.
     bool takeWhatArrived() {
         bool any = false;
         if (const auto loaded = loader_.take()) {
@@ -164,7 +164,7 @@ private:
             screen_->withdraw("loading ");
             if (loaded->scene) {
                 ui_->selection = {};
-                ui_->lesson.now.reset(); // whoever chooses a scene has left the lesson
+                ui_->lesson.now.reset(); // choosing a scene leaves the lesson
                 ui_->lesson.earlier.reset();
                 ui_->slides.deck.reset(); // and the slides
                 ui_->slides.earlier.reset();
@@ -227,7 +227,7 @@ private:
     }
 
     void press(int key, int scancode, int action, int modifiers) {
-        // GLFW numbers keys by their place on an American keyboard; what is printed on them is meant.
+        // GLFW numbers keys by their place on an American keyboard; the program goes by what is printed on them.
         const char* const printed = glfwGetKeyName(key, scancode);
         if (printed && printed[0] != 0 && printed[1] == 0) {
             const char c = printed[0];

@@ -15,7 +15,7 @@ struct WindowSettings {
     std::string slide;                ///< the name of one of the deck's; empty: the first
     ivec2 size{1280, 720};            ///< screen coordinates
     bool presenter = false;
-    bool keepSettings = true; ///< reads what the last run left, and leaves it for the next
+    bool keepSettings = true; ///< reads what the last run stored, and stores it for the next
     bool report = false;      ///< writes a line of JSON to standard output for every change that is on the screen
 };
 

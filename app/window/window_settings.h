@@ -1,5 +1,5 @@
-// What the window remembers from one run to the next: its size, and which of its parts are on show. Never what is in the
-// pictures: every run begins with the same ones.
+// What the window stores from one run to the next: its size, and which of its panels are on show. Never what the pictures show:
+// every run begins with the same ones.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
@@ -14,10 +14,10 @@ struct WindowMemory {
     friend bool operator==(const WindowMemory&, const WindowMemory&) = default;
 };
 
-/// $XDG_CONFIG_HOME/shadowlab/window.json, or below ~/.config; empty where neither is known.
+/// $XDG_CONFIG_HOME/shadowlab/window.json, or below ~/.config; empty where neither is set.
 std::filesystem::path windowMemoryFile();
 
-/// What is written there; a file that is missing or broken is as none, for nothing hangs on it.
+/// What is written there; a file that is missing or broken counts as none.
 WindowMemory readWindowMemory(const std::filesystem::path& file);
 /// Throws Error (cannotWrite).
 void writeWindowMemory(const std::filesystem::path& file, const WindowMemory& memory);

@@ -1,4 +1,4 @@
-// What hands have before them: the workbench, and how the window shows it. Keys and buttons change this and nothing else.
+// The state of the window: the workbench, and how the window shows it. Keys and buttons change this and nothing else.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <functional>
@@ -19,17 +19,17 @@ struct Shown {
     bool keys = false;   ///< the list of all keys
     bool panel = true;   ///< settings
     bool strip = false;  ///< stages as small pictures
-    bool source = false; ///< the step at hand as text: formula, pseudocode, source
+    bool source = false; ///< the step on show as text: formula, pseudocode, source
     bool magnifier = false;
     bool blink = false; ///< the first two panes take turns in one place
     bool presenter = false;
-    bool handles = true; ///< of lights and objects, to be dragged
+    bool handles = true; ///< of lights and objects, for dragging
     bool plot = true;    ///< of times and errors
-    bool coarse = true;  ///< fewer pixels while something moves, where all of them would come too late
+    bool coarse = true;  ///< fewer pixels while something moves, if all of them would take too long
     friend bool operator==(const Shown&, const Shown&) = default;
 };
 
-/// What the desk cannot do itself: it takes a window, a file or some time. Whoever runs the desk takes them.
+/// What a key or button requests and only the running window can do: it needs GLFW, a file, or some time.
 struct Requests {
     bool quit = false, screenshot = false, saveScene = false, saveSlide = false, fullScreen = false,
          reloadShaders = false;
@@ -46,8 +46,7 @@ struct KeyPress {
     bool ctrl = false, shift = false, alt = false, repeated = false;
 };
 
-/// A sentence over the pictures. Faults stay until they are clicked away or mended, news go by themselves.
-/// What goes wrong is told at the top of the window; the picture has to be seen below, so older messages give way.
+/// A sentence over the pictures. Faults stay until they are clicked away or their cause is gone, news disappear by themselves.
 struct Message {
     std::string text;
     bool fault = false;
@@ -62,7 +61,7 @@ struct WindowState {
     Shown shown;
     Requests requests;
     std::vector<Message> messages;
-    std::vector<KeyPress> keys; ///< since the last frame, in order: none is lost, however quick the hand
+    std::vector<KeyPress> keys; ///< since the last frame, in order, so that none is lost
     std::set<int> held;         ///< keys that are down, numbered as KeyPress does
     lab::Selection selection, hovered;
     LessonState lesson;
@@ -72,13 +71,13 @@ struct WindowState {
     Drag drag = Drag::none;
     int dragPart = -1, dragPane = 0; ///< of the handle that is held: an axis, or -1 for its disc; and where
     std::vector<std::string> scenes; ///< built-in ones
-    bool live = true; ///< hands are at it. Else: no times, which are never the same twice, and exact errors at once
+    bool live = true; ///< false for pictures of the window: no times, which differ from run to run, and exact errors at once
     bool panelOutsidePresenter = true; ///< whether the settings come back after presenter mode
     bool panelBesideSource = true;     ///< whether they come back after the source was on show
-    bool panelHasKeys = false;         ///< the arrows walk through the settings, and not around the scene
+    bool panelHasKeys = false;         ///< the arrow keys move among the settings instead of moving the camera
 
-    // Where the mouse went down since the last frame: a quick hand is elsewhere by the time the frame is drawn. And where
-    // it was when what it holds was last moved. Pixels of the window.
+    // Where the mouse was pressed since the last frame (when the frame is drawn it may be elsewhere), and where it was when what it
+    // drags was last moved. Pixels of the window.
     std::optional<dvec2> pressedAt;
     dvec2 heldAt{0.0};
 
@@ -93,24 +92,24 @@ void chooseTechnique(WindowState& ui, std::string_view id);
 void chooseSister(WindowState& ui);
 /// What the active pane shows of its technique.
 void chooseStage(WindowState& ui, const picture::StageRef& stage);
-/// That, or the finished picture where the pane shows it already.
+/// Shows that stage; or the finished picture, if the pane shows the stage already.
 void toggleStage(WindowState& ui, const picture::StageRef& stage);
 void chooseLayout(WindowState& ui, picture::Layout layout);
 void step(WindowState& ui, int by);
-/// Where the selected thing is, or the point at which the arrow of a directional light is held.
+/// Moves the selected object or light; for a directional light, the point at the end of its arrow.
 void moveSelected(WindowState& ui, const dvec3& byWorld, const std::string& gesture);
 void selectNext(WindowState& ui, int by);
 void resetSettings(WindowState& ui);
-/// Large type leaves less room: the settings make way for it, and come back with it gone.
+/// Presenter mode with its large type hides the settings, for room; leaving it shows them again.
 void togglePresenter(WindowState& ui);
-/// Formula, pseudocode and source of the step need room, too.
+/// Formula, pseudocode and source of the step. They hide the settings, too.
 void toggleSource(WindowState& ui);
 void resetCamera(WindowState& ui);
-/// Which of the two cameras the active pane looks through, and hands move.
+/// Whether the active pane looks through the second camera, which is then the one that is moved.
 bool looksFromOutside(const WindowState& ui);
 void moveCamera(WindowState& ui, const std::function<scene::Camera(const scene::Camera&)>& move);
 
-/// Tells of a fault, once.
+/// Shows a fault as a message, only once. At most three faults are shown, so that the picture below stays visible: older ones go.
 void complain(WindowState& ui, const std::string& fault);
 
 } // namespace shadowlab::window

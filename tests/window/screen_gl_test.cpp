@@ -37,7 +37,7 @@ protected:
     }
 };
 
-/// A desk and its screen, at which nobody sits: exact errors come at once.
+/// The state of a window and its screen, without a user (`live` is false): exact errors come at once.
 struct Lab {
     Lab(const scene::Snapshot& scene, ivec2 size)
         : ui(lab::newDocument(scene, scene->name)), screen(calm(ui), font()) {

@@ -8,6 +8,7 @@
 #include "app/cli/capture/capture_checks.h"
 #include "app/cli/capture/capture_outputs.h"
 #include "app/cli/command.h"
+#include "app/cli/common_options.h"
 #include "app/cli/option_values.h"
 #include "app/lab/document.h"
 
@@ -16,7 +17,7 @@ namespace shadowlab::cli {
 namespace {
 
 void describeCapture(DescribedOptions& add) {
-    add.option("SCENE", "", "a built-in name (`list scenes`), a .json scene or an .obj mesh");
+    describeScene(add);
     add.option(
         "-o,--output", "OUT.png",
         "the picture; for several frames with #### in place of the number; with --steps or --animate an animated PNG, "
@@ -51,7 +52,7 @@ void describeCapture(DescribedOptions& add) {
     add.option("--set", "[SLOT:]ID.PARAM=VALUE",
                "a parameter (`list parameters`), of all slots or of one; may be repeated");
     add.option("--light", "NAME", "the light that the stage is about (default: the first)");
-    add.option("--backend", "BACKEND", "auto, egl, osmesa or window (default auto: the first that works)");
+    describeBackend(add);
     add.flag("--ui", "the window with all its widgets around the pictures, as `demo` shows it");
     add.flag("--presenter", "with --ui: large type and high contrast");
     add.flag("--keys", "with --ui: the list of all keys over it");
@@ -129,7 +130,7 @@ CaptureOptions captureOptions(const GivenOptions& given) {
     }
     if (given.has("--row")) options.row = rowFor(given, options.stages, options.size);
     options.light = given.text("--light");
-    options.backend = context::backendFromName(given.text("--backend", "auto"));
+    options.backend = backendFrom(given);
     options.stats = given.text("--stats");
     if (!options.stats.empty()) requireEnding("--stats", options.stats, ".json");
     options.motion = motionOptions(given);

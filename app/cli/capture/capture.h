@@ -1,4 +1,4 @@
-// `shadowlab capture`: what it is asked to do, and the two ways to do it. Also called by `demo` where there is no display.
+// `shadowlab capture`: its options, and its two kinds of picture. Also called by `demo` where there is no display.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>

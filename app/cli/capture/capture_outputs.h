@@ -16,7 +16,7 @@ void requirePlaceForNumbers(const CaptureOptions& options, int frames);
 /// Before any work: can the outputs be written, and would they overwrite something that is read? Throws Error.
 void checkOutputs(const CaptureOptions& options);
 
-/// The same of the further pictures of a sequence, whose number is known when the scene and the path are read.
+/// Checks the further pictures of a sequence. How many there are follows from the path, which may depend on the scene.
 void checkFurtherOutputs(const CaptureOptions& options, int frames);
 
 } // namespace shadowlab::cli

@@ -7,6 +7,7 @@
 #include "app/cli/capture/capture_checks.h"
 #include "app/cli/capture/capture_outputs.h"
 #include "app/cli/capture/capture_stats.h"
+#include "app/cli/common_options.h"
 #include "app/cli/messages.h"
 #include "app/context/assets.h"
 #include "app/context/signals.h"
@@ -15,7 +16,6 @@
 #include "app/lab/settings.h"
 #include "app/picture/derived_stages.h"
 #include "app/picture/difference_panel.h"
-#include "app/picture/limits.h"
 #include "app/picture/panel.h"
 #include "app/picture/picture.h"
 #include "app/picture/session.h"
@@ -77,9 +77,7 @@ public:
 
 private:
     void loadScene() {
-        base_ = scene::loadScene(
-            options_.scene,
-            {.assetsRoot = context::assetsRoot(), .allowed = options_.allowed, .limits = picture::limits()});
+        base_ = scene::loadScene(options_.scene, loadOptions(options_.allowed));
         image::requireNoInput(numbered(options_.output, 0)); // it may be an image that the scene shows
         if (!options_.light.empty()) defaultLight_ = picture::lightIndex(*base_, options_.light);
     }
@@ -95,7 +93,7 @@ private:
             note(remark);
     }
 
-    /// What this driver can draw, asked before it is given anything to allocate.
+    /// Checks the driver's limits before anything is allocated.
     void checkGlLimits() const {
         const int needed = requireDrawable(options_);
         const int limit = context::largestSide();

@@ -5,12 +5,12 @@
 
 #include "app/cli/capture/capture.h"
 #include "app/cli/capture/capture_outputs.h"
+#include "app/cli/common_options.h"
 #include "app/cli/messages.h"
 #include "app/context/assets.h"
 #include "app/context/signals.h"
 #include "app/film/motion.h"
 #include "app/lab/settings.h"
-#include "app/picture/limits.h"
 #include "app/picture/steps/stepping.h"
 #include "app/window/screen.h"
 #include "techniques/foundation/base/error.h"
@@ -50,7 +50,7 @@ lab::Document documentFor(const CaptureOptions& options, const scene::Snapshot& 
     return document;
 }
 
-constexpr double kFrameSeconds = 1.0 / 30; ///< of the screen's own clock, which knows no other time
+constexpr double kFrameSeconds = 1.0 / 30; ///< by which the screen's own clock advances from frame to frame
 
 /// Frames until nothing changes any more: stages are drawn, errors are exact, ImGui has laid out what it measured.
 void settle(window::Screen& screen) {
@@ -69,8 +69,7 @@ void settle(window::Screen& screen) {
 
 int captureWindow(const CaptureOptions& options) {
     image::probeWritable(numbered(options.output, 0));
-    const scene::Snapshot scene = scene::loadScene(
-        options.scene, {.assetsRoot = context::assetsRoot(), .allowed = options.allowed, .limits = picture::limits()});
+    const scene::Snapshot scene = scene::loadScene(options.scene, loadOptions(options.allowed));
     const film::Motion motion = motionOf(options.motion, *scene);
     requirePlaceForNumbers(options, motion.frames);
     const std::unique_ptr<context::Context> context = context::createContext(options.backend);
@@ -84,7 +83,8 @@ int captureWindow(const CaptureOptions& options) {
     ui.shown.coarse = false;
     window::Screen screen(ui, context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
     screen.fit(options.size, 1);
-    screen.setPatience(std::chrono::hours(1)); // nobody waits, and the picture must not depend on the clock
+    screen.setPatience(
+        std::chrono::hours(1)); // no user waits for it, and the picture must not depend on how fast the machine is
     if (options.pixel) {
         screen.frame(kFrameSeconds); // type is measured in it, and from that follows how large the pictures are
         const std::vector<lab::PlacedPane> panes = ui.bench.placed(screen.pictureSize());
@@ -113,7 +113,7 @@ int captureWindow(const CaptureOptions& options) {
             image::writeWhole(numbered(options.output, frame), image::encodePng(picture, {.opaque = true, .text = {}}));
     };
     if (options.steps) {
-        settle(screen); // which passes run is known when they have run
+        settle(screen); // the list of passes is complete only after they have run
         for (const StageKey& pass :
              std::vector(ui.bench.pane(0).passesOf(ui.bench.document().panes[0].technique, *scene))) {
             window::chooseStage(ui, picture::refOf(pass, true, *scene));

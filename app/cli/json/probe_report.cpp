@@ -4,8 +4,7 @@
 #include <algorithm>
 
 #include "app/cli/json/json_values.h"
-#include "app/cli/json/rays_json.h"
-#include "app/cli/json/shadow_json.h"
+#include "app/cli/json/probe_parts.h"
 #include "app/cli/text_table.h"
 #include "techniques/foundation/scene/load/message_text.h"
 #include "techniques/probed/patch_exchange.h"

@@ -1,4 +1,4 @@
-// What is known about a pixel, as text for people and as JSON for programs.
+// The result of a probe, as text for people and as JSON for programs.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace shadowlab::cli {
 
-/// A pixel, and what was asked about it.
+/// A probed pixel, and how it was probed.
 struct ProbedPixel {
     std::string scene, technique;
     std::string light; ///< empty: the scene has none

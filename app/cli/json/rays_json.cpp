@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/json/rays_json.h"
+#include "app/cli/json/probe_parts.h"
 #include "techniques/probed/radiosity_equations.h"
 #include "techniques/probed/rays_probe.h"
 #include "techniques/probed/structure_probe.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/cli/json/shadow_json.h"
+#include "app/cli/json/probe_parts.h"
 #include "techniques/probed/map_probe.h"
 #include "techniques/probed/plane_probe.h"
 #include "techniques/probed/volume_probe.h"

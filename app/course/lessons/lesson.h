@@ -1,4 +1,4 @@
-// A lesson: one artefact, shown and then mended. What its file says (docs/lessons.md), checked and made complete, as the
+// A lesson: one artefact, shown and then removed. What its file says (docs/lessons.md), checked and made complete, as the
 // window, pictures and measurements take it.
 // SPDX-License-Identifier: MIT
 #pragma once
@@ -23,7 +23,7 @@ struct LessonText {
     std::filesystem::path file;
     std::string title;
     std::string happens; ///< what is wrong, and why
-    std::string mends;   ///< what mends it
+    std::string mends;   ///< what removes it
 };
 
 /// Where to look: a box in shares of the picture's width and height from its upper left corner.
@@ -54,7 +54,7 @@ struct Expectation {
     std::string quantity;
     int slot = 0;                       ///< whose, counted from 0
     std::optional<int> look{};          ///< only within this box, counted from 0
-    std::optional<lab::PaneState> reference; ///< what a picture is held against
+    std::optional<lab::PaneState> reference; ///< what a picture is compared with
     std::string fact{};                 ///< of a probe, or of a counter: its label
     dvec2 pixel{0.5};                   ///< of a fact: where, in shares of the picture
     Bound before, after;

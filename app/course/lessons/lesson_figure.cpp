@@ -5,8 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/course/lessons/lesson_lines.h"
-#include "app/course/lessons/lesson_look.h"
+#include "app/course/lessons/lesson_drawing.h"
 #include "app/course/state_picture.h"
 #include "techniques/foundation/base/error.h"
 

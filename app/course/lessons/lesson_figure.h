@@ -15,7 +15,7 @@ using ShownStates = std::vector<std::size_t>;
 /// "1 of 2: the artefact" and "2 of 2: the mend".
 std::string stateTitle(std::size_t state);
 
-/// The sentence that belongs to a state: what happens, or what mends it.
+/// The sentence that belongs to a state: what happens, or what removes it.
 const std::string& sentenceOf(const Lesson& lesson, std::size_t state);
 
 /// "shadow-map.bias-mode=none" as a line below the sentence: what makes the state what it is.

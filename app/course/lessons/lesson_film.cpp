@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "app/course/lessons/lesson_figure.h"
-#include "app/course/lessons/lesson_lines.h"
-#include "app/course/lessons/lesson_look.h"
+#include "app/course/lessons/lesson_drawing.h"
 #include "app/course/state_picture.h"
 #include "app/picture/session.h"
 #include "techniques/foundation/base/error.h"

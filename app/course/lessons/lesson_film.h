@@ -1,4 +1,4 @@
-// A lesson as a sequence of pictures for a slide: the question and its answer, where it asks one, the artefact, the mend. Each
+// A lesson as a sequence of pictures for a slide: the question and its answer, where it asks one, the artefact, the remedy. Each
 // has its own words below, and stays long enough for them to be read.
 // SPDX-License-Identifier: MIT
 #pragma once

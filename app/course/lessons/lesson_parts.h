@@ -12,7 +12,7 @@
 
 namespace shadowlab::course {
 
-/// What is said elsewhere about an option of the command line, said about the place in the file.
+/// Turns an error about an option of the command line into one about the place in the file.
 template <typename Do>
 auto saidAt(const scene::JsonDocument& document, std::size_t offset, const Do& what) {
     try {

@@ -1,4 +1,4 @@
-// "Predict, then reveal": where somebody has painted the shadow before it was shown, and how right that was.
+// "Predict, then reveal": the class paints where the shadow will be before it is shown; this scores what was painted.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace shadowlab::course {
 
-/// A coarse picture of the shape that lessons are made for (16:9): a hand paints no finer than that.
+/// A coarse picture in the aspect ratio of lessons (16:9), as fine as one can paint with a mouse.
 constexpr ivec2 kPredictionSize{160, 90};
 
 class Prediction {
@@ -26,7 +26,7 @@ private:
     std::vector<std::uint8_t> cells_ = std::vector<std::uint8_t>(index(0, kPredictionSize.y));
 };
 
-/// What came of one cell.
+/// The score of one cell.
 enum class PredictedCell : std::uint8_t {
     none,   ///< lit, and not painted
     right,  ///< in shadow, and painted
@@ -47,8 +47,8 @@ private:
     static double share(int part, int whole) { return whole > 0 ? static_cast<double>(part) / whole : 0.0; }
 };
 
-/// `truth` has kPredictionSize. Only cast shadows count: nobody is asked to paint the sides that are turned away from the light,
-/// and painting over them costs nothing.
+/// `truth` has kPredictionSize. Only cast shadows count. The sides that are turned away from the light need not be painted, and
+/// painting over them costs nothing.
 PredictionScore scorePrediction(const Prediction& prediction, const judge::Truth& truth);
 
 } // namespace shadowlab::course

@@ -1,4 +1,4 @@
-// Where a slide has its parts. Lengths are in units of which a slide is 1080 high, so that no size of it looks different.
+// Where a slide has its parts. Lengths are in units of which a slide is 1080 high, so that all sizes look alike.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>

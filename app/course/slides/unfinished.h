@@ -1,10 +1,10 @@
-// What is drawn so far of a deck whose run has not come to its end, so that it goes on from wherever it was stopped:
+// The slides drawn so far by an interrupted run, so that the next run continues from there:
 //
-//     DIR/DECK.unfinished.json     the slides that stand: what their files were made from, and their digests
+//     DIR/DECK.unfinished.json     the finished slides: digests of their inputs, and of their files
 //
-// It is whole or not there, and rewritten after every slide. A slide stands only if it was made from what it would be made from
-// now, and if its files are what was written then. A run that came to its end takes the file away, so the next one draws
-// everything anew. A file of that name which this program did not write is left as it is.
+// The file is replaced atomically after every slide. A slide counts as finished only if its inputs are the same as now, and its files
+// are unchanged. A run that completes deletes the file, so that the next one draws everything again. A file of that name which this
+// program did not write is left as it is.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -24,15 +24,15 @@ public:
         : folder_(std::move(folder)), file_(folder_ / (deck + ".unfinished.json")) {}
 
     [[nodiscard]] const std::filesystem::path& file() const { return file_; }
-    /// Is there something else in its place? Then nothing is kept.
+    /// Whether another program's file is in its place. Then nothing is stored.
     [[nodiscard]] bool isForeign() const;
 
-    /// The bytes of a slide's first file where all of them stand. `madeFrom`: a digest of all that they depend on.
+    /// The bytes of a slide's first file if all of them are finished. `madeFrom`: a digest of all that they depend on.
     [[nodiscard]] std::optional<std::vector<std::uint8_t>> find(const std::string& slide, const std::string& madeFrom,
                                                                 const SlideFiles& files) const;
     /// Once the files are written; `digests` are those of their bytes. Throws Error (cannotWrite).
     void keep(const std::string& slide, const std::string& madeFrom, const std::vector<std::string>& digests) const;
-    /// A run that drew only these slides has come to its end. Throws Error (cannotWrite).
+    /// Called when a run that drew only these slides is complete. Throws Error (cannotWrite).
     void discard(const std::vector<std::string>& slides) const;
     /// A run that drew the whole deck has.
     void discardAll() const;

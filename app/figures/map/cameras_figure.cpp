@@ -5,10 +5,9 @@
 #include <cmath>
 #include <optional>
 
-#include <glm/gtc/constants.hpp>
-
 #include "app/drawing/formula.h"
-#include "app/figures/map/map_figures.h"
+#include "app/figures/figure_drawers.h"
+#include "app/figures/map/eye_and_light_axes.h"
 #include "app/figures/panels.h"
 #include "app/figures/section_sheet.h"
 #include "techniques/foundation/base/error.h"
@@ -36,23 +35,6 @@ std::string shade(double share) {
     char text[8];
     std::snprintf(text, sizeof text, "#%02x%02x%02x", level, level, level);
     return text;
-}
-
-struct MapAxes {
-    dvec3 depthWorld{0, 0, -1}, acrossWorld{1, 0, 0}, upWorld{0, 1, 0}; ///< unit: z_L, x_L, y_L
-};
-MapAxes axesOf(const MapProbe& map) {
-    const dmat4 rows = glm::transpose(map.lightClipFromLightRelative);
-    const dvec3 w(rows[3]);
-    MapAxes axes;
-    axes.depthWorld =
-        glm::normalize(glm::length(w) > 1e-12 ? w : dvec3(rows[2])); // of a parallel map w is 1 everywhere
-    const auto across = [&](const dvec3& row) {
-        return glm::normalize(row - glm::dot(row, axes.depthWorld) * axes.depthWorld);
-    };
-    axes.acrossWorld = across(dvec3(rows[0]));
-    axes.upWorld = across(dvec3(rows[1]));
-    return axes;
 }
 
 class Cameras {
@@ -83,26 +65,9 @@ private:
     /// Directions on the sheet have y downward.
     static dvec2 down(dvec2 direction) { return {direction.x, -direction.y}; }
 
-    /// The two directions (unit, of the plane) between which the plane is in the picture.
-    [[nodiscard]] std::array<dvec2, 2> viewWedge() const {
-        const dvec2 u = -glm::normalize(sheet_.eye()), v(-u.y, u.x);
-        const auto corners = scene::viewCorners(camera_, static_cast<double>(size_.x) / size_.y, 1.0);
-        double low = -glm::half_pi<double>(), high = glm::half_pi<double>();
-        for (std::size_t i = 0; i < 4; ++i) {
-            dvec3 normal = glm::cross(corners[i] - camera_.positionWorld, corners[(i + 1) % 4] - camera_.positionWorld);
-            if (glm::dot(normal, camera_.targetWorld - camera_.positionWorld) < 0) normal = -normal;
-            const dvec2 flat = inPlane(normal);
-            const double phi = std::atan2(glm::dot(flat, v), glm::dot(flat, u));
-            low = std::max(low, phi - glm::half_pi<double>());
-            high = std::min(high, phi + glm::half_pi<double>());
-        }
-        const auto at = [&](double angle) { return std::cos(angle) * u + std::sin(angle) * v; };
-        return {at(low), at(high)};
-    }
-
     /// The eye's frustum, and the picture plane across it.
     void drawFrustum(drawing::Drawing& drawing) {
-        const auto wedge = viewWedge();
+        const auto wedge = viewWedge(camera_, size_, sheet_.section(), sheet_.eye());
         const dvec2 axis = inPlane(glm::normalize(camera_.targetWorld - camera_.positionWorld));
         const dvec2 eye = sheet_.eye(), toPoint = -glm::normalize(eye);
         const double depth = kPictureShare * glm::length(eye) * glm::dot(toPoint, axis);

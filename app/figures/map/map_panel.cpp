@@ -109,7 +109,7 @@ void writeMapNumbers(drawing::Drawing& drawing, const drawing::Box& area, const 
     const std::string texel = std::to_string(map.texel.x) + ", " + std::to_string(map.texel.y);
     column.heading((isInside ? "Texel " + texel + " of map " : "Outside of map ") + map.layerName);
     column.row("a texel is " + fourDigits(map.texelMetres) + " m wide at the point");
-    // What is compared differs from what it stands for by a little: told is the difference, which four digits would hide.
+    // The two depths that are compared differ by little, which four digits would hide: so their difference is printed.
     if (map.stored >= 1) {
         column.row("d: nothing is stored", kStored);
     } else {

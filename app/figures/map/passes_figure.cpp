@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "app/figures/map/map_figures.h"
+#include "app/figures/figure_drawers.h"
 #include "app/figures/panels.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"

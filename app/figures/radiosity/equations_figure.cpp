@@ -47,7 +47,7 @@ std::string symbols() {
     return matrix(rows) + " " + column("B") + " = " + column("E");
 }
 
-/// "0.0123", "-0.5", "17.2": what tells an entry of a row from its neighbours.
+/// "0.0123", "-0.5", "17.2": as many digits as distinguish an entry from its neighbours in the row.
 std::string entryText(double value) {
     std::array<char, 64> digits{};
     const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value,

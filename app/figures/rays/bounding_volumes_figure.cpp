@@ -23,7 +23,7 @@ constexpr double kTreeRow = 2.45 * kNode;       ///< between nodes of the last l
 constexpr std::size_t kMostLeaves = 16;         ///< two for each letter's size on a slide
 constexpr double kLongTimes = 2.5;              ///< the ray is cut where it would make the volumes small
 
-/// What came of a volume.
+/// What happened to a volume.
 enum class Answer { entered, missed, spared };
 Answer answerOf(const Volume& volume) {
     if (!volume.isAsked) return Answer::spared;

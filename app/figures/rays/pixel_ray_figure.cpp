@@ -16,7 +16,7 @@ namespace {
 // Where the projection plane is drawn: a share of the depth of the first surface. A perspective image is the same at any
 // distance.
 constexpr double kPlaneShare = 0.42;
-constexpr int kRows = 9;            ///< of cells; more are too small to be told apart
+constexpr int kRows = 9;            ///< of cells; more would be too small to distinguish
 constexpr double kLens = 150;       ///< pixels: radius of the enlargement
 constexpr double kEnlarged = 2.2;   ///< pixels of the picture across it
 constexpr double kThingTimes = 0.8; ///< objects wider than so many times the ray's length are ground and walls

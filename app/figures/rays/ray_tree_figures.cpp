@@ -14,7 +14,8 @@ namespace {
 constexpr double kLeastColumn = 200; ///< pixels: three numbers, or a name
 constexpr double kFigureNodeHeight = 100, kMostPitch = 190, kLeastPitch = 156, kFigureTop = 100;
 
-/// As many rays as can be told apart in such a room. Rooms of one size show the same ones: paths beside their tree.
+/// As many rays as can be distinguished in a drawing of that size. Drawings of one size show the same rays, so that a figure of
+/// paths fits the figure of its tree.
 ShownTree shownIn(const FigureSource& source) {
     const drawing::Box room = roomOf(source);
     const int ends = std::clamp(static_cast<int>(room.size.x / kLeastColumn), 1, kMostEnds);

@@ -16,7 +16,7 @@ struct ShownTree {
     [[nodiscard]] bool shows(int ray) const;
 };
 
-// What is still told apart on a page that is as wide as a slide.
+// As many as can be distinguished on a slide.
 constexpr int kMostEnds = 8, kMostLevels = 6;
 
 /// The rays that carry the largest shares of the pixel, each with all those it comes from.

@@ -7,7 +7,7 @@
 
 #include "app/figures/panels.h"
 #include "app/figures/volume/facing_panel.h"
-#include "app/figures/volume/volume_figures.h"
+#include "app/figures/figure_drawers.h"
 #include "techniques/foundation/base/error.h"
 
 namespace shadowlab::figures {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kEdgeGap = 24, kEdgeRow = 36;
 constexpr double kEdgeLines = 4 * kEdgeRow + 14; ///< pixels of the text under each drawing
-constexpr double kBent = 0.995; ///< cosine between two polygons: of less than six degrees nobody sees the edge
+constexpr double kBent = 0.995; ///< cosine between two polygons: at less than six degrees the edge cannot be seen
 
 struct SharedEdge {
     std::array<std::uint32_t, 2> ends{};

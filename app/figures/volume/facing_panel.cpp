@@ -13,7 +13,7 @@ namespace shadowlab::figures {
 namespace {
 
 constexpr double kEdgesAround = 4.5;     ///< lengths of the longest edge, around P, that are drawn
-constexpr std::size_t kMostAround = 600; ///< polygons: of more none is told from the next
+constexpr std::size_t kMostAround = 600; ///< polygons; more could not be distinguished
 constexpr double kNormal = 0.62;         ///< length of N as it is drawn, of what is drawn around P
 constexpr double kToLight = 1.25;        ///< likewise of L, where the light is farther away than kNear
 constexpr double kNear = 2.2;            ///< likewise

@@ -6,7 +6,7 @@
 
 #include "app/figures/panels.h"
 #include "app/figures/volume/facing_panel.h"
-#include "app/figures/volume/volume_figures.h"
+#include "app/figures/figure_drawers.h"
 #include "techniques/foundation/base/error.h"
 
 namespace shadowlab::figures {
@@ -24,7 +24,7 @@ std::size_t counterpart(const CasterSolid& solid, std::size_t polygon) {
     std::pair<double, double> least{std::numeric_limits<double>::infinity(), 0};
     for (std::size_t t = 0; t < solid.triangles(); ++t) {
         if (solid.facesLight(t) == solid.facesLight(polygon)) continue;
-        constexpr double kAlike = 0.02; // of a cosine: nobody sees a difference
+        constexpr double kAlike = 0.02; // of a cosine; a smaller difference cannot be seen
         const std::pair unlike{std::round(std::abs(cosine(t) - wanted) / kAlike),
                                glm::length(solid.centre(t) - solid.centre(polygon))};
         if (unlike >= least) continue;

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/figures/panels.h"
 #include "app/figures/section_sheet.h"
-#include "app/figures/volume/volume_figures.h"
+#include "app/figures/figure_drawers.h"
 #include "app/figures/volume/volume_sketch.h"
 #include "techniques/foundation/base/look.h"
 

@@ -14,7 +14,7 @@ namespace {
 
 using Crossing = VolumeProbe::Crossing;
 
-constexpr std::size_t kMarked = 14;   ///< crossings that are numbered: more cannot be told apart
+constexpr std::size_t kMarked = 14;   ///< crossings that are numbered; more could not be distinguished
 constexpr double kGrid = 22;          ///< pixels between the places where the count is looked up, for its numbers
 constexpr double kRoomForNumber = 34; ///< pixels around a number that have the same count
 

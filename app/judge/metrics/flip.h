@@ -19,7 +19,7 @@ struct Flip {
     double mean = 0;
 };
 
-/// Of two pictures of one size; their bytes are sRGB, their alpha is of no account. Symmetric.
+/// Of two pictures of one size; their bytes are sRGB, their alpha is ignored. Symmetric.
 Flip flip(const image::Image& reference, const image::Image& test, double pixelsPerDegree = kPixelsPerDegree);
 
 } // namespace shadowlab::judge

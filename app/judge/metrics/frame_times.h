@@ -1,5 +1,4 @@
-// Times of one technique over several frames. What is told of them is the median: one frame that the system interrupted
-// does not count.
+// Times of one technique over several frames. The median is reported: a frame that the system interrupted does not affect it.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <chrono>

@@ -41,7 +41,7 @@ Grid<double> luma(const image::Image& picture) {
     return values;
 }
 
-/// What a window is told about the two pictures: weighted means of a, b, a a, b b and a b.
+/// What is computed of the two pictures in a window: weighted means of a, b, a a, b b and a b.
 using Moments = std::array<double, 5>;
 
 /// The index of similarity of one window: luminance, and contrast with structure.
@@ -67,7 +67,7 @@ double ssim(const image::Image& a, const image::Image& b) {
     const int columns = a.width - static_cast<int>(across.size()) + 1;
     const int rows = a.height - static_cast<int>(down.size()) + 1;
     std::vector<double> rowSums(static_cast<std::size_t>(rows));
-    // A window is the product of two Gaussians: first down each column, then along the row of what came of it.
+    // A window is the product of two Gaussians: first down each column, then along the row of the result.
     trace::parallelFor(static_cast<std::size_t>(rows), [&](std::size_t row) {
         std::vector<Moments> columnMoments(static_cast<std::size_t>(a.width), Moments{});
         for (std::size_t j = 0; j < down.size(); ++j)

@@ -1,5 +1,5 @@
-// How different are two pictures? Two numbers of long standing, kept because everybody quotes them; what people see is
-// better told by FLIP (flip.h).
+// How different are two pictures? Two established numbers, kept because they are quoted everywhere; FLIP (flip.h) predicts better
+// what people see.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <span>

@@ -17,7 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using judge::Truth, judge::TruthOf;
 
-// While a tree is built, this often somebody asks whether it is still wanted.
+// While a tree is built, it is checked this often whether the tree is still needed.
 constexpr std::chrono::milliseconds kSlice{4};
 
 void throwIfStopped(const std::stop_token& stop) {
@@ -74,7 +74,7 @@ private:
     struct Known {
         std::shared_ptr<const Truth> truth; ///< none: it is not known
         std::vector<judge::BoundaryEdge> boundary;
-        std::optional<judge::Grid<float>> distancePx; ///< to it, if anybody asked
+        std::optional<judge::Grid<float>> distancePx; ///< to it, if requested
         Key madeFor;
         bool exact = false;
     };
@@ -139,7 +139,7 @@ private:
     std::array<Known, 2> known_; ///< about the light's centre, and about its area
 };
 
-/// A fault of whoever submits would otherwise be one of memory, on another thread.
+/// A wrong size would otherwise become an access outside of an array, on another thread, far from its cause.
 void requireSound(const JudgeTask& task) {
     const auto pixels = static_cast<std::size_t>(task.view.size.x) * static_cast<std::size_t>(task.view.size.y);
     const std::vector<std::uint32_t>& drawn = task.rasterised.primitives;
@@ -200,7 +200,7 @@ void BackgroundJudge::work(bool yields) {
     if (yields) yieldToAllOthers();
     Judge judge;
     while (true) {
-        const int rung = bell_; // read first: whoever rings from here on is not slept through
+        const int rung = bell_; // read first, so that a signal from here on is not missed
         if (ending_) return;
         const std::unique_ptr<Order> order = orders_.take();
         if (!order) {
@@ -215,7 +215,7 @@ void BackgroundJudge::work(bool yields) {
         try {
             if (order->task) judge.answer(*order->task, order->stop, put);
         } catch (const trace::Stopped&) {
-            // Nobody waits for it.
+            // The result is no longer needed, and neither is its error.
         } catch (...) {
             judge = Judge(); // whatever it was in the middle of
             outcomes_.put(std::make_unique<Outcome>(order->number, nullptr, std::current_exception()));

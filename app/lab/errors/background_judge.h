@@ -1,13 +1,13 @@
 // Truth and errors of what the window shows, found beside the running picture.
 //
-// A thread of its own, below everybody else in the scheduler, holds a copy of the moment: the scene, the view, and what
-// each technique answered, read back by the thread that draws. It never touches OpenGL. It keeps the tree of the scene
-// from task to task, and the last truth: where only a technique's settings changed, no ray is traced again.
+// A thread of idle priority works on a copy: the scene, the view, and each technique's visibility image, read back by the thread
+// that draws. It never uses OpenGL. It caches the tree of the scene and the last truth from task to task: where only a technique's
+// settings changed, no ray is traced again.
 //
-// While things move, tasks are to be *reduced*: the truth at the pixels' centres, without ties. A reduced task is
-// finished even when the next one has come, else a picture that changes faster than it can be judged would never be
-// judged at all; of those that wait, only the newest is. An *exact* task is for a picture at rest: it drops whatever is
-// under way, gives the reduced answer first and then the exact one, and is itself dropped when the next task comes.
+// While things move, tasks should be *reduced*: the truth at the pixels' centres, without ties. A reduced task is finished even when
+// the next one has come; otherwise a picture that changes faster than it can be judged would never be judged. Of several waiting
+// tasks only the newest is kept. An *exact* task is for a picture at rest: it cancels the current task, gives the reduced answer
+// first and then the exact one, and is itself cancelled when the next task comes.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <atomic>
@@ -47,7 +47,7 @@ struct JudgeTask {
 };
 
 struct SlotAnswer {
-    std::shared_ptr<const judge::Truth> truth; ///< that it was held against
+    std::shared_ptr<const judge::Truth> truth; ///< that it was compared with
     std::shared_ptr<const picture::Panel> truthPanel;     ///< of it, where asked for
     bool exact = false;                          ///< its ties are known
     judge::Judgement judgement;
@@ -58,7 +58,7 @@ struct SlotAnswer {
 
 struct JudgeAnswer {
     std::uint64_t number = 0; ///< of the task
-    bool exact = false;       ///< all ties are known; also of a reduced task whose exact truth was still at hand
+    bool exact = false;       ///< all ties are known; also of a reduced task whose exact truth was still in memory
     /// About the light's centre; about its area, where no slot is judged by the centre.
     std::shared_ptr<const judge::Truth> truth;
     std::shared_ptr<const picture::Panel> truthPanel;
@@ -66,12 +66,13 @@ struct JudgeAnswer {
     double ms = 0;                                ///< from the task's beginning to its answer
 };
 
-/// All functions are for one thread, the one that draws. None of them waits, except that the end waits for the piece of
-/// work at hand: some milliseconds, and for a scene of a million triangles, whose tree is folded in one piece, a sixth of
-/// a second.
+/// All functions are called by one thread, the one that draws. None of them blocks but the destructor, which waits for the
+/// current piece of work: some milliseconds, and a sixth of a second for a scene of a million triangles, whose tree is folded
+/// in one piece.
 class BackgroundJudge {
 public:
-    /// Without `yields` it takes its share like everybody else: where no hand waits, and the answer is waited for.
+    /// `yields`: run at idle priority, so that drawing is never delayed. Without it the thread runs at normal priority, for captures
+    /// and tests, which wait for the answer.
     explicit BackgroundJudge(bool yields = true);
     ~BackgroundJudge();
     BackgroundJudge(const BackgroundJudge&) = delete;
@@ -114,7 +115,7 @@ private:
     Mailbox<Order> orders_;
     Mailbox<Outcome> outcomes_;
     std::atomic<std::uint64_t> finished_ = 0; ///< the last order that was done with
-    std::atomic<int> bell_ = 0;               ///< rung for each order, and for the end
+    std::atomic<int> bell_ = 0;               ///< incremented for each order and at the end; the thread waits for a change
     std::atomic<bool> ending_ = false;
     std::jthread thread_; ///< last: it uses all of the above
 };

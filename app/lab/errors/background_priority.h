@@ -1,11 +1,11 @@
-// A thread that must not be in anybody's way.
+// Idle priority for threads that must not delay the drawing.
 // SPDX-License-Identifier: MIT
 #pragma once
 
 namespace shadowlab::lab {
 
-/// From here on the calling thread, and each thread that it starts, leaves the processor to whoever else wants it. Linux
-/// only (the policy SCHED_IDLE); elsewhere, and where the system refuses, nothing changes.
+/// Gives the calling thread, and each thread that it starts, idle priority (the policy SCHED_IDLE of Linux): it runs only while no
+/// other thread wants the processor. On other systems, and where the call fails, nothing changes.
 void yieldToAllOthers();
 
 } // namespace shadowlab::lab

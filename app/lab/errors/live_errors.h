@@ -1,5 +1,5 @@
-// How wrong the pictures of the window are, found while they are on show: what is to be judged is handed to the judge in
-// the background, and what it says is made ready to be seen.
+// The errors of the pictures in the window, found while they are on show: pictures are submitted to the judge in the background, and
+// its answers are turned into pictures and numbers.
 //
 // While something moves, one pane after the other is judged, every second or so and without ties: each time the pane is
 // drawn with its answers as well, which costs a little. When all is at rest, every pane is judged exactly, once. Techniques
@@ -20,7 +20,7 @@
 
 namespace shadowlab::lab {
 
-/// What is known of one pane. It speaks of the picture that was judged, which may be a moment old.
+/// The errors of one pane. They are those of the picture that was judged, which may be a moment old.
 struct PaneErrors {
     judge::Counts counts;
     std::optional<double> edgeErrorPx;
@@ -43,7 +43,7 @@ public:
 
     /// Before the panes are drawn: which of them are to publish their answers. True if any is.
     bool ask(Workbench& bench, ivec2 areaSize, double seconds);
-    /// After they are drawn: hands over what they published, and takes what has been found. True if a picture has changed.
+    /// Called after the panes are drawn: submits what they published, and takes what has been found. True if a picture has changed.
     bool update(Workbench& bench, ivec2 areaSize, double seconds);
 
     /// Nothing when the pane has not been judged yet, or shows something that cannot be.
@@ -85,7 +85,7 @@ private:
     std::vector<PaneRequest> exactFor_; ///< what the last exact task was about
     std::vector<int> wanted_;           ///< panes that are to publish their answers now
     double lastSubmit_ = 0, restSince_ = 0;
-    std::size_t turn_ = 0; ///< whose turn it is while something moves
+    std::size_t turn_ = 0; ///< the pane that is judged next while something moves
     bool done_ = false;
     std::string failure_; ///< not yet taken
 };

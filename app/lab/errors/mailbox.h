@@ -1,7 +1,7 @@
-// A place for one thing that passes from one thread to another: what comes later takes the place of what nobody fetched.
+// A place for one value that is passed from one thread to another. A later value replaces one that was not fetched.
 //
-// Neither side ever waits. A lock would do as well, were it not for a thread that runs only when nobody else wants the
-// processor: it can be put aside with the lock in its hand, and then the window would stand still with it.
+// Neither side ever blocks. A mutex would not do: a thread of idle priority may be preempted while it holds the mutex, and the thread
+// that draws would then wait for it (priority inversion).
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <atomic>
@@ -18,7 +18,7 @@ public:
     ~Mailbox() { take(); }
 
     void put(std::unique_ptr<Letter> letter) { exchange(letter.release()); }
-    /// Nothing: nothing new has come.
+    /// The newest value; nothing when none has come since the last call.
     std::unique_ptr<Letter> take() { return exchange(nullptr); }
 
 private:

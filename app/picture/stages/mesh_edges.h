@@ -1,4 +1,4 @@
-// The stage `mesh-edges`: where meshes are open, and where they are no surface at all. What `inspect` counts, seen.
+// The stage `mesh-edges`: where meshes are open, and where they are no surface at all. They are those that `inspect` counts.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "app/picture/figure.h"

@@ -21,8 +21,8 @@ struct Scanline {
 /// The row with the most wrong pixels within the region; where all is right, the one that crosses most edges of shadows.
 int mostTellingRow(const Scanline& scanline, const Region& region);
 
-/// The picture with the row marked, and the curve over it: each column of the plot stands above or below the pixel it
-/// speaks of. `font` may be null: then there are no numbers.
+/// The picture with the row marked, and the curve over it: each column of the plot stands above or below its
+/// pixel. `font` may be null: then there are no numbers.
 Panel scanlinePanel(image::Image picture, const Scanline& scanline, std::optional<int> row, const Region& region,
                     const image::Font* font);
 

@@ -9,7 +9,7 @@
 namespace shadowlab::picture {
 
 /// The finished picture, and on it the outline, about 1/360 of the height wide, with a dark rim: it is seen on lit and on
-/// dark ground. The legend tells its length within the region, where alone it is drawn.
+/// dark ground. It is drawn within the region only, and the legend gives its length there.
 Panel shadowOutlinePanel(image::Image picture, const std::vector<judge::OutlineSegment>& outline,
                          const std::string& light, const Region& region);
 

@@ -1,5 +1,5 @@
 // A step of an algorithm as text: its formula, its place in the lecture's pseudocode, and the lines of source that do it, each
-// with what is known of a picked pixel.
+// with the probe of a picked pixel.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>

@@ -21,9 +21,9 @@ struct Chart {
 /// Printed 16 cm wide, the sheet's smallest letters are 8 points high: 22 of its 1200 pixels.
 inline constexpr double kChartWidth = 1200, kChartType = 22;
 
-/// Points without an error stand in a row of their own, since zero has no place on a logarithmic axis. No place have points that
-/// have not been measured, and those of which the error cannot be told: some pixels are wrong, and there is no boundary to count
-/// them by; a line below says how many these are. `size`: of the pictures, for the title.
+/// Points without an error stand in a row of their own, since zero has no place on a logarithmic axis. Points that have not
+/// been measured have no place, and neither have those without a defined error: some pixels are wrong, and there is no boundary to
+/// relate them to. A line below says how many these are. `size`: of the pictures, for the title.
 Chart chartOf(const Group& group, ivec2 size);
 
 /// As SVG.

@@ -1,4 +1,4 @@
-// A report as one page for a browser that needs nothing else: charts, tables and pictures are in it, and no network is asked.
+// A report as one page for a browser that needs nothing else: charts, tables and pictures are in it, and it needs no network.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>

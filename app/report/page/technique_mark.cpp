@@ -13,7 +13,7 @@ namespace shadowlab::report {
 
 namespace {
 
-/// Okabe and Ito, "Color Universal Design" (2008): told apart by readers with any kind of colour vision. Neighbours of one family
+/// Okabe and Ito, "Color Universal Design" (2008): distinguishable with any kind of colour vision. Neighbours of one family
 /// of techniques are far from each other in lightness, too.
 constexpr std::array kColors{"#000000", "#e69f00", "#0072b2", "#56b4e9", "#009e73", "#f0e442", "#d55e00", "#cc79a7"};
 constexpr int kShapes = 8;
@@ -66,7 +66,7 @@ std::map<std::string, TechniqueMark> marksOf(const Group& group) {
 }
 
 void drawMark(drawing::Drawing& drawing, dvec2 place, const TechniqueMark& mark, double radius, bool isOpen) {
-    // The rim keeps yellow legible on white, and black ink of a printer tells the shapes.
+    // The rim keeps yellow legible on white; printed in black, the shapes distinguish the marks.
     const drawing::Stroke rim = isOpen ? drawing::Stroke{mark.color, 3, false} : drawing::Stroke{"#1a1a1a", 1.5, false};
     const std::string fill = isOpen ? "#ffffff" : mark.color;
     switch (mark.shape) {

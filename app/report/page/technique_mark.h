@@ -1,4 +1,4 @@
-// How a technique is marked in charts and tables: a colour and a shape of its own, so that either tells it apart.
+// How a technique is marked in charts and tables: a colour and a shape of its own, either of which identifies it.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <map>

@@ -14,7 +14,7 @@ namespace {
 constexpr float kLargestShare = 0.5f; ///< of the area that a legend may cover
 // In panes lower than this the type is a little smaller: less of the picture is covered, and it can still be read.
 constexpr float kLowPaneEm = 26, kSmaller = 0.82f;
-constexpr int kBarSteps = 64; ///< colours of a bar: finer than the eye tells apart
+constexpr int kBarSteps = 64; ///< colours of a bar: finer than the eye can distinguish
 
 std::string shortNumber(double value) {
     char text[32];

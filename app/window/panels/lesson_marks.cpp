@@ -92,7 +92,7 @@ bool handlePainting(WindowState& ui, const std::vector<ShownPane>& panes) {
     if (io.WantCaptureMouse || (!paints && !wipes)) return false;
     const ShownPane& shown = panes.front();
     if (!shown.area.contains(io.MousePos)) return false;
-    // Along the way since the last frame: a quick hand leaves no gaps.
+    // Along the whole way since the last frame, so that fast strokes have no gaps.
     const dvec2 to = shareOf(shown, io.MousePos);
     const bool begins = ImGui::IsMouseClicked(0) || ImGui::IsMouseClicked(1);
     const dvec2 from = begins ? to : shareOf(shown, {io.MousePos.x - io.MouseDelta.x, io.MousePos.y - io.MouseDelta.y});

@@ -26,7 +26,7 @@ void errorTable(const WindowState& ui, const lab::LiveErrors& errors);
 void historyPlot(const WindowState& ui, const lab::LiveErrors& errors, const Theme& theme);
 /// All lessons of the course, to choose from.
 void lessonList(WindowState& ui);
-/// All built-in decks, to be opened; of the one that is on, its slides.
+/// All built-in decks, to be opened; of the open one, its slides.
 void deckList(WindowState& ui);
 
 // Below the pictures. The heights are 0 while there is nothing to show.

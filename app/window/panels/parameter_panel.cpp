@@ -10,8 +10,8 @@ namespace shadowlab::window {
 
 namespace {
 
-/// Sliders over more than this range go by factors: a map of 64 texels and one of 8192 are as far apart to the hand as to
-/// the eye.
+/// Sliders over more than this range go by factors: doubling a map of 64 texels
+/// takes as long a way as doubling one of 4096.
 constexpr double kLogarithmicFrom = 100;
 
 bool isWide(const params::Param& param) {
@@ -96,7 +96,7 @@ void parameterPanel(WindowState& ui, const Theme& theme) {
         ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.54f);
         ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, reset);
         for (params::Param& param : slot.params) {
-            // What has no effect, as the others are set, is not in the way; unless somebody has set it.
+            // Parameters without an effect, as the others are set, are hidden unless they differ from their defaults.
             if (!params::hasEffect(param) && params::valueText(param) == params::initialText(param)) continue;
             ImGui::PushID(param.id.c_str());
             ImGui::TableNextRow();

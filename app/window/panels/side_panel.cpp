@@ -121,7 +121,7 @@ void timesPart(const WindowState& ui) {
     for (const gl::PassTimer::Result& pass : frame.result.passMs)
         time("  " + pass.name, pass.elapsedMs);
     for (const Counter& counter : frame.result.counters)
-        if (counter.of >= 1e4) // pixels: no room for both numbers, and nobody reads them
+        if (counter.of >= 1e4) // pixels: no room for both numbers, and the share says more
             row(counter.id, "%.1f %% %s", 100 * counter.built / counter.of, counter.unit.c_str());
         else if (counter.of > 0)
             row(counter.id, "%.0f of %.0f %s", counter.built, counter.of, counter.unit.c_str());

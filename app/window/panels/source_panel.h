@@ -1,4 +1,4 @@
-// The step at hand as text: formula, pseudocode, and the lines of source that do it, beside its picture.
+// The step on show as text: formula, pseudocode, and the lines of source that do it, beside its picture.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "app/picture/steps/step_source.h"
@@ -6,7 +6,7 @@
 
 namespace shadowlab::window {
 
-/// Shows it, and keeps what it has read of the sources until shaders are compiled anew.
+/// Shows it, and keeps what it has read of the sources until shaders are compiled again.
 class SourcePanel {
 public:
     /// Pixels that it takes of a window of that width; 0 while it is not on show.

@@ -49,7 +49,7 @@ void stepPanel(WindowState& ui, const Area& area, const Theme& theme) {
     const auto now = picture::stepOf(state.stage, passes, scene, document.light);
     beginIn("step", area, ImGuiWindowFlags_NoNav);
     if (!now) {
-        // Which steps run is known when they have run; in a window without room for a picture none does.
+        // The list of steps is complete only after a frame was drawn; in a window without room for a picture none is.
         ImGui::TextWrapped(passes.empty() ? "Nothing has been drawn yet: the window has no room for a picture."
                                           : "This step does not run with these settings; PageDown goes to the first "
                                             "that does.");

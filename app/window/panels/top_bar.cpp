@@ -23,7 +23,7 @@ void sceneCombo(WindowState& ui, const Theme& theme) {
     hint("scene (Ctrl+PageDown, Ctrl+PageUp); or drop a .json or .obj file on the window");
 }
 
-/// A button of the bar: what is written on it, whether what it stands for is on, and what it does.
+/// A button of the bar: its label, whether it is on, its help, and what it does.
 struct BarButton {
     const char* label;
     bool on;

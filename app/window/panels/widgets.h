@@ -28,7 +28,7 @@ float wrappedHeight(ImFont* font, float size, const std::string& text, float wid
 /// A tooltip for the last item.
 void hint(const char* text);
 
-/// A button that shows whether what it stands for is on. True when it was pressed.
+/// A button that is highlighted while it is on. True when it was pressed.
 bool toggleButton(const char* label, bool on, const char* help);
 
 } // namespace shadowlab::window

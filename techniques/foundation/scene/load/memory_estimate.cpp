@@ -23,7 +23,7 @@ std::uint64_t leastLimit() {
     if (pages > 0 && pageBytes > 0) least = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(pageBytes);
     rlimit addresses{};
     // Libraries and stacks reserve address space of which little is ever in memory, and Mesa crashes if it gets none.
-    // Measured beyond the peak of memory, with a single store of memory (app/context/address_space.h): 253 MB on 2 cores,
+    // Measured beyond the peak of memory, with a single store of memory (app/context/mesa.h): 253 MB on 2 cores,
     // 434 MB on 16.
     const std::uint64_t unused = 270'000'000 + 16'000'000 * std::uint64_t{std::thread::hardware_concurrency()};
     if (getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY)

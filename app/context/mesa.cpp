@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "app/context/driver_settings.h"
+#include "app/context/mesa.h"
+
+#include <malloc.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstdlib>
+#include <latch>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include "app/context/backends.h"
 
@@ -42,6 +50,31 @@ constexpr std::array<Setting, 5> kSettings{{
     {"MESA_EXTENSION_OVERRIDE", takesAway, "takes away what the driver itself counts on"},
 }};
 
+/// The threads that llvmpipe starts: for rows of tiles, and for its caches of shaders.
+int threadsOfDriver() {
+    constexpr int kMost = 32, kForCaches = 3;
+    int rows = static_cast<int>(std::thread::hardware_concurrency());
+    if (const char* given = std::getenv("LP_NUM_THREADS")) {
+        const std::string_view text(given);
+        std::from_chars(text.data(), text.data() + text.size(), rows);
+    }
+    return std::clamp(rows, 0, kMost) + kForCaches;
+}
+
+bool areGiven(int count) {
+    std::latch end(1);
+    std::vector<std::jthread> threads; // joined when it goes
+    bool given = true;
+    try {
+        for (int i = 0; i < count; ++i)
+            threads.emplace_back([&end] { end.wait(); });
+    } catch (const std::system_error&) {
+        given = false;
+    }
+    end.count_down();
+    return given;
+}
+
 } // namespace
 
 void requireUsableSettings() {
@@ -49,6 +82,19 @@ void requireUsableSettings() {
         if (const char* value = std::getenv(name); value && isBad(value))
             throw Unavailable("the environment variable " + std::string(name) + " " + what,
                               "unset " + std::string(name));
+}
+
+void doWithoutRefusedThreads() {
+    static const bool asked = [] {
+        if (!areGiven(threadsOfDriver())) ::setenv("LP_NUM_THREADS", "0", 1);
+        return true;
+    }();
+    static_cast<void>(asked);
+}
+
+void spareAddresses() {
+    rlimit addresses{};
+    if (::getrlimit(RLIMIT_AS, &addresses) == 0 && addresses.rlim_cur != RLIM_INFINITY) ::mallopt(M_ARENA_MAX, 1);
 }
 
 } // namespace shadowlab::context

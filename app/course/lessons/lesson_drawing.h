@@ -1,9 +1,10 @@
-// The words of a lesson on a picture: broken into lines, and drawn in its colours.
+// The words of a lesson on a picture, broken into lines and drawn in its colours, and the frames around what there is to see.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
 #include <vector>
 
+#include "app/course/lessons/lesson.h"
 #include "techniques/foundation/image/text.h"
 
 namespace shadowlab::course {
@@ -27,5 +28,9 @@ Lines laidOut(const std::string& text, const image::Font& font, double em, int w
 
 /// Draws them from (x, y) downward. Returns where the next line would begin.
 int drawLines(image::Image& figure, const Lines& lines, const image::Font& font, int x, int y, image::Color8 color);
+
+/// Frames what to look at. Where the artefact is, it is named: above the box, else below it, else in it, as there is room. `em`
+/// is the type size in pixels.
+void drawLook(image::Image& picture, const std::vector<LookBox>& look, bool named, const image::Font& font, double em);
 
 } // namespace shadowlab::course

@@ -1,8 +1,4 @@
-// Shadows that crawl over a surface while the eye moves.
-//
-// Counted at pixels, maps that stand still and maps that do not hardly differ: when the eye moves, the stairs of every edge move
-// over the pixels. So what is followed are points of surfaces: those that lie at the middle of a pixel in one frame, and at the
-// middle of another pixel in the next. The picture's own raster then has no part in it.
+// Shadows that change from one frame to the next although the truth does not: at pixels, and at points of surfaces.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdint>
@@ -13,6 +9,21 @@
 #include "techniques/foundation/trace/scene_tracer.h"
 
 namespace shadowlab::judge {
+
+class ExcessFlips {
+public:
+    /// The next frame: one byte a pixel, 1 where it is lit, and the length of the true boundary in pixels.
+    void addFrame(std::vector<std::uint8_t> lit, std::vector<std::uint8_t> truthLit, double boundaryPx);
+
+    /// Flips without reason over all frames, per pixel of true boundary (of the frames after the first). Nothing for a
+    /// single frame, or when there is no boundary. 0 for an exact technique, however fast things move.
+    [[nodiscard]] std::optional<double> rate() const;
+
+private:
+    std::vector<std::uint8_t> lit_, truthLit_;
+    std::uint64_t flips_ = 0;
+    double boundaryPx_ = 0;
+};
 
 class Crawl {
 public:

@@ -1,6 +1,7 @@
-// Points that are followed while the eye moves: where they are seen, and what counts as a change.
+// Shadows that change from frame to frame although the truth does not: at pixels (ExcessFlips), and at points that are followed
+// while the eye moves (Crawl).
 // SPDX-License-Identifier: MIT
-#include "app/judge/metrics/crawl.h"
+#include "app/judge/metrics/flicker.h"
 
 #include <chrono>
 #include <cmath>
@@ -12,6 +13,43 @@
 
 namespace shadowlab::judge {
 namespace {
+
+using Mask = std::vector<std::uint8_t>;
+
+TEST(ExcessFlips, OfTheTruthItselfAreNone) {
+    ExcessFlips flips;
+    for (int frame = 0; frame < 5; ++frame) {
+        Mask mask(10, 0);
+        mask[static_cast<std::size_t>(frame)] = 1;
+        flips.addFrame(mask, mask, 3.0);
+    }
+    EXPECT_EQ(flips.rate(), 0.0);
+}
+
+TEST(ExcessFlips, AreCountedPerPixelOfBoundary) {
+    ExcessFlips flips;
+    const Mask truth(10, 1);
+    flips.addFrame({1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, truth, 100.0); // the first frame has nothing to differ from
+    flips.addFrame({0, 0, 1, 1, 1, 1, 1, 1, 1, 1}, truth, 4.0);   // 2
+    flips.addFrame({0, 0, 1, 1, 1, 1, 1, 1, 1, 0}, truth, 4.0);   // 1
+    flips.addFrame({1, 1, 1, 1, 1, 1, 1, 1, 1, 1}, truth, 2.0);   // 3
+    EXPECT_DOUBLE_EQ(*flips.rate(), 6.0 / 10.0);
+}
+
+TEST(ExcessFlips, WhereTheTruthFlipsTooNothingIsExcess) {
+    ExcessFlips flips;
+    flips.addFrame({0, 1}, {0, 1}, 1.0);
+    flips.addFrame({1, 1}, {1, 0}, 1.0); // the second pixel stays, wrongly: an error, but no flicker
+    EXPECT_EQ(flips.rate(), 0.0);
+}
+
+TEST(ExcessFlips, NeedTwoFramesAndABoundary) {
+    ExcessFlips one;
+    one.addFrame({1}, {1}, 5.0);
+    EXPECT_FALSE(one.rate());
+    one.addFrame({0}, {1}, 0.0);
+    EXPECT_FALSE(one.rate());
+}
 
 constexpr ivec2 kSize{64, 48};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/judge/metrics/crawl.h"
+#include "app/judge/metrics/flicker.h"
 
 #include <cmath>
 #include <utility>
@@ -13,6 +13,21 @@ namespace {
 constexpr double kNearMiddle = 0.1;
 
 } // namespace
+
+void ExcessFlips::addFrame(std::vector<std::uint8_t> lit, std::vector<std::uint8_t> truthLit, double boundaryPx) {
+    if (!lit_.empty()) {
+        for (std::size_t i = 0; i < lit.size(); ++i)
+            flips_ += lit[i] != lit_[i] && truthLit[i] == truthLit_[i];
+        boundaryPx_ += boundaryPx;
+    }
+    lit_ = std::move(lit);
+    truthLit_ = std::move(truthLit);
+}
+
+std::optional<double> ExcessFlips::rate() const {
+    if (boundaryPx_ <= 0) return std::nullopt;
+    return static_cast<double>(flips_) / boundaryPx_;
+}
 
 std::optional<dvec2> pixelOf(const scene::Camera& camera, ivec2 size, const dvec3& pointWorld) {
     const dvec3 forwardWorld = glm::normalize(camera.targetWorld - camera.positionWorld);

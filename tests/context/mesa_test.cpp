@@ -1,6 +1,6 @@
-// Where threads are refused, Mesa's rasteriser is told to do without; where they are given, nothing changes.
+// Where the system refuses threads, llvmpipe is made to draw without them; elsewhere nothing changes.
 // SPDX-License-Identifier: MIT
-#include "app/context/driver_threads.h"
+#include "app/context/mesa.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/course/lessons/lesson_look.h"
+#include "app/course/lessons/lesson_drawing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +20,20 @@ void drawBoxOutline(image::Image& figure, ivec2 corner, ivec2 size, int width, i
 }
 
 } // namespace
+
+Lines laidOut(const std::string& text, const image::Font& font, double em, int width) {
+    Lines lines{font.wrap(text, em, width), em, 0};
+    lines.lineHeight = static_cast<int>(std::ceil(font.measure("Xg", em).height * 1.08)); // 8 % of space between lines
+    return lines;
+}
+
+int drawLines(image::Image& figure, const Lines& lines, const image::Font& font, int x, int y, image::Color8 color) {
+    for (const std::string& line : lines.lines) {
+        font.draw(figure, x, y, line, lines.em, color);
+        y += lines.lineHeight;
+    }
+    return y;
+}
 
 void drawLook(image::Image& picture, const std::vector<LookBox>& look, bool named, const image::Font& font, double em) {
     const ivec2 size(picture.width, picture.height);

@@ -1,0 +1,25 @@
+// What several commands have in common: their options, how their files are loaded, and the limits of the driver.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "app/cli/options.h"
+#include "app/context/context.h"
+#include "techniques/foundation/math/types.h"
+#include "techniques/foundation/scene/load/load.h"
+
+namespace shadowlab::cli {
+
+/// The argument SCENE: one scene.
+void describeScene(DescribedOptions& add);
+
+/// --backend: which OpenGL context draws.
+void describeBackend(DescribedOptions& add);
+/// Throws Error (usage) for an unknown backend.
+context::Backend backendFrom(const GivenOptions& given);
+
+/// How scenes, lessons and decks are loaded: with the program's assets and limits, and the folders of --allow.
+scene::LoadOptions loadOptions(std::vector<std::filesystem::path> allowed);
+
+/// Throws Error (overLimit) when the driver of the current context draws no pictures of that size, in pixels.
+void requireDriverDraws(ivec2 size);
+
+} // namespace shadowlab::cli
