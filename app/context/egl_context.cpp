@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "app/context/backends.h"
-#include "app/context/mesa.h"
 #include "app/context/library.h"
+#include "app/context/mesa.h"
 #include "app/context/software.h"
 
 namespace shadowlab::context {

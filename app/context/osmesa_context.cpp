@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "app/context/backends.h"
-#include "app/context/mesa.h"
 #include "app/context/library.h"
+#include "app/context/mesa.h"
 
 namespace shadowlab::context {
 namespace {

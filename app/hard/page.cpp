@@ -3,8 +3,8 @@
 
 #include "app/drawing/markup.h"
 #include "app/hard/tables.h"
-#include "app/report/page/page_style.h"
 #include "app/report/csv.h"
+#include "app/report/page/page_style.h"
 
 namespace shadowlab::hard {
 

@@ -6,8 +6,8 @@
 #include "app/drawing/markup.h"
 #include "app/hard/page.h"
 #include "app/hard/tables.h"
-#include "app/report/page/log_axis.h"
 #include "app/report/csv.h"
+#include "app/report/page/log_axis.h"
 
 namespace shadowlab::hard {
 

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "app/lab/stage_strip.h"
-#include "app/window/window_state.h"
 #include "app/window/panels/source_panel.h"
 #include "app/window/pictures.h"
 #include "app/window/theme.h"
 #include "app/window/widget_renderer.h"
+#include "app/window/window_state.h"
 
 struct ImGuiContext;
 

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <utility>
 
-#include "app/course/lessons/lesson_figure.h"
 #include "app/course/lessons/lesson_drawing.h"
+#include "app/course/lessons/lesson_figure.h"
 #include "app/course/state_picture.h"
 #include "app/picture/session.h"
 #include "techniques/foundation/base/error.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/figures/map/eye_and_light_axes.h"
+#include "techniques/probed/map_probe.h"
 
 #include <algorithm>
 #include <cmath>

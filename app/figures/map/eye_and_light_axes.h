@@ -5,6 +5,7 @@
 
 #include "techniques/foundation/scene/model/camera.h"
 #include "techniques/probe.h"
+#include "techniques/probed/map_probe.h"
 
 namespace shadowlab::figures {
 

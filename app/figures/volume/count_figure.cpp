@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/drawing/formula.h"
-#include "app/figures/panels.h"
 #include "app/figures/figure_drawers.h"
+#include "app/figures/panels.h"
 #include "app/figures/volume/volume_marks.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"

@@ -5,9 +5,9 @@
 #include <limits>
 #include <optional>
 
+#include "app/figures/figure_drawers.h"
 #include "app/figures/panels.h"
 #include "app/figures/volume/facing_panel.h"
-#include "app/figures/figure_drawers.h"
 #include "techniques/foundation/base/error.h"
 
 namespace shadowlab::figures {

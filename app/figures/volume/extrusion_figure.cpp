@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "app/drawing/formula.h"
-#include "app/figures/panels.h"
 #include "app/figures/figure_drawers.h"
+#include "app/figures/panels.h"
 #include "app/figures/volume/volume_sketch.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "app/figures/panels.h"
 #include "app/figures/figure_drawers.h"
+#include "app/figures/panels.h"
 #include "app/figures/volume/volume_marks.h"
 #include "app/figures/volume/volume_sketch.h"
 #include "techniques/foundation/base/error.h"

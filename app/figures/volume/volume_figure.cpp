@@ -1,9 +1,9 @@
 // "Shadow volume": an enclosed region of space that is formed by extruding an object's outline from the light source; and where it
 // cuts other objects.
 // SPDX-License-Identifier: MIT
+#include "app/figures/figure_drawers.h"
 #include "app/figures/panels.h"
 #include "app/figures/section_sheet.h"
-#include "app/figures/figure_drawers.h"
 #include "app/figures/volume/volume_sketch.h"
 #include "techniques/foundation/base/look.h"
 
