@@ -1,5 +1,6 @@
 // What pictures are graded by is right itself: the lecture's pictures of the cases, against closed forms and against other code.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
@@ -23,7 +24,7 @@ scene::Snapshot sceneOfCase(const std::string& id) {
                             {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = picture::limits()});
 }
 
-/// Of the finished picture, rows from the bottom.
+/// Of the finished picture, rows from the top.
 std::vector<vec4> texelsOf(const scene::Snapshot& snapshot, const std::string& technique,
                            const std::vector<std::string>& settings = {}) {
     picture::Session session(snapshot);
@@ -90,7 +91,7 @@ TEST_F(GradingReferenceTest, FormFactorsAreThoseOfLambert) {
             for (int x = 0; x < kCaseWidth; ++x) {
                 const dvec2 center =
                     halfHeight / kCaseHeight * (2.0 * (dvec2(x, y) + 0.5) - dvec2(kCaseWidth, kCaseHeight));
-                const dvec3 u = worldFromView * dvec3(center, -1.0);
+                const dvec3 u = worldFromView * dvec3(center.x, -center.y, -1.0); // row 0 is the uppermost
                 const dvec3 place = camera.positionWorld - camera.positionWorld.y / u.y * u;
                 // A twentieth of a metre from the borders of the floor all of a pixel is on it.
                 if (u.y >= 0 || std::abs(place.x) > 1.95 || std::abs(place.z) > 1.95) continue;
@@ -103,8 +104,11 @@ TEST_F(GradingReferenceTest, FormFactorsAreThoseOfLambert) {
         std::cout << square.scene << ": " << wrong << " of " << compared << " pixels are more than " << family.levels
                   << " levels off\n";
         EXPECT_GT(compared, 10'000) << square.scene;
-        // One radiosity stands for a whole patch, so where light falls off fast its border is off: right before the shining wall.
-        EXPECT_LT(wrong, compared / 20) << square.scene;
+        // One radiosity stands for a whole patch, so where light falls off fast the patch's border is off. The limit of the
+        // case is wide enough for a picture that has no patches at all: the closed form itself would have the points.
+        const auto which = std::ranges::find(family.cases, square.scene, &Case::id);
+        ASSERT_NE(which, family.cases.end());
+        EXPECT_LT(wrong, which->limit) << square.scene;
     }
 }
 

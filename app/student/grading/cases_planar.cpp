@@ -13,7 +13,8 @@ constexpr std::string_view kExact =
 constexpr std::array kPlanarCases = std::to_array<Case>({
     {"flat-lamp", "the projection matrix, for a lamp", 8, kExact, 3,
      "Compare the matrix with v' = (p.l) v - (p.v) l, term by term: which of the two is the row? If it is "
-     "right on the ground, and things before the ground are dark, it is the receiver's border."},
+     "right on the ground, and all things before it are dark, the receiver's border is missing; if only sides of "
+     "the box are dark, what lies below their planes is not clipped."},
     {"flat-sun", "the same matrix for a direction: l.w = 0", 8, kExact, 2,
      "Nothing may divide by l.w: the light is a homogeneous point, and so is its shadow."},
     {"flat-above-lamp", "no anti-shadows of what is above the lamp", 8, kExact, 2,
