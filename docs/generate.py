@@ -200,17 +200,17 @@ def keys_table(program):
 def lessons_table(program):
     rows = [[code(lesson["name"]), lesson["title"], lesson["happens"].replace("|", "\\|"), lesson["mends"].replace("|", "\\|")]
             for lesson in program.list("lessons")]
-    return table(["lesson", "title", "what is wrong", "what mends it"], rows)
+    return table(["lesson", "title", "what is wrong", "its remedy"], rows)
 
 
 def artefacts_table(program, technique):
     """What the built-in lessons show of a technique. They measure what they show: a test fails when an artefact is not there."""
     def picture(lesson):
         name = f"lesson-{lesson['name']}"
-        return f'<img src="images/{name}.png" alt="{lesson["title"]}: the artefact, and its mend" width="480"><br>`shadowlab lesson {lesson["name"]} -o {name}.png`'
+        return f'<img src="images/{name}.png" alt="{lesson["title"]}: the artefact, and its remedy" width="480"><br>`shadowlab lesson {lesson["name"]} -o {name}.png`'
 
     rows = [(f"**{lesson['title']}.** {lesson['happens']}", picture(lesson)) for lesson in program.lessons_of(technique)]
-    return table(("what is wrong", "the artefact, and what mends it"), rows) if rows else "None is about this technique alone.\n"
+    return table(("what is wrong", "the artefact, and its remedy"), rows) if rows else "None is about this technique alone.\n"
 
 
 def quantities_table(program):
@@ -339,8 +339,8 @@ def complaints_about(path, text, tracked):
                 yield (f"{name}: git does not track {picture}, so a fresh clone would lack it; "
                        f"`git add` it (`git check-ignore -v` says whether .gitignore is in the way)")
             continue
-        mend = "draw it with docs/generate.py --pictures" if target.endswith(".png") else "mend the link"
-        yield f"{name}: there is no {target}; {mend}"
+        fix = "draw it with docs/generate.py --pictures" if target.endswith(".png") else "fix the link"
+        yield f"{name}: there is no {target}; {fix}"
 
 
 def main():

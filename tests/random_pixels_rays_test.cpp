@@ -25,7 +25,7 @@ std::optional<dvec3> vectorNamed(const Probe& probe, std::string_view label) {
 }
 
 /// The mesh's normals at the corners, interpolated, as they lie in the world, on the eye's side; none where that is not the side of
-/// the triangle's own normal, which each program mends in its own way.
+/// the triangle's own normal, which each program fixes in its own way.
 std::optional<dvec3> shadingNormal(const AskedPixel& asked) {
     const WorldTriangle& seen = asked.triangles[asked.seen];
     const scene::Object& object = asked.scene.objects[seen.object];

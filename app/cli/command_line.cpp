@@ -30,7 +30,7 @@ std::string helpHint(const CLI::App& command) {
 }
 
 /// `did you mean ...?` when a name is near, else where to look them up.
-std::string mendFor(const std::string& word, const std::vector<std::string>& known, const CLI::App& command) {
+std::string remedyFor(const std::string& word, const std::vector<std::string>& known, const CLI::App& command) {
     return nearestNames(word, known).empty() ? helpHint(command) : suggestion(word, known);
 }
 
@@ -52,7 +52,7 @@ void refuseLeftOver(const CLI::App& command) {
         for (const std::string& name : option->get_lnames())
             known.push_back("--" + name);
     const std::string option = word.substr(0, word.find('='));
-    refuseUsage(prefix + "there is no option '" + option + "'; " + mendFor(option, known, command));
+    refuseUsage(prefix + "there is no option '" + option + "'; " + remedyFor(option, known, command));
 }
 
 bool isScene(const std::string& word) {
@@ -73,7 +73,7 @@ Work workWithoutCommand(const CLI::App& app) {
     std::vector<std::string> known = scene::builtInScenes(context::assetsRoot());
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         known.push_back(command->get_name());
-    refuseUsage("'" + words.front() + "' is neither a command nor a scene; " + mendFor(words.front(), known, app));
+    refuseUsage("'" + words.front() + "' is neither a command nor a scene; " + remedyFor(words.front(), known, app));
 }
 
 /// CLI11 2.6 leaves out the word before the usage.

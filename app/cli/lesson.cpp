@@ -34,7 +34,7 @@ void describeLesson(DescribedOptions& add) {
     add.option("--size", "WxH",
                "width and height of the picture in pixels (default 1600x900, with --animate 1280x720)");
     add.flag("--animate",
-             "question, answer, artefact and mend one after the other in one file, an animated PNG or, if -o "
+             "question, answer, artefact and remedy one after the other in one file, an animated PNG or, if -o "
              "ends in .mp4, a film; each with its words below");
     add.option("--hold", "SECONDS",
                "with --animate: how long each picture stays (default: as long as its words take to read)");
@@ -181,7 +181,7 @@ int lesson(const LessonOptions& options) {
     return 0;
 }
 
-const Command kLesson{"lesson", "An artefact and what mends it: draws a lesson, or measures whether it holds",
+const Command kLesson{"lesson", "An artefact and its remedy: draws a lesson, or measures whether it holds",
                       describeLesson, lessonWork};
 
 } // namespace shadowlab::cli

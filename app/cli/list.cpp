@@ -154,7 +154,7 @@ Table decksTable() {
 Table lessonsTable() {
     Table table{{"name", "title", "happens", "mends"}, {}};
     for (const course::LessonText& lesson : course::builtInLessons(context::assetsRoot()))
-        table.rows.push_back({lesson.name, lesson.title, lesson.happens, lesson.mends});
+        table.rows.push_back({lesson.name, lesson.title, lesson.happens, lesson.remedy});
     return table;
 }
 
@@ -176,7 +176,7 @@ Table backendsTable() {
     Table table{{"name", "available", "version", "renderer", "reason", "mend"}, {}};
     for (const context::BackendReport& report : context::probeBackends())
         table.rows.push_back({report.name, report.available ? "true" : "false", report.version, report.renderer,
-                              report.reason, report.mend});
+                              report.reason, report.remedy});
     return table;
 }
 

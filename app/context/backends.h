@@ -13,21 +13,21 @@ namespace shadowlab::context {
 /// A backend that does not work here: what was found, and what the user can do.
 class Unavailable : public Error {
 public:
-    Unavailable(const std::string& reasonIn, const std::string& mendIn)
-        : Error(ExitStatus::noContext, "no graphics context: " + reasonIn + "; " + mendIn), reason(reasonIn),
-          mend(mendIn) {}
-    std::string reason, mend;
+    Unavailable(const std::string& reasonIn, const std::string& remedyIn)
+        : Error(ExitStatus::noContext, "no graphics context: " + reasonIn + "; " + remedyIn), reason(reasonIn),
+          remedy(remedyIn) {}
+    std::string reason, remedy;
 };
 
 /// What to do about each, on this system: packages as Debian names them (packages.h), and other backends that are here.
 /// libegl1 does not pull in the drivers (libgl1-mesa-dri) by itself.
-std::string mendEgl();
-std::string mendOsmesa();
-std::string mendDrivers();
-std::string mendEglDrivers();
-std::string mendWindowDrivers();
-std::string mendDisplay();
-std::string mendAll(); ///< where no backend works
+std::string remedyEgl();
+std::string remedyOsmesa();
+std::string remedyDrivers();
+std::string remedyEglDrivers();
+std::string remedyWindowDrivers();
+std::string remedyDisplay();
+std::string remedyAll(); ///< where no backend works
 inline constexpr const char* kMoreMemory =
     "allow the program more memory (ulimit -v), or install the library's package again";
 inline constexpr const char* kNewerDriver = "take a newer driver, and unset MESA_GL_VERSION_OVERRIDE and "

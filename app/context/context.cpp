@@ -41,7 +41,7 @@ thread_local TrackedContext* TrackedContext::current_ = nullptr;
 
 void TrackedContext::makeCurrent() {
     if (current_ != this) releaseCurrent();
-    if (!bind()) throw Unavailable("the context cannot be made current", mendDrivers());
+    if (!bind()) throw Unavailable("the context cannot be made current", remedyDrivers());
     current_ = this;
     const int version = gladLoadGL(loader());
     const bool isNewEnough = version >= kNeededVersion;
@@ -74,7 +74,7 @@ std::string describeGl(void (*(*load)(const char*))()) {
 std::unique_ptr<Context> createContext(Backend backend, bool debug) {
     requireUsableSettings(); // of all backends, and said once
     std::string reasons;
-    std::string mend;
+    std::string remedy;
     for (const BackendEntry& entry : kBackends) {
         if (backend != Backend::automatic && backend != entry.backend) continue;
         try {
@@ -82,12 +82,12 @@ std::unique_ptr<Context> createContext(Backend backend, bool debug) {
         } catch (const Unavailable& why) {
             if (backend != Backend::automatic)
                 throw Error(ExitStatus::noContext, std::string("no graphics context from ") + entry.name + ": " +
-                                                       why.reason + "; " + why.mend);
+                                                       why.reason + "; " + why.remedy);
             reasons.append(reasons.empty() ? "" : ", ").append(entry.name).append(": ").append(why.reason);
-            if (why.mend == kNewerDriver || why.mend == kMoreMemory || why.mend == kNoSoftware) mend = why.mend;
+            if (why.remedy == kNewerDriver || why.remedy == kMoreMemory || why.remedy == kNoSoftware) remedy = why.remedy;
         }
     }
-    throw Error(ExitStatus::noContext, "no graphics context (" + reasons + "); " + (mend.empty() ? mendAll() : mend));
+    throw Error(ExitStatus::noContext, "no graphics context (" + reasons + "); " + (remedy.empty() ? remedyAll() : remedy));
 }
 
 Backend backendFromName(std::string_view name) {
@@ -121,7 +121,7 @@ std::vector<BackendReport> probeBackends() {
             report.renderer = glRenderer();
         } catch (const Unavailable& why) {
             report.reason = why.reason;
-            report.mend = why.mend;
+            report.remedy = why.remedy;
         }
         reports.push_back(report);
     }

@@ -43,7 +43,7 @@ struct BackendReport {
     std::string name;
     bool available = false;
     std::string version, renderer; ///< when available
-    std::string reason, mend;      ///< when not
+    std::string reason, remedy;      ///< when not
 };
 std::vector<BackendReport> probeBackends();
 

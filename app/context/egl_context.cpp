@@ -113,9 +113,9 @@ public:
     EglContext(EGLDisplay display, bool debug) : display_(display) {
         // Displays are never terminated: EGL hands out the same one again, and another context may still use it.
         EGLint major = 0, minor = 0;
-        if (display_ == EGL_NO_DISPLAY) throw Unavailable("no display", mendEglDrivers());
-        if (!egl().initialize(display_, &major, &minor)) throw Unavailable(errorText(), mendDrivers());
-        if (!egl().bindApi(EGL_OPENGL_API)) throw Unavailable("only OpenGL ES", mendDrivers());
+        if (display_ == EGL_NO_DISPLAY) throw Unavailable("no display", remedyEglDrivers());
+        if (!egl().initialize(display_, &major, &minor)) throw Unavailable(errorText(), remedyDrivers());
+        if (!egl().bindApi(EGL_OPENGL_API)) throw Unavailable("only OpenGL ES", remedyDrivers());
         const char* const extensions = egl().queryString(display_, EGL_EXTENSIONS);
         chooseConfig();
         // Forward-compatible: what is deprecated is refused here as it is by drivers that have no other core profile.
@@ -164,7 +164,7 @@ private:
             EGLint count = 0;
             if (egl().chooseConfig(display_, wanted.data(), &config_, 1, &count) && count > 0) return;
         }
-        throw Unavailable("no configuration for OpenGL", mendDrivers());
+        throw Unavailable("no configuration for OpenGL", remedyDrivers());
     }
     /// What there is instead of 3.3, by asking for a context of any version.
     std::string describeLegacy() const {
@@ -190,25 +190,25 @@ std::unique_ptr<Context> createEglContext(bool debug) {
     // Mesa prints its own remarks about every attempt that fails; ours stay one line. The user's own setting wins.
     ::setenv("EGL_LOG_LEVEL", "fatal", 0);
     if (const std::string& fault = egl().library.fault(); !fault.empty()) throw Unavailable(fault, kMoreMemory);
-    if (!egl().library.loaded()) throw Unavailable("libEGL.so.1 is missing", mendEgl());
-    if (!egl().complete) throw Unavailable("libEGL lacks functions of EGL 1.4", mendEgl());
+    if (!egl().library.loaded()) throw Unavailable("libEGL.so.1 is missing", remedyEgl());
+    if (!egl().complete) throw Unavailable("libEGL lacks functions of EGL 1.4", remedyEgl());
     requireUsableSettings();
     doWithoutRefusedThreads();
     TrackedContext::releaseCurrent();
-    std::string reasons, lastReason, mend;
+    std::string reasons, lastReason, remedy;
     for (const Candidate& candidate : candidates()) {
         try {
             auto context = std::make_unique<EglContext>(candidate.open(), debug);
             context->makeCurrent();
             return context;
         } catch (const Unavailable& why) {
-            if (reasons.empty()) mend = why.mend; // of the first way, which is the one most machines should offer
+            if (reasons.empty()) remedy = why.remedy; // of the first way, which is the one most machines should offer
             if (why.reason == lastReason) continue;
             reasons.append(reasons.empty() ? "" : ", ").append(candidate.name).append(": ").append(why.reason);
             lastReason = why.reason;
         }
     }
-    throw Unavailable(reasons, mend);
+    throw Unavailable(reasons, remedy);
 }
 
 } // namespace shadowlab::context

@@ -104,9 +104,9 @@ bool isOsmesaHere() { return osmesa().library.loaded(); }
 
 std::unique_ptr<Context> createOsmesaContext() {
     if (const std::string& fault = osmesa().library.fault(); !fault.empty()) throw Unavailable(fault, kMoreMemory);
-    if (!osmesa().library.loaded()) throw Unavailable("libOSMesa.so.8 is missing", mendOsmesa());
+    if (!osmesa().library.loaded()) throw Unavailable("libOSMesa.so.8 is missing", remedyOsmesa());
     if (!osmesa().complete)
-        throw Unavailable("libOSMesa is older than Mesa 11.2 and cannot do core profiles", mendOsmesa());
+        throw Unavailable("libOSMesa is older than Mesa 11.2 and cannot do core profiles", remedyOsmesa());
     requireSurvivableSettings();
     requireUsableSettings();
     doWithoutRefusedThreads();

@@ -66,7 +66,7 @@ bool isInstalled(std::string_view package, const std::filesystem::path& dpkgFold
     return false;
 }
 
-std::string mendPackages(const std::vector<std::string>& packages) {
+std::string remedyPackages(const std::vector<std::string>& packages) {
     const std::filesystem::path dpkg = dpkgFolder();
     if (!std::filesystem::exists(dpkg / "status")) return "install what Debian calls" + joined(packages);
     std::vector<std::string> missing;

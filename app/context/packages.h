@@ -10,7 +10,7 @@ namespace shadowlab::context {
 
 /// "apt install" of those packages that are not installed. Where all of them are, the message says that an environment variable
 /// leads to other libraries, or that a package is damaged.
-std::string mendPackages(const std::vector<std::string>& packages);
+std::string remedyPackages(const std::vector<std::string>& packages);
 
 /// Whether this system's distribution has the package libosmesa6: Mesa ended OSMesa in 25.1.
 bool hasOsmesaPackage();

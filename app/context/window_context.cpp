@@ -73,7 +73,7 @@ public:
         const SilentDrivers silent;
         if (glfwInit()) return;
         --users();
-        throw Unavailable("GLFW: " + lastError() + placeOfDisplay(), mendDisplay());
+        throw Unavailable("GLFW: " + lastError() + placeOfDisplay(), remedyDisplay());
     }
     ~GlfwLibrary() {
         if (--users() == 0) glfwTerminate();
@@ -108,7 +108,7 @@ public:
         throw Unavailable("found " + found + " where OpenGL 3.3 core is needed: GLFW: " + refusal,
                           found != kNoOpenGl                                   ? kNewerDriver
                           : refusal.find("GLX extension") != std::string::npos ? kNoGlx
-                                                                               : mendWindowDrivers());
+                                                                               : remedyWindowDrivers());
     }
     ~GlfwContext() override {
         letGo();

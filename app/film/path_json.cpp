@@ -21,25 +21,25 @@ bool areOpposite(const dvec3& a, const dvec3& b) { return glm::length(glm::norma
 /// Refuses, at the key that ends it, a way that cannot be gone.
 void checkWay(const JsonDocument& document, std::size_t offset, const PathKey& from, const PathKey& to) {
     const std::string way = "from frame " + std::to_string(from.frame) + " to frame " + std::to_string(to.frame) + ", ";
-    const std::string mend = "; add a key in between";
+    const std::string remedy = "; add a key in between";
     if (areOpposite(from.state.camera.upWorld, to.state.camera.upWorld))
         document.fail(offset,
-                      way + "\"up\" of the camera turns to its opposite, with no telling over which side" + mend);
+                      way + "\"up\" of the camera turns to its opposite, with no telling over which side" + remedy);
     for (std::size_t i = 0; i < to.state.lights.size(); ++i)
         if (areOpposite(from.state.lights[i].directionWorld, to.state.lights[i].directionWorld))
             document.fail(offset, way + "\"direction\" of light " + scene::inQuotes(to.state.lights[i].name) +
-                                      " turns to its opposite, with no telling over which side" + mend);
+                                      " turns to its opposite, with no telling over which side" + remedy);
 
     const Path path({from, to});
     for (int frame = from.frame + 1; frame < to.frame; ++frame) {
         const CameraAndLights state = path.at(frame);
         const std::string at = way + "at frame " + std::to_string(frame) + ", ";
         if (!scene::hasView(state.camera))
-            document.fail(offset, at + "the camera comes to its own target, or looks along its \"up\"" + mend);
+            document.fail(offset, at + "the camera comes to its own target, or looks along its \"up\"" + remedy);
         for (const scene::Light& light : state.lights)
             if (!scene::edgesSpan(light))
                 document.fail(offset,
-                              at + "the edges of light " + scene::inQuotes(light.name) + " are parallel" + mend);
+                              at + "the edges of light " + scene::inQuotes(light.name) + " are parallel" + remedy);
     }
 }
 

@@ -109,12 +109,12 @@ void setLimit(const std::string& assignment) {
 }
 
 void reserveForPictures(std::uint64_t samples, std::uint64_t bytesPerSample, const std::string& asked,
-                        const std::string& mend) {
+                        const std::string& remedy) {
     scene::Limits& limits = inForce();
     limits.pictureBytes = samples * bytesPerSample;
     if (const std::uint64_t needed = scene::memoryForTriangles(0, limits); needed > limits.memoryBytes)
         throw Error(ExitStatus::overLimit, asked + ": " + scene::beyondMemory(needed, limits.memoryBytes) + "; " +
-                                               mend + ", or set --limit memory=VALUE");
+                                               remedy + ", or set --limit memory=VALUE");
 }
 
 } // namespace shadowlab::picture

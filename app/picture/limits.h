@@ -48,8 +48,8 @@ void setLimit(const std::string& assignment);
 constexpr std::uint64_t kBytesPerDrawnSample = 100, kBytesPerMeasuredPixel = 200;
 
 /// Sets aside what pictures of so many samples will take; what is loaded then has the rest. Throws Error (overLimit)
-/// where they alone are beyond the limit: `asked` names what asks for them ("--size 9000x9000"), `mend` what to do.
+/// where they alone are beyond the limit: `asked` names what asks for them ("--size 9000x9000"), `remedy` what to do.
 void reserveForPictures(std::uint64_t samples, std::uint64_t bytesPerSample, const std::string& asked,
-                        const std::string& mend);
+                        const std::string& remedy);
 
 } // namespace shadowlab::picture

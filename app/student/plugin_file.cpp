@@ -51,7 +51,7 @@ void requirePluginFile(const std::filesystem::path& file) {
     if (const auto size = std::filesystem::file_size(file, failed); failed || size > kLargestFile)
         refusePlugin(file, "the file is larger than 256 MiB, which no plug-in is; name the .so that was built");
     if (const std::string why = scene::whyUnreadable(file); !why.empty())
-        refusePlugin(file, why + "; mend its permissions");
+        refusePlugin(file, why + "; fix its permissions");
     const std::string bytes = scene::readFile(file, kLargestFile);
     image::keepInput(file);
     constexpr std::string_view kElf = "\x7f"

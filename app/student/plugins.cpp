@@ -148,7 +148,7 @@ void loadPlugin(const std::filesystem::path& file) {
     if (const auto fault = tryInChild(trial)) {
         const bool hasMend = fault->find("; ") != std::string::npos;
         refusePlugin(file, *fault + (hasMend ? ""
-                                             : " while it is loaded; mend what runs before the first picture: static "
+                                             : " while it is loaded; fix what runs before the first picture: static "
                                                "objects, techniques(), make()"));
     }
     const Plugin& plugin = open(file);

@@ -29,7 +29,7 @@ std::span<const LoadedPlugin> loadedPlugins();
 /// The one that a technique of that folder (RegisteredTechnique) comes from; nullptr: it is ours.
 const LoadedPlugin* pluginOf(std::string_view folder);
 
-/// What is wrong with what a plug-in says of itself, and the mend: loadPlugin turns it into an Error that names the file.
+/// What is wrong with what a plug-in says of itself, and the remedy: loadPlugin turns it into an Error that names the file.
 struct PluginFault : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

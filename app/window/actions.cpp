@@ -88,7 +88,7 @@ const Action kActions[] = {
     {"next-light", "Steps and stages", "L", "stages and errors are about the next light", GLFW_KEY_L, false, false,
      false, nextLight},
 
-    {"lesson-on", "Steps and stages", "J", "lessons: the artefact, its mend, the next lesson", GLFW_KEY_J, false, false,
+    {"lesson-on", "Steps and stages", "J", "lessons: the artefact, its remedy, the next lesson", GLFW_KEY_J, false, false,
      false, [](WindowState& d) { stepLesson(d, 1); }},
     {"lesson-back", "Steps and stages", "Shift+J", "lessons: one step back", GLFW_KEY_J, false, true, false,
      [](WindowState& d) { stepLesson(d, -1); }},

@@ -19,7 +19,7 @@ constexpr double kShownFramesPerSecond = 15; ///< of the motion's frames, while 
 /// What a step shows. Before a shadow is revealed, none of it is seen.
 lab::Document documentOf(const Lesson& lesson, LessonStep step) {
     const std::size_t asked = lesson.question && step == LessonStep::question ? lesson.question->picture : 0;
-    course::ShownState state = lesson.states[step == LessonStep::mend ? 1 : asked];
+    course::ShownState state = lesson.states[step == LessonStep::remedy ? 1 : asked];
     const bool isMark = lesson.question && lesson.question->kind == Question::Kind::mark;
     if (isMark && (step == LessonStep::question || step == LessonStep::reveal)) {
         state.slots = {{.technique = "unshadowed", .stage = {}, .settings = {}}};
@@ -74,7 +74,7 @@ std::vector<LessonStep> stepsOf(const Lesson& lesson) {
     std::vector<LessonStep> steps;
     if (lesson.question) steps.push_back(LessonStep::question);
     if (lesson.question && lesson.question->kind == Question::Kind::mark) steps.push_back(LessonStep::reveal);
-    steps.insert(steps.end(), {LessonStep::artefact, LessonStep::mend});
+    steps.insert(steps.end(), {LessonStep::artefact, LessonStep::remedy});
     return steps;
 }
 

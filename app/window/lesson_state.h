@@ -13,7 +13,7 @@ namespace shadowlab::window {
 struct WindowState;
 
 /// The steps of a lesson. `question` only where it asks one, `reveal` only where a shadow was painted.
-enum class LessonStep { question, reveal, artefact, mend };
+enum class LessonStep { question, reveal, artefact, remedy };
 
 struct LessonState {
     std::vector<course::LessonText> all; ///< the course

@@ -110,7 +110,7 @@ protected:
         EXPECT_EQ(result.err.substr(0, 11), "shadowlab: ") << result.shown();
         EXPECT_EQ(std::ranges::count(result.err, '\n'), 1) << result.shown();
         EXPECT_FALSE(result.err.empty() || result.err.back() != '\n') << result.shown();
-        EXPECT_NE(result.err.find("; "), std::string::npos) << "no mend: " << result.err;
+        EXPECT_NE(result.err.find("; "), std::string::npos) << "no remedy: " << result.err;
         for (const std::string& part : parts)
             EXPECT_NE(result.err.find(part), std::string::npos) << "not said: " << part << "\n" << result.shown();
     }

@@ -1,4 +1,4 @@
-// Everything a user can get wrong on the command line, one row each: status, one line, the mend, nothing written.
+// Everything a user can get wrong on the command line, one row each: status, one line, the remedy, nothing written.
 // SPDX-License-Identifier: MIT
 #include <sys/stat.h>
 

@@ -145,7 +145,7 @@ TEST(Context, ProbeReportsAllAndRestoresTheCurrentOne) {
             (report.name != "window" || hasDisplay()) && (report.name != "osmesa" || !testing::mayLackOsmesa());
         EXPECT_EQ(report.available, expected) << report.name << ": " << report.reason;
         EXPECT_EQ(report.available, !report.version.empty());
-        EXPECT_EQ(report.available, report.mend.empty());
+        EXPECT_EQ(report.available, report.remedy.empty());
     }
     EXPECT_TRUE(clearedBytes() == expectedBytes());
 }

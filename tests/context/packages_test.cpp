@@ -55,12 +55,12 @@ TEST_F(PackagesTest, AreInstalledWhereDpkgSaysSo) {
 }
 
 TEST_F(PackagesTest, OnlyMissingOnesAreToBeInstalled) {
-    EXPECT_EQ(mendPackages({"libegl1", "libgl1", "libgl1-mesa-dri"}), "apt install libgl1 libgl1-mesa-dri");
+    EXPECT_EQ(remedyPackages({"libegl1", "libgl1", "libgl1-mesa-dri"}), "apt install libgl1 libgl1-mesa-dri");
     ::setenv("LIBGL_DRIVERS_PATH", "/none", 1);
-    EXPECT_EQ(mendPackages({"libgl1"}), "apt install libgl1");
-    EXPECT_EQ(mendPackages({"libegl1"}), "unset LIBGL_DRIVERS_PATH");
+    EXPECT_EQ(remedyPackages({"libgl1"}), "apt install libgl1");
+    EXPECT_EQ(remedyPackages({"libegl1"}), "unset LIBGL_DRIVERS_PATH");
     ::unsetenv("LIBGL_DRIVERS_PATH");
-    EXPECT_TRUE(mendPackages({"libegl1"}).starts_with("apt reinstall libegl1")) << mendPackages({"libegl1"});
+    EXPECT_TRUE(remedyPackages({"libegl1"}).starts_with("apt reinstall libegl1")) << remedyPackages({"libegl1"});
 }
 
 // Also on systems with a package of OSMesa, which is missing here.
@@ -68,12 +68,12 @@ TEST_F(PackagesTest, NoFurtherOneHelpsWhereAVariableLeadsEglAstray) {
     folder.write("status", "Package: libegl1\nStatus: install ok installed\n\n"
                            "Package: libgl1-mesa-dri\nStatus: install ok installed\n\n");
     ::setenv("LIBGL_DRIVERS_PATH", "/none", 1);
-    EXPECT_EQ(mendAll(), "unset LIBGL_DRIVERS_PATH");
+    EXPECT_EQ(remedyAll(), "unset LIBGL_DRIVERS_PATH");
 }
 
 TEST_F(PackagesTest, AreNotInstalledByAptWhereThereIsNoDpkg) {
     ::setenv("DPKG_ADMINDIR", "/none", 1);
-    EXPECT_EQ(mendPackages({"libegl1"}), "install what Debian calls libegl1");
+    EXPECT_EQ(remedyPackages({"libegl1"}), "install what Debian calls libegl1");
 }
 
 TEST(OsmesaPackage, IsThereUntilMesaEndedIt) {

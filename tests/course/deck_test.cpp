@@ -124,7 +124,7 @@ TEST_F(DeckTest, EveryFaultIsToldWithItsPlace) {
             EXPECT_EQ(error.status(), ExitStatus::badInput) << message;
             EXPECT_NE(message.find(one.place), std::string::npos) << message << "\nnot at " << one.place;
             EXPECT_NE(message.find(one.message), std::string::npos) << message << "\ndoes not say " << one.message;
-            EXPECT_NE(message.find("; "), std::string::npos) << "no mend: " << message;
+            EXPECT_NE(message.find("; "), std::string::npos) << "no remedy: " << message;
             ++told;
         }
     }

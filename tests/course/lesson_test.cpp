@@ -101,7 +101,7 @@ TEST(Lesson, EveryFaultIsToldWithItsPlace) {
             EXPECT_EQ(error.status(), ExitStatus::badInput) << message;
             EXPECT_TRUE(message.starts_with(one.place)) << message << "\nnot at " << one.place;
             EXPECT_NE(message.find(one.message), std::string::npos) << message << "\ndoes not say " << one.message;
-            EXPECT_NE(message.find("; "), std::string::npos) << "no mend: " << message;
+            EXPECT_NE(message.find("; "), std::string::npos) << "no remedy: " << message;
             ++told;
         }
     }

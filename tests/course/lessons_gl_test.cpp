@@ -30,7 +30,7 @@ std::vector<Lesson> allLessons() {
 
 class LessonsTest : public testing::GlTest {};
 
-TEST_F(LessonsTest, TheArtefactIsThereAndTheMendMendsIt) {
+TEST_F(LessonsTest, TheArtefactIsThereAndTheRemedyRemovesIt) {
     const std::vector<Lesson> lessons = allLessons();
     EXPECT_GE(lessons.size(), kLeastLessons);
     int numbers = 0;

@@ -57,7 +57,7 @@ def complaint(row, result, before, after):
     if any(not line.startswith("shadowlab: ") for line in lines):
         return "a line that does not begin with the program's name"
     if row.status and "; " not in lines[0]:
-        return "no mend is named"
+        return "no remedy is named"
     if row.status == 0 and not row.says and lines:
         return "something is said where nothing is wrong"
     if any(c < 32 and c != 10 or c == 127 for c in err):

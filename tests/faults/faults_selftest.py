@@ -11,7 +11,7 @@ from row import Row
 
 REFUSED = Row("refused", {"m.obj": "v"}, ["m.obj"], 3, ["m.obj:1:"])
 DRAWN = Row("drawn", {"s.json": "{}", "old.txt": "old"}, ["s.json"], 0, [], ["x.png"])
-GOOD = 'echo "shadowlab: m.obj:1: is broken; mend it" >&2; exit 3'
+GOOD = 'echo "shadowlab: m.obj:1: is broken; fix it" >&2; exit 3'
 
 PROGRAMS = [  # a row, what a shell does in the place of the program, and what is said of it (nothing: it is right)
     (REFUSED, GOOD, ""),
@@ -20,7 +20,7 @@ PROGRAMS = [  # a row, what a shell does in the place of the program, and what i
     (REFUSED, "exit 3", "0 lines"),
     (REFUSED, 'echo "shadowlab: more" >&2; ' + GOOD, "2 lines"),
     (REFUSED, GOOD.replace("shadowlab: ", ""), "program's name"),
-    (REFUSED, GOOD.replace("; mend it", ""), "no mend"),
+    (REFUSED, GOOD.replace("; fix it", ""), "no remedy"),
     (REFUSED, GOOD.replace("m.obj:1", "m.obj"), "is not said"),
     (REFUSED, GOOD.replace("broken", r"$(printf 'bro\033[31mken')"), "control character"),
     (REFUSED, "echo started; " + GOOD, "standard output"),

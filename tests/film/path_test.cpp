@@ -183,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(
     Path, BadPaths,
     ::testing::Values(
         BadPath{"Empty", "", "1:1", "write a path, as [{\"frame\": 1"},
-        BadPath{"Syntax", "[\n{]", "2:2", "mend the JSON here"},
+        BadPath{"Syntax", "[\n{]", "2:2", "fix the JSON here"},
         BadPath{"TooDeep", std::string(65, '['), "1:65", "nested deeper", ExitStatus::overLimit},
         BadPath{"NoList", "{\"frame\": 1}", "1:1", "a path is a list, and this is an object"},
         BadPath{"NoKeys", "[ ]", "1:1", "the path has no keys"},

@@ -57,7 +57,7 @@ Outcome feed(std::string_view bytes) {
                 require(student::isKebabCase(stage.id), "a stage's id that was taken is one");
         }
     } catch (const student::PluginFault& fault) {
-        require(std::string_view(fault.what()).find("; ") != std::string_view::npos, "a message without a mend");
+        require(std::string_view(fault.what()).find("; ") != std::string_view::npos, "a message without a remedy");
     }
     const std::filesystem::path file = written("made-up.so", text);
     return outcomeOf([&] { student::requirePluginFile(file); });

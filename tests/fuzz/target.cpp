@@ -32,7 +32,7 @@ Outcome outcomeOf(const std::function<void()>& action) {
         action();
     } catch (const Error& error) {
         const std::string message = error.what();
-        require(message.find("; ") != std::string::npos, "a message without a mend: " + message);
+        require(message.find("; ") != std::string::npos, "a message without a remedy: " + message);
         using enum ExitStatus;
         require(error.status() == usage || error.status() == badInput || error.status() == overLimit,
                 "a message that does not blame the input: " + message);

@@ -24,7 +24,7 @@ inline void require(bool holds, const std::string& what) {
     if (!holds) throw Fault(what);
 }
 
-/// Refused, if the action throws an Error. Requires of that what is promised of all: it says how to mend what is wrong, and its
+/// Refused, if the action throws an Error. Requires of that what is promised of all: it says how to fix what is wrong, and its
 /// exit status blames what was given and not the program.
 Outcome outcomeOf(const std::function<void()>& action);
 

@@ -36,7 +36,7 @@ def succeed(*words, **settings):
 
 
 def one_line(result, status, *parts):
-    """A refusal: that status, one line on standard error with these parts and a mend, nothing on standard output."""
+    """A refusal: that status, one line on standard error with these parts and a remedy, nothing on standard output."""
     expect(result.status == status, f"status {status} expected\n{result}")
     expect(result.err.startswith("shadowlab: ") and result.err.count("\n") == 1 and "; " in result.err, f"one line expected\n{result}")
     expect(result.out == "", f"nothing on standard output expected\n{result}")

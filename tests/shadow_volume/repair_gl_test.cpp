@@ -1,4 +1,4 @@
-// Mended counts against the exact judge: wrong pixels before, none after, on scenes made to break them and on all that
+// Repaired counts against the exact judge: wrong pixels before, none after, on scenes made to break them and on all that
 // are built in.
 // SPDX-License-Identifier: MIT
 #include "app/context/assets.h"

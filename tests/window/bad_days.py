@@ -176,7 +176,7 @@ def bad_files_again(folder):
 
 
 def shaders(day, folder):
-    """A saved shader is compiled at once; one that is broken leaves the picture, and a message until it is mended."""
+    """A saved shader is compiled at once; one that is broken leaves the picture, and a message until it is fixed."""
     path = os.path.join(folder, "light.glsl")
     with open(path, "rb") as file:
         good = file.read()
@@ -193,7 +193,7 @@ def shaders(day, folder):
         os.rmdir(path)
         os.mkfifo(path)
 
-    def mended():
+    def fixed():
         if os.path.isdir(path):
             os.rmdir(path)
         elif os.path.exists(path):
@@ -211,13 +211,13 @@ def shaders(day, folder):
                                  lambda m: m and m not in said and "shaders compiled" not in m)["messages"])
         check(all((".glsl" in one or ".frag" in one) and "; " in one and len(one) < 300 for one in said[-1]), f"broken shader {i + 1}: {said[-1]}")
         day.unchanged(f"broken shader {i + 1}")
-    mended()
+    fixed()
     day.messages("the message to go", lambda m: any("shaders compiled" in one for one in m))
     os.remove(path)  # the program's own is taken instead
     day.messages("a deleted shader to be noticed", lambda m: any("shaders compiled" in one for one in m))
     write(good)
     rounds = 100 if LONG else 4
-    for i in range(rounds):  # broken and mended, again and again
+    for i in range(rounds):  # broken and fixed, again and again
         write(good + b"\noops\n" * (i % 2 == 0) + b"\n" * i)
         day.messages(f"what is said after change {i + 1}",
                      lambda m: any("light.glsl" in one for one in m) == (i % 2 == 0))

@@ -40,7 +40,7 @@ TEST_F(LessonDeskTest, TheCourseGoesThroughAllLessonsAndBackAndLeavesNothing) {
     const lab::Document before = ui.bench.document();
     std::vector<std::pair<std::string, LessonStep>> way;
     std::set<std::string> names;
-    for (std::size_t i = 0; names.size() < ui.lesson.all.size() || ui.lesson.step != LessonStep::mend; ++i) {
+    for (std::size_t i = 0; names.size() < ui.lesson.all.size() || ui.lesson.step != LessonStep::remedy; ++i) {
         ASSERT_LT(i, 200u);
         window::stepLesson(ui, 1);
         ASSERT_TRUE(ui.messages.empty()) << ui.messages.front().text;
@@ -94,7 +94,7 @@ TEST_F(LessonDeskTest, KeysGoOnAnswerAndLeave) {
     lab.press(GLFW_KEY_J);
     EXPECT_EQ(lab.ui.lesson.step, LessonStep::artefact);
     lab.press(GLFW_KEY_J);
-    EXPECT_EQ(lab.ui.lesson.step, LessonStep::mend);
+    EXPECT_EQ(lab.ui.lesson.step, LessonStep::remedy);
     EXPECT_EQ(lab.ui.bench.document().panes[0].values().at("eye-correction"), "true");
     lab.press(GLFW_KEY_J, true);
     EXPECT_EQ(lab.ui.lesson.step, LessonStep::artefact);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """A machine on which OpenGL is missing, too old, or goes away: every command that draws ends with status 5 and one line that says
-what was found and what mends it, and leaves nothing behind. What is advised is no package that is installed, and none that cannot be
+what was found and its remedy, and leaves nothing behind. What is advised is no package that is installed, and none that cannot be
 had. Where only a window cannot be opened, the demo writes its picture. no_graphics.py BUILD_FOLDER"""
 # SPDX-License-Identifier: MIT
 import os

@@ -155,18 +155,18 @@ int requireDrawable(const CaptureOptions& options) {
         longest = std::max({longest, drawn.x, drawn.y});
         samples += std::int64_t{drawn.x} * drawn.y;
     }
-    const std::string mend =
+    const std::string remedy =
         std::string("choose a smaller --size") + (options.supersample > 1 ? " or --supersample" : "");
     const picture::PictureLimits& limits = picture::pictureLimits();
     if (static_cast<std::uint32_t>(longest) > limits.side)
         throw Error(ExitStatus::overLimit, asked + " needs " + std::to_string(longest) +
                                                " samples on a side, the limit is " + std::to_string(limits.side) +
-                                               "; " + mend + ", or set --limit picture-side=VALUE");
+                                               "; " + remedy + ", or set --limit picture-side=VALUE");
     if (static_cast<std::uint64_t>(samples) > limits.samples)
         throw Error(ExitStatus::overLimit, asked + " needs " + std::to_string(samples) + " samples, the limit is " +
-                                               std::to_string(limits.samples) + "; " + mend +
+                                               std::to_string(limits.samples) + "; " + remedy +
                                                ", or set --limit picture-samples=VALUE");
-    picture::reserveForPictures(static_cast<std::uint64_t>(samples), picture::kBytesPerDrawnSample, asked, mend);
+    picture::reserveForPictures(static_cast<std::uint64_t>(samples), picture::kBytesPerDrawnSample, asked, remedy);
     return longest;
 }
 

@@ -23,7 +23,7 @@ struct LessonText {
     std::filesystem::path file;
     std::string title;
     std::string happens; ///< what is wrong, and why
-    std::string mends;   ///< what removes it
+    std::string remedy;  ///< what removes it
 };
 
 /// Where to look: a box in shares of the picture's width and height from its upper left corner.

@@ -25,7 +25,7 @@ struct Column {
 
 } // namespace
 
-std::string stateTitle(std::size_t state) { return state == 0 ? "1 of 2: the artefact" : "2 of 2: the mend"; }
+std::string stateTitle(std::size_t state) { return state == 0 ? "1 of 2: the artefact" : "2 of 2: the remedy"; }
 
 std::string settingsLine(const ShownState& state) {
     std::string line;
@@ -35,7 +35,7 @@ std::string settingsLine(const ShownState& state) {
 }
 
 const std::string& sentenceOf(const Lesson& lesson, std::size_t state) {
-    return state == 0 ? lesson.text.happens : lesson.text.mends;
+    return state == 0 ? lesson.text.happens : lesson.text.remedy;
 }
 
 image::Image lessonFigure(const Lesson& lesson, const ShownStates& states, ivec2 size, const image::Font& font,

@@ -12,7 +12,7 @@ namespace shadowlab::course {
 /// Which of the states, as indices of Lesson::states, from left to right.
 using ShownStates = std::vector<std::size_t>;
 
-/// "1 of 2: the artefact" and "2 of 2: the mend".
+/// "1 of 2: the artefact" and "2 of 2: the remedy".
 std::string stateTitle(std::size_t state);
 
 /// The sentence that belongs to a state: what happens, or what removes it.

@@ -36,7 +36,7 @@ struct Words {
 };
 
 Words wordsOf(const Lesson& lesson, LessonShot shot) {
-    if (shot == LessonShot::artefact || shot == LessonShot::mend) {
+    if (shot == LessonShot::artefact || shot == LessonShot::remedy) {
         const std::size_t state = shot == LessonShot::artefact ? 0 : 1;
         return {stateTitle(state), sentenceOf(lesson, state), settingsLine(lesson.states[state]), {}};
     }
@@ -128,7 +128,7 @@ private:
 
 /// Before a shadow is revealed, none of it is seen.
 ShownState stateOf(const Lesson& lesson, LessonShot shot) {
-    if (shot == LessonShot::artefact || shot == LessonShot::mend)
+    if (shot == LessonShot::artefact || shot == LessonShot::remedy)
         return lesson.states[shot == LessonShot::artefact ? 0 : 1];
     if (lesson.question->kind == Question::Kind::choice) return lesson.states[lesson.question->picture];
     ShownState bare = lesson.states[0];
@@ -152,7 +152,7 @@ void layTrueShadowOver(image::Image& picture, const ShownState& state) {
 image::Image drawShot(const Lesson& lesson, LessonShot shot, const ShownState& state, const Page& page, ivec2 size,
                       const image::Font& font) {
     image::Image picture = drawState(state, {.size = page.pictureSize()}, font);
-    if (shot == LessonShot::artefact || shot == LessonShot::mend)
+    if (shot == LessonShot::artefact || shot == LessonShot::remedy)
         drawLook(picture, lesson.look, shot == LessonShot::artefact, font, std::max(10.0, size.y * kLessonLabelShare));
     else if (shot == LessonShot::answer && lesson.question->kind == Question::Kind::mark)
         layTrueShadowOver(picture, state);
@@ -189,7 +189,7 @@ void addMotion(const Lesson& lesson, LessonShot shot, const Page& page, ivec2 si
 std::vector<LessonShot> shotsOf(const Lesson& lesson) {
     std::vector<LessonShot> shots;
     if (lesson.question) shots = {LessonShot::question, LessonShot::answer};
-    shots.insert(shots.end(), {LessonShot::artefact, LessonShot::mend});
+    shots.insert(shots.end(), {LessonShot::artefact, LessonShot::remedy});
     return shots;
 }
 
@@ -222,7 +222,7 @@ void filmLesson(const Lesson& lesson, const LessonFilmSettings& settings, const 
         film.add(
             page.with(drawShot(lesson, shot, stateOf(lesson, shot), page, settings.size, font), wordsOf(lesson, shot)),
             ticks);
-        const bool moves = shot == LessonShot::artefact || shot == LessonShot::mend;
+        const bool moves = shot == LessonShot::artefact || shot == LessonShot::remedy;
         if (moves && lesson.motion.frames > 1) addMotion(lesson, shot, page, settings.size, font, film);
     }
 }

@@ -16,7 +16,7 @@ enum class LessonShot {
     question, ///< the question, over a picture that does not give the answer away
     answer,   ///< the same picture with the right choice, or with the true shadow laid over it
     artefact,
-    mend,
+    remedy,
 };
 std::vector<LessonShot> shotsOf(const Lesson& lesson);
 
@@ -32,7 +32,7 @@ struct LessonFilmSettings {
 };
 
 /// Adds the pictures of all shots, whose unit of time is kLessonTick. Of a lesson about moving pictures the motion follows each
-/// of artefact and mend, to and fro. Throws Error (usage) for a size without room for a picture beside the words, and all that
+/// of artefact and remedy, to and fro. Throws Error (usage) for a size without room for a picture beside the words, and all that
 /// drawing throws. Needs a current GL context.
 void filmLesson(const Lesson& lesson, const LessonFilmSettings& settings, const image::Font& font,
                 const image::Font& bold, film::Film& film);

@@ -48,12 +48,12 @@ std::map<std::string, lab::Values> settingsOf(const picture::Slot& slot) {
 
 LookBox readBox(const JsonObject& keys) {
     const JsonValue& numbers = keys.require("box", "[0.4, 0.4, 0.2, 0.2]");
-    const std::string mend = "is not four numbers; write [left, top, width, height] in shares of the picture, "
+    const std::string remedy = "is not four numbers; write [left, top, width, height] in shares of the picture, "
                              "as [0.4, 0.4, 0.2, 0.2]";
-    if (numbers.kind != JsonValue::Kind::array || numbers.items.size() != 4) keys.fail("box", mend);
+    if (numbers.kind != JsonValue::Kind::array || numbers.items.size() != 4) keys.fail("box", remedy);
     std::array<double, 4> box{};
     for (std::size_t i = 0; i < box.size(); ++i) {
-        if (numbers.items[i].kind != JsonValue::Kind::number) keys.fail("box", mend);
+        if (numbers.items[i].kind != JsonValue::Kind::number) keys.fail("box", remedy);
         box[i] = numbers.items[i].number;
     }
     const bool inside =

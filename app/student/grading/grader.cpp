@@ -158,7 +158,7 @@ Declared askPlugin(const fs::path& plugin, const ChildLimits& limits) {
     if (end.how == ChildEnd::How::failed) throw Error(ExitStatus::badInput, end.message);
     const auto refuse = [&](const std::string& why) {
         throw Error(ExitStatus::badInput, plugin.string() + ": " + why +
-                                              " while it was loaded; mend static objects, techniques() and make()");
+                                              " while it was loaded; fix static objects, techniques() and make()");
     };
     if (end.how != ChildEnd::How::finished) refuse(end.message);
     const nlohmann::json json = nlohmann::json::parse(end.out, nullptr, false);

@@ -66,7 +66,7 @@ void drawCells(ImDrawList& list, const ShownPane& shown, const ColorOf& colorOf)
 void drawLessonMarks(ImDrawList& list, const WindowState& ui, const ShownPane& shown, const Theme& theme) {
     const LessonState& on = ui.lesson;
     if (!on.now) return;
-    const course::ShownState& state = on.now->states[on.step == LessonStep::mend ? 1 : 0];
+    const course::ShownState& state = on.now->states[on.step == LessonStep::remedy ? 1 : 0];
     if (ui.bench.document().camera != state.camera) return;
     if (on.paints())
         drawCells(list, shown, [&](int x, int y) { return on.painted.isPainted(x, y) ? kPaint : ImU32{0}; });
@@ -80,7 +80,7 @@ void drawLessonMarks(ImDrawList& list, const WindowState& ui, const ShownPane& s
             default: return ImU32{0};
             }
         });
-    if (on.step != LessonStep::artefact && on.step != LessonStep::mend) return;
+    if (on.step != LessonStep::artefact && on.step != LessonStep::remedy) return;
     for (const course::LookBox& box : on.now->look)
         drawLook(list, box, shown, theme, on.step == LessonStep::artefact);
 }

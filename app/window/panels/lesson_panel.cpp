@@ -23,7 +23,7 @@ std::string stepTitle(const LessonState& on) {
     case LessonStep::question: return on.paints() ? "Predict: paint the shadow" : "A question";
     case LessonStep::reveal: return "The truth";
     case LessonStep::artefact: return course::stateTitle(0);
-    case LessonStep::mend: return course::stateTitle(1);
+    case LessonStep::remedy: return course::stateTitle(1);
     }
     return {};
 }
@@ -65,7 +65,7 @@ std::vector<std::string> lessonLines(const LessonState& on, LessonStep step) {
                  "green: right   orange: shadow that was missed   blue: painted, but lit"};
     } else {
         if (step == LessonStep::artefact && answersChoice(on)) lines.push_back(verdictOnChoice(on));
-        lines.push_back(course::sentenceOf(lesson, step == LessonStep::mend ? 1 : 0));
+        lines.push_back(course::sentenceOf(lesson, step == LessonStep::remedy ? 1 : 0));
     }
     return lines;
 }
@@ -127,7 +127,7 @@ void lessonPanel(WindowState& ui, const Area& area, const Theme& theme) {
     case LessonStep::question: questionPart(ui); break;
     case LessonStep::reveal: revealPart(ui.lesson, theme); break;
     case LessonStep::artefact:
-    case LessonStep::mend:
+    case LessonStep::remedy:
         for (const std::string& line : lessonLines(ui.lesson, ui.lesson.step))
             ImGui::TextWrapped("%s", line.c_str());
         break;

@@ -52,7 +52,7 @@ void compile(const Shader& shader, const ShaderSource& source) {
     glGetShaderiv(shader.id, GL_COMPILE_STATUS, &compiled);
     if (compiled) return;
     const std::string log = withFileNames(infoLog(shader.id, glGetShaderiv, glGetShaderInfoLog), source);
-    throw Error(ExitStatus::badInput, firstError(log) + "; mend the shader");
+    throw Error(ExitStatus::badInput, firstError(log) + "; fix the shader");
 }
 
 bool isSampler(GLenum type) {
@@ -147,7 +147,7 @@ void Program::link(Linked& linked, const std::vector<std::string>& moreDefines) 
     if (!isLinked)
         throw Error(ExitStatus::badInput, name + ": " +
                                               firstError(infoLog(handle.id(), glGetProgramiv, glGetProgramInfoLog)) +
-                                              "; mend the shaders");
+                                              "; fix the shaders");
     label(GL_PROGRAM, handle.id(), name);
     spreadSamplers(handle.id());
     linked.handle = std::move(handle);

@@ -59,7 +59,7 @@ std::string readText(std::string_view name, const std::string& includedFrom) {
     // A list of all hundred names would not help.
     throw Error(ExitStatus::badInput,
                 includedFrom + "includes \"" + std::string(name) + "\", which does not exist; " +
-                    (nearestNames(name, known).empty() ? "mend the name, or add the file" : suggestion(name, known)));
+                    (nearestNames(name, known).empty() ? "fix the name, or add the file" : suggestion(name, known)));
 }
 
 struct Resolver {

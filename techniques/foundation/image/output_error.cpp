@@ -10,7 +10,7 @@ namespace shadowlab::image {
 namespace {
 
 struct Reason {
-    std::string what, mend;
+    std::string what, remedy;
 };
 
 Reason missingFolder(const std::filesystem::path& path) {
@@ -50,7 +50,7 @@ Reason reasonFor(const std::filesystem::path& path, int errorNumber) {
 
 std::string outputErrorText(const std::filesystem::path& path, int errorNumber, bool oldFileKept) {
     const Reason reason = reasonFor(path, errorNumber);
-    return path.string() + ": " + reason.what + "; " + reason.mend + (oldFileKept ? " (the old file is kept)" : "");
+    return path.string() + ": " + reason.what + "; " + reason.remedy + (oldFileKept ? " (the old file is kept)" : "");
 }
 
 } // namespace shadowlab::image

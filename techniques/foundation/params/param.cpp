@@ -96,9 +96,9 @@ std::string rangeText(const Param& param) {
 }
 
 void setFromText(Param& param, std::string_view text, std::string_view owner) {
-    const auto refuse = [&](const std::string& why, const std::string& mend) {
+    const auto refuse = [&](const std::string& why, const std::string& remedy) {
         throw Error(ExitStatus::usage, "parameter '" + std::string(owner) + "." + param.id + "': '" +
-                                           std::string(text) + "' " + why + "; " + mend);
+                                           std::string(text) + "' " + why + "; " + remedy);
     };
     if (param.kind == Kind::boolean || param.kind == Kind::choice) {
         const auto found = std::ranges::find(param.choices, text);

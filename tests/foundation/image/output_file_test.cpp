@@ -55,7 +55,7 @@ std::string failureOf(const std::function<void()>& action) {
     } catch (const Error& error) {
         EXPECT_EQ(error.status(), ExitStatus::cannotWrite);
         EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-        EXPECT_NE(std::string(error.what()).find("; "), std::string::npos) << "no mend in: " << error.what();
+        EXPECT_NE(std::string(error.what()).find("; "), std::string::npos) << "no remedy in: " << error.what();
         return error.what();
     }
     ADD_FAILURE() << "no error";

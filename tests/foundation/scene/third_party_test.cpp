@@ -1,5 +1,5 @@
 // What the libraries that read files let through, and that we do not: each fault first as the library has it, then as we do. Where
-// a library mends one, its half turns red, and says that ours may go.
+// a library fixes one, its half turns red, and says that ours may go.
 // SPDX-License-Identifier: MIT
 #define TINYOBJLOADER_USE_DOUBLE // as where it is compiled, in obj_faces.cpp
 #include <tiny_obj_loader.h>
@@ -75,7 +75,7 @@ TEST(ThirdParty, TinyobjMakesZeroOfWhatIsNoNumber) {
     for (const char* junk : {"abc", "nan", ""}) {
         const std::string text = "v " + std::string(junk) + " 0 0\n" + kThree + "f 2 3 4\n";
         const Loaded loaded = byLibrary(text);
-        EXPECT_TRUE(loaded.ok && loaded.warning.empty() && loaded.error.empty()) << junk << ": mended";
+        EXPECT_TRUE(loaded.ok && loaded.warning.empty() && loaded.error.empty()) << junk << ": fixed";
         EXPECT_EQ(loaded.attributes.vertices.at(0), 0) << junk;
         EXPECT_TRUE(contains(ours(text), ":1: ")) << ours(text);
     }
@@ -84,14 +84,14 @@ TEST(ThirdParty, TinyobjMakesZeroOfWhatIsNoNumber) {
 TEST(ThirdParty, TinyobjStopsAtADecimalComma) {
     const std::string text = "v 1,5 0 0\n" + kThree + "f 2 3 4\n";
     const Loaded loaded = byLibrary(text);
-    EXPECT_TRUE(loaded.ok && loaded.warning.empty()) << "mended";
+    EXPECT_TRUE(loaded.ok && loaded.warning.empty()) << "fixed";
     EXPECT_EQ(loaded.attributes.vertices.at(0), 1);
     EXPECT_TRUE(contains(ours(text), "1.5")) << ours(text);
 }
 
 TEST(ThirdParty, TinyobjMakesInfinityOfLargeNumbers) {
     const std::string text = "v 1e400 0 0\n" + kThree + "f 2 3 4\n";
-    EXPECT_FALSE(std::isfinite(byLibrary(text).attributes.vertices.at(0))) << "mended";
+    EXPECT_FALSE(std::isfinite(byLibrary(text).attributes.vertices.at(0))) << "fixed";
     EXPECT_TRUE(contains(ours(text), ":1: ")) << ours(text);
 }
 
@@ -100,7 +100,7 @@ TEST(ThirdParty, TinyobjTakesNoiseForAnEmptyMesh) {
     for (int i = 1; i < 256; ++i)
         noise += static_cast<char>(i);
     const Loaded loaded = byLibrary(noise);
-    EXPECT_TRUE(loaded.ok && loaded.error.empty() && loaded.shapes.empty()) << "mended: " << loaded.error;
+    EXPECT_TRUE(loaded.ok && loaded.error.empty() && loaded.shapes.empty()) << "fixed: " << loaded.error;
     EXPECT_TRUE(contains(ours(noise), "bad.obj")) << ours(noise);
 }
 
@@ -111,7 +111,7 @@ TEST(ThirdParty, TinyobjTakesAFolderForAnEmptyMesh) {
     std::vector<tinyobj::material_t> materials;
     EXPECT_TRUE(tinyobj::LoadObj(&loaded.attributes, &loaded.shapes, &materials, &loaded.warning, &loaded.error,
                                  folder.path().c_str()))
-        << "mended: " << loaded.error;
+        << "fixed: " << loaded.error;
     EXPECT_TRUE(loaded.shapes.empty());
     const Error error = errorOf([&] { (void)loadObj(folder.path(), NormalMode::file, {}); });
     EXPECT_TRUE(contains(error.what(), "directory")) << error.what();
@@ -119,7 +119,7 @@ TEST(ThirdParty, TinyobjTakesAFolderForAnEmptyMesh) {
 
 /// Of two values for one key the last counts, without a word.
 TEST(ThirdParty, NlohmannTakesAKeyTwice) {
-    EXPECT_EQ(nlohmann::json::parse(R"({"near": 1, "near": 2})").at("near"), 2) << "mended";
+    EXPECT_EQ(nlohmann::json::parse(R"({"near": 1, "near": 2})").at("near"), 2) << "fixed";
     const std::string text = R"({"camera": {"position": [0, 1, 5], "target": [0, 0, 0], "near": 1, "near": 2}})";
     const Error error = errorOf([&] { (void)parseSceneJson(text, "s.json", {}); });
     EXPECT_TRUE(contains(error.what(), "near")) << error.what();
@@ -130,7 +130,7 @@ TEST(ThirdParty, NlohmannTakesAKeyTwice) {
 TEST(ThirdParty, NlohmannTakesAnyDepth) {
     constexpr std::size_t kDepth = 100000;
     const std::string text = std::string(kDepth, '[') + std::string(kDepth, ']');
-    EXPECT_TRUE(nlohmann::json::accept(text)) << "mended";
+    EXPECT_TRUE(nlohmann::json::accept(text)) << "fixed";
     const Error error = errorOf([&] { (void)parseSceneJson(text, "s.json", {}); });
     EXPECT_EQ(error.status(), ExitStatus::overLimit) << error.what();
 }

@@ -123,7 +123,7 @@ public:
             document_.fail(noticed, "the file holds no JSON value; write " + std::string(content_));
         // Inside a string the very character is at fault, elsewhere the token that begins after the last good one.
         const bool inString = what.find("invalid string") != std::string::npos;
-        document_.fail(inString ? noticed : std::min(noticed, tokenStart()), shown(what, 200) + "; mend the JSON here");
+        document_.fail(inString ? noticed : std::min(noticed, tokenStart()), shown(what, 200) + "; fix the JSON here");
     }
 
 private:

@@ -31,7 +31,7 @@ public:
         if (index < 0) {
             if (static_cast<std::uint64_t>(-(index + 1)) >= count)
                 lines.fail(what_ + " index " + std::to_string(index) + ", but only " + has(count) +
-                           " so far; mend the face or add the missing lines before it");
+                           " so far; fix the face or add the missing lines before it");
             return count - static_cast<std::uint64_t>(-(index + 1));
         }
         const auto positive = static_cast<std::uint64_t>(index);
@@ -53,7 +53,7 @@ public:
     }
     [[nodiscard]] std::string outOfRangeMessage(const Ahead& ahead) const {
         return what_ + " index " + std::to_string(ahead.index) + ", but the file has only " + has(count) +
-               "; mend the face or add the missing lines";
+               "; fix the face or add the missing lines";
     }
 
 private:
