@@ -88,8 +88,8 @@ OldSpelling::OldSpelling(std::vector<std::string> techniques, const std::vector<
         if (!found) continue;
         now_[slot] = found->now;
         noteOnce(std::string(found->technique) + "'s " +
-                 (byStage ? "stage " + std::string(found->stage) + " is now one of the technique "
-                          : std::string(found->param) + "=true is now the technique ") +
+                 (found == bySwitch ? std::string(found->param) + "=true is now the technique "
+                                    : "stage " + std::string(found->stage) + " is now one of the technique ") +
                  now_[slot]);
     }
 }

@@ -84,10 +84,10 @@ void ExactPass::findEdges(const scene::Scene& scene, int light, const LightMaps&
     if (walkedRevisions_ != revisions) triangles_ = walkTriangles(scene, topologies_);
     walkedRevisions_ = revisions;
     const scene::Light& source = scene.light(light);
-    KeptEdges& kept = edges_[light];
-    EdgesOrigin origin{scene.revisions.geometry, scene.revisions.transforms,      scene.revisions.materials, source,
-                       maps.originWorld,         {casters.begin(), casters.end()}};
-    if (kept.foundFrom == origin) return;
+    CachedEdges& cached = edges_[light];
+    EdgesCacheKey key{scene.revisions.geometry, scene.revisions.transforms,      scene.revisions.materials, source,
+                      maps.originWorld,         {casters.begin(), casters.end()}};
+    if (cached.foundFor == key) return;
     std::vector<vec3> points;
     for (const std::size_t caster : casters) {
         const scene::Object& object = scene.objects[caster];
@@ -109,9 +109,9 @@ void ExactPass::findEdges(const scene::Scene& scene, int light, const LightMaps&
     for (const Crossing& crossing : crossings_)
         for (const dvec3& end : {crossing.aCentred, crossing.bCentred})
             points.emplace_back(end + lightRelativeFromCentred);
-    kept.edges = upload(points);
-    kept.positions = walkPositions(scene, maps);
-    kept.foundFrom = std::move(origin);
+    cached.edges = upload(points);
+    cached.positions = walkPositions(scene, maps);
+    cached.foundFor = std::move(key);
 }
 
 void ExactPass::drawEdges(const Frame& frame, const LightMaps& maps, int light, int layer,

@@ -59,15 +59,15 @@ public:
 
 private:
     /// What a light's edges depend on.
-    struct EdgesOrigin {
+    struct EdgesCacheKey {
         std::uint64_t geometry = 0, transforms = 0, materials = 0;
         scene::Light light;
         dvec3 originWorld{0.0};
         std::vector<std::size_t> casters;
-        friend bool operator==(const EdgesOrigin&, const EdgesOrigin&) = default;
+        friend bool operator==(const EdgesCacheKey&, const EdgesCacheKey&) = default;
     };
-    struct KeptEdges {
-        std::optional<EdgesOrigin> foundFrom;
+    struct CachedEdges {
+        std::optional<EdgesCacheKey> foundFor;
         LooseEdges edges;
         gl::TableTexture positions;
     };
@@ -78,7 +78,7 @@ private:
     gl::TableTexture triangles_;
     std::pair<std::uint64_t, std::uint64_t> crossedRevisions_{0, 0};
     std::vector<Crossing> crossings_;
-    std::map<int, KeptEdges> edges_; ///< per light
+    std::map<int, CachedEdges> edges_; ///< per light
     std::map<int, Decisions> decisions_;
     gl::Program whole_{"position.vert", "nothing.frag"};
     gl::Program looseEdge_{"shadow_map/loose_edge.vert", "nothing.frag"};

@@ -14,9 +14,9 @@ namespace {
 constexpr int kBlock = trace::SceneTracer::kBlock;
 
 /// Six planes are shown as the six maps are: +x +y +z above -x -y -z.
-struct ShownCrossings {
+struct PlaneSheet {
     ivec2 cells, cellSize; ///< square, as the light's own picture is
-    ShownCrossings(std::size_t planes, ivec2 within)
+    PlaneSheet(std::size_t planes, ivec2 within)
         : cells(planes == 6 ? ivec2(3, 2) : ivec2(1)),
           cellSize(std::max(std::min(within.x / cells.x, within.y / cells.y), 1)) {}
     [[nodiscard]] ivec2 corner(int plane) const {
@@ -96,7 +96,7 @@ void AliasFreePass::publishSamples(Frame& frame, int light) {
     std::vector<std::vector<dvec2>> places(samples.planes.size());
     for (std::size_t i = 0; i < points.size(); ++i)
         if (samples.planeOf[i] != kNotAsked) places[samples.planeOf[i]].emplace_back(samples.places[i]);
-    const ShownCrossings sheet(places.size(), frame.view().size);
+    const PlaneSheet sheet(places.size(), frame.view().size);
     const ivec2 size = sheet.cells * sheet.cellSize;
     std::vector<vec4> texels(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), vec4(0, 0, 0, 1));
     for (std::size_t p = 0; p < places.size(); ++p) {

@@ -14,20 +14,15 @@ CachedMap& MapCache::of(int light, std::size_t lights, double allTexels, const L
                         GLenum format, bool exact) {
     const bool oneEach = allTexels <= kMostKeptTexels;
     maps_.resize(oneEach ? lights : 1);
-    CachedMap& kept = maps_[oneEach ? static_cast<std::size_t>(light) : 0];
-    if (kept.depth.side() != resolution || kept.depth.layers() != maps.layers() || kept.format != format) {
-        kept = {}; // first, so that both are never there at once
-        kept.depth = gl::DepthTextureArray(format, resolution, maps.layers(), "shadow map");
-        kept.format = format;
-        kept.drawnFor.resize(static_cast<std::size_t>(maps.layers()));
+    CachedMap& cached = maps_[oneEach ? static_cast<std::size_t>(light) : 0];
+    if (cached.depth.side() != resolution || cached.depth.layers() != maps.layers() || cached.format != format) {
+        cached = {}; // first, so that both are never there at once
+        cached.depth = gl::DepthTextureArray(format, resolution, maps.layers(), "shadow map");
+        cached.format = format;
+        cached.drawnFor.resize(static_cast<std::size_t>(maps.layers()));
+        if (exact) cached.exact.emplace(resolution, maps.layers(), format);
     }
-    if (exact != kept.exact.has_value()) {
-        kept.exact.reset();
-        if (exact) kept.exact.emplace(resolution, maps.layers(), format);
-        for (std::optional<LayerCacheKey>& origin : kept.drawnFor)
-            origin.reset();
-    }
-    return kept;
+    return cached;
 }
 
 } // namespace shadowlab::shadow_map

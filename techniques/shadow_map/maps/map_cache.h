@@ -44,7 +44,8 @@ struct CachedMap {
 class MapCache {
 public:
     /// The map of one light of several, of that size and format. Every light keeps its own while `allTexels`, of all of them
-    /// together, are few enough for the memory; else they share one, and it is drawn anew for each.
+    /// together, are few enough for the memory; else they share one, and it is drawn anew for each. `exact`: with the textures of
+    /// the exact map; always the same for one cache.
     CachedMap& of(int light, std::size_t lights, double allTexels, const LightMaps& maps, int resolution, GLenum format,
                   bool exact);
 
