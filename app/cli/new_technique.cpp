@@ -67,7 +67,8 @@ int newTechnique(const NewTechniqueOptions& options) {
     std::vector<std::string> configure{"cmake", "-S", folder, "-B", build};
     if (const std::string where = whereThePackageIs(); !where.empty()) configure.push_back(where);
     print("Written: " + folder + "\nNow build it, and look at it:\n" + line(configure) +
-          line({"cmake", "--build", build}) + line({program, "demo", "sphere-on-plane", "--plugin", plugin}));
+          line({"cmake", "--build", build}) +
+          line({program, "demo", student::sceneToTry(options.from), "--plugin", plugin}));
     if (options.from != "empty")
         print("Fill in the blanks (README.md there lists them), and see how far it is:\n" +
               line({program, "grade", "--plugin", plugin}));

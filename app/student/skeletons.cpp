@@ -100,8 +100,9 @@ std::string filledTemplate(std::string text, const std::map<std::string, std::st
     return text;
 }
 
-std::map<std::string, std::string> filesWithBlanks(const fs::path& description) {
-    const Skeleton skeleton = readSkeleton(description);
+fs::path descriptionOf(const std::string& skeleton) { return skeletonsFolder() / (skeleton + ".json"); }
+
+std::map<std::string, std::string> filesWithBlanks(const Skeleton& skeleton) {
     const SourceFiles whole = lectureFiles(skeleton.source);
     SourceFiles blanked = whole;
     makeBlanks(blanked, skeleton.blanks);
@@ -126,7 +127,11 @@ std::vector<std::string> skeletonNames() {
 
 std::map<std::string, std::string> skeletonFiles(const std::string& skeleton) {
     return skeleton == "empty" ? filesOfFolder(skeletonsFolder() / skeleton)
-                               : filesWithBlanks(skeletonsFolder() / (skeleton + ".json"));
+                               : filesWithBlanks(readSkeleton(descriptionOf(skeleton)));
+}
+
+std::string sceneToTry(const std::string& skeleton) {
+    return skeleton == "empty" ? "sphere-on-plane" : readSkeleton(descriptionOf(skeleton)).scene;
 }
 
 void requireFreeName(const std::string& name) {

@@ -17,6 +17,9 @@ std::vector<std::string> skeletonNames();
 /// a blank does not fit the source.
 std::map<std::string, std::string> skeletonFiles(const std::string& skeleton);
 
+/// A built-in scene in which one sees whether it is right. Throws as skeletonFiles().
+std::string sceneToTry(const std::string& skeleton);
+
 /// Throws Error (usage) where a technique, its namespace and its folder of shaders cannot have that name: no id, longer than 40
 /// characters, a word of C++, or in use.
 void requireFreeName(const std::string& name);
