@@ -38,14 +38,14 @@ int threadsAsked(bool refused) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-TEST(DriverThreads, AreDoneWithoutWhereTheyAreRefused) {
+TEST(MesaThreads, AreDoneWithoutWhereTheyAreRefused) {
 #ifdef __SANITIZE_ADDRESS__
     GTEST_SKIP() << "the sanitizer ends the program where addresses are refused";
 #endif
     EXPECT_EQ(threadsAsked(true), 0);
 }
 
-TEST(DriverThreads, AreNotTouchedWhereTheyAreGiven) { EXPECT_EQ(threadsAsked(false), kMany); }
+TEST(MesaThreads, AreNotTouchedWhereTheyAreGiven) { EXPECT_EQ(threadsAsked(false), kMany); }
 
 } // namespace
 } // namespace shadowlab::context

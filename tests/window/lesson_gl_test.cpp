@@ -14,7 +14,7 @@ namespace {
 
 using window::LessonStep;
 
-class LessonDeskTest : public testing::GlTest {
+class LessonStateTest : public testing::GlTest {
 protected:
     static scene::LoadOptions loading() { return {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}}; }
     static lab::Document beginning() {
@@ -34,7 +34,7 @@ protected:
     };
 };
 
-TEST_F(LessonDeskTest, TheCourseGoesThroughAllLessonsAndBackAndLeavesNothing) {
+TEST_F(LessonStateTest, TheCourseGoesThroughAllLessonsAndBackAndLeavesNothing) {
     Lab lab;
     window::WindowState& ui = lab.ui;
     const lab::Document before = ui.bench.document();
@@ -59,7 +59,7 @@ TEST_F(LessonDeskTest, TheCourseGoesThroughAllLessonsAndBackAndLeavesNothing) {
 }
 
 // What the class is to find out, no key may show; and no pixel is picked in a picture that nobody sees.
-TEST_F(LessonDeskTest, WhileTheShadowIsPaintedNothingShowsIt) {
+TEST_F(LessonStateTest, WhileTheShadowIsPaintedNothingShowsIt) {
     Lab lab;
     lab.screen.fit({640, 400}, 1);
     const lab::Document before = lab.ui.bench.document();
@@ -82,7 +82,7 @@ TEST_F(LessonDeskTest, WhileTheShadowIsPaintedNothingShowsIt) {
     EXPECT_EQ(lab.ui.bench.document(), before);
 }
 
-TEST_F(LessonDeskTest, KeysGoOnAnswerAndLeave) {
+TEST_F(LessonStateTest, KeysGoOnAnswerAndLeave) {
     Lab lab;
     lab.screen.fit({640, 400}, 1);
     const lab::Document before = lab.ui.bench.document();
@@ -103,7 +103,7 @@ TEST_F(LessonDeskTest, KeysGoOnAnswerAndLeave) {
     EXPECT_EQ(lab.ui.bench.document(), before);
 }
 
-TEST_F(LessonDeskTest, AQuestionDoesNotShowItsAnswer) {
+TEST_F(LessonStateTest, AQuestionDoesNotShowItsAnswer) {
     Lab lab;
     window::openLesson(lab.ui, "stencil-overflow");
     ASSERT_TRUE(lab.ui.lesson.asksChoice());
@@ -112,7 +112,7 @@ TEST_F(LessonDeskTest, AQuestionDoesNotShowItsAnswer) {
     EXPECT_EQ(lab.ui.bench.document().panes, course::documentOf(lab.ui.lesson.now->states[0]).panes);
 }
 
-TEST_F(LessonDeskTest, NothingOfAShadowIsSeenBeforeItIsPredicted) {
+TEST_F(LessonStateTest, NothingOfAShadowIsSeenBeforeItIsPredicted) {
     Lab lab;
     window::openLesson(lab.ui, "extrusion-too-short");
     ASSERT_TRUE(lab.ui.lesson.paints());
@@ -127,7 +127,7 @@ TEST_F(LessonDeskTest, NothingOfAShadowIsSeenBeforeItIsPredicted) {
     EXPECT_LT(lab.ui.lesson.score->shadowFound(), 0.5);
 }
 
-TEST_F(LessonDeskTest, ALessonThatCannotBeLoadedLeavesAllAsItWas) {
+TEST_F(LessonStateTest, ALessonThatCannotBeLoadedLeavesAllAsItWas) {
     Lab lab;
     const lab::Document before = lab.ui.bench.document();
     window::openLesson(lab.ui, "no-such-lesson");

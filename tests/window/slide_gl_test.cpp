@@ -13,7 +13,7 @@
 namespace shadowlab {
 namespace {
 
-class SlideDeskTest : public testing::GlTest {
+class SlideStateTest : public testing::GlTest {
 protected:
     static scene::LoadOptions loading() { return {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}}; }
     static lab::Document beginning() {
@@ -34,7 +34,7 @@ protected:
     };
 };
 
-TEST_F(SlideDeskTest, EveryDeckGoesToItsEndAndBack) {
+TEST_F(SlideStateTest, EveryDeckGoesToItsEndAndBack) {
     Lab lab;
     window::WindowState& ui = lab.ui;
     const lab::Document before = ui.bench.document();
@@ -64,7 +64,7 @@ TEST_F(SlideDeskTest, EveryDeckGoesToItsEndAndBack) {
     EXPECT_EQ(ui.bench.document(), before);
 }
 
-TEST_F(SlideDeskTest, KeysGoOnAndBackAndOut) {
+TEST_F(SlideStateTest, KeysGoOnAndBackAndOut) {
     Lab lab;
     lab.screen.fit({640, 400}, 1);
     const lab::Document before = lab.ui.bench.document();
@@ -85,7 +85,7 @@ TEST_F(SlideDeskTest, KeysGoOnAndBackAndOut) {
     EXPECT_EQ(lab.ui.bench.document(), before);
 }
 
-TEST_F(SlideDeskTest, WhatIsNotThereIsSaidAndNothingChanges) {
+TEST_F(SlideStateTest, WhatIsNotThereIsSaidAndNothingChanges) {
     Lab lab;
     const lab::Document before = lab.ui.bench.document();
     window::openDeck(lab.ui, "shadows", "silhouetes");
@@ -97,7 +97,7 @@ TEST_F(SlideDeskTest, WhatIsNotThereIsSaidAndNothingChanges) {
 
 // The pane's picture and the slide's are made by different code (Workbench, StatePicture): they agree in every byte.
 // Stages with a legend are left to the eye; it stands in the slide's picture and beside the window's.
-TEST_F(SlideDeskTest, TheWindowShowsWhatTheSlideHas) {
+TEST_F(SlideStateTest, TheWindowShowsWhatTheSlideHas) {
     constexpr ivec2 kSize{320, 180};
     const image::Font font(context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
     Lab lab;
@@ -120,7 +120,7 @@ TEST_F(SlideDeskTest, TheWindowShowsWhatTheSlideHas) {
     EXPECT_GE(compared, 3);
 }
 
-TEST_F(SlideDeskTest, OneKeyMakesASlideOfWhatIsSeen) {
+TEST_F(SlideStateTest, OneKeyMakesASlideOfWhatIsSeen) {
     const scene::TempFolder folder;
     const std::filesystem::path home = std::filesystem::current_path();
     std::filesystem::current_path(folder.path());
@@ -141,7 +141,7 @@ TEST_F(SlideDeskTest, OneKeyMakesASlideOfWhatIsSeen) {
 }
 
 // Somebody may write the deck anew while it is shown: there is no slide any more where the window was.
-TEST_F(SlideDeskTest, ADeckMayBecomeShorter) {
+TEST_F(SlideStateTest, ADeckMayBecomeShorter) {
     const scene::TempFolder folder;
     const std::filesystem::path home = std::filesystem::current_path();
     std::filesystem::current_path(folder.path());
