@@ -158,12 +158,14 @@ public:
         if (!tellPlaceInMap()) return;
         const TexelDepths depths = depthsOf(layer_);
         const ComparedPoint point = comparedPoint(layer_, depths);
-        probe_.add(probeMap(point));
-        probe_.find<MapProbe>()->layerName = layerName(maps_, layer_);
-        const TexelDepth texel = depths.at(probe_.find<MapProbe>()->texel);
+        const std::optional<MapProbe> lookup = probeMap(point);
+        if (!lookup) return; // behind the light's camera: tellPlaceInMap() has said so
+        MapProbe& map = probe_.add(*lookup);
+        map.layerName = layerName(maps_, layer_);
+        const TexelDepth texel = depths.at(map.texel);
         tellTexel(texel);
-        if (probe_.section) addCells(*probe_.find<MapProbe>(), point, *probe_.section);
-        for (SceneShape& shape : texelShapes(*probe_.find<MapProbe>(), maps_))
+        if (probe_.section) addCells(map, point, *probe_.section);
+        for (SceneShape& shape : texelShapes(map, maps_))
             probe_.visited.push_back(std::move(shape));
         if (of_.rays)
             addTriangleDecision(probe_, decideExactly(*of_.rays, view_, pixel_, light_, texel), truth_);
