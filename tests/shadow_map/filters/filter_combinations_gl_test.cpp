@@ -101,7 +101,10 @@ TEST_F(CombinationsTest, EveryCombinationGivesVisibilities) {
                 ++pictures;
             }
     }
-    EXPECT_EQ(pictures, 5 * 9 * 7 + 2 * (9 + 7 - 1));
+    ASSERT_GE(kFilters.size(), 9u);
+    ASSERT_GE(kModes.size(), 7u);
+    const int filters = static_cast<int>(kFilters.size()), modes = static_cast<int>(kModes.size());
+    EXPECT_EQ(pictures, 5 * filters * modes + 2 * (filters + modes - 1));
 }
 
 /// How much brighter or darker than the truth pixels are that lie farther from its edges than the kernel reaches.
