@@ -58,7 +58,7 @@ PAGES = {
     )),
     "shadow-map": Page("shadow-map", "lecture-shadow-map", ("lecture/shadow_map.cpp",),
                        ("shadow_map", *("-" + name for name in (*EXACT_MAP, *ALIAS_FREE_MAP))), "still-life", (
-        Refinement("A bias from the receiver's plane", "still-life", ("bias-mode=none",), (), ("shadow_map/bias_receiver_plane.glsl",)),
+        Refinement("A bias from the receiver's plane", "still-life", ("bias-mode=none",), (), ("shadow_map/bias/bias_receiver_plane.glsl",)),
         Refinement("The map holds what is in view", "hung-ring", ("fit=scene",), (), ("shadow_map/fit",)),
         Refinement("The range of depths fits the receivers", "still-life", ("depth-range=wide", "depth-format=16"), ("depth-format=16",),
                    ("shadow_map/fit",)),

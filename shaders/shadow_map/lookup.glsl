@@ -18,7 +18,7 @@ struct LightSteps {
     vec4 alongX, alongY;
 };
 
-#include "shadow_map/layer_one.glsl"
+#include "shadow_map/layers/layer_one.glsl"
 
 // The point's place in one of the maps.
 struct MapPlace {
@@ -57,7 +57,7 @@ float texelMetres(vec4 lightClip, int layer) {
     return 2.0 / (resolution * least);
 }
 
-#include "shadow_map/bias_none.glsl"
+#include "shadow_map/bias/bias_none.glsl"
 
 // [anchor: map-place]
 MapPlace mapPlaceIn(int layer) {

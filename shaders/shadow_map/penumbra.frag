@@ -5,7 +5,7 @@
 #include "facing.glsl"
 in vec3 positionView;
 #include "shadow_map/lookup.glsl"
-#include "shadow_map/filter_pcss.glsl"
+#include "shadow_map/filters/filter_pcss.glsl"
 uniform int mode; // 0 distance from the point to what blocks the light, 1 width of the penumbra
 out vec4 result;
 

@@ -1,7 +1,7 @@
 // The shadow map's answer: the share of comparisons in which nothing nearer to the light was found.
 #include "shadow_map/lookup.glsl"
 uniform int rejectBehind;
-#include "shadow_map/filter_hard.glsl"
+#include "shadow_map/filters/filter_hard.glsl"
 
 // [anchor: map-visibility]
 float visibilityIn(int layer) {

@@ -18,7 +18,7 @@ void setDistanceUniforms(const gl::Program& program, const LightMaps& maps);
 void setReceiverUniforms(const gl::Program& program, const LightMaps& maps, const ShadowMapParams& params,
                          const FilterParams& filter);
 
-/// The parameters of the filters, for shaders/shadow_map/filter_*.glsl; likewise.
+/// The parameters of the filters, for shaders/shadow_map/filters/filter_*.glsl; likewise.
 void setFilterUniforms(const gl::Program& program, const scene::Light& light, const FilterParams& filter,
                        const LightMaps& maps);
 

@@ -10,11 +10,11 @@ namespace {
 /// How a point finds its map among several.
 const char* layerShader(Layout layout, bool inWorld) {
     switch (layout) {
-    case Layout::cube: return "shadow_map/layer_cube.glsl";
-    case Layout::cascades: return "shadow_map/layer_cascades.glsl";
+    case Layout::cube: return "shadow_map/layers/layer_cube.glsl";
+    case Layout::cascades: return "shadow_map/layers/layer_cascades.glsl";
     case Layout::one: break;
     }
-    return inWorld ? "shadow_map/layer_one_world.glsl" : "shadow_map/layer_one.glsl";
+    return inWorld ? "shadow_map/layers/layer_one_world.glsl" : "shadow_map/layers/layer_one.glsl";
 }
 
 } // namespace
@@ -24,9 +24,9 @@ Receivers::Programs Receivers::makePrograms(const Choice& choice) {
     const std::vector<gl::Substitution> chosen = {
         {"shadow_visibility.glsl", "shadow_map/visibility.glsl"},
         {"shadow_map/point_light.glsl", choice.inWorld ? "shadow_map/point_world.glsl" : "shadow_map/point_light.glsl"},
-        {"shadow_map/layer_one.glsl", layerShader(choice.layout, choice.inWorld)},
-        {"shadow_map/bias_none.glsl", std::string(biasInfo(choice.bias).shader)},
-        {"shadow_map/filter_hard.glsl", std::string(filterInfo(choice.filter).shader)}};
+        {"shadow_map/layers/layer_one.glsl", layerShader(choice.layout, choice.inWorld)},
+        {"shadow_map/bias/bias_none.glsl", std::string(biasInfo(choice.bias).shader)},
+        {"shadow_map/filters/filter_hard.glsl", std::string(filterInfo(choice.filter).shader)}};
     std::vector<std::string> defines;
     if (biasInfo(choice.bias).comparesWithOneDepth) defines.emplace_back("ONE_DEPTH");
     std::vector<std::string> visibilityDefines = defines;

@@ -75,7 +75,7 @@ TEST(StepSourceTest, OfLinesBetweenWhichAParameterChoosesThoseThatRunAreShown) {
 
 TEST(StepSourceTest, PiecesThatMeetInOneFileAreOne) {
     const StepSource step = stepOf("shadow-map", "light");
-    const auto piece = std::ranges::find(step.pieces, "shaders/shadow_map/filter_pcf.glsl", &SourcePiece::file);
+    const auto piece = std::ranges::find(step.pieces, "shaders/shadow_map/filters/filter_pcf.glsl", &SourcePiece::file);
     ASSERT_NE(piece, step.pieces.end());
     EXPECT_EQ(piece->anchors.size(), 2u);
     std::set<int> numbers;

@@ -9,7 +9,7 @@
 
 namespace shadowlab::gl {
 
-/// One file of the shaders folder; the name is relative to it ("shadow_map/filter_pcf.glsl").
+/// One file of the shaders folder; the name is relative to it ("shadow_map/filters/filter_pcf.glsl").
 struct EmbeddedShader {
     std::string_view name;
     std::string_view text;

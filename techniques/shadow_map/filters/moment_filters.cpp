@@ -124,17 +124,17 @@ void fourMomentsAnswer(const FilterParams& filter, const dvec4& m, MapProbe::Mom
 
 } // namespace
 
-const MomentFilter kVarianceMoments{"shadow_map/moments_of_vsm.glsl", [](const FilterParams&) { return 2; },
+const MomentFilter kVarianceMoments{"shadow_map/moments/moments_of_vsm.glsl", [](const FilterParams&) { return 2; },
                                     noRadiusForBias, depthAndSquare, varianceAnswer};
 
-const MomentFilter kExponentialMoment{"shadow_map/moments_of_esm.glsl", [](const FilterParams&) { return 1; },
+const MomentFilter kExponentialMoment{"shadow_map/moments/moments_of_esm.glsl", [](const FilterParams&) { return 1; },
                                       noRadiusForBias, exponentialOf, exponentialAnswer};
 
-const MomentFilter kExponentialVarianceMoments{"shadow_map/moments_of_evsm.glsl",
+const MomentFilter kExponentialVarianceMoments{"shadow_map/moments/moments_of_evsm.glsl",
                                                [](const FilterParams& p) { return hasNegativeExponential(p) ? 4 : 2; },
                                                blurRadiusForBias, twoExponentialsOf, exponentialVarianceAnswer};
 
-const MomentFilter kFourMoments{"shadow_map/moments_of_msm.glsl", [](const FilterParams&) { return 4; },
+const MomentFilter kFourMoments{"shadow_map/moments/moments_of_msm.glsl", [](const FilterParams&) { return 4; },
                                 blurRadiusForBias, fourPowers, fourMomentsAnswer};
 
 } // namespace shadowlab::shadow_map

@@ -76,15 +76,15 @@ vec2 momentDepthRange(const LightMaps& maps) { return {dvec2(maps.nearest, maps.
 const MomentMaker::Programs& MomentMaker::programsFor(const FilterParams& params) {
     const std::pair choice(params.kind, averagesLogarithms(params));
     if (const auto known = programs_.find(choice); known != programs_.end()) return known->second;
-    const gl::Substitution average{"shadow_map/average_values.glsl", choice.second
-                                                                         ? "shadow_map/average_logarithms.glsl"
-                                                                         : "shadow_map/average_values.glsl"};
-    const gl::Substitution moments{"shadow_map/moments_of_vsm.glsl",
+    const gl::Substitution average{"shadow_map/moments/average_values.glsl", choice.second
+                                                                         ? "shadow_map/moments/average_logarithms.glsl"
+                                                                         : "shadow_map/moments/average_values.glsl"};
+    const gl::Substitution moments{"shadow_map/moments/moments_of_vsm.glsl",
                                    std::string(filterInfo(params.kind).moments->shader)};
     return programs_
         .emplace(choice,
-                 Programs{gl::Program("fullscreen.vert", "shadow_map/make_moments.frag", {}, {average, moments}),
-                          gl::Program("fullscreen.vert", "shadow_map/average_column.frag", {}, {average})})
+                 Programs{gl::Program("fullscreen.vert", "shadow_map/moments/make_moments.frag", {}, {average, moments}),
+                          gl::Program("fullscreen.vert", "shadow_map/moments/average_column.frag", {}, {average})})
         .first->second;
 }
 

@@ -1,5 +1,5 @@
 // Maps of moments, which can be averaged: functions of the depths around each texel, for the filters vsm to msm
-// (shaders/shadow_map/moments_of_*.glsl).
+// (shaders/shadow_map/moments/moments_of_*.glsl).
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <map>

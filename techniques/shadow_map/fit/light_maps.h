@@ -12,7 +12,7 @@
 
 namespace shadowlab::shadow_map {
 
-/// How a point finds its map among several (shaders/shadow_map/layer_*.glsl).
+/// How a point finds its map among several (shaders/shadow_map/layers/layer_*.glsl).
 enum class Layout {
     one,      ///< there is only one
     cube,     ///< six around the light: the one along the largest component (+x -x +y -y +z -z)
@@ -44,7 +44,7 @@ struct LightMaps {
 /// World to light-relative for one object's mesh, composed in double.
 dmat4 lightRelativeFromMesh(const LightMaps& maps, const scene::Object& object);
 
-/// Which map holds a point so far from the eye, along its axis: as shaders/shadow_map/layer_*.glsl choose. None without maps.
+/// Which map holds a point so far from the eye, along its axis: as shaders/shadow_map/layers/layer_*.glsl choose. None without maps.
 std::optional<int> layerOf(const LightMaps& maps, const dvec3& pointLightRelative, double eyeDepth);
 
 /// Can anything in that box leave a depth in that map? What stands before the near plane can: it is clamped.

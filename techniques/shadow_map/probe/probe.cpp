@@ -96,7 +96,7 @@ std::string whyWrongFiltered(const MapProbe& map, bool isLit) {
                  : "aliasing: of the depths around at most " + share + " are not before the point";
 }
 
-/// As shaders/shadow_map/layer_cascades.glsl has it.
+/// As shaders/shadow_map/layers/layer_cascades.glsl has it.
 double fadeToNext(const LightMaps& maps, int layer, double eyeDepth) {
     if (maps.layout != Layout::cascades || layer + 1 >= maps.layers()) return 0;
     const auto i = static_cast<std::size_t>(layer);

@@ -46,7 +46,7 @@ private:
     gl::Texture2D drawPenumbra(const Frame& frame, int light, const LightShadowMap& map, int mode);
 
     MapTools& tools_;
-    gl::Program showMoments_{"fullscreen.vert", "shadow_map/show_moments.frag"};
+    gl::Program showMoments_{"fullscreen.vert", "shadow_map/moments/show_moments.frag"};
 };
 
 /// How the texels of the maps lie on what the eye sees: how large they are, and which map they belong to.

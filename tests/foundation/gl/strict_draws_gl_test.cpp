@@ -126,7 +126,7 @@ TEST_F(StrictDraws, AProgramThatIsDeletedWhileInUse) {
 
 TEST_F(StrictDraws, SamplersThatNoPassSetsShareNoUnit) {
     const gl::Program program("surface.vert", "shadow_map/decide.frag", {},
-                              {{"shadow_map/layer_one.glsl", "shadow_map/layer_cube.glsl"}});
+                              {{"shadow_map/layers/layer_one.glsl", "shadow_map/layers/layer_cube.glsl"}});
     program.use();
     std::set<GLint> units;
     for (const char* name :

@@ -1,5 +1,5 @@
 // For tests: four comparisons, each texel by itself and at its centre, weighted in the shader: what the sampler of
-// shaders/shadow_map/filter_hw2x2.glsl does in one lookup. The depth that they are compared with is chosen as there.
+// shaders/shadow_map/filters/filter_hw2x2.glsl does in one lookup. The depth that they are compared with is chosen as there.
 uniform sampler2DArrayShadow shadowMap;
 
 float filteredVisibility(MapPlace place) {

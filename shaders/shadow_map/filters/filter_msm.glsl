@@ -2,8 +2,8 @@
 // is before the receiver. That is Hamburger's moment problem: of all distributions with these moments, the one that has
 // the least before d puts all its weight on three depths, one of them d itself. Peters and Klein, "Moment Shadow Mapping",
 // I3D 2015, who solve it in a few lines; so do these, in the order of the proof.
-#include "shadow_map/moments.glsl"
-#include "shadow_map/chebyshev.glsl"
+#include "shadow_map/moments/moments.glsl"
+#include "shadow_map/moments/chebyshev.glsl"
 uniform float msmBias;
 
 // The share of light at depth d: 1 less the weights of the depths before it.

@@ -2,8 +2,8 @@
 // interpolated like any picture. They tell at most which share of those depths is at or beyond the receiver. Exact for one
 // surface before a parallel one; where three lie behind each other light bleeds through. Donnelly and Lauritzen, "Variance
 // Shadow Maps", I3D 2006.
-#include "shadow_map/moments.glsl"
-#include "shadow_map/chebyshev.glsl"
+#include "shadow_map/moments/moments.glsl"
+#include "shadow_map/moments/chebyshev.glsl"
 uniform float leastDeviation; // of depths from -1 to 1
 
 // [anchor: compare-vsm]

@@ -1,5 +1,5 @@
 // For tests: (2 r + 1) x (2 r + 1) comparisons, each texel by itself and at its centre, where GL_LINEAR has nothing to weigh:
-// what the lookups of shaders/shadow_map/filter_pcf.glsl between texels stand for.
+// what the lookups of shaders/shadow_map/filters/filter_pcf.glsl between texels stand for.
 uniform sampler2DArrayShadow shadowMap;
 uniform int pcfRadius;
 

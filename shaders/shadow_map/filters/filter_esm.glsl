@@ -2,7 +2,7 @@
 // is, and a product, so that exp(c z) can be averaged before d is known. Too bright close behind what casts the shadow; exp
 // overflows at 88.7 in 32 bits and at 11.1 in 16. Annen, Mertens, Seidel, Flerackers and Kautz, "Exponential Shadow Maps",
 // Graphics Interface 2008; averages of logarithms: Lauritzen and McCool, "Layered Variance Shadow Maps", same conference.
-#include "shadow_map/moments.glsl"
+#include "shadow_map/moments/moments.glsl"
 uniform float esmExponent;
 uniform int logarithms;
 

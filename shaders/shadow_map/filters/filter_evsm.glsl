@@ -2,8 +2,8 @@
 // apart and what is near together, so that three surfaces look nearly like two; -exp(-c z) does it the other way round, and the
 // smaller of both bounds holds. The squares overflow at c = 44.4 in 32 bits and at 5.5 in 16. Lauritzen and McCool,
 // "Layered Variance Shadow Maps", Graphics Interface 2008.
-#include "shadow_map/moments.glsl"
-#include "shadow_map/chebyshev.glsl"
+#include "shadow_map/moments/moments.glsl"
+#include "shadow_map/moments/chebyshev.glsl"
 uniform vec2 evsmExponents;
 uniform int evsmMoments;
 uniform float leastDeviation; // of depths from -1 to 1

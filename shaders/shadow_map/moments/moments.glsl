@@ -1,5 +1,5 @@
 // The moments around a point, averaged over the texels beside it and over as many as a pixel covers.
-#include "shadow_map/moment_depth.glsl"
+#include "shadow_map/moments/moment_depth.glsl"
 uniform sampler2DArray moments;
 uniform int outsideIsLit;
 

@@ -1,8 +1,8 @@
 #version 330 core
 // From the depths of a map to the moments of their neighbourhood, averaged along a row; average_column.frag does the rest.
-#include "shadow_map/moment_depth.glsl"
-#include "shadow_map/moments_of_vsm.glsl"
-#include "shadow_map/average_values.glsl"
+#include "shadow_map/moments/moment_depth.glsl"
+#include "shadow_map/moments/moments_of_vsm.glsl"
+#include "shadow_map/moments/average_values.glsl"
 uniform sampler2DArray shadowMap;
 uniform int layer, blurRadius;
 out vec4 result;

@@ -1,6 +1,6 @@
 #version 330 core
 // The second half of a square average, along columns.
-#include "shadow_map/average_values.glsl"
+#include "shadow_map/moments/average_values.glsl"
 uniform sampler2D averagedRows;
 uniform int blurRadius;
 out vec4 result;
