@@ -307,8 +307,11 @@ def draw_pictures(program, only):
     for name, (page, arguments) in pictures.items():
         if name in only or not only:
             draw_picture(program, name, page, arguments)
-    for stale in set(IMAGES.glob("*.png")) - {IMAGES / f"{name}.png" for name in pictures}:
-        stale.unlink()
+    # Some are drawn by hand, as a browser shows them: those that a page has stay.
+    shown = "".join(page.read_text() for page in [ROOT / "README.md", *(ROOT / "docs").glob("*.md")])
+    for picture in IMAGES.glob("*.png"):
+        if picture.stem not in pictures and f"images/{picture.name}" not in shown:
+            picture.unlink()
     total = sum(p.stat().st_size for p in IMAGES.glob("*.png"))
     print(f"{len(pictures)} pictures, {total // 1000} kB, in {IMAGES}", file=sys.stderr)
 

@@ -8,7 +8,6 @@
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/json/json_object.h"
 #include "techniques/foundation/scene/load/file_access.h"
-#include "techniques/source_text.h"
 
 namespace shadowlab::student {
 
@@ -16,14 +15,6 @@ namespace {
 
 constexpr std::size_t kLineWidth = 120; // of the comments in a blank: as wide as the source around them
 constexpr std::uint32_t kNesting = 8;   // of the data file: an object, its blanks, and their lists of lines
-
-std::vector<std::string> sourceLines(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream stream(text);
-    for (std::string line; std::getline(stream, line);)
-        lines.push_back(line);
-    return lines;
-}
 
 std::string withoutIndent(const std::string& line) {
     const std::size_t begin = line.find_first_not_of(' ');
@@ -99,10 +90,15 @@ Skeleton readSkeleton(const std::filesystem::path& file) {
     return skeleton;
 }
 
-BlankedLines findLines(const SourceFiles& files, const Blank& blank) {
+SourceText asSourceText(const SourceFiles& files) {
     SourceText source;
     for (const auto& [name, text] : files)
         source.add(name, text);
+    return source;
+}
+
+BlankedLines findLines(const SourceFiles& files, const Blank& blank) {
+    const SourceText source = asSourceText(files);
     const Snippet& region = [&]() -> const Snippet& {
         try {
             return source.at(blank.anchor);
@@ -144,8 +140,9 @@ void makeBlanks(SourceFiles& files, const std::vector<Blank>& blanks) {
                                                       "; let one of them end before the other begins");
         placed[range.file].emplace(range.first, Placed{range.last, i + 1});
     }
+    const SourceText source = asSourceText(files);
     for (const auto& [file, ranges] : placed) {
-        const std::vector<std::string> lines = sourceLines(files.at(file));
+        const std::vector<std::string>& lines = source.lines(file);
         std::string text;
         for (std::size_t i = 0; i < lines.size(); ++i) {
             const auto blank = ranges.find(i);

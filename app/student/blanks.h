@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "techniques/source_text.h"
+
 namespace shadowlab::student {
 
 /// Texts of source files by their names in the project: "techniques/lecture/planar.cpp", "shaders/lecture/project.vert".
@@ -34,6 +36,9 @@ struct Skeleton {
 
 /// Throws Error (badInput) with file, line and remedy.
 Skeleton readSkeleton(const std::filesystem::path& file);
+
+/// With their anchors and their lines.
+SourceText asSourceText(const SourceFiles& files);
 
 /// Where a blank's lines are.
 struct BlankedLines {

@@ -44,11 +44,6 @@ void addWithNeeds(SourceFiles& files, const std::string& name) {
         addWithNeeds(files, "shaders/" + (*match)[1].str());
 }
 
-void replaceAll(std::string& text, std::string_view from, std::string_view to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-        text.replace(at, from.size(), to);
-}
-
 /// "lecture-light-on" -> "my-shadows-light-on": each anchor stands in one place of the program and all plug-ins.
 std::string anchorInPlugin(const std::string& anchor) {
     constexpr std::string_view kPrefix = "lecture-";
@@ -84,6 +79,11 @@ std::string withOwnDescription(std::string text, const std::string& idInLecture)
 
 } // namespace
 
+void replaceAll(std::string& text, std::string_view from, std::string_view to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
 std::string nameInPlugin(const std::string& name, const std::string& source) {
     if (name.starts_with(kShaders)) return "shaders/my_shadows/" + name.substr(kShaders.size());
     if (name == std::string(kLecture) + source + ".cpp") return "technique.cpp";
@@ -101,10 +101,8 @@ SourceFiles lectureFiles(const std::string& source) {
 }
 
 SourceFiles asPlugin(const SourceFiles& files, const std::string& source) {
-    SourceText all;
-    for (const auto& [name, text] : files)
-        all.add(name, text);
     std::set<std::string> anchors;
+    const SourceText all = asSourceText(files);
     for (const Snippet& snippet : all.snippets())
         anchors.insert(snippet.anchor);
 

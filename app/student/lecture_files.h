@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
+#include <string_view>
 
 #include "app/student/blanks.h"
 
@@ -17,5 +18,8 @@ std::string nameInPlugin(const std::string& name, const std::string& source);
 /// The same, as files of a plug-in with the namespace my_shadows: "technique.cpp", "words.h", "rays.cpp",
 /// "shaders/my_shadows/project.vert". It has one technique, `my-shadows`, and its anchors begin with that.
 SourceFiles asPlugin(const SourceFiles& files, const std::string& source);
+
+/// Replaces every occurrence; what is put in is not looked at again.
+void replaceAll(std::string& text, std::string_view from, std::string_view to);
 
 } // namespace shadowlab::student

@@ -28,8 +28,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t kLongestTechniqueName = 40;
 
 // Namespaces that a technique's own would be mixed up with, and words that no namespace can have.
-constexpr std::array kTaken = {"app",    "commands", "context", "gl",        "glm", "image", "look", "measure",
-                               "params", "scene",    "session", "shadowlab", "std", "trace", "ui"};
+constexpr std::array kTaken = {"cli",  "context", "course", "drawing", "figures", "film",      "gl",  "glm",
+                               "hard", "image",   "judge",  "lab",     "look",    "params",    "std", "picture",
+                               "report", "scene", "student", "trace",  "window",  "shadowlab"};
 constexpr std::array kWords = {
     "alignas",   "alignof",  "and",      "asm",     "auto",      "bitand",    "bitor",    "bool",      "break",
     "case",      "catch",    "char",     "class",   "compl",     "concept",   "const",    "consteval", "constexpr",
@@ -57,8 +58,7 @@ std::string renamed(std::string text, const std::string& name) {
     const std::array<std::pair<std::string, std::string>, 3> words = {
         {{"my_shadows", namespaceOf(name)}, {"my-shadows", name}, {"My shadows", titleOf(name)}}};
     for (const auto& [from, to] : words)
-        for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-            text.replace(at, from.size(), to);
+        replaceAll(text, from, to);
     return text;
 }
 

@@ -30,13 +30,7 @@ constexpr std::string_view kAliasFreeProcedure = "procedure ALIASFREESHADOWMAPPI
                                                  "  end for";
 
 constexpr PassInfo kAliasFreePasses[] = {
-    {.id = "lights-off",
-     .title = kLightsOffPass.title,
-     .why = kLightsOffPass.why,
-     .glState = kLightsOffPass.glState,
-     .pseudocodeLines = {2, 2},
-     .formula = kLightsOffPass.formula,
-     .anchors = kLightsOffPass.anchors},
+    atLines(kLightsOffPass, {2, 2}),
     {.id = "samples",
      .title = "Test every point that the eye sees in the light's picture",
      .why = "A map is sampled at the centres of its texels, and looked up at other places: all its faults come from "
@@ -48,14 +42,7 @@ constexpr PassInfo kAliasFreePasses[] = {
      .pseudocodeLines = {3, 12},
      .formula = "shadowed if a triangle covers (s, t) and is nearer to the light than r",
      .anchors = "samples-in-the-light"},
-    {.id = "light",
-     .title = "Render the scene from the eye, with the light where it arrives",
-     .why = "Every pixel's visibility has been decided; the light is added where that is one.",
-     .glState = "depth EQUAL, blending ONE ONE, visibility read with texelFetch",
-     .perLight = true,
-     .pseudocodeLines = {9, 9},
-     .formula = "L = L + visibility * color * E * (diffuse / pi + specular * (s + 8) / (8 pi) * (n.h)^s)",
-     .anchors = "shade-light"},
+    atLines(kDecidedLightPass, {9, 9}),
 };
 
 constexpr StageInfo kAliasFreeStages[] = {

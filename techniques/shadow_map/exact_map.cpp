@@ -36,14 +36,7 @@ constexpr PassInfo kExactPasses[] = {
      .shownBy = "traced",
      .pseudocodeLines = {5, 7},
      .anchors = "decide-by-map"},
-    {.id = "light",
-     .title = "Render the scene from the eye, with the light where it arrives",
-     .why = "Every pixel's visibility has been decided; the light is added where that is one.",
-     .glState = "depth EQUAL, blending ONE ONE, visibility read with texelFetch",
-     .perLight = true,
-     .pseudocodeLines = {8, 10},
-     .formula = "L = L + visibility * color * E * (diffuse / pi + specular * (s + 8) / (8 pi) * (n.h)^s)",
-     .anchors = "shade-light"},
+    kDecidedLightPass,
 };
 
 constexpr StageInfo kExactStages[] = {

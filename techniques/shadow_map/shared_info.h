@@ -31,6 +31,23 @@ inline constexpr PassInfo kLightsOffPass = {
     .formula = "L = emission + ambient * diffuse",
     .anchors = "lights-off"};
 
+/// The pass `light` where visibility was decided before, by rays or by triangles; lines of kProcedure.
+inline constexpr PassInfo kDecidedLightPass = {
+    .id = "light",
+    .title = "Render the scene from the eye, with the light where it arrives",
+    .why = "Every pixel's visibility has been decided; the light is added where that is one.",
+    .glState = "depth EQUAL, blending ONE ONE, visibility read with texelFetch",
+    .perLight = true,
+    .pseudocodeLines = {8, 10},
+    .formula = "L = L + visibility * color * E * (diffuse / pi + specular * (s + 8) / (8 pi) * (n.h)^s)",
+    .anchors = "shade-light"};
+
+/// The same pass in another procedure, of which these are its lines.
+constexpr PassInfo atLines(PassInfo pass, LineRange lines) {
+    pass.pseudocodeLines = lines;
+    return pass;
+}
+
 inline constexpr std::string_view kMapFormula = "d(u,v) = the least depth on the light's ray through the texel";
 
 /// Names in formulas and source, and the facts of a probe that are their values where a map is looked up.

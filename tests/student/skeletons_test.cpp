@@ -5,6 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -114,6 +117,27 @@ TEST(SkeletonsTest, FilesAreThoseThatTheAlgorithmNeeds) {
 TEST(SkeletonsTest, EachIsOfAFamilyThatIsGraded) {
     for (const std::string& name : namesWithBlanks())
         EXPECT_NO_THROW(findFamily(skeletonOf(name).family)) << name;
+}
+
+// A technique in a namespace of the program's would share its names.
+TEST(SkeletonsTest, NoTechniqueIsNamedAsANamespaceOfTheProgram) {
+    const std::regex declared(R"(^namespace shadowlab::(\w+))");
+    std::set<std::string> spaces;
+    for (const char* top : {"app", "techniques"})
+        for (const auto& entry :
+             std::filesystem::recursive_directory_iterator(std::filesystem::path(SHADOWLAB_SOURCE_DIR) / top)) {
+            if (entry.path().extension() != ".h") continue;
+            std::ifstream file(entry.path());
+            std::smatch match;
+            for (std::string line; std::getline(file, line);)
+                if (std::regex_search(line, match, declared)) spaces.insert(match[1]);
+        }
+    EXPECT_GE(spaces.size(), 25u) << "rooms of app, the foundation's, and folders of techniques";
+    for (std::string name : spaces) {
+        std::ranges::replace(name, '_', '-');
+        EXPECT_THROW(requireFreeName(name), Error) << name;
+    }
+    EXPECT_NO_THROW(requireFreeName("my-shadows"));
 }
 
 /// What is said of a description that does not fit the source.
