@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/json/probe_parts.h"
-#include "techniques/probed/map_probe.h"
-#include "techniques/probed/plane_probe.h"
-#include "techniques/probed/volume_probe.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include "techniques/probed/map_probe.h"
+#include "techniques/probed/plane_probe.h"
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::cli {
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/figures/map/eye_and_light_axes.h"
-#include "techniques/probed/map_probe.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <glm/gtc/constants.hpp>
+
+#include "techniques/probed/map_probe.h"
 
 namespace shadowlab::figures {
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "app/figures/radiosity/patch_view.h"
-#include "techniques/probed/patch_exchange.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <glm/gtc/constants.hpp>
+
+#include "techniques/probed/patch_exchange.h"
 
 namespace shadowlab::figures {
 

@@ -3,13 +3,14 @@
 // between two of them there is a quadrilateral.
 // SPDX-License-Identifier: MIT
 #include "app/figures/volume/volume_areas.h"
-#include "techniques/probed/volume_probe.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include <glm/gtc/constants.hpp>
+
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/figures/volume/volume_sketch.h"
-#include "techniques/probed/volume_probe.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+
+#include "techniques/probed/volume_probe.h"
 
 namespace shadowlab::figures {
 
