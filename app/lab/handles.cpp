@@ -9,13 +9,6 @@
 
 namespace shadowlab::lab {
 
-namespace {
-
-/// Sine of the smallest angle between eye ray and plane, or line, at which one can still aim with the mouse: half a degree.
-constexpr double kGrazing = 0.01;
-
-} // namespace
-
 std::vector<Handle> handles(const scene::Scene& scene, const std::vector<scene::Bounds>& bounds,
                             const scene::Camera& camera) {
     std::vector<Handle> handles;
@@ -77,26 +70,6 @@ std::optional<EdgeMark> edgeMarkOf(const scene::Camera& camera, ivec2 size, doub
     for (int axis = 0; axis < 2; ++axis)
         if (outward[axis] != 0) reach = std::min(reach, half[axis] / std::abs(outward[axis]));
     return EdgeMark{0.5 * extent + reach * outward, outward};
-}
-
-std::optional<dvec3> pointOnPlane(const scene::Camera& camera, ivec2 size, dvec2 pixel, const dvec3& throughWorld,
-                                  const dvec3& normalWorld) {
-    const dvec3 rayWorld = scene::rayDirectionWorld(camera, pixel, size);
-    const double toward = glm::dot(rayWorld, normalWorld);
-    if (std::abs(toward) < kGrazing) return {};
-    const double distance = glm::dot(throughWorld - camera.positionWorld, normalWorld) / toward;
-    if (distance <= 0) return {};
-    return camera.positionWorld + distance * rayWorld;
-}
-
-std::optional<double> placeOnLine(const scene::Camera& camera, ivec2 size, dvec2 pixel, const dvec3& throughWorld,
-                                  const dvec3& directionWorld) {
-    const dvec3 rayWorld = scene::rayDirectionWorld(camera, pixel, size);
-    const double cosine = glm::dot(rayWorld, directionWorld), sineSquared = 1 - cosine * cosine;
-    if (sineSquared < kGrazing * kGrazing) return {};
-    // The foot on the line of the shortest connection between two lines.
-    const dvec3 betweenWorld = camera.positionWorld - throughWorld;
-    return (glm::dot(betweenWorld, directionWorld) - cosine * glm::dot(betweenWorld, rayWorld)) / sineSquared;
 }
 
 } // namespace shadowlab::lab

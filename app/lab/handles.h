@@ -42,13 +42,4 @@ struct EdgeMark {
 /// Nothing for a point that is in the picture.
 std::optional<EdgeMark> edgeMarkOf(const scene::Camera& camera, ivec2 size, double margin, const dvec3& positionWorld);
 
-/// The point of the plane that a pixel shows; nothing where the plane is not seen there, or edge-on.
-std::optional<dvec3> pointOnPlane(const scene::Camera& camera, ivec2 size, dvec2 pixel, const dvec3& throughWorld,
-                                  const dvec3& normalWorld);
-
-/// How far along the line (unit direction) the point lies that is nearest to what the pixel shows; nothing where the eye
-/// looks along the line.
-std::optional<double> placeOnLine(const scene::Camera& camera, ivec2 size, dvec2 pixel, const dvec3& throughWorld,
-                                  const dvec3& directionWorld);
-
 } // namespace shadowlab::lab

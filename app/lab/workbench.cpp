@@ -187,11 +187,9 @@ void Workbench::redo() {
     show(history_.redo(document_));
 }
 
-/// The eye stays where it is; but what shows another scene brings its own.
+/// Cameras come back as well. What is picked stays: it is no change, and the camera that it was picked in may be another.
 void Workbench::show(Document document) {
     if (document.sceneName == document_.sceneName) {
-        document.camera = document_.camera;
-        document.outsideCamera = document_.outsideCamera;
         document.picked = document_.picked;
         document.partner = document_.partner;
     }
@@ -200,10 +198,22 @@ void Workbench::show(Document document) {
 }
 
 void Workbench::setCamera(const scene::Camera& camera) {
-    if (scene::hasView(camera)) document_.camera = camera;
+    if (scene::hasView(camera)) changeCamera([&](Document& document) { document.camera = camera; });
 }
 
-void Workbench::resetOutsideCamera() { document_.outsideCamera = outsideCameraOf(*document_.scene, document_.camera); }
+void Workbench::setOutsideCamera(const scene::Camera& camera) {
+    changeCamera([&](Document& document) { document.outsideCamera = camera; });
+}
+
+/// Moving the eye does not stop an animation, which would be undone with it.
+void Workbench::changeCamera(const std::function<void(Document&)>& edit) {
+    if (animation_.playing)
+        edit(document_);
+    else
+        change("move the camera", edit);
+}
+
+void Workbench::resetOutsideCamera() { setOutsideCamera(outsideCameraOf(*document_.scene, document_.camera)); }
 
 void Workbench::activate(int pane) { document_.active = std::clamp(pane, 0, kPanes - 1); }
 

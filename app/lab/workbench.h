@@ -79,10 +79,13 @@ public:
     void redo();
     [[nodiscard]] const UndoHistory& history() const { return history_; }
 
-    // --- changes that cannot be undone: undo concerns the scene, not the view of it
+    /// The camera, which stays what it is where it would have no view. While an animation plays, which undo takes back as a whole, no
+    /// step of its own.
     void setCamera(const scene::Camera& camera);
-    void setOutsideCamera(const scene::Camera& camera) { document_.outsideCamera = camera; }
+    void setOutsideCamera(const scene::Camera& camera);
     void resetOutsideCamera();
+
+    // --- changes that cannot be undone: what is asked, and of which pane
     /// Picks the pixel at that share of a picture's width and height. The background has no probe: then no pixel is picked any more.
     void pick(const dvec2& place);
     /// A second pixel, for techniques in which two places exchange light. Without a first one it is the first.
@@ -110,6 +113,7 @@ private:
     bool askAboutPixel(const PaneRequest& request, Pane& pane);
     void settle();
     void chooseDraft(double tookMs);
+    void changeCamera(const std::function<void(Document&)>& edit);
     void show(Document document);
 
     Document document_;

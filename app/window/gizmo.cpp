@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "app/lab/object_picking.h"
 #include "app/window/picture_mouse.h"
+#include "app/window/widget_renderer.h"
 #include "techniques/foundation/base/look.h"
 
 namespace shadowlab::window {
@@ -37,9 +39,9 @@ struct Seen {
         return ImVec2(pane.pictureCorner.x + static_cast<float>(pixel->x),
                       pane.pictureCorner.y + static_cast<float>(pixel->y));
     }
-    /// For a light that the picture does not show.
-    [[nodiscard]] std::optional<lab::EdgeMark> edgeMark(const Handle& handle, const Theme& theme) const {
-        if (handle.what.kind != Selection::Kind::light) return {};
+    /// Of what the picture does not show: a light, or what is selected.
+    [[nodiscard]] std::optional<lab::EdgeMark> edgeMark(const Handle& handle, bool selected, const Theme& theme) const {
+        if (handle.what.kind != Selection::Kind::light && !selected) return {};
         auto mark = lab::edgeMarkOf(camera, size, kEdgeEm * theme.em, handle.positionWorld);
         if (mark) mark->pixel += dvec2(pane.pictureCorner.x, pane.pictureCorner.y);
         return mark;
@@ -72,165 +74,214 @@ std::optional<ImVec2> arrowEnd(const Seen& seen, const Handle& handle, int i, fl
     return ImVec2(from->x + (toward->x - from->x) * scale, from->y + (toward->y - from->y) * scale);
 }
 
-/// -1 the disc, 0..2 an arrow.
-std::optional<int> partUnder(const Seen& seen, const Handle& handle, bool selected, ImVec2 mouse, const Theme& theme) {
-    const float grip = kGripEm * theme.em;
-    if (const auto mark = seen.edgeMark(handle, theme)) {
+/// What the mouse would take hold of.
+struct Grip {
+    const Handle* handle = nullptr;
+    int part = -1; ///< an arrow, 0 to 2; or -1: the handle's disc, or any other place of the thing
+    dvec3 positionWorld{0.0};
+    explicit operator bool() const { return handle != nullptr; }
+};
+
+/// Of one thing: its mark at the picture's edge, its disc, and where it is selected its arrows.
+Grip gripOf(const Seen& seen, const Handle& handle, bool selected, ImVec2 mouse, const Theme& theme) {
+    const float near = kGripEm * theme.em;
+    if (const auto mark = seen.edgeMark(handle, selected, theme)) {
         const dvec2 away = mark->pixel - dvec2(mouse.x, mouse.y);
-        return glm::length(away) <= grip ? std::optional(-1) : std::nullopt;
+        return glm::length(away) <= near ? Grip{&handle, -1, handle.positionWorld} : Grip();
     }
     const auto place = seen.place(handle.positionWorld);
     if (!place) return {};
-    if (distance(*place, mouse) <= grip) return -1;
+    if (distance(*place, mouse) <= near) return {&handle, -1, handle.positionWorld};
     if (!selected) return {};
     for (int i = 0; i < 3; ++i)
-        if (const auto end = arrowEnd(seen, handle, i, kArrowEm * theme.em); end && distance(*end, mouse) <= grip)
-            return i;
+        if (const auto end = arrowEnd(seen, handle, i, kArrowEm * theme.em); end && distance(*end, mouse) <= near)
+            return {&handle, i, handle.positionWorld};
     return {};
 }
 
-void drawLabel(ImDrawList& list, ImVec2 at, const std::string& label, const Theme& theme) {
-    const ImVec2 size = theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, label.c_str());
-    list.AddRectFilled({at.x - theme.em * 0.3f, at.y - theme.em * 0.15f},
-                       {at.x + size.x + theme.em * 0.3f, at.y + size.y + theme.em * 0.15f}, kPlateColor);
-    list.AddText(theme.text, theme.em, at, kPlateText, label.c_str());
+/// The object whose surface lies under the mouse. What the others stand on is taken hold of so only where it is selected:
+/// elsewhere a drag on it turns the camera.
+Grip gripOfSurface(WindowState& ui, const Seen& seen, const std::vector<Handle>& handles, ImVec2 mouse) {
+    const std::vector<scene::Bounds>& bounds = ui.bench.bounds();
+    const auto hit = lab::objectAt(*ui.bench.shownScene(), bounds, seen.camera, seen.size, seen.pixel(mouse));
+    if (!hit) return {};
+    const Selection what{Selection::Kind::object, static_cast<int>(hit->object)};
+    if (what != ui.selection && lab::isBackdrop(bounds, hit->object)) return {};
+    const auto handle = std::ranges::find(handles, what, &Handle::what);
+    return handle == handles.end() ? Grip() : Grip{&*handle, -1, hit->positionWorld};
 }
 
-/// A light outside the picture: a disc at the edge with a point toward it.
-void drawEdgeMark(ImDrawList& list, const lab::EdgeMark& mark, const std::string& label, bool chosen,
+/// The selected thing comes first: its arrows may lie over other handles. Then lights, then objects, and last any place of an object.
+Grip gripUnder(WindowState& ui, const Seen& seen, const std::vector<Handle>& handles, ImVec2 mouse, const Theme& theme) {
+    for (const bool selectedOnes : {true, false})
+        for (const Handle& handle : handles) {
+            const bool selected = handle.what == ui.selection;
+            if (selected != selectedOnes) continue;
+            if (const Grip grip = gripOf(seen, handle, selected, mouse, theme)) return grip;
+        }
+    return gripOfSurface(ui, seen, handles, mouse);
+}
+
+/// Name plates of one pane. Each is moved down, or at the pane's foot up, until it covers no other.
+class NamePlates {
+public:
+    NamePlates(ImDrawList& list, const ShownPane& pane, const Theme& theme) : list_(list), pane_(pane), theme_(theme) {}
+
+    /// `share` of its width lies to the left of `at`, and its upper edge there.
+    void add(ImVec2 at, float share, const std::string& name, ImU32 color) {
+        const float pad = theme_.em * 0.3f;
+        const ImVec2 text = theme_.text->CalcTextSizeA(theme_.em, FLT_MAX, 0, name.c_str());
+        const ImVec2 size(text.x + 2 * pad, text.y + pad);
+        const ImVec2 low = imVec(pane_.area.corner), high = imVec(pane_.area.corner + pane_.area.size);
+        Plate plate{{std::clamp(at.x - share * size.x, low.x, std::max(low.x, high.x - size.x)),
+                     std::clamp(at.y, low.y, std::max(low.y, high.y - size.y))},
+                    size};
+        const bool upward = plate.corner.y + 3 * size.y > high.y;
+        for (std::size_t tries = 0; tries <= plates_.size(); ++tries)
+            for (const Plate& other : plates_)
+                if (plate.overlaps(other))
+                    plate.corner.y = upward ? other.corner.y - size.y - 1 : other.corner.y + other.size.y + 1;
+        plates_.push_back(plate);
+        list_.AddRectFilled(plate.corner, {plate.corner.x + size.x, plate.corner.y + size.y}, kPlateColor);
+        list_.AddText(theme_.text, theme_.em, {plate.corner.x + pad, plate.corner.y + pad / 2}, color, name.c_str());
+    }
+
+private:
+    struct Plate {
+        ImVec2 corner, size;
+        [[nodiscard]] bool overlaps(const Plate& other) const {
+            return corner.x < other.corner.x + other.size.x && other.corner.x < corner.x + size.x &&
+                   corner.y < other.corner.y + other.size.y && other.corner.y < corner.y + size.y;
+        }
+    };
+    ImDrawList& list_;
+    const ShownPane& pane_;
+    const Theme& theme_;
+    std::vector<Plate> plates_;
+};
+
+/// How a handle is drawn.
+struct Look {
+    bool selected = false, hovered = false, flashes = false;
+    [[nodiscard]] bool stands() const { return selected || hovered || flashes; }
+    [[nodiscard]] ImU32 color() const { return stands() ? kAccent : kPlateText; }
+};
+
+/// What lies outside the picture: a disc at the edge with a point toward it.
+void drawEdgeMark(ImDrawList& list, NamePlates& plates, const lab::EdgeMark& mark, const Handle& handle, const Look& look,
                   const Theme& theme) {
     const auto at = [&](double outward, double across) {
         const dvec2 p = mark.pixel + static_cast<double>(theme.em) *
                                          (outward * mark.outward + across * dvec2(-mark.outward.y, mark.outward.x));
         return ImVec2(static_cast<float>(p.x), static_cast<float>(p.y));
     };
-    const ImU32 color = chosen ? kAccent : kPlateText;
     list.AddTriangleFilled(at(1.3, 0), at(0.3, -0.75), at(0.3, 0.75), kDark);
     list.AddCircleFilled(at(0, 0), theme.em * 0.62f, kDark);
-    list.AddTriangleFilled(at(1.1, 0), at(0.4, -0.5), at(0.4, 0.5), color);
-    list.AddCircleFilled(at(0, 0), theme.em * 0.42f, color);
-    if (!chosen) return;
-    const ImVec2 size = theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, label.c_str());
-    const ImVec2 inward = at(-1.4, 0); // the label lies on the picture's side of the mark
-    drawLabel(list,
-              {inward.x - (mark.outward.x > 0.3    ? size.x
-                           : mark.outward.x < -0.3 ? 0.0f
-                                                   : size.x / 2),
-               inward.y - size.y / 2},
-              label, theme);
+    list.AddTriangleFilled(at(1.1, 0), at(0.4, -0.5), at(0.4, 0.5), look.color());
+    list.AddCircleFilled(at(0, 0), theme.em * 0.42f, look.color());
+    const ImVec2 inward = at(-1.4, 0); // the name lies on the picture's side of the mark
+    const float share = mark.outward.x > 0.3 ? 1.0f : mark.outward.x < -0.3 ? 0.0f : 0.5f;
+    plates.add({inward.x, inward.y - theme.em * 0.6f}, share, handle.label, look.color());
 }
 
-void drawHandle(ImDrawList& list, const Seen& seen, const Handle& handle, bool selected, bool hovered,
+void drawArrows(ImDrawList& list, const Seen& seen, const Handle& handle, ImVec2 place, const Theme& theme) {
+    for (int i = 0; i < 3; ++i) {
+        const auto end = arrowEnd(seen, handle, i, kArrowEm * theme.em);
+        if (!end) continue;
+        const ImU32 axisColor = shownColor(kAxisColors[static_cast<std::size_t>(i)]);
+        list.AddLine(place, *end, kDark, theme.em * 0.36f);
+        list.AddLine(place, *end, axisColor, theme.em * 0.2f);
+        list.AddCircleFilled(*end, theme.em * 0.55f, kDark);
+        list.AddCircleFilled(*end, theme.em * 0.46f, axisColor);
+        const char letter[2] = {static_cast<char>('x' + i), 0};
+        const ImVec2 size = theme.text->CalcTextSizeA(theme.em * 0.85f, FLT_MAX, 0, letter);
+        list.AddText(theme.text, theme.em * 0.85f, {end->x - size.x / 2, end->y - size.y / 2}, kDark, letter);
+    }
+}
+
+/// A sun: a disc with rays.
+void drawRays(ImDrawList& list, ImVec2 place, float r, ImU32 color, const Theme& theme) {
+    for (int i = 0; i < 8; ++i) {
+        const float angle = static_cast<float>(i) * 0.7853982f, c = std::cos(angle), s = std::sin(angle);
+        list.AddLine({place.x + 1.35f * r * c, place.y + 1.35f * r * s}, {place.x + 2 * r * c, place.y + 2 * r * s},
+                     kDark, theme.em * 0.28f);
+        list.AddLine({place.x + 1.35f * r * c, place.y + 1.35f * r * s},
+                     {place.x + 1.9f * r * c, place.y + 1.9f * r * s}, color, theme.em * 0.14f);
+    }
+}
+
+void drawHandle(ImDrawList& list, NamePlates& plates, const Seen& seen, const Handle& handle, const Look& look,
                 const Theme& theme) {
-    if (const auto mark = seen.edgeMark(handle, theme)) {
-        drawEdgeMark(list, *mark, handle.label, selected || hovered, theme);
+    if (const auto mark = seen.edgeMark(handle, look.selected, theme)) {
+        drawEdgeMark(list, plates, *mark, handle, look, theme);
         return;
     }
     const auto place = seen.place(handle.positionWorld);
     if (!place) return;
     const bool light = handle.what.kind == Selection::Kind::light;
-    const float r = theme.em * (light ? 0.5f : 0.32f);
-    const ImU32 color = selected || hovered ? kAccent : kPlateText;
-    if (selected)
-        for (int i = 0; i < 3; ++i)
-            if (const auto end = arrowEnd(seen, handle, i, kArrowEm * theme.em)) {
-                const ImU32 axisColor = shownColor(kAxisColors[static_cast<std::size_t>(i)]);
-                list.AddLine(*place, *end, kDark, theme.em * 0.36f);
-                list.AddLine(*place, *end, axisColor, theme.em * 0.2f);
-                list.AddCircleFilled(*end, theme.em * 0.55f, kDark);
-                list.AddCircleFilled(*end, theme.em * 0.46f, axisColor);
-                const char letter[2] = {static_cast<char>('x' + i), 0};
-                const ImVec2 size = theme.text->CalcTextSizeA(theme.em * 0.85f, FLT_MAX, 0, letter);
-                list.AddText(theme.text, theme.em * 0.85f, {end->x - size.x / 2, end->y - size.y / 2}, kDark, letter);
-            }
+    const float r = theme.em * (light ? 0.5f : 0.32f) * (look.flashes ? 1.5f : 1);
+    if (look.selected) drawArrows(list, seen, handle, *place, theme);
     list.AddCircleFilled(*place, r + 2, kDark);
-    if (light) { // a sun: a disc with rays
-        for (int i = 0; i < 8; ++i) {
-            const float angle = static_cast<float>(i) * 0.7853982f, c = std::cos(angle), s = std::sin(angle);
-            list.AddLine({place->x + 1.35f * r * c, place->y + 1.35f * r * s},
-                         {place->x + 2 * r * c, place->y + 2 * r * s}, kDark, theme.em * 0.28f);
-            list.AddLine({place->x + 1.35f * r * c, place->y + 1.35f * r * s},
-                         {place->x + 1.9f * r * c, place->y + 1.9f * r * s}, color, theme.em * 0.14f);
-        }
-    }
-    list.AddCircleFilled(*place, r, color);
-    if (!selected && !hovered) return;
-    drawLabel(list, {place->x + theme.em * 1.2f, place->y - theme.em * 1.6f}, handle.label, theme);
+    if (light) drawRays(list, *place, r, look.color(), theme);
+    list.AddCircleFilled(*place, r, look.color());
+    if (light || look.stands())
+        plates.add({place->x + theme.em * 1.3f, place->y - theme.em * 1.6f}, 0, handle.label, look.color());
 }
 
-/// How far the mouse has moved the thing since the last frame.
-std::optional<dvec3> pulled(const Seen& seen, const Handle& handle, int part, ImVec2 from, ImVec2 to) {
-    if (part >= 0) {
-        const auto before =
-            lab::placeOnLine(seen.camera, seen.size, seen.pixel(from), handle.positionWorld, axis(part));
-        const auto after =
-            lab::placeOnLine(seen.camera, seen.size, seen.pixel(to), handle.positionWorld, axis(part));
-        if (!before || !after) return {};
-        return (*after - *before) * axis(part);
-    }
-    const dvec3 viewWorld = glm::normalize(seen.camera.targetWorld - seen.camera.positionWorld);
-    const dvec3 upWorld = glm::normalize(seen.camera.upWorld);
-    // Level with the ground; where the eye sees the ground nearly edge-on, in the plane of the picture.
-    const bool level = std::abs(glm::dot(viewWorld, upWorld)) > 0.12 && !ImGui::GetIO().KeyShift;
-    dvec3 normalWorld = level ? upWorld : viewWorld;
-    const auto before =
-        lab::pointOnPlane(seen.camera, seen.size, seen.pixel(from), handle.positionWorld, normalWorld);
-    const auto after = lab::pointOnPlane(seen.camera, seen.size, seen.pixel(to), handle.positionWorld, normalWorld);
-    if (!before || !after) return {};
-    const dvec3 byWorld = *after - *before;
-    if (ImGui::GetIO().KeyShift) return glm::dot(byWorld, upWorld) * upWorld;
-    // Near the horizon one pixel is a very long way, which is not what the user intends.
-    if (glm::length(byWorld) > glm::length(handle.positionWorld - seen.camera.positionWorld)) return {};
-    return byWorld;
+/// The light that stages are about, for a moment after it was chosen: four times on and off.
+bool flashes(const WindowState& ui, const Selection& what) {
+    const double left = ui.flashUntil - ImGui::GetTime();
+    return left > 0 && what == Selection{Selection::Kind::light, ui.bench.document().light} &&
+           static_cast<int>(left / (kFlashSeconds / 8)) % 2 == 1;
+}
+
+lab::Hold holdOf(const WindowState& ui, const Seen& seen, const Grip& grip, const Theme& theme) {
+    const auto mark = seen.edgeMark(*grip.handle, grip.handle->what == ui.selection, theme);
+    std::optional<dvec2> markPixel;
+    if (mark) markPixel = mark->pixel - dvec2(seen.pane.pictureCorner.x, seen.pane.pictureCorner.y);
+    lab::Hold hold = lab::holdOf(seen.camera, seen.size, *ui.bench.shownScene(), *grip.handle, grip.positionWorld, markPixel);
+    constexpr std::array kAlong = {lab::DragWay::alongX, lab::DragWay::alongY, lab::DragWay::alongZ};
+    if (grip.part >= 0) hold.way = kAlong[static_cast<std::size_t>(grip.part)];
+    return hold;
 }
 
 } // namespace
 
 bool handleGizmos(WindowState& ui, const std::vector<ShownPane>& panes, const Theme& theme) {
     ui.hovered = {};
-    if (!ui.shown.handles) return false;
+    if (!ui.shown.handles || ui.lesson.isOn()) return false; // a lesson's counts are those of its scene
     const ImGuiIO& io = ImGui::GetIO();
     const lab::Document& document = ui.bench.document();
     const std::vector<Handle> handles =
         lab::handles(*ui.bench.shownScene(), ui.bench.bounds(), document.camera);
-    const bool free = ui.drag == Drag::none && !io.WantCaptureMouse;
+    // With Alt the mouse moves the camera, and with Ctrl it picks a pixel, whatever lies under it.
+    const bool free = ui.drag == Drag::none && !io.WantCaptureMouse && !io.KeyAlt && !io.KeyCtrl;
 
     for (const ShownPane& pane : panes) {
-        if (!showsHandles(ui, pane)) continue;
-        const Seen seen = seenIn(pane, document.camera);
         const ImVec2 place = pressPlace(ui);
-        const bool over = pane.area.contains(place);
-        // The selected thing first: its arrows may lie over other handles.
-        const Handle* hovered = nullptr;
-        int part = -1;
-        for (const bool selectedOnes : {true, false})
-            for (const Handle& handle : handles) {
-                const bool selected = handle.what == ui.selection;
-                if (selected != selectedOnes || hovered || !over || !free) continue;
-                if (const auto under = partUnder(seen, handle, selected, place, theme)) {
-                    hovered = &handle;
-                    part = *under;
-                }
-            }
-        if (hovered) ui.hovered = hovered->what;
-        if (hovered && ImGui::IsMouseClicked(0) && !io.KeyCtrl) {
-            ui.selection = hovered->what;
-            ui.drag = Drag::handle;
-            ui.dragPart = part;
-            ui.dragPane = pane.pane;
-            ui.heldAt = {place.x, place.y};
-        }
+        if (!free || !pane.area.contains(place) || !showsHandles(ui, pane)) continue;
+        const Seen seen = seenIn(pane, document.camera);
+        const Grip grip = gripUnder(ui, seen, handles, place, theme);
+        if (!grip) continue;
+        ui.hovered = grip.handle->what;
+        if (!ImGui::IsMouseClicked(0)) continue;
+        ui.held = holdOf(ui, seen, grip, theme);
+        ui.selection = grip.handle->what;
+        ui.drag = Drag::handle;
+        ui.dragPane = pane.pane;
+        ui.heldAt = {place.x, place.y};
     }
     if (ui.drag != Drag::handle) return false;
     for (const ShownPane& pane : panes) {
         if (pane.pane != ui.dragPane) continue;
         const Seen seen = seenIn(pane, document.camera);
         const auto held = std::ranges::find(handles, ui.selection, &Handle::what);
-        const ImVec2 before(static_cast<float>(ui.heldAt.x), static_cast<float>(ui.heldAt.y));
-        if (held == handles.end() || (io.MousePos.x == before.x && io.MousePos.y == before.y)) continue;
-        ui.heldAt = {io.MousePos.x, io.MousePos.y};
-        if (const auto byWorld = pulled(seen, *held, ui.dragPart, before, io.MousePos))
-            moveSelected(ui, *byWorld, "drag a handle");
+        const dvec2 mouse(io.MousePos.x, io.MousePos.y), byPixels = mouse - ui.heldAt;
+        if (held == handles.end() || byPixels == dvec2(0.0)) continue;
+        ui.heldAt = mouse;
+        lab::Hold hold = ui.held;
+        if (io.KeyShift && hold.way != lab::DragWay::turn) hold.way = lab::DragWay::upright;
+        moveSelected(ui, lab::draggedBy(hold, seen.camera, seen.size, held->positionWorld, byPixels), "drag a handle");
     }
     if (!ImGui::IsMouseDown(0)) {
         ui.drag = Drag::none;
@@ -243,20 +294,23 @@ void drawGizmos(ImDrawList& list, WindowState& ui, const ShownPane& pane, const 
     if (!ui.shown.handles || !showsHandles(ui, pane)) return;
     const scene::Camera& camera = ui.bench.document().camera;
     const Seen seen = seenIn(pane, camera);
+    NamePlates plates(list, pane, theme);
     for (const Handle& handle : lab::handles(*ui.bench.shownScene(), ui.bench.bounds(), camera)) {
-        const bool selected = handle.what == ui.selection, hovered = handle.what == ui.hovered;
+        const Look look{handle.what == ui.selection, handle.what == ui.hovered, flashes(ui, handle.what)};
         // Objects show theirs when the mouse is near: a picture full of dots would be no picture.
-        if (handle.what.kind == Selection::Kind::object && !selected && !hovered) continue;
-        drawHandle(list, seen, handle, selected, hovered, theme);
+        if (handle.what.kind == Selection::Kind::object && !look.stands()) continue;
+        drawHandle(list, plates, seen, handle, look, theme);
     }
 }
 
-std::vector<std::pair<std::string, dvec2>> handlePlaces(WindowState& ui, const ShownPane& pane) {
+std::vector<std::pair<std::string, dvec2>> handlePlaces(WindowState& ui, const ShownPane& pane, const Theme& theme) {
     const scene::Camera& camera = ui.bench.document().camera;
     const Seen seen = seenIn(pane, camera);
     std::vector<std::pair<std::string, dvec2>> places;
     for (const Handle& handle : lab::handles(*ui.bench.shownScene(), ui.bench.bounds(), camera))
-        if (const auto place = seen.place(handle.positionWorld); place && pane.area.contains(*place))
+        if (const auto mark = seen.edgeMark(handle, handle.what == ui.selection, theme))
+            places.emplace_back(handle.label, mark->pixel);
+        else if (const auto place = seen.place(handle.positionWorld); place && pane.area.contains(*place))
             places.emplace_back(handle.label, dvec2(place->x, place->y));
     return places;
 }

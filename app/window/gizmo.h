@@ -5,14 +5,18 @@
 
 namespace shadowlab::window {
 
-/// Lets the mouse drag the handles in every pane that shows the scene through the eye's camera: the disc level with the
-/// ground (with Shift up and down), an arrow along its axis. True while one is held.
+/// How long the handle of a light flashes that stages and errors are about from now on.
+constexpr double kFlashSeconds = 1.2;
+
+/// Lets the mouse drag lights and objects in every pane that shows the scene through the eye's camera (lab/dragging.h): by their
+/// discs, by any place of an object, and by the mark at the picture's edge of what lies outside it. With Shift up and
+/// down; by an arrow along its axis. True while one is held.
 bool handleGizmos(WindowState& ui, const std::vector<ShownPane>& panes, const Theme& theme);
 
-/// Draws those of one pane: of lights, and of the objects that are selected or under the mouse.
+/// Draws the handles of one pane: of lights, with their names, and of the objects that are selected or under the mouse.
 void drawGizmos(ImDrawList& list, WindowState& ui, const ShownPane& pane, const Theme& theme);
 
-/// Where the handles of lights and objects lie in a pane, by name, in pixels of the window; those that are seen.
-std::vector<std::pair<std::string, dvec2>> handlePlaces(WindowState& ui, const ShownPane& pane);
+/// Where the handles of lights and objects lie in a pane, or their marks at its edge, by name, in pixels of the window.
+std::vector<std::pair<std::string, dvec2>> handlePlaces(WindowState& ui, const ShownPane& pane, const Theme& theme);
 
 } // namespace shadowlab::window

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/lab/camera_control.h"
+#include "app/window/gizmo.h"
 #include "techniques/registry.h"
 
 namespace shadowlab::window {
@@ -92,6 +93,7 @@ void nextLight(WindowState& ui) {
     const auto count = static_cast<int>(ui.bench.shownScene()->lights.size());
     if (count == 0) return;
     ui.bench.change("", [&](lab::Document& document) { document.light = (document.light + 1) % count; });
+    if (ui.live) ui.flashUntil = ImGui::GetTime() + kFlashSeconds;
 }
 
 void nextLayout(WindowState& ui, int by) {

@@ -80,7 +80,7 @@ bool handleMouse(WindowState& ui, const std::vector<ShownPane>& panes, const Are
         });
     }
     if (ui.drag == Drag::camera && ImGui::IsMouseDown(1)) { // fly, as long as the right button is down
-        const auto pressed = [&](int key) { return ui.held.contains(key) ? 1.0 : 0.0; };
+        const auto pressed = [&](int key) { return ui.heldKeys.contains(key) ? 1.0 : 0.0; };
         const double step = io.DeltaTime * (io.KeyShift ? 2.0 : 0.5);
         const double x = pressed(GLFW_KEY_D) - pressed(GLFW_KEY_A), y = pressed(GLFW_KEY_E) - pressed(GLFW_KEY_Q),
                      z = pressed(GLFW_KEY_W) - pressed(GLFW_KEY_S);

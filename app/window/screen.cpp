@@ -116,7 +116,8 @@ bool Screen::frame(double seconds) {
     if (const std::string failure = errors_.takeFailure(); !failure.empty())
         complain("errors cannot be found: " + failure);
     const bool small = updateStrip(deadline);
-    busy_ = drawn || moved || painted || judged || small || !ran_.empty() || !ui_.bench.isAtRest();
+    busy_ = drawn || moved || painted || judged || small || !ran_.empty() || !ui_.bench.isAtRest() ||
+            ui_.flashUntil > ImGui::GetTime();
     settled_ = !busy_ && errors_.isDone();
 
     drawPictures(ui_, errors_, panes_, area, theme_);

@@ -49,6 +49,7 @@ public:
     [[nodiscard]] const lab::LiveErrors& errors() const { return errors_; }
     /// The step as text, as it was shown last.
     [[nodiscard]] const picture::StepSource& stepSource() const { return source_.shown(); }
+    [[nodiscard]] const Theme& theme() const { return theme_; }
     [[nodiscard]] const std::vector<ShownPane>& shownPanes() const { return panes_; }
     /// The ids of the actions that keys have run in the last frame.
     [[nodiscard]] const std::vector<std::string>& ran() const { return ran_; }

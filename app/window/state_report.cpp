@@ -102,7 +102,7 @@ nlohmann::ordered_json stateReport(WindowState& ui, const Screen& screen) {
         json["messages"].push_back(message.text);
     json["handles"] = nlohmann::ordered_json::object();
     for (const ShownPane& pane : screen.shownPanes())
-        for (const auto& [name, place] : handlePlaces(ui, pane))
+        for (const auto& [name, place] : handlePlaces(ui, pane, screen.theme()))
             json["handles"][name] = {std::lround(place.x), std::lround(place.y)};
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     json["mouse"] =

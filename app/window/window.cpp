@@ -234,10 +234,10 @@ private:
             key = c >= 'a' && c <= 'z' ? GLFW_KEY_A + (c - 'a') : c == '+' ? GLFW_KEY_EQUAL : c;
         }
         if (action == GLFW_RELEASE) {
-            ui_->held.erase(key);
+            ui_->heldKeys.erase(key);
             return;
         }
-        ui_->held.insert(key);
+        ui_->heldKeys.insert(key);
         KeyPress press{key, (modifiers & GLFW_MOD_CONTROL) != 0, (modifiers & GLFW_MOD_SHIFT) != 0,
                        (modifiers & GLFW_MOD_ALT) != 0, action == GLFW_REPEAT};
         if (key == GLFW_KEY_EQUAL) press.shift = false; // where it takes Shift to write a plus

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/lab/handles.h"
+#include "app/lab/dragging.h"
 #include "app/lab/workbench.h"
 #include "app/window/lesson_state.h"
 #include "app/window/slide_state.h"
@@ -62,14 +62,15 @@ struct WindowState {
     Requests requests;
     std::vector<Message> messages;
     std::vector<KeyPress> keys; ///< since the last frame, in order, so that none is lost
-    std::set<int> held;         ///< keys that are down, numbered as KeyPress does
+    std::set<int> heldKeys;     ///< keys that are down, numbered as KeyPress does
     lab::Selection selection, hovered;
     LessonState lesson;
     SlideState slides;
     dvec2 lens{
         0.5}; ///< where the magnifier looks, as shares of a picture's width and height from its upper left corner
     Drag drag = Drag::none;
-    int dragPart = -1, dragPane = 0; ///< of the handle that is held: an axis, or -1 for its disc; and where
+    lab::Hold held;   ///< of the thing that is dragged,
+    int dragPane = 0; ///< and the pane it is dragged in
     std::vector<std::string> scenes; ///< built-in ones
     bool live = true; ///< false for pictures of the window: no times, which differ from run to run, and exact errors at once
     bool panelOutsidePresenter = true; ///< whether the settings come back after presenter mode
@@ -80,6 +81,7 @@ struct WindowState {
     // drags was last moved. Pixels of the window.
     std::optional<dvec2> pressedAt;
     dvec2 heldAt{0.0};
+    double flashUntil = 0; ///< the current light's handle flashes until then, on ImGui's clock
 
     explicit WindowState(lab::Document document) : bench(std::move(document)) {}
 };

@@ -96,41 +96,6 @@ TEST(CameraControl, ZoomingNeverReachesTheTarget) {
     EXPECT_TRUE(std::isfinite(targetDistance(camera)));
 }
 
-TEST(Handles, APixelAndItsPointAreEachOthersInverse) {
-    const ivec2 size(997, 613);
-    const scene::Camera camera = someCamera();
-    int compared = 0;
-    for (int x = 50; x < size.x; x += 150)
-        for (int y = 320; y < size.y; y += 90) {
-            const dvec2 pixel(x + 0.3, y + 0.7);
-            const auto point = pointOnPlane(camera, size, pixel, {0, 0.1, 0}, {0, 1, 0});
-            ASSERT_TRUE(point);
-            EXPECT_NEAR(point->y, 0.1, 1e-12);
-            const auto back = pixelOf(camera, size, *point);
-            ASSERT_TRUE(back);
-            EXPECT_LT(glm::length(*back - pixel), 1e-9);
-            ++compared;
-        }
-    EXPECT_GE(compared, 20);
-    EXPECT_FALSE(pointOnPlane(camera, size, {500, 10}, {0, -100, 0}, {0, 1, 0})) << "above the horizon";
-    EXPECT_FALSE(pixelOf(camera, size, camera.positionWorld + dvec3(3, 2, 5))) << "behind the eye";
-}
-
-TEST(Handles, AlongAnAxisThePlaceIsTheOneThePixelShows) {
-    const ivec2 size(1280, 720);
-    const scene::Camera camera = someCamera();
-    const dvec3 through(0.1, 0.4, -0.2), along = glm::normalize(dvec3(1, 0.2, -0.4));
-    for (const double place : {-0.7, 0.0, 0.3, 1.1}) {
-        const auto pixel = pixelOf(camera, size, through + place * along);
-        ASSERT_TRUE(pixel);
-        const auto found = placeOnLine(camera, size, *pixel, through, along);
-        ASSERT_TRUE(found);
-        EXPECT_NEAR(*found, place, 1e-9);
-    }
-    const dvec3 viewWorld = glm::normalize(camera.targetWorld - camera.positionWorld);
-    EXPECT_FALSE(placeOnLine(camera, size, dvec2(size) / 2.0, camera.targetWorld, viewWorld)) << "along the view";
-}
-
 TEST(Handles, LightsAndObjectsGoWhereTheyArePulled) {
     auto scene = std::make_shared<scene::Scene>();
     scene::Light point, sun;
