@@ -96,7 +96,8 @@ gl::Texture2D textureOf(const image::Image& image) {
 }
 
 const Stage* Pane::visibility(int light) const {
-    if (!isDrawn_) return nullptr;
+    const bool isWhole = converged_ || drawnShare() >= 1; // pixels without an answer yet would count as wrong
+    if (!isDrawn_ || !isWhole) return nullptr;
     const auto found = std::ranges::find(rendered_.result.stages, picture::visibilityOf(light), &Stage::key);
     return found == rendered_.result.stages.end() ? nullptr : &*found;
 }

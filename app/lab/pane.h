@@ -62,7 +62,7 @@ public:
     /// finished. Work beyond the deadline waits for the next call; the last picture stays meanwhile. What fails is kept as
     /// `failure()`, and is not tried again before something changes.
     bool update(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, const PaneWork& work);
-    /// The technique's answers for that light, if the picture was drawn with them.
+    /// The technique's answers for that light, if the picture was drawn with them, and all of it was.
     [[nodiscard]] const Stage* visibility(int light) const;
 
     /// What the technique of the picture is judged by, with its settings, for the light of the request.

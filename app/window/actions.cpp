@@ -10,6 +10,7 @@
 
 #include <imgui.h>
 
+#include "app/window/imgui_bridge.h"
 #include "app/window/key_functions.h"
 
 namespace shadowlab::window {
@@ -158,7 +159,7 @@ const Action kActions[] = {
     {"keys-f1", "Window", "F1", "this list", GLFW_KEY_F1, false, false, false,
      [](WindowState& d) { d.shown.keys = !d.shown.keys; }},
     {"panel", "Window", "I", "settings, on and off", GLFW_KEY_I, false, false, false,
-     [](WindowState& d) { d.shown.panel = !d.shown.panel; }},
+     togglePanel},
     {"focus-panel", "Window", "Enter", "into the settings: arrows choose, Space and Enter change, Esc leaves",
      GLFW_KEY_ENTER, false, false, false,
      [](WindowState& d) { d.shown.panel = d.requests.focusPanel = d.panelHasKeys = true; }},
@@ -210,6 +211,13 @@ std::vector<std::string> runKeys(WindowState& ui) {
     std::vector<std::string> ran;
     for (const KeyPress& press : std::exchange(ui.keys, {})) {
         if (ImGui::GetIO().WantTextInput || fliesTheCamera(ui, press)) continue;
+        if (isPopupOpen()) { // an open list has the arrows; what commands the window waits until it is closed
+            if (press.key == GLFW_KEY_ESCAPE) {
+                closePopups();
+                ran.emplace_back("leave-popup");
+            }
+            continue;
+        }
         if (ui.panelHasKeys && press.key == GLFW_KEY_ESCAPE) {
             ui.panelHasKeys = false;
             ImGui::SetWindowFocus(nullptr);

@@ -18,7 +18,7 @@ using lab::Selection;
 
 constexpr float kGripEm = 1.1f;  ///< how near to a handle the mouse has to be: large enough to hit without care
 constexpr float kArrowEm = 4.5f; ///< length of an axis arrow
-constexpr float kEdgeEm = 2.4f;  ///< how far within the picture, clear of titles, a light outside it has its mark
+constexpr float kEdgeEm = 1.8f;  ///< how far within the picture a light outside it has its mark
 constexpr ImU32 kDark = IM_COL32(16, 16, 18, 255);
 
 // One colour an axis (Okabe and Ito): x vermilion, y bluish green, z blue; the letters say it too.
@@ -167,7 +167,18 @@ struct Look {
     [[nodiscard]] ImU32 color() const { return stands() ? kAccent : kPlateText; }
 };
 
-/// What lies outside the picture: a disc at the edge with a point toward it.
+/// A sun: a disc with rays.
+void drawRays(ImDrawList& list, ImVec2 place, float r, ImU32 color, const Theme& theme) {
+    for (int i = 0; i < 8; ++i) {
+        const float angle = static_cast<float>(i) * 0.7853982f, c = std::cos(angle), s = std::sin(angle);
+        list.AddLine({place.x + 1.35f * r * c, place.y + 1.35f * r * s}, {place.x + 2 * r * c, place.y + 2 * r * s},
+                     kDark, theme.em * 0.28f);
+        list.AddLine({place.x + 1.35f * r * c, place.y + 1.35f * r * s},
+                     {place.x + 1.9f * r * c, place.y + 1.9f * r * s}, color, theme.em * 0.14f);
+    }
+}
+
+/// What lies outside the picture: its disc at the edge, a light's with rays, and before it a point in its direction.
 void drawEdgeMark(ImDrawList& list, NamePlates& plates, const lab::EdgeMark& mark, const Handle& handle, const Look& look,
                   const Theme& theme) {
     const auto at = [&](double outward, double across) {
@@ -175,11 +186,13 @@ void drawEdgeMark(ImDrawList& list, NamePlates& plates, const lab::EdgeMark& mar
                                          (outward * mark.outward + across * dvec2(-mark.outward.y, mark.outward.x));
         return ImVec2(static_cast<float>(p.x), static_cast<float>(p.y));
     };
-    list.AddTriangleFilled(at(1.3, 0), at(0.3, -0.75), at(0.3, 0.75), kDark);
-    list.AddCircleFilled(at(0, 0), theme.em * 0.62f, kDark);
-    list.AddTriangleFilled(at(1.1, 0), at(0.4, -0.5), at(0.4, 0.5), look.color());
-    list.AddCircleFilled(at(0, 0), theme.em * 0.42f, look.color());
-    const ImVec2 inward = at(-1.4, 0); // the name lies on the picture's side of the mark
+    const float r = theme.em * 0.4f;
+    list.AddTriangleFilled(at(1.75, 0), at(0.85, -0.75), at(0.85, 0.75), kDark);
+    list.AddTriangleFilled(at(1.6, 0), at(0.95, -0.5), at(0.95, 0.5), look.color());
+    list.AddCircleFilled(at(0, 0), r + 2, kDark);
+    if (handle.what.kind == Selection::Kind::light) drawRays(list, at(0, 0), r, look.color(), theme);
+    list.AddCircleFilled(at(0, 0), r, look.color());
+    const ImVec2 inward = at(-1.3, 0); // the name lies on the picture's side of the mark
     const float share = mark.outward.x > 0.3 ? 1.0f : mark.outward.x < -0.3 ? 0.0f : 0.5f;
     plates.add({inward.x, inward.y - theme.em * 0.6f}, share, handle.label, look.color());
 }
@@ -199,25 +212,17 @@ void drawArrows(ImDrawList& list, const Seen& seen, const Handle& handle, ImVec2
     }
 }
 
-/// A sun: a disc with rays.
-void drawRays(ImDrawList& list, ImVec2 place, float r, ImU32 color, const Theme& theme) {
-    for (int i = 0; i < 8; ++i) {
-        const float angle = static_cast<float>(i) * 0.7853982f, c = std::cos(angle), s = std::sin(angle);
-        list.AddLine({place.x + 1.35f * r * c, place.y + 1.35f * r * s}, {place.x + 2 * r * c, place.y + 2 * r * s},
-                     kDark, theme.em * 0.28f);
-        list.AddLine({place.x + 1.35f * r * c, place.y + 1.35f * r * s},
-                     {place.x + 1.9f * r * c, place.y + 1.9f * r * s}, color, theme.em * 0.14f);
-    }
-}
-
 void drawHandle(ImDrawList& list, NamePlates& plates, const Seen& seen, const Handle& handle, const Look& look,
                 const Theme& theme) {
+    // In a part of a picture, what belongs to its other parts is theirs, names as well.
+    const auto isHere = [&](ImVec2 at) { return seen.pane.area.contains(at); };
     if (const auto mark = seen.edgeMark(handle, look.selected, theme)) {
-        drawEdgeMark(list, plates, *mark, handle, look, theme);
+        if (isHere({static_cast<float>(mark->pixel.x), static_cast<float>(mark->pixel.y)}))
+            drawEdgeMark(list, plates, *mark, handle, look, theme);
         return;
     }
     const auto place = seen.place(handle.positionWorld);
-    if (!place) return;
+    if (!place || !isHere(*place)) return;
     const bool light = handle.what.kind == Selection::Kind::light;
     const float r = theme.em * (light ? 0.5f : 0.32f) * (look.flashes ? 1.5f : 1);
     if (look.selected) drawArrows(list, seen, handle, *place, theme);

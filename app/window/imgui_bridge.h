@@ -6,6 +6,7 @@
 #include <imgui.h>
 
 #include <backends/imgui_impl_glfw.h>
+#include <imgui_internal.h>
 
 namespace shadowlab::window {
 
@@ -16,6 +17,10 @@ inline unsigned int nameOf(ImTextureID texture) { return static_cast<unsigned in
 /// Down, or released in this frame: the motion before the release still belongs to the drag. Since 1.87 a short drag and its end may
 /// arrive in one frame.
 inline bool wasDown(ImGuiMouseButton button) { return ImGui::IsMouseDown(button) || ImGui::IsMouseReleased(button); }
+
+/// A drop-down list or a menu is open: keys are its own.
+inline bool isPopupOpen() { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel); }
+inline void closePopups() { ImGui::ClosePopupToLevel(0, true); }
 
 /// The mouse in pixels, where these differ from window coordinates. Up to 1.86 ImGui's backend sets the position in every frame, and
 /// it is scaled after the backend's NewFrame; since then the position is passed on when the mouse moves.

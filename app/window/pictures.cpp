@@ -16,38 +16,8 @@ namespace {
 
 using picture::Layout;
 
-constexpr double kBlinkSeconds = 0.6; ///< of each picture: slow enough to see it, quick enough that differences jump
 constexpr float kHalfSplitLine = 2;   ///< pixels
 constexpr ImU32 kPartnerRing = IM_COL32(0x56, 0xB4, 0xE9, 0xFF); ///< look::kPatchK, as kAccent is look::kPatchJ
-
-std::string titleOf(const WindowState& ui, int pane) {
-    const lab::PaneState& state = ui.bench.document().panes[static_cast<std::size_t>(pane)];
-    const lab::Pane& drawn = ui.bench.pane(pane);
-    std::string title(findTechnique(state.technique).title);
-    // Of one technique twice, the settings say which is which.
-    const int others = lab::shownPanes(ui.bench.document().layout);
-    bool twice = false;
-    for (int other = 0; other < others; ++other)
-        twice = twice || (other != pane &&
-                          ui.bench.document().panes[static_cast<std::size_t>(other)].technique == state.technique);
-    if (twice)
-        for (const auto& [param, value] : state.values())
-            title += "\n" + param + " = " + value;
-    if (!drawn.picture().caption.empty() && !state.stage.isPicture()) title += "\n" + drawn.picture().caption;
-    return title;
-}
-
-/// A title in the upper left corner, wrapped where the pane is too narrow for it.
-void drawPlate(ImDrawList& list, ImVec2 corner, float widest, const std::string& text, const Theme& theme,
-               bool active) {
-    const float mark = theme.em * 0.2f, pad = theme.em * 0.4f, room = std::max(theme.em, widest - 2 * pad - mark);
-    const ImVec2 size = theme.heading->CalcTextSizeA(theme.headingSize, FLT_MAX, room, text.c_str());
-    const ImVec2 end(corner.x + size.x + 2 * pad + mark, corner.y + size.y + 2 * pad);
-    list.AddRectFilled(corner, end, kPlateColor);
-    if (active) list.AddRectFilled(corner, {corner.x + std::max(3.0f, mark), end.y}, kAccent);
-    list.AddText(theme.heading, theme.headingSize, {corner.x + pad + mark, corner.y + pad}, kPlateText, text.c_str(),
-                 nullptr, room);
-}
 
 /// The picture of a size of its own, a light's view of the scene, as large as fits, in the middle.
 void drawFitted(ImDrawList& list, const gl::Texture2D& texture, const Area& area) {
@@ -83,23 +53,15 @@ void drawNote(ImDrawList& list, const ShownPane& shown, const std::string& note,
 }
 
 /// The verdicts on a stage that is judged in the background, or its ground as long as there are none.
-void drawJudged(ImDrawList& list, const lab::JudgedPicture* judged, const lab::Pane& pane, ShownPane& shown,
+void drawJudged(ImDrawList& list, const lab::JudgedPicture* judged, const lab::Pane& pane, const ShownPane& shown,
                 const Theme& theme) {
     if (!judged) {
         if (pane.picture().texture) drawWhole(list, pane.picture().texture, shown, true);
-        drawNote(list, shown, "finding the exact answer ...", kPlateText, theme);
         return;
     }
     if (judged->ground) drawWhole(list, judged->ground, shown, true);
     if (judged->verdicts) drawWhole(list, judged->verdicts, shown, false);
-    shown.legendSize = drawLegend(list, judged->legend, true, shown.area.corner, shown.area.size, theme);
-}
-
-std::string noteOf(const WindowState& ui, const lab::Pane& pane) {
-    if (!pane.failure().empty()) return pane.failure();
-    if (pane.progress() < 1) return "preparing: " + std::to_string(static_cast<int>(100 * pane.progress())) + " %";
-    return ui.bench.draft() > 1 ? "while it moves: one pixel for " + std::to_string(ui.bench.draft() * ui.bench.draft())
-                                : "";
+    drawLegend(list, judged->legend, shown.footer, theme);
 }
 
 /// A ring with four strokes around a pixel: none of them covers it.
@@ -124,37 +86,49 @@ void drawPicked(ImDrawList& list, const WindowState& ui, const ShownPane& shown,
     if (document.picked) drawRing(list, shown, *document.picked, kAccent, 0.55f * theme.em);
 }
 
-void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, ShownPane& shown, const Theme& theme) {
-    const lab::Pane& pane = ui.bench.pane(shown.pane);
+/// At the right end of the band below the picture: what is not finished yet.
+void drawProgress(ImDrawList& list, const std::string& progress, const ShownPane& shown, const Theme& theme) {
+    if (progress.empty()) return;
+    const ImVec2 size = theme.text->CalcTextSizeA(theme.em, FLT_MAX, 0, progress.c_str());
+    const ImVec2 high = imVec(shown.footer.corner + shown.footer.size);
+    const ImVec2 corner(high.x - size.x - theme.em * 0.5f, high.y - size.y - theme.em * 0.25f);
+    list.AddRectFilled({corner.x - theme.em * 0.4f, corner.y - theme.em * 0.2f}, {high.x, high.y}, kPlateColor);
+    list.AddText(theme.text, theme.em, corner, kPlateText, progress.c_str());
+}
+
+/// Which of the judged pictures the pane shows, if it shows one.
+bool isJudged(const WindowState& ui, const ShownPane& shown) {
     const lab::Document& document = ui.bench.document();
+    return document.layout == Layout::diff || document.panes[static_cast<std::size_t>(shown.pane)].stage.isJudged();
+}
+
+void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, const ShownPane& shown, const Theme& theme) {
+    const lab::Pane& pane = ui.bench.pane(shown.pane);
     const ImVec2 low = imVec(shown.area.corner), high = imVec(shown.area.corner + shown.area.size);
     list.PushClipRect(low, high, true);
     if (!pane.picture().texture || pane.picture().texture.size() != pane.drawnFor().view.size)
         list.AddRectFilled(low, high, IM_COL32(12, 12, 14, 255));
-    std::string title = titleOf(ui, shown.pane);
-    bool legend = false;
-    if (document.layout == Layout::diff) {
-        title += " against " + titleOf(ui, 1 - shown.pane);
+    list.PopClipRect();
+    list.PushClipRect(low, {high.x, high.y + static_cast<float>(shown.footer.size.y)}, true);
+    const bool judged = isJudged(ui, shown);
+    const gl::Texture2D& texture = pane.picture().texture;
+    if (judged && ui.bench.document().layout == Layout::diff)
         drawJudged(list, errors.difference(), pane, shown, theme);
-    } else if (document.panes[static_cast<std::size_t>(shown.pane)].stage.isJudged()) {
+    else if (judged)
         drawJudged(list, errors.picture(shown.pane), pane, shown, theme);
-    } else if (const gl::Texture2D& texture = pane.picture().texture) {
-        if (pane.showsTheEyesView())
-            drawWhole(list, texture, shown, true);
-        else
-            drawFitted(list, texture, shown.area);
-        legend = true;
-    }
-    if (!ui.lesson.isOn())
-        drawGizmos(list, ui, shown, theme); // under the plates: a title has to be read, a handle can be moved
+    else if (texture && pane.showsTheEyesView())
+        drawWhole(list, texture, shown, true);
+    else if (texture)
+        drawFitted(list, texture, shown.area);
+    if (!judged) drawLegend(list, pane.picture(), shown.footer, theme);
+    drawProgress(list, progressOf(ui, errors, shown.pane), shown, theme);
+    list.PopClipRect();
+
+    list.PushClipRect(low, high, true);
+    if (!ui.lesson.isOn()) drawGizmos(list, ui, shown, theme);
     drawPicked(list, ui, shown, theme);
-    if (legend) shown.legendSize = drawLegend(list, pane.picture(), false, shown.area.corner, shown.area.size, theme);
-    const bool active = shown.pane == document.active && document.layout != Layout::single;
-    // Clear of the split line, half of which lies on the pane to its right.
-    const float beside = hasSplitLine(ui) && shown.area.corner.x > 0 ? kHalfSplitLine : 0;
-    drawPlate(list, {low.x + beside, low.y}, high.x - low.x - beside, title, theme, active);
     drawLessonMarks(list, ui, shown, theme);
-    drawNote(list, shown, noteOf(ui, pane), pane.failure().empty() ? kPlateText : kAccent, theme);
+    drawNote(list, shown, pane.failure(), kAccent, theme);
     list.PopClipRect();
 }
 
@@ -175,50 +149,30 @@ void drawSplitLine(ImDrawList& list, const WindowState& ui, const Area& area, co
 
 } // namespace
 
-float splitLineX(const WindowState& ui, const Area& area) {
-    return std::round(static_cast<float>(area.corner.x) +
-                      static_cast<float>(ui.bench.document().split) * static_cast<float>(area.size.x));
+std::string progressOf(const WindowState& ui, const lab::LiveErrors& errors, int number) {
+    const lab::Pane& pane = ui.bench.pane(number);
+    const lab::Document& document = ui.bench.document();
+    if (!pane.failure().empty()) return {};
+    if (pane.progress() < 1) return "preparing: " + std::to_string(static_cast<int>(100 * pane.progress())) + " %";
+    if (ui.bench.draft() > 1)
+        return "while it moves: one pixel for " + std::to_string(ui.bench.draft() * ui.bench.draft());
+    const bool waits = document.layout == Layout::diff
+                           ? !errors.difference()
+                           : document.panes[static_cast<std::size_t>(number)].stage.isJudged() && !errors.picture(number);
+    return waits ? "finding the exact answer ..." : "";
 }
 
-bool hasSplitLine(const WindowState& ui) { return ui.bench.document().layout == Layout::split && !ui.shown.blink; }
-
-std::vector<ShownPane> shownPanes(const WindowState& ui, const Area& area, double seconds) {
-    std::vector<ShownPane> panes;
-    for (const lab::PlacedPane& placed : ui.bench.placed(area.size)) {
-        const picture::Cell& cell = placed.cell;
-        ShownPane shown;
-        shown.pane = placed.pane;
-        shown.area = {area.corner + ivec2(cell.x, cell.y), {cell.width, cell.height}};
-        shown.pictureCorner = imVec(shown.area.corner - ivec2(cell.cropX, 0));
-        shown.pictureSize = imVec(cell.pictureSize);
-        panes.push_back(shown);
-    }
-    if (ui.bench.document().layout == Layout::diff && panes.size() > 1) panes.pop_back(); // one picture of both
-    if (ui.shown.blink && panes.size() >= 2) {
-        const int turn = static_cast<int>(seconds / kBlinkSeconds) % 2;
-        ShownPane shown = panes[static_cast<std::size_t>(turn)];
-        shown.area = area;
-        shown.pictureCorner = imVec(area.corner);
-        shown.pictureSize = imVec(area.size);
-        return {shown};
-    }
-    return panes;
-}
-
-void drawPictures(WindowState& ui, const lab::LiveErrors& errors, std::vector<ShownPane>& panes, const Area& area,
+void drawPictures(WindowState& ui, const lab::LiveErrors& errors, const std::vector<ShownPane>& panes, const PaneFrames& frames,
                   const Theme& theme) {
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    for (ShownPane& pane : panes)
+    for (const ShownPane& pane : panes)
         drawPane(list, ui, errors, pane, theme);
-    for (const ShownPane& pane : panes) { // the lines between panes of the grid
-        if (hasSplitLine(ui)) break;
+    for (const ShownPane& pane : panes) { // the lines between panes that stand side by side
+        if (hasSplitLine(ui) || pane.area.corner.x == frames.whole.corner.x) continue;
         const ImVec2 low = imVec(pane.area.corner);
-        if (pane.area.corner.x > area.corner.x)
-            list.AddLine(low, {low.x, low.y + static_cast<float>(pane.area.size.y)}, kPlateText, 2);
-        if (pane.area.corner.y > area.corner.y)
-            list.AddLine(low, {low.x + static_cast<float>(pane.area.size.x), low.y}, kPlateText, 2);
+        list.AddLine(low, {low.x, low.y + static_cast<float>(pane.area.size.y)}, kPlateText, 2);
     }
-    if (hasSplitLine(ui)) drawSplitLine(list, ui, area, theme);
+    if (hasSplitLine(ui)) drawSplitLine(list, ui, frames.pictures(), theme);
 }
 
 } // namespace shadowlab::window

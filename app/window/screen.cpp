@@ -7,6 +7,7 @@
 
 #include "app/window/actions.h"
 #include "app/window/gizmo.h"
+#include "app/window/imgui_bridge.h"
 #include "app/window/panels/lesson_marks.h"
 #include "app/window/panels/panels.h"
 #include "app/window/picture_mouse.h"
@@ -60,8 +61,10 @@ void Screen::fit(ivec2 windowPixels, float contentScale) {
     framebuffer_ = gl::Framebuffer(&picture_, nullptr, "window");
 }
 
+PaneFrames Screen::frames() const { return paneFrames(ui_, theme_, pictureArea()); }
+
 Area Screen::pictureArea() const {
-    const auto top = static_cast<int>(topBarHeight(ui_, theme_, static_cast<float>(size_.x)));
+    const auto top = static_cast<int>(topBarHeight());
     const int right = ui_.shown.panel ? static_cast<int>(panelWidth(theme_, size_.x)) : 0;
     const int width = std::max(0, size_.x - right - sourceWidth());
     const auto bottom = static_cast<int>(stepPanelHeight(ui_, theme_, static_cast<float>(width)) +
@@ -81,7 +84,7 @@ bool Screen::frame(double seconds) {
     clock_ += seconds;
     ImGuiIO& io = ImGui::GetIO();
     io.DeltaTime = static_cast<float>(std::max(seconds, 1e-5));
-    if (ui_.panelHasKeys)
+    if (ui_.panelHasKeys || isPopupOpen()) // the arrows choose among its entries
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     else
         io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
@@ -89,18 +92,19 @@ bool Screen::frame(double seconds) {
     ran_ = runKeys(ui_);
     if (!ui_.requests.news.empty()) say(std::exchange(ui_.requests.news, {}));
 
-    const Area area = pictureArea();
-    panes_ = window::shownPanes(ui_, area, clock_);
+    const PaneFrames frames = this->frames();
+    const ivec2 pictures = frames.pictureSize();
+    panes_ = window::shownPanes(ui_, frames, clock_);
     const bool painting = ui_.lesson.paints(); // then the mouse is a brush
     const bool painted = handlePainting(ui_, panes_);
     const bool held = !painting && handleGizmos(ui_, panes_, theme_);
-    const bool moved = !painting && (handleMouse(ui_, panes_, area, theme_) || held);
+    const bool moved = !painting && (handleMouse(ui_, panes_, frames.pictures(), theme_) || held);
     ui_.pressedAt.reset();
     ui_.bench.setMoving(moved);
     ui_.bench.allowDraft(ui_.shown.coarse);
     ui_.bench.drawWhole(ui_.shown.magnifier || ui_.shown.blink);
     ui_.bench.advance(seconds);
-    const bool asked = errors_.ask(ui_.bench, area.size, clock_);
+    const bool asked = errors_.ask(ui_.bench, pictures, clock_);
     // A clock around every pass keeps the driver from doing two things at once. So what is new is drawn without it, and
     // again with it when all is at rest; and while something moves, now and then a frame that has no more to draw than
     // others.
@@ -110,9 +114,9 @@ bool Screen::frame(double seconds) {
     if (timed) timed_ = clock_;
     ui_.bench.setTimePasses(timed);
     const Deadline deadline = std::chrono::steady_clock::now() + patience_;
-    const bool drawn = ui_.bench.update(area.size, deadline);
+    const bool drawn = ui_.bench.update(pictures, deadline);
     if (drawn && !timed) drawn_ = clock_;
-    const bool judged = errors_.update(ui_.bench, area.size, clock_);
+    const bool judged = errors_.update(ui_.bench, pictures, clock_);
     if (const std::string failure = errors_.takeFailure(); !failure.empty())
         complain("errors cannot be found: " + failure);
     const bool small = updateStrip(deadline);
@@ -120,10 +124,13 @@ bool Screen::frame(double seconds) {
             ui_.flashUntil > ImGui::GetTime();
     settled_ = !busy_ && errors_.isDone();
 
-    drawPictures(ui_, errors_, panes_, area, theme_);
+    drawPictures(ui_, errors_, panes_, frames, theme_);
     drawMagnifiers(ui_, panes_, theme_);
+    ui_.shown.viewMenu = false; // it says so itself while it is open
+    for (const PaneHeader& header : paneHeaders(ui_, frames))
+        paneHeader(ui_, errors_, strip_, header, frames.headerLines, theme_);
     drawWidgets();
-    drawMessages(area);
+    drawMessages(frames.pictures());
     ui_.requests.focusPanel = false;
     ImGui::Render();
 
@@ -136,7 +143,7 @@ bool Screen::frame(double seconds) {
 }
 
 bool Screen::updateStrip(Deadline deadline) {
-    if (!ui_.shown.strip || !ui_.bench.isAtRest()) return false;
+    if (!(ui_.shown.strip || ui_.shown.viewMenu) || !ui_.bench.isAtRest()) return false;
     lab::PlacedPane active;
     active.pane = ui_.bench.document().active;
     try {
@@ -183,31 +190,38 @@ void Screen::withdraw(const std::string& beginning) {
 void Screen::drawMessages(const Area& pictures) {
     std::erase_if(ui_.messages,
                   [&](const Message& message) { return !message.fault && clock_ > message.untilSeconds; });
-    float y = static_cast<float>(pictures.corner.y) + theme_.em * 3;
-    int number = 0;
-    for (auto message = ui_.messages.begin(); message != ui_.messages.end();) {
-        const float width = std::min(static_cast<float>(size_.x) * 0.8f, theme_.em * 60);
+    // From the foot of the pictures upward, the newest lowest: most are one line, in the place of the legends.
+    const float footer = static_cast<float>(frames().footer);
+    float bottom = static_cast<float>(pictures.corner.y + pictures.size.y) + footer;
+    const float width = std::min(static_cast<float>(pictures.size.x), theme_.em * 60);
+    for (std::size_t i = ui_.messages.size(); i-- > 0;) {
+        const Message message = ui_.messages[i];
         ImGui::SetNextWindowPos(
-            {(static_cast<float>(pictures.size.x) - std::min(width, static_cast<float>(pictures.size.x))) / 2, y});
-        ImGui::SetNextWindowSize({std::min(width, static_cast<float>(pictures.size.x)), 0});
-        ImGui::PushStyleColor(ImGuiCol_Border, message->fault ? kWarning : kPlateText);
+            {static_cast<float>(pictures.corner.x) + (static_cast<float>(pictures.size.x) - width) / 2, bottom}, 0, {0, 1});
+        ImGui::SetNextWindowSize({width, 0});
+        ImGui::PushStyleColor(ImGuiCol_Border, message.fault ? kWarning : kPlateText);
         ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2);
-        ImGui::Begin(("message" + std::to_string(number++)).c_str(), nullptr,
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {theme_.em * 0.5f, theme_.em * 0.25f});
+        ImGui::Begin(("message" + std::to_string(i)).c_str(), nullptr,
                      ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                          ImGuiWindowFlags_NoNav);
-        ImGui::PushTextWrapPos(0);
-        if (message->fault)
-            ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", message->text.c_str());
+        const char* const close = "Close (Esc)";
+        const float button = ImGui::CalcTextSize(close).x + 2 * ImGui::GetStyle().FramePadding.x + theme_.em;
+        ImGui::PushTextWrapPos(message.fault ? width - button : 0);
+        if (message.fault)
+            ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", message.text.c_str());
         else
-            ImGui::TextUnformatted(message->text.c_str());
+            ImGui::TextUnformatted(message.text.c_str());
         ImGui::PopTextWrapPos();
-        const bool away = message->fault && ImGui::Button("Close (Esc)");
-        y += ImGui::GetWindowHeight() + theme_.em * 0.5f;
+        if (message.fault) {
+            ImGui::SameLine(width - button);
+            if (ImGui::SmallButton(close)) ui_.messages.erase(ui_.messages.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+        bottom -= ImGui::GetWindowHeight() + theme_.em * 0.2f;
         ImGui::End();
-        ImGui::PopStyleVar();
+        ImGui::PopStyleVar(2);
         ImGui::PopStyleColor();
-        message = away ? ui_.messages.erase(message) : message + 1;
     }
 }
 

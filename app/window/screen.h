@@ -43,7 +43,7 @@ public:
     /// Whether the next frame should follow at once. False while only exact errors are missing, which need the processor.
     [[nodiscard]] bool isBusy() const { return busy_; }
     /// Pixels of the picture area: what a capture of the pictures alone has.
-    [[nodiscard]] ivec2 pictureSize() const { return ui_.bench.shownSize(pictureArea().size); }
+    [[nodiscard]] ivec2 pictureSize() const { return ui_.bench.shownSize(frames().pictureSize()); }
     /// Whether the next frame would look just like this one, without input and without time passing.
     [[nodiscard]] bool isSettled() const { return settled_; }
     [[nodiscard]] const lab::LiveErrors& errors() const { return errors_; }
@@ -63,7 +63,8 @@ public:
 private:
     void drawMessages(const Area& pictures);
     void drawWidgets();
-    [[nodiscard]] Area pictureArea() const;
+    [[nodiscard]] Area pictureArea() const; ///< with the bands above and below the pictures
+    [[nodiscard]] PaneFrames frames() const;
     [[nodiscard]] int sourceWidth() const;
     /// Small pictures wait until nothing moves: they must not slow down what does.
     bool updateStrip(Deadline deadline);

@@ -57,12 +57,10 @@ public:
         ui_->lesson.loading = loading;
         ui_->slides.decks = course::builtInDecks(context::assetsRoot());
         ui_->slides.loading = loading;
-        ui_->shown.panel = memory_.panel;
-        ui_->shown.strip = memory_.strip;
-        ui_->shown.handles = memory_.handles;
-        ui_->shown.coarse = memory_.coarse;
-        if (settings.presenter && !memory_.presenter) togglePresenter(*ui_);
-        ui_->shown.presenter = ui_->shown.presenter || memory_.presenter;
+        if (settings.presenter) // a lecture begins the same way every time, whatever the last run has left
+            togglePresenter(*ui_);
+        else
+            applyMemory(*ui_, memory_);
         screen_.emplace(*ui_, context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
         files_.emplace(*ui_, *screen_);
         glfwSetWindowUserPointer(window_, this);
@@ -247,13 +245,8 @@ private:
 
     void keepMemory() {
         if (!settings_.keepSettings) return;
-        WindowMemory memory = memory_;
+        WindowMemory memory = settings_.presenter ? memory_ : memoryOf(*ui_, memory_.size);
         if (!glfwGetWindowMonitor(window_)) glfwGetWindowSize(window_, &memory.size.x, &memory.size.y);
-        memory.panel = ui_->shown.panel;
-        memory.strip = ui_->shown.strip;
-        memory.handles = ui_->shown.handles;
-        memory.coarse = ui_->shown.coarse;
-        memory.presenter = ui_->shown.presenter;
         const std::filesystem::path file = windowMemoryFile();
         if (memory == memory_ || file.empty()) return;
         try {

@@ -6,12 +6,34 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/window/window_state.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/output_file.h"
 #include "techniques/foundation/image/output_folder.h"
 #include "techniques/foundation/scene/load/file_access.h"
 
 namespace shadowlab::window {
+
+void applyMemory(WindowState& ui, const WindowMemory& memory) {
+    ui.shown.panel = memory.panel;
+    ui.shown.strip = memory.strip;
+    ui.shown.handles = memory.handles;
+    ui.shown.coarse = memory.coarse;
+    if (memory.presenter) togglePresenter(ui);
+}
+
+WindowMemory memoryOf(const WindowState& ui, ivec2 windowSize) {
+    WindowMemory memory;
+    memory.size = windowSize;
+    memory.panel = ui.shown.source      ? ui.panelBesideSource
+                   : ui.shown.presenter ? ui.panelOutsidePresenter
+                                        : ui.shown.panel;
+    memory.strip = ui.shown.strip;
+    memory.handles = ui.shown.handles;
+    memory.coarse = ui.shown.coarse;
+    memory.presenter = ui.shown.presenter;
+    return memory;
+}
 
 std::filesystem::path windowMemoryFile() {
     const auto folder = [](const char* name) -> std::filesystem::path {

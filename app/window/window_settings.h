@@ -14,6 +14,12 @@ struct WindowMemory {
     friend bool operator==(const WindowMemory&, const WindowMemory&) = default;
 };
 
+struct WindowState;
+/// What is on show is made as it was then.
+void applyMemory(WindowState& ui, const WindowMemory& memory);
+/// What is to be stored. The panel counts as shown where only the source or presenter mode has taken its place.
+WindowMemory memoryOf(const WindowState& ui, ivec2 windowSize);
+
 /// $XDG_CONFIG_HOME/shadowlab/window.json, or below ~/.config; empty where neither is set.
 std::filesystem::path windowMemoryFile();
 

@@ -101,6 +101,13 @@ void toggleSource(WindowState& ui) {
         panel = panel || ui.panelBesideSource;
 }
 
+void togglePanel(WindowState& ui) {
+    if (ui.shown.source)
+        toggleSource(ui);
+    else
+        ui.shown.panel = !ui.shown.panel;
+}
+
 void resetCamera(WindowState& ui) {
     if (looksFromOutside(ui))
         ui.bench.resetOutsideCamera();

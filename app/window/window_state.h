@@ -25,6 +25,7 @@ struct Shown {
     bool presenter = false;
     bool handles = true; ///< of lights and objects, for dragging
     bool plot = true;    ///< of times and errors
+    bool viewMenu = false; ///< a pane's choice of views is open, with small pictures
     bool coarse = true;  ///< fewer pixels while something moves, if all of them would take too long
     friend bool operator==(const Shown&, const Shown&) = default;
 };
@@ -104,8 +105,10 @@ void selectNext(WindowState& ui, int by);
 void resetSettings(WindowState& ui);
 /// Presenter mode with its large type hides the settings, for room; leaving it shows them again.
 void togglePresenter(WindowState& ui);
-/// Formula, pseudocode and source of the step. They hide the settings, too.
+/// Formula, pseudocode and source of the step, in the place of the settings.
 void toggleSource(WindowState& ui);
+/// The panel beside the pictures, with the settings or with the source.
+void togglePanel(WindowState& ui);
 void resetCamera(WindowState& ui);
 /// Whether the active pane looks through the second camera, which is then the one that is moved.
 bool looksFromOutside(const WindowState& ui);

@@ -269,6 +269,9 @@ def mouse(window):
     before = w.wait("rest after flying", lambda s: s["settled"])
     w.hand("mousemove", x, y, "click", 4)
     w.wait("nearer by the wheel", lambda s: s["camera"] != before["camera"])
+    before = w.wait("rest after the wheel", lambda s: s["settled"])
+    w.hand("key", "ctrl+z")
+    w.wait("the camera back", lambda s: s["camera"] != before["camera"] and s["settled"])
     width = w.state["size"][0]
     line = round(w.state["split"] * width)
     before, after, _ = drag(1, (line, y), (line - 150, y), "the split line")
@@ -279,7 +282,8 @@ def mouse(window):
     # A thing goes where its handle is dragged; then along one axis alone, by its arrow.
     w.hand("key", "0")
     w.wait("the scene's own camera", lambda s: s["settled"] and "reset-camera" not in s["ran"], fresh=True)
-    name, place = next((n, p) for n, p in w.state["handles"].items() if abs(p[0] - line) > 40)
+    lights = [light["name"] for light in w.state["lights"]]
+    name, place = next((n, p) for n, p in w.state["handles"].items() if n not in lights and abs(p[0] - line) > 40)
     start, target = w.state, (place[0] + 40, place[1] + 25)
     w.hand("mousemove", *place)
     w.wait("the mouse at a handle", lambda s: s["mouse"] == place and s["settled"])
@@ -294,6 +298,17 @@ def mouse(window):
     check(after["picture"] != start["picture"], "the picture stays")
     w.hand("key", "ctrl+z")
     w.wait("the handle back", lambda s: s["handles"].get(name) == place and s["settled"])
+
+    # No lamp is in this picture: each is dragged by its mark at the edge.
+    for number, name in enumerate(lights):
+        place = w.state["handles"][name]
+        before, after, _ = drag(1, tuple(place), (place[0] + 30, place[1] + 10), f"the light {name}")
+        check(before["lights"][number] != after["lights"][number], f"{name} stays", after)
+        check(before["camera"] == after["camera"], "the camera moved instead", after)
+        w.hand("key", "ctrl+z")
+        w.wait("the light back", lambda s: s["lights"] == before["lights"] and s["settled"])
+        w.hand("key", "Escape")
+        w.wait("nothing selected", lambda s: s["selection"] == "" and s["settled"])
     w.close()
 
 

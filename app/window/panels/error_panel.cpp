@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
+#include "app/window/panels/widgets.h"
 #include "techniques/foundation/base/look.h"
 
 namespace shadowlab::window {
@@ -75,44 +77,42 @@ void chart(const WindowState& ui, const lab::LiveErrors& errors, const Theme& th
 } // namespace
 
 void errorTable(const WindowState& ui, const lab::LiveErrors& errors) {
-    if (!ImGui::BeginTable("errors", 5, ImGuiTableFlags_SizingStretchProp)) return;
-    for (const char* title : {"pane", "false lit", "false sh.", "edge px", "frame"})
-        ImGui::TableSetupColumn(title);
+    struct Column {
+        const char *title, *help;
+    };
+    constexpr std::array<Column, 5> kColumns = {
+        {{"", "the pane"},
+         {"false lit", "pixels of the whole picture that are lit and should lie in shadow"},
+         {"false sh.", "pixels of the whole picture that lie in shadow and should be lit"},
+         {"edge", "how far on average the shadow's edge is from where it belongs, in pixels of the picture"},
+         {"frame", "milliseconds for the whole picture"}}};
+    if (!ImGui::BeginTable("errors", static_cast<int>(kColumns.size()), ImGuiTableFlags_SizingStretchProp)) return;
     ImGui::TableNextRow();
-    for (const char* title : {"", "false lit", "false sh.", "edge", "frame"}) {
+    for (const Column& column : kColumns) {
         ImGui::TableNextColumn();
-        ImGui::TextDisabled("%s", title);
+        ImGui::TextDisabled("%s", column.title);
+        hint(column.help);
     }
     for (int i = 0; i < panesOf(ui); ++i) {
         const int pane = paneAt(ui, i);
         const lab::PaneErrors* const known = errors.errors(pane);
         ImGui::TableNextRow();
+        const auto cell = [&](std::size_t column, const std::string& text) {
+            ImGui::TableNextColumn();
+            ImGui::TextUnformatted(text.c_str());
+            hint(kColumns[column].help);
+        };
         ImGui::TableNextColumn();
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(paneColor(pane)), "%d", pane + 1);
-        if (known) {
-            ImGui::TableNextColumn();
-            ImGui::Text("%d", known->counts.falseLit);
-            ImGui::TableNextColumn();
-            ImGui::Text("%d", known->counts.falseShadow);
-            ImGui::TableNextColumn();
-            if (known->edgeErrorPx)
-                ImGui::Text("%.3f px", *known->edgeErrorPx);
-            else
-                ImGui::TextDisabled("-");
-        } else {
-            for (int column = 0; column < 3; ++column) {
-                ImGui::TableNextColumn();
-                ImGui::TextDisabled("-");
-            }
-        }
-        ImGui::TableNextColumn();
-        if (ui.live)
-            ImGui::Text("%.0f ms", ui.bench.pane(pane).rendered().frameMs);
-        else
-            ImGui::TextDisabled("- ms");
+        char edge[32] = "-";
+        if (known && known->edgeErrorPx) std::snprintf(edge, sizeof edge, "%.3f px", *known->edgeErrorPx);
+        cell(1, known ? std::to_string(known->counts.falseLit) : "-");
+        cell(2, known ? std::to_string(known->counts.falseShadow) : "-");
+        cell(3, edge);
+        cell(4, ui.live ? std::to_string(std::lround(ui.bench.pane(pane).rendered().frameMs)) + " ms" : "- ms");
     }
     ImGui::EndTable();
-    ImGui::TextDisabled(errors.isDone() ? "exact, at rest" : "without ties; exact when all is at rest");
+    ImGui::TextDisabled(errors.isDone() ? "of the whole picture, exact" : "without ties; exact when all is at rest");
 }
 
 void historyPlot(const WindowState& ui, const lab::LiveErrors& errors, const Theme& theme) {

@@ -11,9 +11,8 @@ namespace shadowlab::window {
 
 namespace {
 
-constexpr float kLargestShare = 0.5f; ///< of the area that a legend may cover
-// In panes lower than this the type is a little smaller: less of the picture is covered, and it can still be read.
-constexpr float kLowPaneEm = 26, kSmaller = 0.82f;
+constexpr float kSmallest = 0.72f; ///< of the text's size: what the last row still reads in presenter mode
+constexpr float kBarEm = 11;       ///< length of a bar
 constexpr int kBarSteps = 64; ///< colours of a bar: finer than the eye can distinguish
 
 std::string shortNumber(double value) {
@@ -24,89 +23,88 @@ std::string shortNumber(double value) {
     return error == std::errc{} ? std::string(text, end) : "?";
 }
 
-struct Plate {
-    ImDrawList& list;
-    ImVec2 corner; ///< upper left, in pixels of the window
-    ImVec2 size;
-    float pad;
-    void draw() const { list.AddRectFilled(corner, {corner.x + size.x, corner.y + size.y}, kPlateColor); }
-};
-
-/// Nothing if it does not fit.
-bool place(Plate& plate, ivec2 corner, ivec2 size) {
-    const auto width = static_cast<float>(size.x), height = static_cast<float>(size.y);
-    if (plate.size.x > width || plate.size.x * plate.size.y > kLargestShare * width * height) return false;
-    plate.corner = {static_cast<float>(corner.x), static_cast<float>(corner.y) + height - plate.size.y};
-    return true;
+float textWidth(const Theme& theme, float em, const std::string& text) {
+    return theme.text->CalcTextSizeA(em, FLT_MAX, 0, text.c_str()).x;
 }
 
-ImVec2 drawBar(Plate plate, const lab::PanePicture& picture, ivec2 corner, ivec2 size, const Theme& theme, float em) {
+/// The unit, the least number, the colours from it to the greatest, and that.
+void drawBar(ImDrawList& list, const lab::PanePicture& picture, const Area& band, const Theme& theme) {
     const Display& display = picture.display;
     const std::string low = shortNumber(display.minimum), high = shortNumber(display.maximum);
-    const float widest = std::max(4 * em, static_cast<float>(size.x) - 2 * plate.pad);
-    const float width = std::min(14 * em, widest);
-    const ImVec2 unit = theme.text->CalcTextSizeA(em, FLT_MAX, width, display.unit.c_str());
-    const float barHeight = em * 0.7f, unitHeight = display.unit.empty() ? 0 : unit.y;
-    plate.size = {std::max(width, unit.x) + 2 * plate.pad, unitHeight + barHeight + em + 3 * plate.pad};
-    if (!place(plate, corner, size)) return {};
-    plate.draw();
-    ImDrawList& list = plate.list;
-    const ImVec2 at(plate.corner.x + plate.pad, plate.corner.y + plate.pad);
-    if (!display.unit.empty()) list.AddText(theme.text, em, at, kPlateText, display.unit.c_str(), nullptr, width);
-    const float top = at.y + unitHeight + plate.pad / 2, step = width / kBarSteps;
+    const float room = static_cast<float>(band.size.x) - theme.em;
+    const auto wantedWidth = [&](float em) {
+        return textWidth(theme, em, display.unit) + textWidth(theme, em, low + high) + (kBarEm + 2) * em;
+    };
+    const float em = std::round(theme.em * std::clamp(room / wantedWidth(theme.em), kSmallest, 1.0f));
+    const float pad = em * 0.5f, height = em * 0.8f;
+    float x = static_cast<float>(band.corner.x) + pad;
+    const float textY = static_cast<float>(band.corner.y) + (static_cast<float>(band.size.y) - em) / 2 - em * 0.1f,
+                barY = static_cast<float>(band.corner.y) + (static_cast<float>(band.size.y) - height) / 2;
+    const auto text = [&](const std::string& words) {
+        if (words.empty()) return;
+        list.AddText(theme.text, em, {x, textY}, kPlateText, words.c_str());
+        x += textWidth(theme, em, words) + pad;
+    };
+    text(display.unit);
+    text(low);
+    const float width = std::max(2 * em, std::min(kBarEm * em, static_cast<float>(band.corner.x) + room - x - textWidth(theme, em, high)));
     const look::Palette& palette = picture.kind == StageKind::count ? look::diverging() : look::viridis();
     for (int i = 0; i < kBarSteps; ++i)
-        list.AddRectFilled({at.x + static_cast<float>(i) * step, top},
-                           {at.x + static_cast<float>(i + 1) * step, top + barHeight},
+        list.AddRectFilled({x + static_cast<float>(i) * width / kBarSteps, barY},
+                           {x + static_cast<float>(i + 1) * width / kBarSteps, barY + height},
                            shownColor(look::colorAt(palette, (i + 0.5) / kBarSteps)));
-    const float below = top + barHeight + plate.pad / 4;
-    const auto textWidth = [&](const std::string& text) {
-        return theme.text->CalcTextSizeA(em, FLT_MAX, 0, text.c_str()).x;
-    };
-    list.AddText(theme.text, em, {at.x, below}, kPlateText, low.c_str());
-    list.AddText(theme.text, em, {at.x + width - textWidth(high), below}, kPlateText, high.c_str());
     if (picture.kind == StageKind::count && display.minimum < 0 && display.maximum > 0) {
         const auto share = static_cast<float>(-display.minimum / (display.maximum - display.minimum));
-        list.AddText(theme.text, em, {at.x + share * width - textWidth("0") / 2, below}, kPlateText, "0");
+        const float zero = x + share * width; // its colour is light
+        list.AddText(theme.text, em, {zero - textWidth(theme, em, "0") / 2, textY}, IM_COL32(16, 16, 18, 255), "0");
     }
-    return plate.size;
+    x += width + pad;
+    text(high);
 }
 
-ImVec2 drawKey(Plate plate, const std::vector<KeyEntry>& key, ivec2 corner, ivec2 size, const Theme& theme, float em) {
-    const float swatch = em * 0.9f, between = em * 0.35f;
-    const float widest = std::max(6 * em, static_cast<float>(size.x) - swatch - 3 * plate.pad);
-    plate.size = {0, plate.pad};
-    std::vector<ImVec2> sizes;
+/// Swatches with their words, one after the other.
+void drawKey(ImDrawList& list, const std::vector<KeyEntry>& key, const Area& band, const Theme& theme) {
+    const float room = static_cast<float>(band.size.x) - theme.em;
+    const auto entryWidth = [&](const KeyEntry& entry, float em) { return textWidth(theme, em, entry.label) + 2.4f * em; };
+    float wanted = 0;
+    for (const KeyEntry& entry : key)
+        wanted += entryWidth(entry, theme.em);
+    const float em = std::round(theme.em * std::clamp(room / wanted, kSmallest, 1.0f));
+    std::vector<std::vector<const KeyEntry*>> lines(1);
+    float used = 0;
     for (const KeyEntry& entry : key) {
-        sizes.push_back(theme.text->CalcTextSizeA(em, FLT_MAX, widest, entry.label.c_str()));
-        plate.size.x = std::max(plate.size.x, sizes.back().x + swatch + 3 * plate.pad);
-        plate.size.y += sizes.back().y + between;
+        if (used > 0 && used + entryWidth(entry, em) > room) {
+            lines.emplace_back();
+            used = 0;
+        }
+        lines.back().push_back(&entry);
+        used += entryWidth(entry, em);
     }
-    plate.size.y += plate.pad - between;
-    if (!place(plate, corner, size)) return {};
-    plate.draw();
-    float y = plate.corner.y + plate.pad;
-    for (std::size_t i = 0; i < key.size(); ++i) {
-        const ImVec2 at(plate.corner.x + plate.pad, y + (em - swatch) / 2);
-        plate.list.AddRectFilled(at, {at.x + swatch, at.y + swatch}, shownColor(key[i].colorLinear));
-        plate.list.AddText(theme.text, em, {at.x + swatch + plate.pad, y}, kPlateText, key[i].label.c_str(), nullptr,
-                           widest);
-        y += sizes[i].y + between;
+    const float lineHeight = lines.size() == 1 ? static_cast<float>(band.size.y) : em * 1.25f;
+    const float left = static_cast<float>(band.corner.x), bottom = static_cast<float>(band.corner.y + band.size.y);
+    float y = bottom - lineHeight * static_cast<float>(lines.size());
+    if (lines.size() > 1)
+        list.AddRectFilled({left, y}, {left + static_cast<float>(band.size.x), bottom}, kPlateColor);
+    for (const auto& line : lines) {
+        float x = left + em * 0.5f;
+        const float swatch = em * 0.85f, top = y + (lineHeight - swatch) / 2;
+        for (const KeyEntry* entry : line) {
+            list.AddRectFilled({x, top}, {x + swatch, top + swatch}, shownColor(entry->colorLinear));
+            list.AddText(theme.text, em, {x + swatch + em * 0.4f, y + (lineHeight - em) / 2 - em * 0.1f}, kPlateText,
+                         entry->label.c_str());
+            x += entryWidth(*entry, em);
+        }
+        y += lineHeight;
     }
-    return plate.size;
 }
 
 } // namespace
 
-ImVec2 drawLegend(ImDrawList& list, const lab::PanePicture& picture, bool always, ivec2 corner, ivec2 size,
-                  const Theme& theme) {
-    if (!picture.texture && !always) return {};
-    const float em = static_cast<float>(size.y) < kLowPaneEm * theme.em ? std::round(kSmaller * theme.em) : theme.em;
-    const Plate plate{list, {}, {}, em * 0.5f};
+void drawLegend(ImDrawList& list, const lab::PanePicture& picture, const Area& band, const Theme& theme) {
     if (picture.kind == StageKind::scalar || picture.kind == StageKind::count)
-        return drawBar(plate, picture, corner, size, theme, em);
-    if (!picture.display.key.empty()) return drawKey(plate, picture.display.key, corner, size, theme, em);
-    return {};
+        drawBar(list, picture, band, theme);
+    else if (!picture.display.key.empty())
+        drawKey(list, picture.display.key, band, theme);
 }
 
 } // namespace shadowlab::window

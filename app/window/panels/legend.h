@@ -1,14 +1,13 @@
-// What the colours of a stage mean: a bar with numbers, or a key, on a plate in the lower left corner of its pane.
+// What the colours of a stage mean: a bar with numbers, or a key, in the band below its picture.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "app/lab/pane.h"
-#include "app/window/theme.h"
+#include "app/window/pane_frames.h"
 
 namespace shadowlab::window {
 
-/// Nothing for pictures that need no legend, or (but for `always`) have no texture, and where it would cover more than half of the area.
-/// Returns the size of the plate, in pixels.
-ImVec2 drawLegend(ImDrawList& list, const lab::PanePicture& picture, bool always, ivec2 corner, ivec2 size,
-                  const Theme& theme);
+/// In one line, in smaller type where it is long; what does not fit even so stands in further lines that reach up over the
+/// picture's edge. Nothing for pictures that need no legend.
+void drawLegend(ImDrawList& list, const lab::PanePicture& picture, const Area& band, const Theme& theme);
 
 } // namespace shadowlab::window

@@ -18,17 +18,12 @@ void drawGlass(ImDrawList& list, const gl::Texture2D& texture, const ShownPane& 
                const Theme& theme) {
     const float width = static_cast<float>(pane.area.size.x), height = static_cast<float>(pane.area.size.y);
     const float edge = theme.em * 0.7f; // between the glass and what is around it
-    float most = std::min(kShareOfPane * std::min(width, height), kLargestEm * theme.em), lift = 0;
-    // Beside the legend, or above it where the pane is too narrow for both.
-    if (pane.legendSize.x + most + 3 * edge > width) {
-        lift = pane.legendSize.y;
-        most = std::min(most, height - lift - 5 * theme.em); // below a title of two lines
-    }
+    const float most = std::min(kShareOfPane * std::min(width, height), kLargestEm * theme.em);
     const auto cell = static_cast<int>(most / kPixelsAcross);
     if (cell < 2) return; // no room to enlarge anything
     const auto side = static_cast<float>(cell * kPixelsAcross);
     const ivec2 end = pane.area.corner + pane.area.size;
-    const ImVec2 low(static_cast<float>(end.x) - side - edge, static_cast<float>(end.y) - side - edge - lift),
+    const ImVec2 low(static_cast<float>(end.x) - side - edge, static_cast<float>(end.y) - side - edge),
         high(low.x + side, low.y + side);
 
     const ivec2 size = texture.size(), first = middle - kPixelsAcross / 2, last = first + kPixelsAcross;

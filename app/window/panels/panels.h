@@ -9,12 +9,18 @@
 
 namespace shadowlab::window {
 
-// The bar at the top: the scene, and buttons for what is used most.
-float topBarHeight(const WindowState& ui, const Theme& theme, float width);
+// The line at the top: the scene, and buttons with icons for what is used most. It never wraps: where it is too short, some are left out.
+float topBarHeight();
 void topBar(WindowState& ui, const Area& area, const Theme& theme);
+
+/// The band above a pane: its technique, what is shown of it, and how wrong it is.
+void paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::StageStrip& strip, const PaneHeader& header, int lines,
+                const Theme& theme);
 
 // Beside the pictures: all about the active pane.
 void sidePanel(WindowState& ui, const lab::LiveErrors& errors, const Area& area, const Theme& theme);
+/// What the panel beside the pictures shows: all about the pane, or the source of its step.
+void panelTabs(WindowState& ui);
 /// The settings of the active pane's technique, made from its parameter list: a checkbox, slider or choice for each, with its
 /// help, its range and a way back to its default.
 void parameterPanel(WindowState& ui, const Theme& theme);

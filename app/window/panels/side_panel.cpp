@@ -11,12 +11,6 @@ namespace shadowlab::window {
 
 namespace {
 
-/// The next item stands in the same line if it is as wide as that, else in a new one.
-void sameLineIfFits(float width) {
-    const float right = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
-    if (right < ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x) ImGui::SameLine();
-}
-
 void animationPart(WindowState& ui, const Theme& theme) {
     lab::Animation animation = ui.bench.animation();
     if (toggleButton(animation.playing ? "Pause" : "Play", animation.playing, "plays and pauses (Space)"))
@@ -38,57 +32,25 @@ void animationPart(WindowState& ui, const Theme& theme) {
     hint("half as fast (,), twice as fast (.)");
 }
 
+/// What the technique is called, whose it is, and what it gets wrong.
 void techniquePart(WindowState& ui) {
-    const lab::Document& document = ui.bench.document();
-    const lab::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
-    const TechniqueInfo& info = findTechnique(state.technique);
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    if (ImGui::BeginCombo("##technique", std::string(info.title).c_str(), ImGuiComboFlags_HeightLargest)) {
-        const auto entry = [&](const RegisteredTechnique& technique, const std::string& key) {
-            const std::string label = key + "  " + std::string(technique.info->title);
-            if (ImGui::Selectable(label.c_str(), technique.info == &info)) chooseTechnique(ui, technique.info->id);
-        };
-        int number = 0;
-        for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::production))
-            entry(technique, std::to_string(++number));
-        ImGui::Separator();
-        for (const RegisteredTechnique& technique : techniquesOf(TechniqueGroup::lecture))
-            entry(technique, " ");
-        ImGui::EndCombo();
-    }
-    hint("technique of the active pane (number keys)");
-    if (sisterOf(info)) {
-        if (ImGui::Button(info.sister.empty() ? "The lecture's version" : "The refined version")) chooseSister(ui);
-        hint("the algorithm as the lecture has it, and back (Shift+L)");
-    }
+    const TechniqueInfo& info = findTechnique(ui.bench.activeState().technique);
     ImGui::PushTextWrapPos();
+    ImGui::TextUnformatted(std::string(info.title).c_str());
     ImGui::TextDisabled("%s", std::string(info.paper).c_str());
     ImGui::TextDisabled("gets wrong: %s", std::string(info.getsWrong).c_str());
     ImGui::PopTextWrapPos();
+    if (!sisterOf(info)) return;
+    if (ImGui::Button(info.sister.empty() ? "The lecture's version" : "The refined version")) chooseSister(ui);
+    hint("the algorithm as the lecture has it, and back (Shift+L)");
 }
 
-void stagePart(WindowState& ui) {
-    const lab::Document& document = ui.bench.document();
-    const lab::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
-    const TechniqueInfo& info = findTechnique(state.technique);
-    const picture::StageRef now = state.stage.ofAnyLight();
-    const std::string shown = now.isPass        ? "after a step"
-                              : now.isPicture() ? "the finished picture"
-                                                : picture::captionOf(info, now.id);
-    ImGui::SetNextItemWidth(-FLT_MIN);
-    if (ImGui::BeginCombo("##stage", shown.c_str(), ImGuiComboFlags_HeightLargest)) {
-        if (ImGui::Selectable("the finished picture", now.isPicture())) chooseStage(ui, {});
-        for (const StageInfo& stage : picture::stagesOf(info)) {
-            const picture::StageRef one{std::string(stage.id)};
-            if (ImGui::Selectable(std::string(stage.caption).c_str(), now == one)) chooseStage(ui, one);
-        }
-        ImGui::EndCombo();
-    }
-    hint("what is shown of the technique (T: all stages as small pictures)");
+/// The light that stages and errors are about, where there are several.
+void lightPart(WindowState& ui) {
     const auto& lights = ui.bench.shownScene()->lights;
     if (lights.size() < 2) return;
     ImGui::SetNextItemWidth(-FLT_MIN);
-    const auto light = static_cast<std::size_t>(document.light);
+    const auto light = static_cast<std::size_t>(ui.bench.document().light);
     if (ImGui::BeginCombo("##light", ("light: " + lights[std::min(light, lights.size() - 1)].name).c_str())) {
         for (std::size_t i = 0; i < lights.size(); ++i)
             if (ImGui::Selectable(lights[i].name.c_str(), i == light))
@@ -96,6 +58,30 @@ void stagePart(WindowState& ui) {
         ImGui::EndCombo();
     }
     hint("the light that stages and errors are about (L)");
+}
+
+/// The panes, to choose the one that the panel is about.
+void panePart(WindowState& ui) {
+    const int count = lab::shownPanes(ui.bench.document().layout);
+    if (count < 2) return;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Pane");
+    for (int i = 0; i < count; ++i) {
+        ImGui::SameLine();
+        if (toggleButton(std::to_string(i + 1).c_str(), i == ui.bench.document().active,
+                         "the pane that this panel is about (Tab)"))
+            ui.bench.activate(i);
+    }
+}
+
+void verdictPart(WindowState& ui, const lab::LiveErrors& errors) {
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "Verdict");
+    lightPart(ui);
+    if (ui.lesson.paints())
+        ImGui::TextWrapped("It is shown with the truth (J).");
+    else
+        errorTable(ui, errors);
+    ImGui::Spacing();
 }
 
 void timesPart(const WindowState& ui) {
@@ -133,8 +119,8 @@ void timesPart(const WindowState& ui) {
 /// What the technique found in the scene, with the colours that its stages give it.
 void foundPart(const WindowState& ui) {
     const picture::RenderedFrame& frame = ui.bench.pane(ui.bench.document().active).rendered();
-    if (frame.result.notes.empty() || !ImGui::CollapsingHeader("Found in the scene", ImGuiTreeNodeFlags_DefaultOpen))
-        return;
+    if (frame.result.notes.empty()) return;
+    ImGui::TextUnformatted("Found in the scene");
     for (const Note& note : frame.result.notes) {
         const float side = ImGui::GetTextLineHeight();
         const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -149,55 +135,33 @@ void foundPart(const WindowState& ui) {
 
 } // namespace
 
+void panelTabs(WindowState& ui) {
+    if (toggleButton("Panel", !ui.shown.source, "verdict, settings, details (I)") && ui.shown.source) {
+        toggleSource(ui);
+        ui.shown.panel = true;
+    }
+    ImGui::SameLine();
+    if (toggleButton("Source", ui.shown.source, "formula, pseudocode and source of the step (Y)")) toggleSource(ui);
+}
+
 void sidePanel(WindowState& ui, const lab::LiveErrors& errors, const Area& area, const Theme& theme) {
     // Tab goes from pane to pane, and not into a number, unless the settings were given the keyboard.
     beginIn("settings", area, ui.panelHasKeys ? 0 : ImGuiWindowFlags_NoNav);
     if (ui.requests.focusPanel) ImGui::SetWindowFocus();
-    const lab::Document& document = ui.bench.document();
-    if (document.layout != picture::Layout::single) {
-        const int count = lab::shownPanes(document.layout);
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted("Pane");
-        for (int i = 0; i < count; ++i) {
-            ImGui::SameLine();
-            if (toggleButton(std::to_string(i + 1).c_str(), i == document.active,
-                             "the pane these settings are of (Tab)"))
-                ui.bench.activate(i);
-        }
-    }
-    techniquePart(ui);
-    stagePart(ui);
+    panelTabs(ui);
+    panePart(ui);
+    verdictPart(ui, errors);
     pixelPanel(ui);
+    if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) parameterPanel(ui, theme);
     lessonList(ui);
     deckList(ui);
-    if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) parameterPanel(ui, theme);
-    if (ImGui::CollapsingHeader("Errors", ImGuiTreeNodeFlags_DefaultOpen)) {
-        if (ui.lesson.paints()) {
-            ImGui::TextWrapped("They are shown with the truth (J).");
-        } else {
-            errorTable(ui, errors);
-            historyPlot(ui, errors, theme);
-        }
-    }
-    if (ImGui::CollapsingHeader("Time", ImGuiTreeNodeFlags_DefaultOpen)) timesPart(ui);
-    foundPart(ui);
     if (ImGui::CollapsingHeader("Animation")) animationPart(ui, theme);
-    ImGui::Separator();
-    ImGui::BeginDisabled(!ui.bench.history().canUndo());
-    if (ImGui::Button("Undo")) ui.bench.undo();
-    hint("takes the last change back (Ctrl+Z)");
-    ImGui::EndDisabled();
-    ImGui::SameLine();
-    ImGui::BeginDisabled(!ui.bench.history().canRedo());
-    if (ImGui::Button("Redo")) ui.bench.redo();
-    hint("makes it again (Ctrl+Y)");
-    ImGui::EndDisabled();
-    sameLineIfFits(ImGui::CalcTextSize("Save picture").x);
-    if (ImGui::Button("Save picture")) ui.requests.screenshot = true;
-    hint("the picture, the command line that makes it, and the scene (P)");
-    sameLineIfFits(ImGui::CalcTextSize("Save scene").x);
-    if (ImGui::Button("Save scene")) ui.requests.saveScene = true;
-    hint("what is seen, as a scene file (Ctrl+S)");
+    if (ImGui::CollapsingHeader("Details")) {
+        techniquePart(ui);
+        if (!ui.lesson.paints()) historyPlot(ui, errors, theme);
+        timesPart(ui);
+        foundPart(ui);
+    }
     ImGui::End();
 }
 

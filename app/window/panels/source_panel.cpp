@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/picture/steps/stepping.h"
+#include "app/window/panels/panels.h"
 #include "app/window/panels/widgets.h"
 #include "techniques/foundation/gl/program.h"
 #include "techniques/frame.h"
@@ -160,6 +161,7 @@ void SourcePanel::draw(WindowState& ui, const Area& area, const Theme& theme) {
     const lab::Document& document = ui.bench.document();
     const lab::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
     beginIn("source", area, ImGuiWindowFlags_NoNav);
+    panelTabs(ui);
     const std::string step = state.technique + " " + state.stage.text();
     if (step != shownStep_) ImGui::SetScrollY(0);
     shownStep_ = step;

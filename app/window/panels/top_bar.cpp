@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/panels/panels.h"
 
+#include <algorithm>
+
+#include "app/window/panels/icons.h"
 #include "app/window/panels/widgets.h"
 
 namespace shadowlab::window {
@@ -9,12 +12,66 @@ namespace {
 
 using picture::Layout;
 
-constexpr float kSceneComboEm = 10; ///< width of the choice of scenes
+constexpr float kSceneComboEm = 11, kNarrowSceneComboEm = 6; ///< width of the choice of scenes
 
-void sceneCombo(WindowState& ui, const Theme& theme) {
+/// One button of the line: what it shows, and what it does.
+struct BarButton {
+    const char* id;
+    Icon icon;
+    bool on, enabled;
+    const char* help;
+    void (*press)(WindowState&);
+    int rank;         ///< where the line is too short, those of the highest rank are left out first; keys do the same
+    bool gap = false; ///< some room before it: another group begins
+};
+
+void openSaveMenu(WindowState&) { ImGui::OpenPopup("save menu"); }
+
+std::vector<BarButton> barButtons(const WindowState& ui) {
+    const Layout layout = ui.bench.document().layout;
+    const bool playing = ui.bench.animation().playing;
+    return {
+        {"single", Icon::single, layout == Layout::single, true, "one picture: the active pane alone (V)",
+         [](WindowState& d) { chooseLayout(d, Layout::single); }, 0, true},
+        {"side", Icon::side, layout == Layout::side, true, "two pictures side by side (V)",
+         [](WindowState& d) { chooseLayout(d, Layout::side); }, 0},
+        {"split", Icon::split, layout == Layout::split, true, "one picture, split by a line to be dragged (V)",
+         [](WindowState& d) { chooseLayout(d, Layout::split); }, 0},
+        {"grid", Icon::grid, layout == Layout::grid, true, "four pictures (V)",
+         [](WindowState& d) { chooseLayout(d, Layout::grid); }, 1},
+        {"difference", Icon::difference, layout == Layout::diff, true,
+         "difference: where the two techniques differ, and which of them is right (V)",
+         [](WindowState& d) { chooseLayout(d, Layout::diff); }, 0},
+        {"play", playing ? Icon::pause : Icon::play, playing, true, playing ? "pauses (Space)" : "plays (Space)",
+         [](WindowState& d) { d.bench.play(!d.bench.animation().playing); }, 0, true},
+        {"undo", Icon::undo, false, ui.bench.history().canUndo(), "takes the last change back (Ctrl+Z)",
+         [](WindowState& d) { d.bench.undo(); }, 0},
+        {"redo", Icon::redo, false, ui.bench.history().canRedo(), "makes it again (Ctrl+Y)",
+         [](WindowState& d) { d.bench.redo(); }, 2},
+        {"stages", Icon::stages, ui.shown.strip, true, "all stages as small pictures (T)",
+         [](WindowState& d) { d.shown.strip = !d.shown.strip; }, 1, true},
+        {"lens", Icon::lens, ui.shown.magnifier, true, "magnifier (M)",
+         [](WindowState& d) { d.shown.magnifier = !d.shown.magnifier; }, 3},
+        {"save", Icon::save, false, true, "saves the picture, the scene, or a slide", openSaveMenu, 2, true},
+        {"present", Icon::present, ui.shown.presenter, true, "presenter mode: large type, high contrast (D)",
+         togglePresenter, 1},
+        {"help", Icon::help, ui.shown.keys, true, "all keys (H)",
+         [](WindowState& d) { d.shown.keys = !d.shown.keys; }, 0},
+        {"panel", Icon::panel, ui.shown.panel || ui.shown.source, true, "the panel beside the pictures (I)", togglePanel, 0},
+    };
+}
+
+float buttonsWidth(const std::vector<BarButton>& buttons, float between) {
+    float width = 0;
+    for (const BarButton& button : buttons)
+        width += ImGui::GetFrameHeight() * 1.15f + between * (button.gap ? 3 : 1);
+    return width;
+}
+
+void sceneCombo(WindowState& ui, float width) {
     const std::string& now = ui.bench.document().sceneName;
     const std::string shown = std::filesystem::path(now).filename().string();
-    ImGui::SetNextItemWidth(kSceneComboEm * theme.em);
+    ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("##scene", shown.c_str(), ImGuiComboFlags_HeightLargest)) {
         for (const std::string& name : ui.scenes)
             if (ImGui::Selectable(name.c_str(), name == now)) ui.requests.scene = name;
@@ -23,81 +80,36 @@ void sceneCombo(WindowState& ui, const Theme& theme) {
     hint("scene (Ctrl+PageDown, Ctrl+PageUp); or drop a .json or .obj file on the window");
 }
 
-/// A button of the bar: its label, whether it is on, its help, and what it does.
-struct BarButton {
-    const char* label;
-    bool on;
-    const char* help;
-    void (*press)(WindowState&);
-};
-
-std::vector<BarButton> barButtons(const WindowState& ui) {
-    const lab::Document& document = ui.bench.document();
-    const picture::StageRef& stage = document.panes[static_cast<std::size_t>(document.active)].stage;
-    static const picture::StageRef kError{"error"}, kOutside{"outside"};
-    const bool playing = ui.bench.animation().playing;
-    return {
-        {"1", document.layout == Layout::single, "single: the active pane alone (V)",
-         [](WindowState& d) { chooseLayout(d, Layout::single); }},
-        {"1 2", document.layout == Layout::side, "two pictures side by side (V)",
-         [](WindowState& d) { chooseLayout(d, Layout::side); }},
-        {"1|2", document.layout == Layout::split, "one picture, split by a line to be dragged (V)",
-         [](WindowState& d) { chooseLayout(d, Layout::split); }},
-        {"2x2", document.layout == Layout::grid, "grid of four (V)",
-         [](WindowState& d) { chooseLayout(d, Layout::grid); }},
-        {"1-2", document.layout == Layout::diff, "where two techniques differ, and who is right (V)",
-         [](WindowState& d) { chooseLayout(d, Layout::diff); }},
-        {playing ? "Pause" : "Play", playing, "plays and pauses (Space)",
-         [](WindowState& d) { d.bench.play(!d.bench.animation().playing); }},
-        {"Error", stage == kError, "where the technique is wrong (E)", [](WindowState& d) { toggleStage(d, kError); }},
-        {"Stages", ui.shown.strip, "all stages as small pictures (T)",
-         [](WindowState& d) { d.shown.strip = !d.shown.strip; }},
-        {"Step", isStepping(ui), "the algorithm step by step (PageDown, PageUp)", [](WindowState& d) { step(d, 1); }},
-        {"Source", ui.shown.source, "formula, pseudocode and source of the step (Y)", toggleSource},
-        {"Lens", ui.shown.magnifier, "magnifier (M)", [](WindowState& d) { d.shown.magnifier = !d.shown.magnifier; }},
-        {"Outside", stage == kOutside, "the second camera, which looks on from outside (O)",
-         [](WindowState& d) { toggleStage(d, kOutside); }},
-        {"Settings", ui.shown.panel, "the panel beside the pictures (I)",
-         [](WindowState& d) { d.shown.panel = !d.shown.panel; }},
-        {"Keys", ui.shown.keys, "all keys (H)", [](WindowState& d) { d.shown.keys = !d.shown.keys; }},
-    };
-}
-
-float buttonWidth(const BarButton& button) {
-    return ImGui::CalcTextSize(button.label).x + 2 * ImGui::GetStyle().FramePadding.x;
+void saveMenu(WindowState& ui) {
+    if (!ImGui::BeginPopup("save menu")) return;
+    if (ImGui::MenuItem("The picture, its command line, and its scene", "P")) ui.requests.screenshot = true;
+    if (ImGui::MenuItem("What is seen, as a scene", "Ctrl+S")) ui.requests.saveScene = true;
+    if (ImGui::MenuItem("What is seen, as a slide", "W")) ui.requests.saveSlide = true;
+    ImGui::EndPopup();
 }
 
 } // namespace
 
-float topBarHeight(const WindowState& ui, const Theme& theme, float width) {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    float x = 2 * style.WindowPadding.x + kSceneComboEm * theme.em;
-    int rows = 1;
-    for (const BarButton& button : barButtons(ui)) {
-        x += style.ItemSpacing.x + buttonWidth(button);
-        if (x <= width) continue;
-        ++rows;
-        x = 2 * style.WindowPadding.x + buttonWidth(button);
-    }
-    return static_cast<float>(rows) * (ImGui::GetFrameHeight() + style.ItemSpacing.y) - style.ItemSpacing.y +
-           style.WindowPadding.y;
-}
+float topBarHeight() { return std::round(ImGui::GetFrameHeight() + ImGui::GetStyle().WindowPadding.y); }
 
 void topBar(WindowState& ui, const Area& area, const Theme& theme) {
     const ImGuiStyle& style = ImGui::GetStyle();
+    const float between = std::max(2.0f, style.ItemSpacing.x * 0.5f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {style.WindowPadding.x, style.WindowPadding.y * 0.5f});
     beginIn("bar", area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
     ImGui::PopStyleVar();
-    sceneCombo(ui, theme);
-    float x = 2 * style.WindowPadding.x + kSceneComboEm * theme.em;
-    for (const BarButton& button : barButtons(ui)) {
-        x += style.ItemSpacing.x + buttonWidth(button);
-        if (x <= static_cast<float>(area.size.x))
-            ImGui::SameLine();
-        else
-            x = 2 * style.WindowPadding.x + buttonWidth(button);
-        if (toggleButton(button.label, button.on, button.help)) button.press(ui);
+    std::vector<BarButton> buttons = barButtons(ui);
+    const float room = static_cast<float>(area.size.x) - 2 * style.WindowPadding.x;
+    for (int rank = 3; rank > 0 && buttonsWidth(buttons, between) + kNarrowSceneComboEm * theme.em > room; --rank)
+        std::erase_if(buttons, [&](const BarButton& button) { return button.rank == rank; });
+    sceneCombo(ui, std::clamp(room - buttonsWidth(buttons, between), theme.em, kSceneComboEm * theme.em));
+    for (const BarButton& button : buttons) {
+        ImGui::SameLine(0, between * (button.gap ? 3 : 1));
+        ImGui::BeginDisabled(!button.enabled);
+        if (iconButton(button.id, button.icon, button.on, button.help)) button.press(ui);
+        ImGui::EndDisabled();
     }
+    saveMenu(ui);
     ImGui::End();
 }
 

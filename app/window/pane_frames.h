@@ -1,0 +1,58 @@
+// Where the panes lie in the window: their pictures, the bands above them with technique and verdict, and those below with legends.
+// SPDX-License-Identifier: MIT
+#pragma once
+#include "app/window/theme.h"
+#include "app/window/window_state.h"
+
+namespace shadowlab::window {
+
+/// A rectangle of the window, in pixels from its upper left corner.
+struct Area {
+    ivec2 corner{0}, size{0};
+    [[nodiscard]] bool contains(ImVec2 point) const {
+        return point.x >= static_cast<float>(corner.x) && point.y >= static_cast<float>(corner.y) &&
+               point.x < static_cast<float>(corner.x + size.x) && point.y < static_cast<float>(corner.y + size.y);
+    }
+};
+
+/// How the area between the bars is divided. The bands are equally high in all layouts, so that a picture keeps its size.
+struct PaneFrames {
+    Area whole;
+    int header = 0, footer = 0; ///< heights in pixels; 0 where the window has no room for them
+    int headerLines = 1;        ///< two where technique and verdict do not fit into one
+    int rows = 1;               ///< of panes
+    /// What the pictures have together: the size that the workbench divides.
+    [[nodiscard]] ivec2 pictureSize() const {
+        return {whole.size.x, std::max(0, whole.size.y - rows * (header + footer))};
+    }
+    /// From the first picture to the last.
+    [[nodiscard]] Area pictures() const {
+        return {whole.corner + ivec2(0, header), {whole.size.x, std::max(0, whole.size.y - header - footer)}};
+    }
+};
+PaneFrames paneFrames(const WindowState& ui, const Theme& theme, const Area& whole);
+
+/// Where one pane's picture lies in the window.
+struct ShownPane {
+    int pane = 0;
+    Area area;            ///< what is seen of it
+    ImVec2 pictureCorner; ///< of the whole picture, which may reach beyond the area
+    ImVec2 pictureSize;
+    Area footer; ///< below it
+};
+
+/// The panes that are visible now: those of the layout, or while two of them blink the one that is shown at that time.
+std::vector<ShownPane> shownPanes(const WindowState& ui, const PaneFrames& frames, double seconds);
+
+/// The band above a pane. The difference is one picture with two of them: each technique has its own.
+struct PaneHeader {
+    int pane = 0;
+    Area area;
+};
+std::vector<PaneHeader> paneHeaders(const WindowState& ui, const PaneFrames& frames);
+
+/// Whether the picture is split by a line, and where that line is: x in pixels of the window.
+bool hasSplitLine(const WindowState& ui);
+float splitLineX(const WindowState& ui, const Area& pictures);
+
+} // namespace shadowlab::window
