@@ -17,6 +17,7 @@ generate.py --pictures   draws the pictures as well, with `shadowlab capture`:
 """
 # SPDX-License-Identifier: MIT
 import argparse
+import itertools
 import json
 import math
 import os
@@ -152,10 +153,19 @@ def range_text(parameter):
     return " ".join(filter(None, (code(parameter["range"]), parameter["unit"])))
 
 
+def meaning_text(parameter):
+    """The help, and in words what those choices are whose ids are abbreviations."""
+    choices = (choice.split(": ", 1) for choice in parameter["choices"].split("; ") if choice)
+    return " ".join(filter(None, (parameter["help"], "; ".join(f"{code(choice)}: {name}" for choice, name in choices))))
+
+
 def parameters_table(program, technique):
-    rows = [(code(p["parameter"].rpartition(".")[2]), code(p["default"]), range_text(p), p["help"])
-            for p in program.parameters_of(technique)]
-    return table(("parameter", "default", "range", "meaning"), rows) if rows else "It has none.\n"
+    """A table for each group of the panel, in its order: the basic parameters first."""
+    tables = []
+    for group, members in itertools.groupby(program.parameters_of(technique), key=lambda p: p["group"]):
+        rows = [(code(p["parameter"].rpartition(".")[2]), p["label"], code(p["default"]), range_text(p), meaning_text(p)) for p in members]
+        tables.append(f"**{group or 'Basic'}**\n\n" + table(("parameter", "in the panel", "default", "range", "meaning"), rows))
+    return "\n".join(tables) if tables else "It has none.\n"
 
 
 def passes_table(program, technique):

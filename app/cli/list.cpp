@@ -80,11 +80,17 @@ Table pluginsTable() {
 }
 
 Table parametersTable() {
-    Table table{{"parameter", "default", "range", "unit", "help"}, {}};
-    for (const RegisteredTechnique& technique : registeredTechniques())
-        for (const params::Param& param : technique.info->make()->params())
-            table.rows.push_back({std::string(technique.info->id) + "." + param.id, params::initialText(param),
-                                  params::rangeText(param), param.unit, param.help});
+    Table table{{"parameter", "default", "range", "unit", "help", "basic", "group", "label", "choices"}, {}};
+    for (const RegisteredTechnique& technique : registeredTechniques()) {
+        const std::unique_ptr<Technique> instance = technique.info->make();
+        const params::ParamList list = instance->params();
+        for (const params::ParamGroup& group : params::grouped(list)) // in the order of the panel
+            for (const params::Param* param : group.params)
+                table.rows.push_back({std::string(technique.info->id) + "." + param->id, params::initialText(*param),
+                                      params::rangeText(*param), param->unit, param->help,
+                                      params::isBasic(*param) ? "true" : "false", param->group, params::labelOf(*param),
+                                      params::choicesText(*param)});
+    }
     return table;
 }
 
@@ -226,8 +232,8 @@ std::string tableJson(const std::string& what, const Table& table) {
     for (const std::vector<std::string>& row : table.rows) {
         Json entry;
         for (std::size_t i = 0; i < row.size(); ++i) {
-            const bool boolean =
-                table.columns[i] == "available" || table.columns[i] == "perLight" || table.columns[i] == "derived";
+            const bool boolean = table.columns[i] == "available" || table.columns[i] == "perLight" ||
+                                 table.columns[i] == "derived" || table.columns[i] == "basic";
             if (boolean)
                 entry[table.columns[i]] = row[i] == "true";
             else

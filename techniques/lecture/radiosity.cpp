@@ -143,7 +143,7 @@ void gather(Equations& equations) {
 class Radiosity final : public Technique {
 public:
     params::ParamList params() override {
-        return {params::integer("patches", patches_, 50, 2000, "patches",
+        return {params::integer({"patches", "Number of patches"}, patches_, 50, 2000, "patches",
                                 "At most so many, of two sides each; time and memory grow with the square."),
                 params::integer("bounces", bounces_, 0, 1000, "", "How often each patch gathers from all others.")};
     }

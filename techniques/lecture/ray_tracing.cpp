@@ -134,11 +134,11 @@ int levels(const Node& node) { // of the tree, the root's included
 class RayTracing final : public Technique {
 public:
     params::ParamList params() override {
-        return {params::integer("depth", depth_, 0, 16, "levels",
+        const std::string left = "After d metres the share 1 / (1 + c1 d + c2 d^2) of a ray's intensity is left.";
+        return {params::integer({"depth", "Maximum depth of the ray tree"}, depth_, 0, 16, "levels",
                                 "Maximum allowable depth of the tree: levels below the pixel ray."),
-                params::real("c1", attenuation_.x, 0, 1000, "1/m",
-                             "After d metres 1 / (1 + c1 d + c2 d^2) of a ray's intensity is left."),
-                params::real("c2", attenuation_.y, 0, 1000, "1/m^2", "See c1.")};
+                params::real({"c1", "Attenuation c1, linear"}, attenuation_.x, 0, 1000, "1/m", left),
+                params::real({"c2", "Attenuation c2, quadratic"}, attenuation_.y, 0, 1000, "1/m^2", left)};
     }
 
     Progress prepare(const scene::Snapshot& snapshot, Deadline) override {

@@ -73,7 +73,8 @@ struct DepthMap {
 class ShadowMap final : public Technique {
 public:
     params::ParamList params() override {
-        return {params::integer("resolution", resolution_, 64, 4096, "texels", "Side of the map."),
+        return {params::integer({"resolution", "Map resolution"}, resolution_, 64, 4096, "texels",
+                                "Side of the square depth map."),
                 params::real("bias", bias_, 0, 16, "texels",
                              "By how much depth may change across a surface before it shadows itself; 0: acne.")};
     }

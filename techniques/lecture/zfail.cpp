@@ -103,7 +103,7 @@ Volume shadowVolume(const scene::Scene& scene, std::size_t object, const scene::
 class ZFail final : public Technique {
 public:
     params::ParamList params() override {
-        return {params::real("extrusion", distance_, 0, 1000, "m", "Extrusion distance d; 0: without end.")};
+        return {params::real({"extrusion", "Extrusion distance d"}, distance_, 0, 1000, "m", "0: to infinity.")};
     }
 
     /// Which polygons share which edges: found once for each mesh.

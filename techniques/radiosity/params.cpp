@@ -13,87 +13,108 @@ constexpr int kMostSteps = 1000000;
 constexpr int kMostRounds = 8;       // each adds up to half as many patches: the budget is used up by then
 constexpr int kMostPoints = 4000000; // 64 MB for each light
 
+// Names of the groups.
+constexpr std::string_view kPatchesGroup = "Patches", kFormFactorsGroup = "Form factor options",
+                           kSolverGroup = "Solver options", kDisplayGroup = "Display",
+                           kStagesGroup = "Stages and probes";
+
 /// One of the powers of two from `least` to `most`. Half of a hemicube's side is the height of a side face, so it must be even.
-params::Param powerOfTwo(std::string id, int& field, int least, int most, std::string help) {
-    params::Param param;
-    param.id = std::move(id);
-    param.help = std::move(help);
-    param.kind = params::Kind::choice;
+params::Param powerOfTwo(params::Named id, int& field, int least, int most, std::string help) {
+    std::vector<params::Named> choices;
     for (int value = least; value <= most; value *= 2)
-        param.choices.push_back(std::to_string(value));
-    param.maximum = static_cast<double>(param.choices.size()) - 1;
-    param.get = [&field, least] { return std::log2(field / least); };
-    param.set = [&field, least](double index) { field = least << static_cast<int>(index); };
-    param.initial = param.get();
-    return param;
+        choices.emplace_back(std::to_string(value));
+    return params::numberedChoice(
+        std::move(id), [&field, least] { return static_cast<int>(std::log2(field / least)); },
+        [&field, least](int index) { field = least << index; }, choices, std::move(help));
 }
 
 } // namespace
 
 params::ParamList describe(RadiosityParams& p) {
-    using params::onlyIf;
+    using params::inGroup, params::onlyIf;
     const auto hasHemicube = [&p] { return p.formFactors == RadiosityParams::FormFactors::hemicube; };
     const auto hasLightMap = [&p] { return p.display == RadiosityParams::Display::lightMap; };
     return {
-        params::integer("patches", p.patches, 6, kMostPatches, "patches",
-                        "At most so many, as far as the scene's faces allow; meshes that would take "
-                        "more than six tenths of them are simplified for the exchange of light. Time and memory grow "
-                        "with the square."),
-        params::boolean("cut-at-contacts", p.cutAtContacts,
-                        "Patches end where other things stand on them; false: light leaks under walls (teaching)."),
+        params::integer(
+            {"patches", "Number of patches"}, p.patches, 6, kMostPatches, "patches",
+            "At most so many, as far as the scene's faces allow; time and memory grow with the square. Meshes that "
+            "would need more than six tenths of them are simplified for the exchange of light."),
+        inGroup(params::kTeachingSwitches,
+                params::boolean(
+                    {"cut-at-contacts", "Cut patches at contacts"}, p.cutAtContacts,
+                    "Patches end where other objects stand on them; false: light leaks under walls (teaching).")),
+        onlyIf([hasHemicube] { return !hasHemicube(); },
+               inGroup(kPatchesGroup,
+                       params::integer(
+                           {"refine", "Rounds of refinement"}, p.refine, 0, kMostRounds, "rounds",
+                           "Cut patches again where the light on them is uneven or a shadow's edge crosses them; form "
+                           "factors are then computed anew when a light moves. 0: all are cut evenly."))),
         onlyIf(
-            [hasHemicube] { return !hasHemicube(); },
-            params::integer("refine", p.refine, 0, kMostRounds, "rounds",
-                            "A third of the patches is cut evenly; then, in so many rounds, those are cut again that "
-                            "the light is uneven on, or the edge of a shadow goes through. With it, form factors are "
-                            "found again when a light moves; 0: all are cut evenly.")),
-        onlyIf([&p, hasHemicube] { return !hasHemicube() && p.refine > 0; },
-               params::real("refine-threshold", p.refineThreshold, 0.001, 10, "",
-                            "Patches that are wrong by less than this share of the mean radiosity are not cut again.")),
-        params::choice("form-factors", p.formFactors, {"analytic", "hemicube"},
-                       "Closed forms and Lambert's polygon formula, with lines between patches that see each other in "
-                       "part; or drawn from the centre of each patch onto half a cube (Cohen and Greenberg 1985)."),
-        onlyIf(hasHemicube, powerOfTwo("hemicube-side", p.hemicubeSide, 8, 1024,
-                                       "Pixels along an edge of the hemicube's upper face.")),
-        params::boolean("scale-rows", p.scaleRows,
-                        "Form factors are scaled, symmetrically, until rows sum to 1 in a closed room, or to no more "
-                        "than 1 in an open scene; by how much they change is said."),
-        params::choice("surroundings", p.surroundings, {"background", "ambient", "dark"},
-                       "What comes from where a patch sees no surface: what the eye sees there; the scene's ambient "
-                       "light; or nothing. In a closed room it makes no difference."),
+            [&p, hasHemicube] { return !hasHemicube() && p.refine > 0; },
+            inGroup(kPatchesGroup,
+                    params::real({"refine-threshold", "Refinement threshold"}, p.refineThreshold, 0.001, 10, "",
+                                 "Patches whose error is below this share of the mean radiosity are not cut again."))),
+        params::choice(
+            {"form-factors", "Form factors"}, p.formFactors, {{"analytic", "closed form"}, {"hemicube", "hemicube"}},
+            "Analytic: closed forms and Lambert's polygon formula, with rays between patches that see each other in "
+            "part; hemicube: the scene drawn onto half a cube over each patch (Cohen and Greenberg 1985)."),
+        onlyIf(hasHemicube,
+               inGroup(kFormFactorsGroup, powerOfTwo({"hemicube-side", "Hemicube resolution"}, p.hemicubeSide, 8, 1024,
+                                                     "Pixels along an edge of the hemicube's upper face."))),
+        inGroup(kFormFactorsGroup,
+                params::boolean({"scale-rows", "Scale rows to 1"}, p.scaleRows,
+                                "Scale form factors, symmetrically, until each row sums to 1 in a closed room, or to "
+                                "at most 1 in an open scene; the size of the change is noted.")),
+        inGroup(kFormFactorsGroup,
+                params::choice({"surroundings", "Light from outside"}, p.surroundings,
+                               {{"background", "the background"}, {"ambient", "ambient light"}, {"dark", "none"}},
+                               "What arrives from where a patch sees no surface: the background; the scene's ambient "
+                               "light; or nothing. In a closed room it makes no difference.")),
         params::choice("solver", p.solver,
-                       {"direct", "jacobi", "gauss-seidel", "southwell", "shooting", "conjugate-gradients"},
-                       "How the equations are solved; direct: up to 3000 patches."),
-        params::real("tolerance", p.tolerance, 1e-12, 1, "",
-                     "Solved when no radiosity is certainly farther off than this share of the largest."),
-        params::integer("steps", p.steps, 0, kMostSteps, "steps",
-                        "The solver stops after so many, sweeps or shots; 0: when it is within the tolerance."),
-        params::integer("steps-per-picture", p.stepsPerPicture, 0, kMostSteps, "steps",
-                        "So many steps between two pictures of the window: the room brightens while one looks on; "
-                        "0: as many as there is time for."),
+                       {{"direct", "direct (elimination)"},
+                        {"jacobi", "Jacobi"},
+                        {"gauss-seidel", "Gauss-Seidel (gathering)"},
+                        {"southwell", "Southwell"},
+                        {"shooting", "progressive shooting"},
+                        {"conjugate-gradients", "conjugate gradients"}},
+                       "How the radiosity equations are solved; direct: up to 3000 patches."),
+        inGroup(kSolverGroup,
+                params::real(
+                    {"tolerance", "Solver tolerance"}, p.tolerance, 1e-12, 1, "",
+                    "Solved when the proven error of every radiosity is below this share of the largest radiosity.")),
+        params::integer(
+            {"steps", "Solver steps"}, p.steps, 0, kMostSteps, "steps",
+            "Stop after so many steps (sweeps over all patches, or shots); 0: when the error is within the tolerance."),
+        inGroup(kSolverGroup,
+                params::integer("steps-per-picture", p.stepsPerPicture, 0, kMostSteps, "steps",
+                                "Steps between two pictures of the window, so that the class sees the room "
+                                "brighten; 0: as many as there is time for.")),
         onlyIf(
             [&p] { return p.solver == SolverKind::shooting; },
-            params::boolean("ambient-term", p.ambientTerm,
-                            "While shooting, what is still unshot is shown as if it were everywhere alike (Cohen and "
-                            "others 1988); false: the room brightens shot by shot.")),
-        params::choice("display", p.display, {"flat", "interpolated", "light-map"},
-                       "One radiosity for each patch; interpolated between corners of patches; the same, but with the "
-                       "light that comes straight from lights found at many points of each patch."),
+            inGroup(kSolverGroup, params::boolean("ambient-term", p.ambientTerm,
+                                                  "While shooting, show unshot radiosity as ambient light (Cohen and "
+                                                  "others 1988); false: the room brightens shot by shot."))),
+        params::choice({"display", "Shown as"}, p.display,
+                       {{"flat", "flat patches"}, {"interpolated", "interpolated"}, {"light-map", "light map"}},
+                       "Flat: one radiosity for each patch; interpolated: between the corners of patches; light map: "
+                       "interpolated, with direct light computed at many points of each patch."),
         onlyIf(hasLightMap,
-               params::integer("light-map-points", p.lightMapPoints, 1, kMostPoints, "points",
-                               "On all patches together, evenly; and one at every vertex of meshes that were "
-                               "simplified.")),
-        params::real("exposure", p.exposure, -10, 10, "stops", "Twice as bright for each."),
-        params::integer("bounce", p.bounce, 0, 1000, "",
-                        "Which reflection stage `bounce` shows: light that was reflected so many times."),
-        params::integer(
-            "from-patch", p.fromPatch, -1, kMostPatches, "",
-            "Whose form factors the stage of that name shows while no pixel is picked; -1: of the patch that "
-            "sends the most light."),
-        params::integer(
-            "to-patch", p.toPatch, -1, kMostPatches, "",
-            "The other patch of the pair that a probe tells of while no second pixel is picked; -1: the one "
-            "that gives it the most light."),
+               inGroup(kDisplayGroup,
+                       params::integer("light-map-points", p.lightMapPoints, 1, kMostPoints, "points",
+                                       "Points of the light map on all patches together; beside them one at "
+                                       "every vertex of simplified meshes."))),
+        inGroup(kDisplayGroup,
+                params::real("exposure", p.exposure, -10, 10, "stops", "Each stop makes the picture twice as bright.")),
+        inGroup(kStagesGroup, params::integer({"bounce", "Bounce shown"}, p.bounce, 0, 1000, "",
+                                              "Stage bounce: light that was reflected exactly so many times.")),
+        inGroup(kStagesGroup,
+                params::integer({"from-patch", "Form factors from patch i"}, p.fromPatch, -1, kMostPatches, "",
+                                "Stage form-factors, while no pixel is picked: the patch whose form factors "
+                                "are shown; -1: the patch that sends the most light.")),
+        inGroup(kStagesGroup,
+                params::integer({"to-patch", "Form factor to patch k"}, p.toPatch, -1, kMostPatches, "",
+                                "Probe, while no second pixel is picked: the other patch of the pair; -1: the "
+                                "patch that gives it the most light.")),
     };
 }
 

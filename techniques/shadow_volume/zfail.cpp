@@ -111,15 +111,23 @@ ZFail::ZFail()
 
 params::ParamList ZFail::params() {
     params::ParamList list = sharedParams();
-    list.push_back(
-        params::boolean("caps", params_.caps, "Close the volumes with caps; false: depth fail miscounts (teaching)."));
-    list.push_back(
-        params::choice("depth-test", params_.depthTest, {"less", "lequal"},
-                       "Depth test of the volume faces; lequal: top caps fight with their own surface (teaching)."));
-    list.push_back(
-        params::choice("far-plane", params_.farPlane, {"infinite-and-clamp", "infinite", "clamp", "clip"},
-                       "What keeps the far plane from cutting volumes open: a projection without one, clamping of "
-                       "depth, or both; clip: nothing, which shows with volume-end = infinity (teaching)."));
+    list.push_back(params::boolean(
+        "caps", params_.caps, "Close the volumes with top and bottom caps; false: depth fail miscounts (teaching)."));
+    list.push_back(params::inGroup(
+        params::kTeachingSwitches,
+        params::choice({"depth-test", "Depth test of volume faces"}, params_.depthTest,
+                       {{"less", "LESS"}, {"lequal", "LEQUAL"}},
+                       "With LEQUAL top caps fight for depth with the surface that they lie on (teaching).")));
+    list.push_back(params::inGroup(
+        params::kTeachingSwitches,
+        params::choice(
+            {"far-plane", "Far plane"}, params_.farPlane,
+            {{"infinite-and-clamp", "at infinity, depth clamp"},
+             {"infinite", "at infinity"},
+             {"clamp", "depth clamp"},
+             {"clip", "cuts volumes open"}},
+            "What keeps the far plane from cutting volumes open: a projection with the far plane at infinity, depth "
+            "clamp, or both; clip: nothing, which shows with volume-end infinity (teaching).")));
     return list;
 }
 

@@ -117,9 +117,9 @@ ZPass::ZPass()
 params::ParamList ZPass::params() {
     params::ParamList list = sharedParams();
     list.push_back(params::boolean(
-        "eye-correction", params_.eyeCorrection,
-        "Start with the number of volumes the eye is in, count what the near plane cuts off, and where the eye sees a "
-        "side edge-on count that volume with depth fail; false: the textbook, wrong for an eye in shadow."));
+        {"eye-correction", "Correct for the eye"}, params_.eyeCorrection,
+        "Start with the number of volumes that the eye is in, count what the near plane cuts off, and use depth fail "
+        "for volumes that the eye sees edge-on; false: the textbook, wrong for an eye in shadow."));
     return list;
 }
 

@@ -30,19 +30,25 @@ std::vector<std::vector<std::string>> rowsOf(const std::string& text) {
     return rows;
 }
 
-TEST_F(ListTest, ParametersAreFiveColumns) {
+TEST_F(ListTest, ParametersStandInTheirGroups) {
     const ProgramResult result = succeed({"list", "parameters"});
     EXPECT_EQ(result.err, "");
     std::vector<std::vector<std::string>> expected;
     for (const RegisteredTechnique& technique : registeredTechniques()) {
         const auto instance = technique.info->make();
-        for (const params::Param& param : instance->params())
-            expected.push_back({std::string(technique.info->id) + "." + param.id, params::initialText(param),
-                                params::rangeText(param), param.unit, param.help});
+        const params::ParamList list = instance->params();
+        for (const params::ParamGroup& group : params::grouped(list))
+            for (const params::Param* param : group.params)
+                expected.push_back({std::string(technique.info->id) + "." + param->id, params::initialText(*param),
+                                    params::rangeText(*param), param->unit, param->help,
+                                    group.name.empty() ? "true" : "false", group.name, params::labelOf(*param),
+                                    params::choicesText(*param)});
     }
     EXPECT_EQ(rowsOf(result.out), expected);
     EXPECT_NE(result.out.find("shadow-map.filter\tpcf\thard|hw2x2|pcf"), std::string::npos);
     EXPECT_NE(result.out.find("shadow-map.resolution\t2048\t64..32768\ttexels\t"), std::string::npos);
+    EXPECT_NE(result.out.find("\ttrue\t\tMap resolution\t\n"), std::string::npos);
+    EXPECT_NE(result.out.find("evsm: exponential variance;"), std::string::npos);
 }
 
 TEST_F(ListTest, EveryListIsLinesAndOneJsonObject) {

@@ -21,8 +21,8 @@ void paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::Stage
 void sidePanel(WindowState& ui, const lab::LiveErrors& errors, const Area& area, const Theme& theme);
 /// What the panel beside the pictures shows: all about the pane, or the source of its step.
 void panelTabs(WindowState& ui);
-/// The settings of the active pane's technique, made from its parameter list: a checkbox, slider or choice for each, with its
-/// help, its range and a way back to its default.
+/// The settings of the active pane's technique, made from its parameter list: the basic ones, then the groups, folded. Each is a
+/// checkbox, slider or choice with its label, value, help, range and a way back to its default.
 void parameterPanel(WindowState& ui, const Theme& theme);
 /// What the active pane's technique reports about the picked pixel: facts, and the tree of its rays. Nothing while none is picked.
 void pixelPanel(WindowState& ui);

@@ -31,8 +31,8 @@ std::string textOf(const Param& param, double value) {
 
 } // namespace
 
-Param boolean(std::string id, bool& field, std::string help) {
-    Param param{.id = std::move(id),
+Param boolean(Named id, bool& field, std::string help) {
+    Param param{.id = std::move(id.id),
                 .help = std::move(help),
                 .unit = "",
                 .kind = Kind::boolean,
@@ -40,13 +40,14 @@ Param boolean(std::string id, bool& field, std::string help) {
                 .maximum = 1,
                 .choices = {"false", "true"},
                 .get = [&field] { return field ? 1.0 : 0.0; },
-                .set = [&field](double value) { field = value != 0; }};
+                .set = [&field](double value) { field = value != 0; },
+                .label = std::move(id.name)};
     param.initial = param.get();
     return param;
 }
 
-Param integer(std::string id, int& field, int minimum, int maximum, std::string unit, std::string help) {
-    Param param{.id = std::move(id),
+Param integer(Named id, int& field, int minimum, int maximum, std::string unit, std::string help) {
+    Param param{.id = std::move(id.id),
                 .help = std::move(help),
                 .unit = std::move(unit),
                 .kind = Kind::integer,
@@ -54,13 +55,14 @@ Param integer(std::string id, int& field, int minimum, int maximum, std::string 
                 .maximum = static_cast<double>(maximum),
                 .choices = {},
                 .get = [&field] { return static_cast<double>(field); },
-                .set = [&field](double value) { field = static_cast<int>(value); }};
+                .set = [&field](double value) { field = static_cast<int>(value); },
+                .label = std::move(id.name)};
     param.initial = param.get();
     return param;
 }
 
-Param real(std::string id, double& field, double minimum, double maximum, std::string unit, std::string help) {
-    Param param{.id = std::move(id),
+Param real(Named id, double& field, double minimum, double maximum, std::string unit, std::string help) {
+    Param param{.id = std::move(id.id),
                 .help = std::move(help),
                 .unit = std::move(unit),
                 .kind = Kind::real,
@@ -68,7 +70,28 @@ Param real(std::string id, double& field, double minimum, double maximum, std::s
                 .maximum = maximum,
                 .choices = {},
                 .get = [&field] { return field; },
-                .set = [&field](double value) { field = value; }};
+                .set = [&field](double value) { field = value; },
+                .label = std::move(id.name)};
+    param.initial = param.get();
+    return param;
+}
+
+Param numberedChoice(Named id, std::function<int()> get, std::function<void(int)> set,
+                     const std::vector<Named>& choices, std::string help) {
+    Param param{.id = std::move(id.id),
+                .help = std::move(help),
+                .unit = "",
+                .kind = Kind::choice,
+                .minimum = 0,
+                .maximum = static_cast<double>(choices.size()) - 1,
+                .choices = {},
+                .get = [get = std::move(get)] { return static_cast<double>(get()); },
+                .set = [set = std::move(set)](double value) { set(static_cast<int>(value)); },
+                .label = std::move(id.name)};
+    for (const Named& choice : choices) {
+        param.choices.push_back(choice.id);
+        param.choiceNames.push_back(choice.name);
+    }
     param.initial = param.get();
     return param;
 }
@@ -83,6 +106,42 @@ Param onlyIf(std::function<bool()> condition, Param param) {
     return param;
 }
 
+std::string labelOf(const Param& param) {
+    if (!param.label.empty() || param.id.empty()) return param.label;
+    std::string label = param.id;
+    std::ranges::replace(label, '-', ' ');
+    if (label.front() >= 'a' && label.front() <= 'z') label.front() = static_cast<char>(label.front() - 'a' + 'A');
+    return label;
+}
+
+Param inGroup(std::string_view group, Param param) {
+    param.group = group;
+    return param;
+}
+
+ParamList inGroup(std::string_view group, ParamList list) {
+    for (Param& param : list)
+        param.group = group;
+    return list;
+}
+
+std::vector<ParamGroup> grouped(const ParamList& list) {
+    std::vector<ParamGroup> groups(1); // the basic ones
+    for (const Param& param : list) {
+        const auto known = std::ranges::find(groups, param.group, &ParamGroup::name);
+        if (known == groups.end())
+            groups.push_back({param.group, {&param}});
+        else
+            known->params.push_back(&param);
+    }
+    const auto rank = [](const ParamGroup& group) {
+        return group.name == kExpert ? 2 : group.name == kTeachingSwitches ? 1 : 0;
+    };
+    std::ranges::stable_sort(groups, {}, rank);
+    if (groups.front().params.empty()) groups.erase(groups.begin());
+    return groups;
+}
+
 std::string valueText(const Param& param) { return textOf(param, param.get()); }
 std::string initialText(const Param& param) { return textOf(param, param.initial); }
 
@@ -92,6 +151,14 @@ std::string rangeText(const Param& param) {
     std::string text;
     for (const std::string& choice : param.choices)
         text += (text.empty() ? "" : "|") + choice;
+    return text;
+}
+
+std::string choicesText(const Param& param) {
+    std::string text;
+    for (std::size_t i = 0; i < param.choiceNames.size(); ++i)
+        if (!param.choiceNames[i].empty())
+            text += (text.empty() ? "" : "; ") + param.choices[i] + ": " + param.choiceNames[i];
     return text;
 }
 

@@ -60,37 +60,37 @@ double slopeOfKernel(const BiasParams& bias, double radius) { return bias.slope 
 double slopeOfNeighbour(const BiasParams& bias, double radius) { return bias.slope * (1 + radius); }
 
 constexpr BiasInfo kBiases[] = {
-    {.name = "none", .what = "nothing", .shader = "shadow_map/bias/bias_none.glsl", .params = {}},
+    {.name = "none", .what = "no bias", .shader = "shadow_map/bias/bias_none.glsl", .params = {}},
     {.name = "constant",
-     .what = "a constant",
+     .what = "constant offset",
      .shader = "shadow_map/bias/bias_constant.glsl",
      .params = {"constant-bias", "bias-unit", "rounding-bias"},
      .biasedClip = steppedTowardLight},
     {.name = "slope-scaled",
-     .what = "an offset by the caster's slope",
+     .what = "slope-scaled offset of casters",
      .shader = "shadow_map/bias/bias_slope_scaled.glsl",
      .params = {"slope-bias", "rounding-bias"},
      .slopeFactor = slopeOfKernel},
     {.name = "normal-offset",
-     .what = "a step along the receiver's normal",
+     .what = "step along the receiver's normal",
      .shader = "shadow_map/bias/bias_normal_offset.glsl",
      .params = {"normal-offset", "rounding-bias"},
      .biasedClip = steppedAlongNormal},
     {.name = "receiver-plane",
-     .what = "the receiver's plane under each texel",
+     .what = "receiver's plane at each texel",
      .shader = "shadow_map/bias/bias_receiver_plane.glsl",
      .params = {"slope-bias", "rounding-bias"},
      .comparesWithOneDepth = false,
      .slopeFactor = slopeOfNeighbour,
      .depthOffset = planeOffset},
     {.name = "dual-depth",
-     .what = "the middle between two depths",
+     .what = "midway between two surfaces",
      .shader = "shadow_map/bias/bias_dual_depth.glsl",
      .params = {"slope-bias", "rounding-bias"},
      .isDualDepth = true,
      .slopeFactor = slopeOfKernel},
     {.name = "adaptive",
-     .what = "the plane's depth at the texel's centre",
+     .what = "receiver's plane, texel centre",
      .shader = "shadow_map/bias/bias_adaptive.glsl",
      .params = {"rounding-bias"},
      .comparesWithOneDepth = false,
@@ -113,25 +113,30 @@ BiasMode biasNamed(std::string_view name) {
 bool BiasInfo::reads(std::string_view param) const { return std::ranges::find(params, param) != params.end(); }
 
 params::ParamList describe(BiasParams& p) {
-    std::vector<std::string> names;
-    std::string help = "What keeps a surface from shadowing itself: ";
-    for (const BiasInfo& bias : kBiases) {
-        names.emplace_back(bias.name);
-        help += std::string(bias.what) + (&bias == &kBiases[std::size(kBiases) - 1] ? "." : "; ");
-    }
-    params::ParamList all{params::choice("bias-mode", p.mode, names, help)};
+    using params::inGroup;
+    std::vector<params::Named> choices;
+    for (const BiasInfo& bias : kBiases)
+        choices.emplace_back(bias.name, bias.what);
+    params::ParamList all{params::choice({"bias-mode", "Bias type"}, p.mode, choices,
+                                         "What keeps a surface from shadowing itself (acne), though one texel holds "
+                                         "one depth for a whole piece of it.")};
     params::ParamList own{
-        params::real("constant-bias", p.constantTexels, 0, 1000, "", "bias-mode constant: how far, in bias-unit."),
-        params::choice("bias-unit", p.unit, {"texels", "metres"},
-                       "Unit of constant-bias; in metres it is right for one scale of the scene only (teaching)."),
-        params::real("slope-bias", p.slope, 0, 16, "",
-                     "slope-scaled, receiver-plane and dual-depth: offset in proportion to the slope; 1 is what the "
-                     "kernel needs on a plane, 0 shows acne (teaching)."),
-        params::real("normal-offset", p.normalOffset, 0, 16, "",
-                     "bias-mode normal-offset: how far; 1 is what the kernel needs on a plane."),
-        params::real("rounding-bias", p.rounding, 0, 1000, "",
-                     "Offset against rounding, in every mode but none; 1 is what float positions and the depth's own "
-                     "bits need."),
+        params::real({"constant-bias", "Constant bias"}, p.constantTexels, 0, 1000, "",
+                     "Bias constant: how far the point is moved toward the light before it is compared; too far, and "
+                     "shadows come off their casters (Peter-panning)."),
+        inGroup("Bias",
+                params::choice(
+                    {"bias-unit", "Unit of the constant bias"}, p.unit, {"texels", "metres"},
+                    "Texels fit any map and scene; metres are right for one scale of the scene only (teaching).")),
+        params::real({"slope-bias", "Slope bias"}, p.slope, 0, 16, "",
+                     "Biases slope-scaled, receiver-plane and dual-depth: offset in proportion to the surface's slope; "
+                     "1 is what the kernel needs on a plane, 0 shows acne (teaching)."),
+        params::real(
+            {"normal-offset", "Normal offset"}, p.normalOffset, 0, 16, "",
+            "Bias normal-offset: how far the point is moved along its normal; 1 is what the kernel needs on a plane."),
+        inGroup("Bias", params::real({"rounding-bias", "Rounding bias"}, p.rounding, 0, 1000, "",
+                                     "Every bias but none: offset against rounding; 1 is what float positions and the "
+                                     "bits of a depth need.")),
     };
     for (params::Param& param : own) {
         const auto isRead = [&p, id = param.id] { return biasInfo(p.mode).reads(id); };

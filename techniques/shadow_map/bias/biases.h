@@ -30,7 +30,7 @@ struct ComparedPlace;
 
 struct BiasInfo {
     std::string_view name;                  ///< value of the parameter `bias-mode`
-    std::string_view what;                  ///< clause of that parameter's description
+    std::string_view what;                  ///< that value in words, for the panel and tables
     std::string_view shader;                ///< file below shaders/ that defines biasedClip() and depthToCompare()
     std::array<std::string_view, 4> params; ///< names of the parameters that it reads
     /// All texels of a kernel are compared with one depth: no slope of the receiver is followed.

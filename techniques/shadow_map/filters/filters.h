@@ -26,9 +26,8 @@ enum class KernelForm {
 };
 
 struct FilterInfo {
-    std::string_view name; ///< value of the parameter `filter`
-    std::string_view
-        what; ///< clause of that parameter's description; empty: the next entry's clause is about this one, too
+    std::string_view name;                        ///< value of the parameter `filter`
+    std::string_view what;                        ///< that value in words, for the panel and tables
     std::string_view shader;                      ///< file below shaders/ that defines filteredVisibility(MapPlace)
     std::array<std::string_view, 2> anchors = {}; ///< of the lines in it that the step `light` shows (source_text.h)
     std::array<std::string_view, 12> params = {}; ///< names of the parameters that it reads

@@ -63,6 +63,51 @@ TEST(Param, RefusesInsteadOfClamping) {
     EXPECT_EQ(refusal("cuont", "1"), "'t' has no parameter 'cuont'; did you mean \"count\"?");
 }
 
+TEST(Param, IsBasicWithoutAGroupAndNamedByItsId) {
+    Params values;
+    for (const Param& param : describe(values)) {
+        EXPECT_TRUE(isBasic(param)) << param.id << " says nothing of groups: it is shown at once";
+        EXPECT_EQ(choicesText(param), "");
+    }
+    EXPECT_EQ(labelOf(boolean("light-samples", values.on, "h")), "Light samples");
+    EXPECT_EQ(labelOf(boolean({"c0", "c0, constant term"}, values.on, "h")), "c0, constant term");
+}
+
+TEST(Param, NamesOfChoicesStandBesideTheirIds) {
+    Params values;
+    const Param param = choice("filter", values.filter, {"hard", {"pcf", "percentage-closer filtering"}}, "h");
+    EXPECT_EQ(rangeText(param), "hard|pcf");
+    EXPECT_EQ(valueText(param), "pcf");
+    EXPECT_EQ(choicesText(param), "pcf: percentage-closer filtering");
+    int side = 8;
+    const Param numbered = numberedChoice(
+        "side", [&] { return side / 8 - 1; }, [&](int index) { side = 8 * (index + 1); }, {"8", "16"}, "h");
+    numbered.set(1);
+    EXPECT_EQ(side, 16);
+    EXPECT_EQ(valueText(numbered) + initialText(numbered), "168");
+    EXPECT_TRUE(isChanged(numbered));
+}
+
+TEST(Param, GroupsStandInTheirOrderAndExpertsLast) {
+    Params values;
+    const ParamList list = {inGroup(kExpert, boolean("a", values.on, "h")),
+                            inGroup("Bias", boolean("b", values.on, "h")),
+                            boolean("c", values.on, "h"),
+                            inGroup(kTeachingSwitches, boolean("d", values.on, "h")),
+                            inGroup("Filter", boolean("e", values.on, "h")),
+                            inGroup("Bias", boolean("f", values.on, "h"))};
+    std::string found;
+    for (const ParamGroup& group : grouped(list)) {
+        found += group.name + "(";
+        for (const Param* param : group.params)
+            found += param->id;
+        found += ")";
+    }
+    EXPECT_EQ(found, "(c)Bias(bf)Filter(e)Teaching switches(d)Expert(a)");
+    EXPECT_EQ(grouped({list[1]}).size(), 1u) << "no empty group of basic ones";
+    EXPECT_TRUE(grouped({}).empty());
+}
+
 TEST(Param, HasAnEffectOnlyUnderAllItsConditions) {
     Params values;
     const ParamList list = describe(values);

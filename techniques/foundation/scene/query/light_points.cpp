@@ -87,14 +87,17 @@ std::vector<dvec3> pointsOfLight(const Light& light, int lightNumber, const Ligh
 params::ParamList describe(LightPointParams& points, std::string unit, std::string help) {
     using params::onlyIf, params::integer, params::choice;
     const auto areMany = [&points] { return points.count > 1; };
-    return {
-        integer("light-samples", points.count, 1, 1024, std::move(unit), std::move(help)),
-        onlyIf(areMany, choice("light-points", points.spread, {"jittered", "random"},
-                               "Where they are: one by chance in each of as many equal parts; random: anywhere, which "
-                               "takes far more of them (teaching).")),
-        onlyIf(areMany,
-               integer("light-seed", points.seed, 0, 1000000, "", "Another number, another choice by chance.")),
-    };
+    return params::inGroup(
+        kAreaLights,
+        {
+            integer({"light-samples", "Samples of an area light"}, points.count, 1, 1024, std::move(unit),
+                    std::move(help)),
+            onlyIf(areMany, choice({"light-points", "Sample pattern"}, points.spread, {"jittered", "random"},
+                                   "Sample points on the light: one at random in each of as many equal parts; or all "
+                                   "at random, which needs far more of them (teaching).")),
+            onlyIf(areMany, integer({"light-seed", "Random seed"}, points.seed, 0, 1000000, "",
+                                    "Start of the random numbers: another seed, other sample points.")),
+        });
 }
 
 } // namespace shadowlab::scene

@@ -20,6 +20,9 @@ struct LightPointParams {
 /// every direction they fill its disc evenly.
 std::vector<dvec3> pointsOfLight(const Light& light, int lightNumber, const LightPointParams& params);
 
+/// Name of the group of these parameters.
+inline constexpr std::string_view kAreaLights = "Area lights";
+
 /// How many (`unit`, and what that means in this technique: `help`), and how they are chosen.
 params::ParamList describe(LightPointParams& points, std::string unit, std::string help);
 
