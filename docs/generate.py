@@ -156,7 +156,8 @@ def range_text(parameter):
 def meaning_text(parameter):
     """The help, and in words what those choices are whose ids are abbreviations."""
     choices = (choice.split(": ", 1) for choice in parameter["choices"].split("; ") if choice)
-    return " ".join(filter(None, (parameter["help"], "; ".join(f"{code(choice)}: {name}" for choice, name in choices))))
+    named = "; ".join(f"{code(choice)}: {name}" for choice, name in choices)
+    return parameter["help"] + (f" {named}." if named else "")
 
 
 def parameters_table(program, technique):

@@ -28,7 +28,7 @@ params::ParamList describeComparisons(FilterParams& p) {
                                               "Filters disc and pcss: depth comparisons for one pixel.")),
         inGroup(kFilterGroup,
                 params::choice({"noise", "Random rotation"}, p.noise,
-                               {{"texel", "for each texel"}, {"pixel", "for each pixel"}, {"none", "none"}},
+                               {{"texel", "for each texel"}, {"pixel", "for each pixel"}, "none"},
                                "Filters disc and pcss: how the pattern of samples is turned. For each texel: stays on "
                                "the surface; for each pixel: swims when the eye moves (teaching); none: shows bands.")),
         params::real({"light-radius", "Light radius"}, p.lightRadius, 0, 10, "m",
