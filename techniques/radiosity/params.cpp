@@ -55,7 +55,7 @@ params::ParamList describe(RadiosityParams& p) {
                     params::real({"refine-threshold", "Refinement threshold"}, p.refineThreshold, 0.001, 10, "",
                                  "Patches whose error is below this share of the mean radiosity are not cut again."))),
         params::choice(
-            {"form-factors", "Form factors"}, p.formFactors, {{"analytic", "closed form"}, {"hemicube", "hemicube"}},
+            {"form-factors", "Form factors"}, p.formFactors, {{"analytic", "closed form"}, "hemicube"},
             "Analytic: closed forms and Lambert's polygon formula, with rays between patches that see each other in "
             "part; hemicube: the scene drawn onto half a cube over each patch (Cohen and Greenberg 1985)."),
         onlyIf(hasHemicube,
@@ -95,7 +95,7 @@ params::ParamList describe(RadiosityParams& p) {
                                                   "While shooting, show unshot radiosity as ambient light (Cohen and "
                                                   "others 1988); false: the room brightens shot by shot."))),
         params::choice({"display", "Shown as"}, p.display,
-                       {{"flat", "flat patches"}, {"interpolated", "interpolated"}, {"light-map", "light map"}},
+                       {{"flat", "flat patches"}, "interpolated", {"light-map", "light map"}},
                        "Flat: one radiosity for each patch; interpolated: between the corners of patches; light map: "
                        "interpolated, with direct light computed at many points of each patch."),
         onlyIf(hasLightMap,

@@ -145,13 +145,19 @@ std::optional<Change> parameterRow(WindowState& ui, const params::Param& param, 
         tooltip(param, theme);
         if (released) ui.bench.endGesture();
     };
-    if (param.kind == params::Kind::boolean) { // in one line
+    const bool inOneLine = param.kind == params::Kind::boolean;
+    if (inOneLine) {
         show();
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
+    } else { // the label is nearer to its own widget than to the one above
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1});
     }
     if (headLine(param, theme)) change = Change{params::initialText(param), ""};
-    if (param.kind != params::Kind::boolean) show();
+    if (!inOneLine) {
+        ImGui::PopStyleVar();
+        show();
+    }
     if (value) {
         const double before = param.get();
         param.set(*value);
