@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/probe_decision.h"
 
+#include <utility>
+
+#include "techniques/probed/seen_point.h"
+
 namespace shadowlab {
 
 bool isWrong(double visibility, trace::Visibility truth) {
@@ -17,6 +21,11 @@ void addDecision(Probe& probe, double visibility, trace::Visibility truth, const
     if (wrong)
         probe.facts.push_back({"error", std::string(visibility > 0.5 ? "false lit: " : "false shadow: ") + why, ""});
     probe.decision = Decision{visibility, turnedAway, wrong ? why : ""};
+}
+
+void addDecider(Probe& probe, std::string who) {
+    probe.add(Decider{who});
+    probe.facts.push_back({"who decides", std::move(who), ""});
 }
 
 } // namespace shadowlab

@@ -13,4 +13,8 @@ bool isWrong(double visibility, trace::Visibility truth);
 /// in one sentence, as far as it can be proved; not used where the answer is right.
 void addDecision(Probe& probe, double visibility, trace::Visibility truth, const std::string& why);
 
+/// Adds the fact `who decides` and a Decider (techniques/probed/seen_point.h). Without a decision beside it: the probe cannot follow
+/// the technique there.
+void addDecider(Probe& probe, std::string who);
+
 } // namespace shadowlab

@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "techniques/exact_judge.h"
+#include "techniques/probed/seen_point.h"
 
 namespace shadowlab {
 
@@ -40,15 +41,21 @@ Probe Technique::probe(const scene::Snapshot& snapshot, const View& view, ivec2 
                            "",
                            {static_cast<double>(pixel.x), static_cast<double>(pixel.y)}});
     if (!hit) {
+        probe.add(SeenPoint{});
         probe.facts.push_back({"surface", "none (background)", ""});
         return probe;
     }
-    probe.facts.push_back({"surface", snapshot->objects[hit->object].name, ""});
+    const scene::Object& object = snapshot->objects[hit->object];
+    SeenPoint& seen = probe.add(SeenPoint{object.name, object.receivesShadow});
+    probe.facts.push_back({"surface", object.name, ""});
     probe.facts.push_back(probeCount("triangle", hit->triangle));
     probe.facts.push_back(probeFact("distance from the eye", hit->distance, "m"));
     probe.geometry.push_back({"eye ray", view.camera.positionWorld, hit->positionWorld, Probe::Role::eye});
     if (light >= 0 && light < static_cast<int>(snapshot->lights.size())) {
         const auto truth = exact->visibility(*hit, view.camera, light);
+        seen.light = light;
+        seen.lightName = snapshot->light(light).name;
+        seen.truth = truth;
         probe.facts.push_back({"truth",
                                truth == trace::Visibility::lit        ? "lit"
                                : truth == trace::Visibility::shadowed ? "in shadow"

@@ -10,6 +10,7 @@
 #include "techniques/foundation/base/look.h"
 #include "techniques/probed/patch_exchange.h"
 #include "techniques/probed/radiosity_equations.h"
+#include "techniques/probed/seen_point.h"
 
 namespace shadowlab::radiosity {
 
@@ -172,7 +173,11 @@ void describePatch(const RoomCache& cache, const Sources& sources, const LightBa
     probe.facts.push_back(probeFact("radiant flux B dA_j", radiosity * patch.area, "W"));
     probe.facts.push_back(probeFact("radiant energy in a second", radiosity * patch.area, "J"));
     probe.facts.push_back(probeFact("I = B / pi, intensity", radiosity / glm::pi<double>(), "W/(m^2 sr)"));
-    if (light >= 0) probe.facts.push_back(probeFact("visible share of the light", cache.light(light).seenArea[j]));
+    if (light >= 0) {
+        const double share = cache.light(light).seenArea[j];
+        probe.find<SeenPoint>()->lightShare = share;
+        probe.facts.push_back(probeFact("visible share of the light", share));
+    }
     PatchExchange& exchange = probe.add(PatchExchange{asProbed(cache, sources, balance, j)});
     probe.visited.push_back(outline(exchange.j, "patch j and its normal", look::kPatchJ));
     if (j >= exchanging) {

@@ -6,6 +6,7 @@
 #include "app/cli/json/json_values.h"
 #include "app/cli/json/probe_parts.h"
 #include "app/cli/text_table.h"
+#include "app/picture/pixel_verdict.h"
 #include "techniques/foundation/scene/load/message_text.h"
 #include "techniques/probed/patch_exchange.h"
 
@@ -96,7 +97,11 @@ Json exchangeJson(const Probe& probe) {
 } // namespace
 
 std::string probeText(const ProbedPixel& probed) {
-    std::string text = scene::shown(probed.scene, kLongestName) + ", " + probed.technique + ", " +
+    const picture::PixelVerdict verdict = picture::pixelVerdict(probed.probe);
+    std::string text = scene::shown(verdict.sentence, kLongestName) + "\n";
+    for (const std::string& sum : verdict.sums)
+        text += "  " + scene::shown(sum, kLongestName) + "\n";
+    text += "\n" + scene::shown(probed.scene, kLongestName) + ", " + probed.technique + ", " +
                        std::to_string(probed.size.x) + " x " + std::to_string(probed.size.y) + " pixels";
     if (!probed.light.empty()) text += ", light " + scene::shown(probed.light, kLongestName);
     text += "\n\n" + factLines(probed.probe.facts, 0);
@@ -124,7 +129,10 @@ std::string probeJson(const ProbedPixel& probed) {
                         {"end", textJson(node.end)},
                         {"ray", node.segment < 0 ? Json() : Json(node.segment)},
                         {"facts", factsJson(node.facts)}});
-    const Json json{{"scene", probed.scene},
+    const picture::PixelVerdict verdict = picture::pixelVerdict(probed.probe);
+    const Json json{{"verdict", verdict.sentence},
+                    {"sums", verdict.sums},
+                    {"scene", probed.scene},
                     {"technique", probed.technique},
                     {"light", textJson(probed.light)},
                     {"size", {probed.size.x, probed.size.y}},

@@ -17,10 +17,11 @@ struct ProbedPixel {
     Probe probe;
 };
 
-/// Facts a line each, then the tree, every ray indented below the one it comes from.
+/// The verdict in one line and the sums that lead to it; then the details: facts a line each, and the tree, every ray indented below
+/// the one it comes from.
 std::string probeText(const ProbedPixel& probed);
 
-/// One object, with all digits: {"scene", "technique", "light", "size", "pixel", "partner", "facts", "vectors", "rays",
+/// One object, with all digits: {"verdict", "sums", "scene", "technique", "light", "size", "pixel", "partner", "facts", "vectors", "rays",
 /// "tree", "exchange", "decision", "volume", "map", "plane"}.
 std::string probeJson(const ProbedPixel& probed);
 

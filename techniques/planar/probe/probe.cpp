@@ -122,8 +122,7 @@ Probe Planar::probe(const scene::Snapshot& snapshot, const View& view, ivec2 pix
         for (SceneShape& shape : coverShapes(*probe.find<PlaneProbe>(), hit->positionWorld))
             probe.visited.push_back(std::move(shape));
         if (isSampled(source))
-            probe.facts.push_back(
-                {"who decides", "the shadows of many points of the light; told is that of its centre", ""});
+            addDecider(probe, "the shadows of many points of the light; told is that of its centre");
         else
             addDecision(probe, shadows ? 0 : gate, truth, whyWrong(*probe.find<PlaneProbe>(), !shadows));
         return probe;

@@ -2,6 +2,7 @@
 #include "techniques/ray_tracing/probe/pixel_probe.h"
 
 #include "techniques/foundation/trace/area/area_visibility.h"
+#include "techniques/probed/seen_point.h"
 #include "techniques/ray_tracing/structures/structure_shapes.h"
 
 namespace shadowlab::ray_tracing {
@@ -39,6 +40,7 @@ void describeArea(const Surfaces& surfaces, const trace::SurfacePoint& point, co
     const dvec3 normalWorld = surfaces.normalWorld(point, toViewerWorld);
     trace::AreaIrradiance found;
     area.irradiances({&point, 1}, {&normalWorld, 1}, {&found, 1});
+    probe.find<SeenPoint>()->lightShare = found.visible;
     const std::string name = surfaces.scene().light(light).name;
     probe.facts.push_back(probeFact("share of the area of " + name + " that is seen", found.visible));
     probe.facts.push_back({"that is",

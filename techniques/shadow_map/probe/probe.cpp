@@ -170,7 +170,7 @@ public:
         if (of_.rays)
             addTriangleDecision(probe_, decideExactly(*of_.rays, view_, pixel_, light_, texel), truth_);
         else if (of_.averagesOver(snapshot_->light(light_)))
-            add("who decides", "the mean of maps from many points of the light; this is the one of its centre");
+            addDecider(probe_, "the mean of maps from many points of the light; this is the one of its centre");
         else
             decideByFilter(point, texel);
     }
@@ -279,7 +279,7 @@ private:
     void decideByFilter(const ComparedPoint& point, const TexelDepth& texel) {
         const FilterInfo& filter = filterInfo(query_.filter.kind);
         if (!filter.answer) {
-            add("who decides", "filter " + std::string(filter.name) + ", which the probe cannot follow");
+            addDecider(probe_, "filter " + std::string(filter.name) + ", which the probe cannot follow");
             return;
         }
         const FilterAnswer answer = filter.answer(point);
@@ -289,11 +289,11 @@ private:
         map.moments = answer.moments;
         tellFilter(probe_, answer);
         if (query_.filter.usesMoments() && query_.filter.mipmaps && !averagesLogarithms(query_.filter)) {
-            add("who decides", "coarser moments, over as many texels as the pixel covers; told are the finest");
+            addDecider(probe_, "coarser moments, over as many texels as the pixel covers; told are the finest");
             return;
         }
         if (map.moments && !map.moments->isFinite) {
-            add("who decides", "numbers that the format does not hold: what a graphics card makes of them is its own");
+            addDecider(probe_, "numbers that the format does not hold: what a graphics card makes of them is its own");
             return;
         }
         const double visibility = fadedIntoNextCascade(answer.visibility, filter);

@@ -28,7 +28,7 @@ Decision::Face faceOf(const trace::SceneTracer& tracer, std::uint32_t primitive)
 } // namespace
 
 void addTriangleDecision(Probe& probe, const TriangleDecision& decision, trace::Visibility truth) {
-    probe.facts.push_back({"who decides", decision.who, ""});
+    addDecider(probe, decision.who);
     addDecision(probe, decision.visibility == trace::Visibility::lit ? 1 : 0, truth,
                 "the technique's own rays disagree with the judge's");
     if (decision.blocker) {
