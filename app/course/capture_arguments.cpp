@@ -49,6 +49,7 @@ std::string_view layoutName(picture::Layout layout) {
 std::vector<std::string> captureArguments(const lab::Document& document, const std::filesystem::path& sceneFile,
                                       const std::filesystem::path& picture, ivec2 size) {
     const bool single = document.layout == picture::Layout::single;
+    const bool diff = document.layout == picture::Layout::diff;
     const int count = lab::shownPanes(document.layout);
     std::string techniques;
     std::vector<std::string> more;
@@ -56,7 +57,8 @@ std::vector<std::string> captureArguments(const lab::Document& document, const s
         const lab::PaneState& state = document.panes[static_cast<std::size_t>(single ? document.active : i)];
         const std::string slot = single ? "" : std::to_string(i + 1) + ":";
         techniques += (i ? "," : "") + state.technique;
-        if (!state.stage.isPicture()) more.insert(more.end(), {"--stage", slot + stageWord(document, state)});
+        // A difference is of the finished pictures, whatever the panes show in other layouts.
+        if (!state.stage.isPicture() && !diff) more.insert(more.end(), {"--stage", slot + stageWord(document, state)});
         for (const auto& [param, value] : state.values())
             more.insert(more.end(), {"--set", slot + state.technique + "." + param + "=" + value});
     }
@@ -65,12 +67,14 @@ std::vector<std::string> captureArguments(const lab::Document& document, const s
         "-t",      techniques,         "--size", std::to_string(size.x) + "x" + std::to_string(size.y)};
     if (!single) words.insert(words.end(), {"--layout", std::string(layoutName(document.layout))});
     if (document.layout == picture::Layout::split) words.insert(words.end(), {"--split", exactText(document.split)});
-    bool outside = false, isAboutPicked = false;
-    for (int i = 0; i < count; ++i) {
+    bool outside = false, isAboutPicked = false, errors = diff;
+    for (int i = 0; i < count && !diff; ++i) {
         const lab::PaneState& state = document.panes[static_cast<std::size_t>(single ? document.active : i)];
+        errors = errors || state.stage.isError();
         outside = outside || state.stage.isOutside();
         isAboutPicked = isAboutPicked || picture::windowFollowsPicked(findTechnique(state.technique), state.stage);
     }
+    if (errors) words.insert(words.end(), {"--enlarge", "true"});
     if (outside) {
         std::string place;
         for (const dvec3& point : {document.outsideCamera.positionWorld, document.outsideCamera.targetWorld})

@@ -41,6 +41,7 @@ private:
         if (request_.partner) request.partner = lab::pixelAt(*request_.partner, samples);
         request.outside = request_.outside;
         request.font = &font_;
+        request.markWidth = markWidth();
         picture::Panel panel = picture::renderPanel(session_, slot, encoder_, cell, request).panel;
         if (slots_.size() > 1) panel.title = slot.info->title;
         return panel;
@@ -50,7 +51,12 @@ private:
         View view;
         view.camera = state_.camera;
         view.size = request_.size;
-        return picture::renderDifference(session_, slots_, encoder_, view, state_.light).panel;
+        return picture::renderDifference(session_, slots_, encoder_, view, state_.light, markWidth()).panel;
+    }
+
+    /// By the whole that the picture is a part of: a slide is seen as a whole.
+    [[nodiscard]] int markWidth() const {
+        return picture::wideMark(request_.typeHeight > 0 ? request_.typeHeight : request_.size.y);
     }
 
     const ShownState& state_;

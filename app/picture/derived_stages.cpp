@@ -95,7 +95,7 @@ Panel derivedPanel(Session& session, Slot& slot, const RenderedFrame& rendered, 
     image::Image picture = encoder.encode(slot.target.color, session.snapshot()->exposure);
     const VisibilityImage visibility = readVisibility(findStage(rendered, visibilityOf(light)));
     const judge::Judgement judgement = judge::judge(truth, visibility.greyAlpha);
-    if (stage.isError()) return errorPanel(std::move(picture), truth, judgement, request.view.region);
+    if (stage.isError()) return errorPanel(std::move(picture), truth, judgement, request.view.region, request.markWidth);
     const Scanline scanline{truth, judgement, visibility,
                             session.snapshot()->light(light).name,
                             std::string(slot.info->title)};

@@ -9,6 +9,7 @@
 #include "app/picture/figure.h"
 #include "app/picture/picture.h"
 #include "app/picture/session.h"
+#include "app/picture/wrong_marks.h"
 
 namespace shadowlab::picture {
 
@@ -35,6 +36,7 @@ struct DerivedRequest {
     const image::Font* font = nullptr;      ///< for the numbers of `scanline`
     std::optional<scene::Camera> outside{}; ///< of `outside`; none: scene::outsideCameraFor
     ivec2 outsideSize{0};                   ///< of its picture; zero: that of the view
+    int markWidth = kOnePixel;              ///< of wrong pixels that stand alone, in `error`
 };
 Panel derivedPanel(Session& session, Slot& slot, const RenderedFrame& rendered, const PictureEncoder& encoder,
                    const DerivedRequest& request);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/picture/difference_panel.h"
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "app/picture/stage_ref.h"
 #include "techniques/foundation/base/look.h"
@@ -22,7 +24,7 @@ bool isWrong(Verdict verdict) {
 } // namespace
 
 Panel differencePanel(image::Image ground, const std::array<const judge::Judgement*, 2>& judgements,
-                      const std::array<std::string, 2>& titles) {
+                      const std::array<std::string, 2>& titles, int markWidth) {
     // Warm: lit where it should be dark. Cold: dark where it should be lit. Light: the first. Deep: the second.
     struct Meaning {
         vec3 color;
@@ -34,34 +36,40 @@ Panel differencePanel(image::Image ground, const std::array<const judge::Judgeme
                                         {look::kFalseLitSecond, titles[1] + ": false lit"},
                                         {look::kFalseShadowSecond, titles[1] + ": false shadow"},
                                         {look::kStray, "both wrong"}}};
+    const auto meaningAt = [&](std::size_t pixel) -> Meaning& {
+        const std::array<Verdict, 2> verdicts = {judgements[0]->verdicts[pixel], judgements[1]->verdicts[pixel]};
+        const std::size_t slot = isWrong(verdicts[0]) ? 0 : 1;
+        if (slot == 0 && isWrong(verdicts[1])) return meanings[4];
+        return meanings[verdicts[slot] == Verdict::falseShadow ? 2 * slot + 1 : 2 * slot];
+    };
+    std::vector<std::uint8_t> isMarked(judgements[0]->verdicts.size());
+    for (std::size_t i = 0; i < isMarked.size(); ++i) {
+        isMarked[i] = isWrong(judgements[0]->verdicts[i]) || isWrong(judgements[1]->verdicts[i]);
+        if (isMarked[i]) ++meaningAt(i).pixels;
+    }
+    const WrongMarks marks = wrongMarks(isMarked, {ground.width, ground.height}, markWidth);
     for (int y = 0; y < ground.height; ++y)
         for (int x = 0; x < ground.width; ++x) {
-            const std::size_t i =
-                static_cast<std::size_t>(y) * static_cast<std::size_t>(ground.width) + static_cast<std::size_t>(x);
-            const std::array<Verdict, 2> verdicts = {judgements[0]->verdicts[i], judgements[1]->verdicts[i]};
-            const bool first = isWrong(verdicts[0]), second = isWrong(verdicts[1]);
-            if (!first && !second) {
-                const image::Color8 c = ground.at(x, y);
-                const float luminance = 0.2126f * image::linearFromSrgb(c.r) + 0.7152f * image::linearFromSrgb(c.g) +
-                                        0.0722f * image::linearFromSrgb(c.b);
-                ground.set(x, y, image::encoded(vec3(glm::mix(kDarkestGround, 1.0f, luminance))));
+            const std::int32_t owner =
+                marks.owner[static_cast<std::size_t>(y) * static_cast<std::size_t>(ground.width) + static_cast<std::size_t>(x)];
+            if (owner != WrongMarks::kNone) {
+                ground.set(x, y, image::encoded(meaningAt(static_cast<std::size_t>(owner)).color));
                 continue;
             }
-            const std::size_t slot = first ? 0 : 1;
-            Meaning& meaning = meanings[first && second                          ? 4
-                                        : verdicts[slot] == Verdict::falseShadow ? 2 * slot + 1
-                                                                                 : 2 * slot];
-            ++meaning.pixels;
-            ground.set(x, y, image::encoded(meaning.color));
+            const image::Color8 c = ground.at(x, y);
+            const float luminance = 0.2126f * image::linearFromSrgb(c.r) + 0.7152f * image::linearFromSrgb(c.g) +
+                                    0.0722f * image::linearFromSrgb(c.b);
+            ground.set(x, y, image::encoded(vec3(glm::mix(kDarkestGround, 1.0f, luminance))));
         }
     Panel panel{std::move(ground), "", StageKind::swatches, {}};
     for (const Meaning& meaning : meanings)
         panel.display.key.push_back({meaning.color, meaning.label + ": " + std::to_string(meaning.pixels) + " px"});
+    if (const std::string note = noteOf(marks, markWidth); !note.empty()) panel.display.key.back().label += "\n" + note;
     return panel;
 }
 
 RenderedDifference renderDifference(Session& session, std::span<Slot> slots, const PictureEncoder& encoder, const View& view,
-                                    int light, bool timePasses) {
+                                    int light, int markWidth, bool timePasses) {
     RenderedDifference difference;
     std::array<judge::Judgement, 2> judgements;
     for (std::size_t i = 0; i < judgements.size(); ++i) {
@@ -74,7 +82,7 @@ RenderedDifference renderDifference(Session& session, std::span<Slot> slots, con
     }
     difference.panel =
         differencePanel(encoder.encode(slots[0].target.color, session.snapshot()->exposure), {&judgements[0], &judgements[1]},
-                        {std::string(slots[0].info->title), std::string(slots[1].info->title)});
+                        {std::string(slots[0].info->title), std::string(slots[1].info->title)}, markWidth);
     return difference;
 }
 

@@ -48,7 +48,7 @@ RenderedPanel renderPanel(Session& session, Slot& slot, const PictureEncoder& en
     }
     if (stage.isDerived()) {
         Panel panel = derivedPanel(session, slot, rendered, encoder,
-                                   {stage.key, view, request.row, request.font, request.outside, cell.pictureSize});
+                                   {stage.key, view, request.row, request.font, request.outside, cell.pictureSize, request.markWidth});
         return {std::move(panel), std::move(rendered)};
     }
     if (stage.isPass) requirePassRan(rendered, stage.key, *slot.info);

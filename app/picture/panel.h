@@ -11,6 +11,7 @@
 #include "app/picture/picture.h"
 #include "app/picture/session.h"
 #include "app/picture/stage_ref.h"
+#include "app/picture/wrong_marks.h"
 
 namespace shadowlab::picture {
 
@@ -35,6 +36,7 @@ struct PanelRequest {
     std::optional<int> row{};                 ///< of the stage `scanline`; none: the one with most wrong pixels
     std::optional<scene::Camera> outside{};   ///< of the stage `outside`; none: as the program chooses it
     const image::Font* font = nullptr;        ///< for the numbers of the stage `scanline`
+    int markWidth = kOnePixel;                ///< of wrong pixels that stand alone, in the stage `error`
     bool timePasses = false;
 };
 

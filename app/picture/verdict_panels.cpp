@@ -2,6 +2,10 @@
 #include "app/picture/verdict_panels.h"
 
 #include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "techniques/foundation/base/look.h"
 
@@ -81,38 +85,42 @@ Panel truthPanel(const judge::Truth& truth, const Region& region) {
     return panel;
 }
 
-Panel errorOverlay(const judge::Truth& truth, const judge::Judgement& judgement, const Region& region) {
+Panel errorOverlay(const judge::Truth& truth, const judge::Judgement& judgement, const Region& region, int markWidth) {
     std::array<Meaning, 4> meanings = {{{look::kFalseLit, "false lit (should be in shadow)"},
                                         {look::kFalseShadow, "false shadow (should be lit)"},
                                         {look::kTieOnPicture, "tie"},
                                         {look::kStray, nullptr}}};
+    Meaning &falseLit = meanings[0], &falseShadow = meanings[1], &tie = meanings[2], &stray = meanings[3];
+    std::vector<std::uint8_t> isWrong(judgement.verdicts.size());
     Panel panel = emptyPanel(truth.size);
     forEachShown(region, truth.size, [&](int x, int y) {
         const std::size_t i = truth.index(x, y);
         const Verdict verdict = judgement.verdicts[i];
-        const auto paint = [&](Meaning& meaning) {
-            meaning.pixels += verdict != Verdict::tie || truth.visibility[i] != Visibility::noSurface;
-            panel.picture.set(x, y, image::encoded(meaning.colorLinear));
-        };
-        switch (verdict) {
-        case Verdict::falseLit: paint(meanings[0]); break;
-        case Verdict::falseShadow: paint(meanings[1]); break;
-        case Verdict::tie: paint(meanings[2]); break;
-        case Verdict::stray:
-            meanings[3].label = "surface where there is none"; // only named where there is one: hardly ever
-            paint(meanings[3]);
-            break;
-        case Verdict::background:
-        case Verdict::correct: break;
-        }
+        falseLit.pixels += verdict == Verdict::falseLit;
+        falseShadow.pixels += verdict == Verdict::falseShadow;
+        stray.pixels += verdict == Verdict::stray;
+        isWrong[i] = verdict == Verdict::falseLit || verdict == Verdict::falseShadow || verdict == Verdict::stray;
+        if (verdict != Verdict::tie) return;
+        tie.pixels += truth.visibility[i] != Visibility::noSurface;
+        panel.picture.set(x, y, image::encoded(tie.colorLinear));
+    });
+    if (stray.pixels > 0) stray.label = "surface where there is none"; // only named where there is one: hardly ever
+    const WrongMarks marks = wrongMarks(isWrong, truth.size, markWidth);
+    forEachShown(region, truth.size, [&](int x, int y) {
+        const std::int32_t owner = marks.owner[truth.index(x, y)];
+        if (owner == WrongMarks::kNone) return;
+        const Verdict verdict = judgement.verdicts[static_cast<std::size_t>(owner)];
+        const Meaning& meaning = verdict == Verdict::falseLit ? falseLit : verdict == Verdict::falseShadow ? falseShadow : stray;
+        panel.picture.set(x, y, image::encoded(meaning.colorLinear));
     });
     panel.display.key = keyOfVerdicts(meanings);
+    if (const std::string note = noteOf(marks, markWidth); !note.empty()) panel.display.key.back().label += "\n" + note;
     return panel;
 }
 
-Panel errorPanel(image::Image picture, const judge::Truth& truth, const judge::Judgement& judgement,
-                 const Region& region) {
-    Panel panel = errorOverlay(truth, judgement, region);
+Panel errorPanel(image::Image picture, const judge::Truth& truth, const judge::Judgement& judgement, const Region& region,
+                 int markWidth) {
+    Panel panel = errorOverlay(truth, judgement, region, markWidth);
     forEachShown(region, truth.size, [&](int x, int y) {
         const image::Color8 over = panel.picture.at(x, y);
         picture.set(x, y, over.a ? over : withoutColor(picture.at(x, y)));

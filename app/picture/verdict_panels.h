@@ -6,6 +6,7 @@
 #pragma once
 #include "app/judge/verdict.h"
 #include "app/picture/figure.h"
+#include "app/picture/wrong_marks.h"
 
 namespace shadowlab::picture {
 
@@ -13,11 +14,12 @@ namespace shadowlab::picture {
 /// shadow: mixed, as much of each as is seen.
 Panel truthPanel(const judge::Truth& truth, const Region& region);
 
-/// What is wrong, in colours, and nothing where the technique is right: to be laid over a picture.
-Panel errorOverlay(const judge::Truth& truth, const judge::Judgement& judgement, const Region& region);
+/// What is wrong, in colours, and nothing where the technique is right: to be laid over a picture. A wrong pixel that stands alone
+/// is drawn as a square of that width (wrong_marks.h); the key counts pixels, and says how they are drawn.
+Panel errorOverlay(const judge::Truth& truth, const judge::Judgement& judgement, const Region& region, int markWidth = kOnePixel);
 
 /// The picture without its colours, and on it every pixel that is wrong. Outside the region it stays as it is.
-Panel errorPanel(image::Image picture, const judge::Truth& truth, const judge::Judgement& judgement,
-                 const Region& region);
+Panel errorPanel(image::Image picture, const judge::Truth& truth, const judge::Judgement& judgement, const Region& region,
+                 int markWidth = kOnePixel);
 
 } // namespace shadowlab::picture

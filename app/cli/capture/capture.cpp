@@ -35,6 +35,9 @@ void describeCapture(DescribedOptions& add) {
         "--stage", "[SLOT:]STAGE",
         "an intermediate picture: STAGE, STAGE@LIGHT or pass:ID (`list stages`), of all techniques or of one; may be "
         "repeated");
+    add.option("--enlarge", "true|false",
+               "the stage error and --layout diff draw wrong pixels that stand alone large enough to be seen from afar, as the "
+               "window does (default false: each is one pixel, to be counted)");
     add.option("--row", "Y", "the row of the stage scanline, from the top (default: the one with most wrong pixels)");
     add.option("--outside", "X,Y,Z,X,Y,Z",
                "where the second camera of the stage outside stands, and where it looks (default: a good place)");
@@ -92,6 +95,7 @@ CaptureOptions captureOptions(const GivenOptions& given) {
     options.layout = layoutFor(given, options.techniques.size());
     options.labels = booleanFrom("--labels", given.text("--labels", "true"));
     options.stages = stagesFor(given, options.techniques.size());
+    options.enlarge = booleanFrom("--enlarge", given.text("--enlarge", "false"));
     options.settings = given.texts("--set");
     std::vector<std::string> stageIds;
     for (const picture::StageRef& stage : options.stages)

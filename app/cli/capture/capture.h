@@ -23,6 +23,7 @@ struct CaptureOptions {
     std::vector<std::string> techniques{"shadow-volume-zfail"};
     picture::Layout layout = picture::Layout::single;
     bool labels = true;
+    bool enlarge = false; ///< wrong pixels that stand alone, so that they are seen from afar; else each is one pixel
     bool ui = false;                              ///< the window with its widgets, not the pictures alone
     bool presenter = false;                       ///< its large type
     bool keys = false;                            ///< its list of keys

@@ -178,7 +178,7 @@ private:
         for (const picture::Slot& slot : slots_) // refuses a technique that says nothing of one light
             picture::resolve({std::string(kVisibilityStage)}, *slot.info, *base_, light);
         picture::RenderedDifference drawn =
-            picture::renderDifference(*session_, slots_, *encoder_, view, light, !options_.stats.empty());
+            picture::renderDifference(*session_, slots_, *encoder_, view, light, markWidth(), !options_.stats.empty());
         for (std::size_t i = 0; i < slots_.size(); ++i)
             stats_->add(i, drawn.rendered[i]);
         if (options_.labels)
@@ -198,6 +198,7 @@ private:
         }
         request.row = options_.row;
         request.outside = outsideCamera();
+        request.markWidth = markWidth();
         if (stages_[i].isDerived()) request.font = &font();
         request.timePasses = !options_.stats.empty();
         return request;
@@ -214,6 +215,10 @@ private:
             picture::readVisibility(picture::findStage(rendered, stages_[0].key));
         image::writeWhole(
             path, image::encodeGreyAlpha(visibility.width, visibility.height, visibility.greyAlpha, stats_->pngText()));
+    }
+
+    [[nodiscard]] int markWidth() const {
+        return options_.enlarge ? picture::wideMark(options_.size.y) : picture::kOnePixel;
     }
 
     const image::Font& font() {

@@ -5,6 +5,7 @@
 #include <array>
 #include <chrono>
 #include <functional>
+#include <list>
 #include <stdexcept>
 
 #include "app/lab/errors/background_priority.h"
@@ -39,8 +40,8 @@ public:
             publish(std::move(answer));
         };
         const Key key{task.snapshot, task.view.camera, task.view.size, task.light};
-        for (Known& known : known_)
-            if (known.truth && known.madeFor != key) known = {};
+        for (Kept& kept : kept_)
+            bringToFront(kept, key);
         while (!tracer_.advance(task.snapshot, Clock::now() + kSlice))
             throwIfStopped(stop);
         const bool area = isAsked(task, TruthOf::area), centre = isAsked(task, TruthOf::centre) || !area;
@@ -82,7 +83,22 @@ private:
     static bool isAsked(const JudgeTask& task, TruthOf of) {
         return std::ranges::any_of(task.slots, [of](const SlotTask& slot) { return slot.truth == of; });
     }
-    Known& knownOf(TruthOf of) { return known_[of == TruthOf::area ? 1 : 0]; }
+    /// What is known of the view of the present task: the first of its list.
+    Known& knownOf(TruthOf of) { return kept_[of == TruthOf::area ? 1 : 0].front(); }
+
+    /// Pictures change their size when a layout is chosen or a panel opens, and change it back again.
+    using Kept = std::list<Known>;
+    static constexpr std::size_t kMostKept = 4;
+    static void bringToFront(Kept& kept, const Key& key) {
+        // A truth without ties is that of a moment in which something moved: it will not come back.
+        std::erase_if(kept, [&](const Known& known) { return known.madeFor != key && !known.exact; });
+        const auto found = std::ranges::find(kept, key, &Known::madeFor);
+        if (found == kept.end())
+            kept.emplace_front().madeFor = key;
+        else
+            kept.splice(kept.begin(), kept, found);
+        if (kept.size() > kMostKept) kept.pop_back();
+    }
 
     Truth reducedTruth(const Key& key, TruthOf of, const std::stop_token& stop) const {
         return judge::truthAtCentres(tracer_, key.camera, key.size, key.light, stop, of);
@@ -103,13 +119,14 @@ private:
         JudgeAnswer answer;
         answer.exact = true;
         std::array<std::shared_ptr<const picture::Panel>, 2> panels;
-        for (std::size_t i = 0; i < known_.size(); ++i)
-            if (known_[i].truth && task.wantsTruthPanel)
-                panels[i] = std::make_shared<const picture::Panel>(picture::truthPanel(*known_[i].truth, {}));
-        const bool area = !known_[0].truth || (!isAsked(task, TruthOf::centre) && isAsked(task, TruthOf::area));
-        answer.truth = known_[area ? 1 : 0].truth;
+        for (std::size_t i = 0; i < kept_.size(); ++i)
+            if (kept_[i].front().truth && task.wantsTruthPanel)
+                panels[i] = std::make_shared<const picture::Panel>(picture::truthPanel(*kept_[i].front().truth, {}));
+        const bool area =
+            !knownOf(TruthOf::centre).truth || (!isAsked(task, TruthOf::centre) && isAsked(task, TruthOf::area));
+        answer.truth = knownOf(area ? TruthOf::area : TruthOf::centre).truth;
         answer.truthPanel = panels[area ? 1 : 0];
-        if (task.slots.empty()) answer.exact = known_[0].exact;
+        if (task.slots.empty()) answer.exact = knownOf(TruthOf::centre).exact;
         for (const SlotTask& slot : task.slots) {
             throwIfStopped(stop);
             answer.slots.emplace_back();
@@ -130,13 +147,17 @@ private:
                 judged.coreErrors =
                     judge::coreErrors(*known.truth, judged.judgement, *known.distancePx, slot.texelPx);
             }
-            if (slot.wantsOverlay) judged.overlay = picture::errorOverlay(*known.truth, judged.judgement, slot.region);
+            if (slot.wantsOverlay) {
+                judged.overlay = picture::errorOverlay(*known.truth, judged.judgement, slot.region, slot.markWidth);
+                if (slot.markWidth > picture::kOnePixel)
+                    judged.onePixelEach = picture::errorOverlay(*known.truth, judged.judgement, slot.region).picture;
+            }
         }
         return answer;
     }
 
     trace::SceneTracer tracer_;
-    std::array<Known, 2> known_; ///< about the light's centre, and about its area
+    std::array<Kept, 2> kept_; ///< about the light's centre, and about its area
 };
 
 /// A wrong size would otherwise become an access outside of an array, on another thread, far from its cause.

@@ -1,8 +1,8 @@
 // Truth and errors of what the window shows, found beside the running picture.
 //
 // A thread of idle priority works on a copy: the scene, the view, and each technique's visibility image, read back by the thread
-// that draws. It never uses OpenGL. It caches the tree of the scene and the last truth from task to task: where only a technique's
-// settings changed, no ray is traced again.
+// that draws. It never uses OpenGL. It caches the tree of the scene and the last truths from task to task: where only a technique's
+// settings changed, or the window has gone back to an earlier layout, no ray is traced again.
 //
 // While things move, tasks should be *reduced*: the truth at the pixels' centres, without ties. A reduced task is finished even when
 // the next one has come; otherwise a picture that changes faster than it can be judged would never be judged. Of several waiting
@@ -31,6 +31,7 @@ struct SlotTask {
     Region region;                                     ///< of the view; empty: all of it
     judge::TruthOf truth = judge::TruthOf::centre; ///< what the technique is judged by: Session::truthFor()
     bool wantsOverlay = false;                         ///< draw the errors, to be laid over the slot's picture
+    int markWidth = picture::kOnePixel;                ///< of wrong pixels that stand alone, in the overlay
     bool wantsCore = false;                            ///< count core errors; exact tasks only
     std::optional<judge::Grid<float>> texelPx{}; ///< for them: readTexelSizes(); none: the technique has no texels
 };
@@ -54,6 +55,7 @@ struct SlotAnswer {
     std::optional<double> edgeErrorPx; ///< none: no shadow ends in the region
     std::optional<int> coreErrors;     ///< none: not asked for, or not exact
     std::optional<picture::Panel> overlay;      ///< errorOverlay(), where asked for
+    std::optional<image::Image> onePixelEach;   ///< the same without wide marks, where the overlay may have some
 };
 
 struct JudgeAnswer {
