@@ -62,17 +62,20 @@ PaneRequest Workbench::requestFor(const PlacedPane& placed, int draft) const {
     request.view.camera = document_.camera;
     const picture::Cell& cell = placed.cell;
     request.view.size = glm::max(ivec2(1), (cell.pictureSize + draft - 1) / draft);
-    if (document_.layout == picture::Layout::split && !whole_) {
-        const ivec2 corner = ivec2(cell.cropX, 0) / draft;
-        const ivec2 end =
-            glm::min((ivec2(cell.cropX + cell.width, cell.height) + draft - 1) / draft, request.view.size);
-        request.view.region = {corner, end - corner};
-    }
+    if (document_.layout == picture::Layout::diff) request.state.stage = {};
     request.outsideCamera = document_.outsideCamera;
     request.outsideSize = glm::max(ivec2(1), (ivec2(cell.width, cell.height) + draft - 1) / draft);
     request.light = document_.light;
     if (document_.picked) request.view.picked = pixelAt(*document_.picked, request.view.size);
     if (document_.partner) request.view.partner = pixelAt(*document_.partner, request.view.size);
+    const bool judged = std::ranges::find(answering_, placed.pane) != answering_.end();
+    const bool isThere = pane(placed.pane).drawnFor() == request;
+    if (document_.layout == picture::Layout::split && !isAtRest() && !whole_ && !judged && !isThere) {
+        const ivec2 corner = ivec2(cell.cropX, 0) / draft;
+        const ivec2 end =
+            glm::min((ivec2(cell.cropX + cell.width, cell.height) + draft - 1) / draft, request.view.size);
+        request.view.region = {corner, end - corner};
+    }
     return request;
 }
 

@@ -17,6 +17,7 @@ namespace shadowlab::window {
 namespace {
 
 constexpr double kBetweenTimes = 1.5;     ///< seconds, while something moves
+constexpr std::chrono::milliseconds kStripSlice{25}; ///< for the strip's pictures, in a frame that other pictures have filled
 constexpr double kRestBeforeTimes = 0.25; ///< seconds; the judge's own look at what is new comes first, and is timed
 
 float panelWidth(const Theme& theme, int windowWidth) {
@@ -84,7 +85,8 @@ bool Screen::frame(double seconds) {
     clock_ += seconds;
     ImGuiIO& io = ImGui::GetIO();
     io.DeltaTime = static_cast<float>(std::max(seconds, 1e-5));
-    if (ui_.panelHasKeys || isPopupOpen()) // the arrows choose among its entries
+    // In an open list the arrows choose. Without a window there is no keyboard that ImGui knows.
+    if (ui_.panelHasKeys || (isPopupOpen() && io.BackendPlatformName))
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     else
         io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
@@ -109,7 +111,7 @@ bool Screen::frame(double seconds) {
     // again with it when all is at rest; and while something moves, now and then a frame that has no more to draw than
     // others.
     const bool atRest = !moved && !ui_.bench.animation().playing;
-    const bool timed = !ui_.live || (atRest ? asked || clock_ - drawn_ >= kRestBeforeTimes
+    const bool timed = !ui_.live || (atRest ? asked || (clock_ - drawn_ >= kRestBeforeTimes && !errors_.seesNew())
                                               : clock_ - timed_ >= kBetweenTimes && !asked);
     if (timed) timed_ = clock_;
     ui_.bench.setTimePasses(timed);
@@ -125,7 +127,7 @@ bool Screen::frame(double seconds) {
     settled_ = !busy_ && errors_.isDone();
 
     drawPictures(ui_, errors_, panes_, frames, theme_);
-    drawMagnifiers(ui_, panes_, theme_);
+    drawMagnifiers(ui_, errors_, panes_, theme_);
     ui_.shown.viewMenu = false; // it says so itself while it is open
     for (const PaneHeader& header : paneHeaders(ui_, frames))
         paneHeader(ui_, errors_, strip_, header, frames.headerLines, theme_);
@@ -144,6 +146,8 @@ bool Screen::frame(double seconds) {
 
 bool Screen::updateStrip(Deadline deadline) {
     if (!(ui_.shown.strip || ui_.shown.viewMenu) || !ui_.bench.isAtRest()) return false;
+    if (!ran_.empty()) return true; // what a key has changed is seen first
+    deadline = std::max(deadline, std::chrono::steady_clock::now() + kStripSlice);
     lab::PlacedPane active;
     active.pane = ui_.bench.document().active;
     try {

@@ -51,6 +51,8 @@ public:
     [[nodiscard]] const picture::StepSource& stepSource() const { return source_.shown(); }
     [[nodiscard]] const Theme& theme() const { return theme_; }
     [[nodiscard]] const std::vector<ShownPane>& shownPanes() const { return panes_; }
+    [[nodiscard]] const Theme& theme() const { return theme_; }
+    [[nodiscard]] const lab::StageStrip& strip() const { return strip_; }
     /// The ids of the actions that keys have run in the last frame.
     [[nodiscard]] const std::vector<std::string>& ran() const { return ran_; }
 

@@ -43,10 +43,16 @@ nlohmann::ordered_json stateReport(WindowState& ui, const Screen& screen) {
     for (int i = 0; i < lab::kPanes; ++i) {
         const lab::PaneState& state = document.panes[static_cast<std::size_t>(i)];
         const lab::Pane& pane = ui.bench.pane(i);
+        nlohmann::ordered_json errors;
+        if (const lab::PaneErrors* const known = screen.errors().errors(i))
+            errors = {{"falseLit", known->counts.falseLit},
+                      {"falseShadow", known->counts.falseShadow},
+                      {"exact", known->exact}};
         json["panes"].push_back({{"technique", state.technique},
                                  {"stage", state.stage.text()},
                                  {"settings", state.values()},
                                  {"frameMs", pane.rendered().frameMs},
+                                 {"errors", errors},
                                  {"fault", pane.failure()}});
     }
     json["camera"] = cameraJson(document.camera);

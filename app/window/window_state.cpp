@@ -117,7 +117,8 @@ void resetCamera(WindowState& ui) {
 
 bool looksFromOutside(const WindowState& ui) {
     const lab::Document& document = ui.bench.document();
-    return document.panes[static_cast<std::size_t>(document.active)].stage.isOutside();
+    return document.layout != picture::Layout::diff && // its picture is that of the eye
+           document.panes[static_cast<std::size_t>(document.active)].stage.isOutside();
 }
 
 void moveCamera(WindowState& ui, const std::function<scene::Camera(const scene::Camera&)>& move) {

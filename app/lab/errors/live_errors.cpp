@@ -20,25 +20,34 @@ bool canBeJudged(const PaneRequest& request) {
     return publishes(findTechnique(request.state.technique), kVisibilityStage);
 }
 
-std::vector<PaneRequest> requestsOf(const Workbench& bench, const std::vector<PlacedPane>& placed) {
-    std::vector<PaneRequest> requests;
-    for (const PlacedPane& pane : placed)
-        requests.push_back(bench.requestFor(pane, bench.draft()));
-    return requests;
+/// Of a picture that is drawn coarser than the screen marks become wider on it.
+int markWidthFor(ivec2 areaSize, int draft) {
+    const int onScreen = picture::wideMark(areaSize.y), width = (onScreen + draft - 1) / draft;
+    return width + (width % 2 == 0 ? 1 : 0);
 }
 
 } // namespace
 
+LiveErrors::OnShow LiveErrors::onShow(const Workbench& bench, const std::vector<PlacedPane>& placed) {
+    OnShow shown{bench.document().layout, {}};
+    for (const PlacedPane& pane : placed)
+        shown.requests.push_back(bench.requestFor(pane, bench.draft()));
+    return shown;
+}
+
 bool LiveErrors::ask(Workbench& bench, ivec2 areaSize, double seconds) {
     wanted_.clear();
     const std::vector<PlacedPane> placed = bench.placed(areaSize);
-    const std::vector<PaneRequest> requests = requestsOf(bench, placed);
-    if (!bench.isAtRest()) restSince_ = seconds;
+    const OnShow shown = onShow(bench, placed);
+    // What moves without a change of any picture, as the split line does, is no motion for the judge.
+    if (!bench.isAtRest() && shown != exactFor_) restSince_ = seconds;
+    isNew_ = bench.isAtRest() && shown != seen_;
+    seen_ = shown;
     const bool rests = seconds - restSince_ >= kRest;
-    if (requests != exactFor_) done_ = false;
-    if (rests && requests != exactFor_) {
+    if (shown != exactFor_) done_ = false;
+    if (rests && shown != exactFor_ && !isNew_) {
         for (std::size_t i = 0; i < placed.size(); ++i)
-            if (canBeJudged(requests[i])) wanted_.push_back(placed[i].pane);
+            if (canBeJudged(shown.requests[i])) wanted_.push_back(placed[i].pane);
     } else if (!rests) {
         forgetAreas(bench, placed);
     }
@@ -52,7 +61,7 @@ bool LiveErrors::ask(Workbench& bench, ivec2 areaSize, double seconds) {
                     wanted_.push_back(pane.pane);
         } else {
             turn_ = (turn_ + 1) % placed.size();
-            if (canBeJudged(requests[turn_]) && isQuick(placed[turn_])) wanted_.push_back(placed[turn_].pane);
+            if (canBeJudged(shown.requests[turn_]) && isQuick(placed[turn_])) wanted_.push_back(placed[turn_].pane);
         }
     }
     bench.wantVisibility(wanted_);
@@ -72,6 +81,8 @@ void LiveErrors::forgetAreas(const Workbench& bench, const std::vector<PlacedPan
 
 bool LiveErrors::update(Workbench& bench, ivec2 areaSize, double seconds) {
     const std::vector<PlacedPane> placed = bench.placed(areaSize);
+    for (auto& [pane, known] : errors_)
+        known.frameMs = bench.pane(pane).rendered().frameMs;
     if (!wanted_.empty()) {
         // A pane that could not be drawn in time is asked again in the next frame.
         const bool ready = std::ranges::all_of(wanted_, [&](int pane) {
@@ -79,11 +90,11 @@ bool LiveErrors::update(Workbench& bench, ivec2 areaSize, double seconds) {
         });
         const bool exact = seconds - restSince_ >= kRest;
         if (ready) {
-            submit(bench, placed, wanted_, exact);
+            submit(bench, placed, wanted_, markWidthFor(areaSize, bench.draft()), exact);
             lastSubmit_ = seconds;
-            if (exact) exactFor_ = requestsOf(bench, placed);
+            if (exact) exactFor_ = onShow(bench, placed);
         }
-    } else if (seconds - restSince_ >= kRest && (exactFor_.empty() || requestsOf(bench, placed) != exactFor_)) {
+    } else if (!isNew_ && seconds - restSince_ >= kRest && (exactFor_.requests.empty() || onShow(bench, placed) != exactFor_)) {
         done_ = true; // nothing on show can be judged
     }
     try {
@@ -101,10 +112,11 @@ bool LiveErrors::update(Workbench& bench, ivec2 areaSize, double seconds) {
 }
 
 void LiveErrors::submit(Workbench& bench, const std::vector<PlacedPane>& placed, const std::vector<int>& panes,
-                        bool exact) {
+                        int markWidth, bool exact) {
     const bool diff = bench.document().layout == picture::Layout::diff;
     JudgeTask task;
     Submitted submitted;
+    submitted.markWidth = markWidth;
     for (const PlacedPane& one : placed) {
         if (std::ranges::find(panes, one.pane) == panes.end()) continue;
         const Pane& pane = bench.pane(one.pane);
@@ -120,13 +132,14 @@ void LiveErrors::submit(Workbench& bench, const std::vector<PlacedPane>& placed,
         slot.truth = pane.judgedBy();
         slot.visibility = picture::readVisibility(*answers, slot.region);
         slot.wantsOverlay = stage.isError();
+        slot.markWidth = markWidth;
         task.wantsTruthPanel = task.wantsTruthPanel || stage.isTruth();
         if (stage.isJudged() && pane.picture().texture) {
             // The pane's own picture may be another one when the answer comes.
             submitted.grounds.emplace(one.pane, bench.encoder().copyOf(pane.picture().texture));
             if (stage.isScanline()) submitted.answers.emplace(one.pane, picture::readVisibility(*answers));
         }
-        if (diff && submitted.panes.empty()) submitted.pictures[0] = bench.encoder().read(pane.picture().texture);
+        if (diff && submitted.panes.empty()) submitted.diffGround = bench.encoder().read(pane.picture().texture);
         task.slots.push_back(std::move(slot));
         submitted.panes.push_back(one.pane);
         submitted.requests.push_back(request);
@@ -151,7 +164,8 @@ void LiveErrors::take(const Workbench& bench, const JudgeAnswer& answer, double 
         const int pane = submitted.panes[i];
         if (!answer.slots[i]) continue;
         const SlotAnswer& slot = *answer.slots[i];
-        errors_[pane] = {slot.judgement.counts, slot.edgeErrorPx, slot.coreErrors, slot.exact, submitted.requests[i]};
+        errors_[pane] = {slot.judgement.counts,       slot.edgeErrorPx,       slot.coreErrors, slot.exact,
+                         submitted.requests[i], bench.pane(pane).rendered().frameMs};
         showPicture(bench, answer, submitted, i);
     }
     for (int pane = 0; pane < kPanes; ++pane) {
@@ -163,13 +177,21 @@ void LiveErrors::take(const Workbench& bench, const JudgeAnswer& answer, double 
         }
     }
     history_.add(std::move(sample));
-    if (submitted.pictures[0] && submitted.panes.size() == 2 && answer.slots[0] && answer.slots[1]) {
+    if (submitted.diffGround && submitted.panes.size() == 2 && answer.slots[0] && answer.slots[1]) {
         const auto title = [&](std::size_t i) {
             return std::string(findTechnique(submitted.requests[i].state.technique).title);
         };
-        const picture::Panel panel = picture::differencePanel(
-            *submitted.pictures[0], {&answer.slots[0]->judgement, &answer.slots[1]->judgement}, {title(0), title(1)});
-        difference_ = JudgedPicture{{}, textureOf(panel.picture), {{}, panel.kind, panel.display, ""}, answer.exact};
+        const auto panel = [&](int markWidth) {
+            return picture::differencePanel(*submitted.diffGround,
+                                            {&answer.slots[0]->judgement, &answer.slots[1]->judgement}, {title(0), title(1)},
+                                            markWidth);
+        };
+        const picture::Panel marked = panel(submitted.markWidth);
+        difference_ = JudgedPicture{{},
+                                    textureOf(marked.picture),
+                                    textureOf(panel(picture::kOnePixel).picture),
+                                    {{}, marked.kind, marked.display, ""},
+                                    answer.exact};
     }
     done_ = answer.exact;
     // What is older than this answer will not be answered any more.
@@ -198,9 +220,13 @@ void LiveErrors::showPicture(const Workbench&, const JudgeAnswer& answer, Submit
             shown.ground = {};
         }
         shown.legend = {{}, panel.kind, panel.display, ""};
+        shown.onePixelEach = {};
         shown.exact = judged.exact;
     };
-    if (stage.isError() && judged.overlay) keep(*judged.overlay, true);
+    if (stage.isError() && judged.overlay) {
+        keep(*judged.overlay, true);
+        if (judged.onePixelEach) shown.onePixelEach = textureOf(*judged.onePixelEach);
+    }
     if (stage.isTruth() && judged.truthPanel) keep(*judged.truthPanel, false);
     if (stage.isScanline() && ground != submitted.grounds.end()) {
         const picture::Scanline scanline{*judged.truth, judged.judgement, submitted.answers[pane],
@@ -213,6 +239,11 @@ void LiveErrors::showPicture(const Workbench&, const JudgeAnswer& answer, Submit
 const PaneErrors* LiveErrors::errors(int pane) const {
     const auto found = errors_.find(pane);
     return found == errors_.end() ? nullptr : &found->second;
+}
+
+const JudgedPicture* LiveErrors::shownOn(const Document& document, int pane) const {
+    if (document.layout == picture::Layout::diff) return difference();
+    return document.panes[static_cast<std::size_t>(pane)].stage.isJudged() ? picture(pane) : nullptr;
 }
 
 const JudgedPicture* LiveErrors::picture(int pane) const {

@@ -4,6 +4,8 @@
 // While something moves, one pane after the other is judged, every second or so and without ties: each time the pane is
 // drawn with its answers as well, which costs a little. When all is at rest, every pane is judged exactly, once. Techniques
 // that are judged by a light's area, which takes seconds, are judged at rest only, after all others.
+//
+// What has changed is seen first and judged from the next frame on: so the window reacts at once.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <array>
@@ -20,18 +22,21 @@
 
 namespace shadowlab::lab {
 
-/// The errors of one pane. They are those of the picture that was judged, which may be a moment old.
+/// The errors of one pane, of the whole picture also where a band of it is seen. They are those of the picture that was judged,
+/// which may be a moment old.
 struct PaneErrors {
-    judge::Counts counts;
-    std::optional<double> edgeErrorPx;
+    judge::Counts counts;              ///< wrong(): falseLit + falseShadow
+    std::optional<double> edgeErrorPx; ///< wrong pixels for each pixel of true boundary; none: no shadow ends in the picture
     std::optional<int> coreErrors;
-    bool exact = false;
+    bool exact = false; ///< ties are known; else some of the wrong pixels may be ties
     PaneRequest judged; ///< what it is about
+    double frameMs = 0; ///< what a frame of the pane takes, of the last one that was timed; 0: none was
 };
 
 /// A stage that has been judged, ready to be seen: the ground, and over it the verdicts.
 struct JudgedPicture {
     gl::Texture2D ground, verdicts; ///< of one size; without ground the verdicts cover everything
+    gl::Texture2D onePixelEach;     ///< the verdicts without enlarged marks, for a magnifier; none: they have no such marks
     PanePicture legend;             ///< its kind and key; no texture
     bool exact = false;
 };
@@ -48,6 +53,10 @@ public:
 
     /// Nothing when the pane has not been judged yet, or shows something that cannot be.
     [[nodiscard]] const PaneErrors* errors(int pane) const;
+    /// What covers the pane in the document's layout: the difference, or its judged stage; nothing where it shows its own picture.
+    [[nodiscard]] const JudgedPicture* shownOn(const Document& document, int pane) const;
+    /// True in the frame in which something else is to be shown than in the one before, at rest.
+    [[nodiscard]] bool seesNew() const { return isNew_; }
     /// Of a pane that shows `truth`, `error` or `scanline`; nothing before the first verdict.
     [[nodiscard]] const JudgedPicture* picture(int pane) const;
     /// Of the layout `diff`.
@@ -67,10 +76,11 @@ private:
         std::vector<PaneRequest> requests;
         std::map<int, gl::Texture2D> grounds;                ///< of panes that show a judged stage
         std::map<int, picture::VisibilityImage> answers;              ///< of those that show `scanline`
-        std::array<std::optional<image::Image>, 2> pictures; ///< of `diff`: only the first is the ground
+        std::optional<image::Image> diffGround;               ///< of `diff`: the picture of the first pane
+        int markWidth = picture::kOnePixel;
     };
     void forgetAreas(const Workbench& bench, const std::vector<PlacedPane>& placed);
-    void submit(Workbench& bench, const std::vector<PlacedPane>& placed, const std::vector<int>& panes, bool exact);
+    void submit(Workbench& bench, const std::vector<PlacedPane>& placed, const std::vector<int>& panes, int markWidth, bool exact);
     void take(const Workbench& bench, const JudgeAnswer& answer, double seconds);
     void showPicture(const Workbench& bench, const JudgeAnswer& answer, Submitted& submitted, std::size_t slot);
 
@@ -82,11 +92,19 @@ private:
     std::map<int, JudgedPicture> pictures_;
     std::optional<JudgedPicture> difference_;
     History history_;
-    std::vector<PaneRequest> exactFor_; ///< what the last exact task was about
+    /// What there is to be judged in a frame. The layout decides what is made of the verdicts.
+    struct OnShow {
+        picture::Layout layout = picture::Layout::single;
+        std::vector<PaneRequest> requests; ///< one for each pane
+        friend bool operator==(const OnShow&, const OnShow&) = default;
+    };
+    static OnShow onShow(const Workbench& bench, const std::vector<PlacedPane>& placed);
+    OnShow exactFor_; ///< what the last exact task was about
+    OnShow seen_;     ///< in the last frame
     std::vector<int> wanted_;           ///< panes that are to publish their answers now
     double lastSubmit_ = 0, restSince_ = 0;
     std::size_t turn_ = 0; ///< the pane that is judged next while something moves
-    bool done_ = false;
+    bool done_ = false, isNew_ = false;
     std::string failure_; ///< not yet taken
 };
 

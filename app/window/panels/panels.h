@@ -1,6 +1,9 @@
 // The panels around the pictures, and what is drawn over them. Each draws into the area it is given; heights are in pixels.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
+#include <vector>
+
 #include "app/lab/errors/live_errors.h"
 #include "app/lab/stage_strip.h"
 #include "app/window/pictures.h"
@@ -55,8 +58,17 @@ ivec2 thumbnailSize(const Theme& theme);
 void stripPanel(WindowState& ui, const lab::StageStrip& strip, const Area& area, const Theme& theme);
 
 // Over the pictures.
-/// The same place of every pane's picture, enlarged until single pixels are seen, in the lower right corner of each pane.
-void drawMagnifiers(WindowState& ui, const std::vector<ShownPane>& panes, const Theme& theme);
+/// The same place of every pane's picture, enlarged until single pixels are seen, in the lower right corner of each pane. Of a
+/// stage that is judged it shows the verdicts, each wrong pixel as one.
+void drawMagnifiers(WindowState& ui, const lab::LiveErrors& errors, const std::vector<ShownPane>& panes, const Theme& theme);
+/// One magnifier's glass: squares of `cell` pixels of the window, each a pixel of the picture.
+struct Glass {
+    ImVec2 corner; ///< upper left, in pixels of the window
+    int cell = 0, across = 0;
+    ivec2 firstPixel{0}; ///< of the picture, in the upper left cell; may lie outside of it
+};
+/// Around the pixel `middle` (counted from the upper left) of the pane's picture. Nothing where there is no room to enlarge it.
+std::optional<Glass> glassOver(const ShownPane& pane, ivec2 middle, const Theme& theme);
 /// The list of all keys, made from the actions.
 void keyOverlay(ivec2 windowSize, const Theme& theme);
 
