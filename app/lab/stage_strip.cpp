@@ -2,6 +2,7 @@
 #include "app/lab/stage_strip.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "app/picture/derived_stages.h"
 
@@ -9,7 +10,13 @@ namespace shadowlab::lab {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr int kFiner = 2; ///< samples of a thumbnail's pixel in each direction: small pictures of edges need it
+
+// A frame of more stages takes longer, most of all when their shaders are compiled. So their number doubles as long as frames are
+// shorter than this, and begins again with one after a longer one.
+constexpr std::chrono::milliseconds kQuickFrame{12};
 
 /// How many texels of a stage go into a pixel of its thumbnail.
 int reduction(ivec2 stage, ivec2 thumbnail) {
@@ -27,43 +34,78 @@ bool StageStrip::update(picture::Session& session, const picture::PictureEncoder
     request.view.picked.reset(); // a pixel of a larger picture
     request.view.partner.reset();
     if (request == drawnFor_ && isFinished_) return false;
-    if (request != drawnFor_) thumbnails_.clear();
-    drawnFor_ = request;
-    isFinished_ = true; // also where the next line throws
+    picture::Slot& slot = pane_.slotFor(request.state);
+    if (request != drawnFor_) begin(slot, request);
+    isFinished_ = true; // also where the next lines throw
     session.setScene(request.snapshot);
-    isFinished_ = draw(session, encoder, request, pane_.slotFor(request.state), deadline);
+    do
+        isFinished_ = draw(session, encoder, request, slot, deadline);
+    while (!isFinished_ && Clock::now() < deadline);
     return true;
 }
 
-/// False when the technique has more to prepare, or its picture to be refined.
-bool StageStrip::draw(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot,
-                      Deadline deadline) {
-    const scene::Scene& scene = *request.snapshot;
-    const ivec2 size = request.view.size / kFiner;
-    FrameRequest frame;
-    frame.deadline = deadline;
-    for (const StageInfo& stage : slot.info->stages)
-        if (!stage.perLight || !scene.lights.empty())
-            frame.stages.push_back({std::string(stage.id), stage.perLight ? request.light : kNoLight});
-    const picture::RenderedFrame rendered = session.render(slot, request.view, frame);
-    if (!rendered.converged && rendered.prepared < 1) return false; // nothing is drawn yet
+/// All thumbnails by name. Those of the same technique keep their pictures until they have new ones.
+void StageStrip::begin(const picture::Slot& slot, const PaneRequest& request) {
+    const bool sameTechnique = request.state.technique == drawnFor_.state.technique;
+    std::vector<Thumbnail> before = std::move(thumbnails_);
     thumbnails_.clear();
-    thumbnails_.push_back(
-        {{}, "the finished picture", {encoder.encodeInPlace(slot.target.color, scene.exposure, kFiner), {}, {}, ""}});
-    for (const StageKey& key : frame.stages) {
-        const Stage& published = picture::findStage(rendered, key);
-        const StageInfo& info = picture::stageInfo(*slot.info, key.id);
-        thumbnails_.push_back(
-            {{key.id},
-             std::string(info.caption),
-             {encoder.encodeInPlace(published, info.kind, scene.exposure, reduction(published.texture.size(), size)),
-              info.kind, published.display, ""}});
-    }
+    drawnFor_ = request;
+    thumbnails_.push_back({{}, "the finished picture", {}, true});
+    const bool hasLights = !request.snapshot->lights.empty();
+    for (const StageInfo& stage : slot.info->stages)
+        if (!stage.perLight || hasLights)
+            thumbnails_.push_back({{std::string(stage.id)}, std::string(stage.caption), {}, true});
     // What the session derives is exact and slow, or from elsewhere: it is named here and drawn when it is chosen.
     for (const StageInfo& stage : picture::stagesOf(*slot.info))
-        if (picture::isDerived(stage.id) && (!stage.perLight || !scene.lights.empty()))
-            thumbnails_.push_back({{std::string(stage.id)}, std::string(stage.caption), {}});
-    return rendered.converged;
+        if (picture::isDerived(stage.id) && (!stage.perLight || hasLights))
+            thumbnails_.push_back({{std::string(stage.id)}, std::string(stage.caption), {}, false});
+    for (Thumbnail& thumbnail : thumbnails_) {
+        const auto old = std::ranges::find(before, thumbnail.stage, &Thumbnail::stage);
+        if (sameTechnique && thumbnail.isToCome && old != before.end()) thumbnail.picture = std::move(old->picture);
+    }
+    next_ = 0;
+    atOnce_ = 1;
+    takesLong_ = false;
+    progress_ = 0;
+}
+
+/// One frame. False when the technique has more to prepare or to refine, or there are more stages.
+bool StageStrip::draw(picture::Session& session, const picture::PictureEncoder& encoder, const PaneRequest& request, picture::Slot& slot,
+                      Deadline deadline) {
+    const float exposure = request.snapshot->exposure;
+    const ivec2 size = request.view.size / kFiner;
+    const auto isToCome = [](const Thumbnail& thumbnail) { return thumbnail.isToCome; };
+    const auto end = static_cast<std::size_t>(std::ranges::count_if(thumbnails_, isToCome)) + next_;
+    // Where one frame is not enough, the next ones go on with its work: all stages are made of it, and no ray is traced twice.
+    const std::size_t last = takesLong_ ? end : std::min(end, next_ + atOnce_);
+    FrameRequest frame;
+    frame.deadline = deadline;
+    for (std::size_t i = std::max<std::size_t>(next_, 1); i < last; ++i) {
+        const std::string& id = thumbnails_[i].stage.id;
+        frame.stages.push_back({id, picture::stageInfo(*slot.info, id).perLight ? request.light : kNoLight});
+    }
+    const Clock::time_point start = Clock::now();
+    const picture::RenderedFrame rendered = session.render(slot, request.view, frame);
+    progress_ = rendered.prepared < 1 ? rendered.prepared : rendered.drawn;
+    takesLong_ = takesLong_ || !rendered.converged;
+    if (!rendered.converged && rendered.prepared < 1) return false; // nothing is drawn yet
+    for (std::size_t i = next_; i < last; ++i) {
+        Thumbnail& thumbnail = thumbnails_[i];
+        if (i == 0) {
+            thumbnail.picture = {encoder.encodeInPlace(slot.target.color, exposure, kFiner), {}, {}, ""};
+        } else {
+            const Stage& published = picture::findStage(rendered, frame.stages[i - std::max<std::size_t>(next_, 1)]);
+            const StageInfo& info = picture::stageInfo(*slot.info, published.key.id);
+            thumbnail.picture = {
+                encoder.encodeInPlace(published, info.kind, exposure, reduction(published.texture.size(), size)), info.kind,
+                published.display, ""};
+        }
+        thumbnail.isToCome = !rendered.converged;
+    }
+    if (!rendered.converged) return false;
+    next_ = last;
+    atOnce_ = Clock::now() - start < kQuickFrame ? 2 * atOnce_ : 1;
+    return next_ == end;
 }
 
 } // namespace shadowlab::lab

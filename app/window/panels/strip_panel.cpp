@@ -2,6 +2,7 @@
 #include "app/window/panels/panels.h"
 
 #include <algorithm>
+#include <string>
 
 #include "app/window/widget_renderer.h"
 
@@ -19,6 +20,20 @@ void drawInFrame(ImDrawList& list, const lab::PanePicture& picture, ImVec2 corne
     const float scale = std::min(frame.x / size.x, frame.y / size.y);
     const ImVec2 low(corner.x + (frame.x - size.x * scale) / 2, corner.y + (frame.y - size.y * scale) / 2);
     list.AddImage(imguiTexture(picture.texture), low, {low.x + size.x * scale, low.y + size.y * scale}, {0, 1}, {1, 0});
+}
+
+/// Why there is no picture, or how far one has come that is still being refined. On a plate, where there is something under it.
+void drawWord(ImDrawList& list, const lab::Thumbnail& thumbnail, double progress, ImVec2 corner, ImVec2 frame,
+              const Theme& theme) {
+    const bool isEmpty = !thumbnail.picture.texture;
+    if (!thumbnail.isToCome && !isEmpty) return;
+    const std::string word = thumbnail.isToCome ? std::to_string(static_cast<int>(100 * progress)) + " %" : "drawn when chosen";
+    const float small = theme.em * 0.85f, pad = theme.em * 0.2f;
+    const ImVec2 extent = theme.text->CalcTextSizeA(small, FLT_MAX, 0, word.c_str());
+    const ImVec2 low = isEmpty ? ImVec2(corner.x + (frame.x - extent.x) / 2, corner.y + (frame.y - extent.y) / 2)
+                               : ImVec2(corner.x + frame.x - extent.x - pad, corner.y + frame.y - extent.y - pad);
+    if (!isEmpty) list.AddRectFilled({low.x - pad, low.y}, {corner.x + frame.x, corner.y + frame.y}, kPlateColor);
+    list.AddText(theme.text, small, low, isEmpty ? ImGui::GetColorU32(ImGuiCol_TextDisabled) : kPlateText, word.c_str());
 }
 
 } // namespace
@@ -54,12 +69,7 @@ void stripPanel(WindowState& ui, const lab::StageStrip& strip, const Area& area,
         const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemFocused(), chosen = thumbnail.stage == now;
         ImDrawList& list = *ImGui::GetWindowDrawList();
         drawInFrame(list, thumbnail.picture, corner, frame);
-        if (!thumbnail.picture.texture) {
-            const char* const later = "drawn when chosen";
-            const ImVec2 extent = theme.text->CalcTextSizeA(small, FLT_MAX, 0, later);
-            list.AddText(theme.text, small, {corner.x + (frame.x - extent.x) / 2, corner.y + (frame.y - extent.y) / 2},
-                         ImGui::GetColorU32(ImGuiCol_TextDisabled), later);
-        }
+        drawWord(list, thumbnail, strip.progress(), corner, frame, theme);
         list.AddRect(corner, {corner.x + frame.x, corner.y + frame.y},
                      chosen || hovered ? kAccent : ImGui::GetColorU32(ImGuiCol_Border), 0, 0, chosen ? 3.0f : 1.0f);
         list.PushClipRect({corner.x, corner.y + frame.y}, {corner.x + size.x, corner.y + size.y}, true);
