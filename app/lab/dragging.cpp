@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include <glm/gtc/matrix_transform.hpp>
-
 namespace shadowlab::lab {
 
 namespace {
@@ -88,16 +86,22 @@ dvec3 stepLevel(const scene::Camera& camera, ivec2 size, const dvec3& gripWorld,
     return noLongerThan(right * acrossWorld + forward * awayWorld, longest);
 }
 
-/// A directional light turns about the camera's target as a ball does under the hand: the near side follows the mouse. Of a light that
-/// comes from behind the scene the far side is held, which turns the other way.
-dvec3 stepTurn(const scene::Camera& camera, ivec2 size, const dvec3& placeWorld, const dvec2& byPixels) {
+/// A directional light turns about the camera's target as a ball does under the hand, always by the same angle for a pixel. Its place n
+/// on the ball goes the way d of the mouse: it rolls about the axis r across that way, d toward f, into the picture. Near the axis, where
+/// rolling moves nothing, it goes along d on the ball.
+dvec3 stepTurn(const Hold& hold, const scene::Camera& camera, ivec2 size, const dvec3& placeWorld, const dvec2& byPixels) {
+    const double pixels = glm::length(byPixels);
+    if (pixels == 0) return dvec3(0.0);
     const PictureAxes axes = pictureAxes(camera);
     const dvec3 toLightWorld = placeWorld - camera.targetWorld;
-    const double side = glm::dot(toLightWorld, axes.forwardWorld) <= 0 ? 1 : -1;
-    const double radiansPerPixel = heightPerDepth(camera) / size.y;
-    dmat4 turn = glm::rotate(dmat4(1.0), side * byPixels.x * radiansPerPixel, axes.upWorld);
-    turn = glm::rotate(turn, side * byPixels.y * radiansPerPixel, axes.rightWorld);
-    return dvec3(turn * dvec4(toLightWorld, 0.0)) - toLightWorld;
+    const dvec3 n = glm::normalize(toLightWorld), f = axes.forwardWorld;
+    const dvec3 d = (byPixels.x * axes.rightWorld - byPixels.y * axes.upWorld) / pixels, r = glm::cross(d, f);
+    const double alongD = glm::dot(n, d), alongF = glm::dot(n, f), alongR = glm::dot(n, r);
+    const dvec3 rolled = hold.side * (alongF * -d + alongD * f), straight = d - alongD * n;
+    const double sense = hold.side * alongF <= 0 ? 1 : -1; // never against each other
+    const dvec3 way = glm::normalize(rolled + sense * alongR * alongR * straight);
+    const double radians = pixels * heightPerDepth(camera) / size.y;
+    return glm::length(toLightWorld) * (std::cos(radians) * n + std::sin(radians) * way) - toLightWorld;
 }
 
 dvec3 step(const Hold& hold, const scene::Camera& camera, ivec2 size, const dvec3& placeWorld, const dvec2& byPixels) {
@@ -108,7 +112,7 @@ dvec3 step(const Hold& hold, const scene::Camera& camera, ivec2 size, const dvec
     case DragWay::alongX: return stepAlong(camera, size, gripWorld, {1, 0, 0}, byPixels);
     case DragWay::alongY: return stepAlong(camera, size, gripWorld, {0, 1, 0}, byPixels);
     case DragWay::alongZ: return stepAlong(camera, size, gripWorld, {0, 0, 1}, byPixels);
-    case DragWay::turn: return stepTurn(camera, size, placeWorld, byPixels);
+    case DragWay::turn: return stepTurn(hold, camera, size, placeWorld, byPixels);
     case DragWay::picture: break;
     }
     const PictureAxes axes = pictureAxes(camera);
@@ -124,6 +128,8 @@ Hold holdOf(const scene::Camera& camera, ivec2 size, const scene::Scene& scene, 
     const bool light = handle.what.kind == Selection::Kind::light;
     if (light && scene.light(handle.what.index).type == scene::LightType::directional) {
         hold.way = DragWay::turn;
+        const dvec3 viewWorld = camera.targetWorld - camera.positionWorld;
+        hold.side = glm::dot(handle.positionWorld - camera.targetWorld, viewWorld) <= 0 ? 1 : -1;
         return hold;
     }
     if (markPixel) {

@@ -23,6 +23,7 @@ enum class DragWay {
 struct Hold {
     DragWay way = DragWay::picture;
     dvec3 gripFromPlaceWorld{0.0}; ///< from the handle's place to the point that was taken hold of
+    double side = 1;               ///< of a directional light: 1 before the scene, and -1 behind it, where the far side is held
     double gain = 1;               ///< of a thing outside the picture: how much farther it goes than the mouse
 };
 

@@ -179,7 +179,7 @@ const Action kActions[] = {
     {"reload-shaders", "Window", "F5", "compiles all shaders anew", GLFW_KEY_F5, false, false, false,
      [](WindowState& d) { d.requests.reloadShaders = true; }},
     {"leave", "Window", "Esc",
-     "out of the list, messages, the selection, the picked pixel, the lesson, the slides, the stage", GLFW_KEY_ESCAPE,
+     "out of a list, messages, the selection, the picked pixel, the lesson, the slides, the stage", GLFW_KEY_ESCAPE,
      false, false, false, leave},
     {"quit", "Window", "Ctrl+Q", "ends the program", GLFW_KEY_Q, true, false, false,
      [](WindowState& d) { d.requests.quit = true; }},

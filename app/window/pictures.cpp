@@ -8,6 +8,7 @@
 #include "app/window/imgui_bridge.h"
 #include "app/window/panels/legend.h"
 #include "app/window/panels/lesson_marks.h"
+#include "app/window/panels/probe_card.h"
 #include "app/window/widget_renderer.h"
 
 namespace shadowlab::window {
@@ -127,6 +128,7 @@ void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, 
     list.PushClipRect(low, high, true);
     if (!ui.lesson.isOn()) drawGizmos(list, ui, shown, theme);
     drawPicked(list, ui, shown, theme);
+    drawProbeCard(list, ui, shown, theme);
     drawLessonMarks(list, ui, shown, theme);
     drawNote(list, shown, pane.failure(), kAccent, theme);
     list.PopClipRect();

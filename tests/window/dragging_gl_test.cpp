@@ -113,8 +113,8 @@ TEST_F(WindowDraggingTest, AnyPlaceOfAnObjectIsAHandleAndTheFloorIsNone) {
     const window::ShownPane pane = hand.screen.shownPanes()[0];
     const std::vector<scene::Bounds> bounds = scene::objectBounds(*start.scene);
     int objects = 0, floors = 0, far = 0;
-    for (int y = 10; y < pane.area.size.y; y += 14)
-        for (int x = 10; x < pane.area.size.x; x += 14) {
+    for (int y = 10; y < pane.area.size.y; y += 34)
+        for (int x = 10; x < pane.area.size.x; x += 34) {
             const dvec2 pixel(x, y), place = pixel + dvec2(pane.area.corner);
             const auto hit = lab::objectAt(*start.scene, bounds, start.camera, pane.area.size, pixel);
             bool nearHandle = false;
@@ -139,9 +139,9 @@ TEST_F(WindowDraggingTest, AnyPlaceOfAnObjectIsAHandleAndTheFloorIsNone) {
             EXPECT_EQ(hand.ui.bench.document().camera, start.camera) << "undo brings the camera back as well";
             EXPECT_EQ(hand.ui.bench.document().scene, start.scene);
         }
-    EXPECT_GE(objects, 20);
-    EXPECT_GE(far, 10);
-    EXPECT_GE(floors, 100);
+    EXPECT_GE(objects, 8);
+    EXPECT_GE(far, 4);
+    EXPECT_GE(floors, 20);
 }
 
 TEST_F(WindowDraggingTest, EscClosesAnOpenListAndArrowsStayInIt) {

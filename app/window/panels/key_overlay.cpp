@@ -35,8 +35,9 @@ std::vector<KeyRow> keyRows() {
     return rows;
 }
 
-constexpr std::array<std::array<const char*, 2>, 8> kMouse = {{{"left", "orbits; drags handles and the split line"},
-                                                               {"Shift+left", "pans; lifts a handle"},
+constexpr std::array<std::array<const char*, 2>, 9> kMouse = {{{"left", "orbits; drags lights, objects, the split line"},
+                                                               {"Shift+left", "pans; lifts what is dragged"},
+                                                               {"Alt+left", "orbits, whatever lies there"},
                                                                {"Ctrl+left", "picks a pixel, as X does"},
                                                                {"Shift+Ctrl+left", "picks a second one"},
                                                                {"middle", "pans"},

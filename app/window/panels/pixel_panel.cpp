@@ -3,6 +3,9 @@
 
 #include <imgui.h>
 
+#include "app/picture/pixel_verdict.h"
+#include "app/window/theme.h"
+
 namespace shadowlab::window {
 
 namespace {
@@ -51,7 +54,16 @@ void pixelPanel(WindowState& ui) {
     const lab::PickedPixel& picked = ui.bench.pickedPixel();
     if (!picked.askedFor.view.picked) return;
     if (!ImGui::CollapsingHeader("Pixel", ImGuiTreeNodeFlags_DefaultOpen)) return;
-    factTable("facts", picked.probe.facts);
+    const picture::PixelVerdict verdict = picture::pixelVerdict(picked.probe);
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(verdict.isWrong ? kWarning : kAccent), "%s", verdict.sentence.c_str());
+    for (const std::string& sum : verdict.sums)
+        ImGui::TextUnformatted(sum.c_str());
+    ImGui::PopTextWrapPos();
+    if (ImGui::TreeNode("All that is known")) {
+        factTable("facts", picked.probe.facts);
+        ImGui::TreePop();
+    }
     if (!picked.probe.tree.empty()) rayTree(picked.probe.tree, 0);
     if (ImGui::Button("Let go (Esc)")) ui.bench.unpick();
 }
