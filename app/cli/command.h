@@ -13,7 +13,9 @@ using Work = std::function<int()>;
 
 struct Command {
     const char* name; ///< the word on the command line
-    const char* help; ///< one line of `shadowlab --help`
+    const char*
+        arguments;    ///< what stands behind the options: "SCENE"; in brackets what may be left out; empty: nothing
+    const char* help; ///< a sentence for `shadowlab --help`
     void (*describe)(DescribedOptions& add);
     /// Checks what was written, before anything is done. Throws Error (usage, overLimit) for what is wrong in itself; what
     /// depends on the scene, or on the graphics card, is checked by the work.

@@ -9,7 +9,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/demo.h"
+#include "app/cli/exit_statuses.h"
 #include "app/cli/global_options.h"
+#include "app/cli/help_text.h"
 #include "app/cli/messages.h"
 #include "app/cli/option_values.h"
 #include "app/context/assets.h"
@@ -76,50 +78,115 @@ Work workWithoutCommand(const CLI::App& app) {
     refuseUsage("'" + words.front() + "' is neither a command nor a scene; " + remedyFor(words.front(), known, app));
 }
 
-/// CLI11 2.6 leaves out the word before the usage.
-class HelpFormatter : public CLI::Formatter {
-public:
-    std::string make_usage(const CLI::App* app, std::string name) const override {
-        std::string usage = CLI::Formatter::make_usage(app, std::move(name));
-        if (usage.find("Usage:") == std::string::npos)
-            usage.insert(std::min(usage.find_first_not_of('\n'), usage.size()), "Usage: ");
-        return usage;
-    }
-};
-
 /// In the order of the help text.
 constexpr std::array kCommands{&kCapture, &kMeasure, &kReport,       &kProbe, &kDemo,   &kLesson,
                                &kSlides,  &kList,    &kNewTechnique, &kGrade, &kInspect};
+
+const Command* findCommand(const std::string& name) {
+    const auto found = std::ranges::find(kCommands, name, [](const Command* one) { return std::string(one->name); });
+    return found == kCommands.end() ? nullptr : *found;
+}
+
+/// The options that may stand anywhere.
+const std::array kAnywhere{
+    HelpEntry{"--plugin FILE", "adds the techniques of a plug-in; may be repeated"},
+    HelpEntry{"--limit NAME=VALUE", "another value for a limit of `list limits`; may be repeated"},
+    HelpEntry{"--software",
+              "draws on the processor, also beside a graphics card: the same bytes on every machine with the "
+              "same Mesa and a processor with AVX"},
+};
+
+constexpr const char* kEveryCommand = "With every command"; ///< heading of the options that all have
 
 void addCommand(CLI::App& app, const Command& command) {
     CLI::App* added = app.add_subcommand(command.name, command.help);
     added->allow_extras(); // refused by refuseLeftOver, so that the message is ours
     DescribedOptions options(*added);
-    // Taken out of the words before they are parsed (global_options.h); described here for the help text.
-    options.option("--plugin", "FILE", "a plug-in with further techniques; may be repeated");
-    options.option("--limit", "NAME=VALUE", "another value for a limit of `list limits`; may be repeated");
-    options.flag("--software", "draws on the processor, also beside a graphics card");
     command.describe(options);
+    // Taken out of the words before they are parsed (global_options.h); described here for the help text.
+    for (const HelpEntry& entry : kAnywhere) {
+        const std::size_t blank = std::min(entry.name.find(' '), entry.name.size());
+        if (blank < entry.name.size())
+            options.option(entry.name.substr(0, blank), entry.name.substr(blank + 1), entry.help);
+        else
+            options.flag(entry.name, entry.help);
+    }
+    for (const char* name : {"--plugin", "--limit", "--software", "--help"})
+        added->get_option(name)->group(kEveryCommand);
 }
+
+std::vector<HelpEntry> exitStatuses() {
+    std::vector<HelpEntry> entries;
+    for (const auto& [status, meaning] : kExitMeanings)
+        entries.push_back({status, meaning});
+    return entries;
+}
+
+std::string helpOf(const CLI::App& app) {
+    HelpPage page{app.get_description(), "shadowlab", {}, app.get_footer()};
+    std::vector<HelpEntry> arguments, options, everywhere, commands;
+    const Command* const command = findCommand(app.get_name());
+    const std::string behind = command ? command->arguments : "[COMMAND]";
+    if (app.get_parent())
+        page.usage += " " + app.get_name() + (command ? " [OPTIONS]" : "") + (behind.empty() ? "" : " ") + behind;
+    else
+        page.usage += " COMMAND [OPTIONS] ...\n       shadowlab [SCENE]";
+    for (const CLI::Option* option : app.get_options()) {
+        const std::string value = option->get_type_name();
+        if (option->get_positional()) {
+            arguments.push_back({option->get_name(true), option->get_description()});
+            continue;
+        }
+        std::string name;
+        for (const std::string& letter : option->get_snames())
+            name += "-" + letter + ", ";
+        for (const std::string& word : option->get_lnames())
+            name += "--" + word;
+        const bool isFlag = option->get_items_expected_max() == 0;
+        (option->get_group() == kEveryCommand ? everywhere : options)
+            .push_back({name + (isFlag || value.empty() ? "" : " " + value), option->get_description()});
+    }
+    for (const CLI::App* one : app.get_subcommands([](const CLI::App*) { return true; }))
+        commands.push_back({one->get_name(), one->get_description()});
+    if (!app.get_parent()) everywhere.assign(kAnywhere.begin(), kAnywhere.end());
+    page.sections = {
+        {"Commands", commands}, {"Arguments", arguments}, {"Options", options}, {kEveryCommand, everywhere}};
+    if (!app.get_parent()) page.sections.emplace_back("Exit status", exitStatuses());
+    return helpText(page);
+}
+
+/// CLI11 asks it for the text of --help.
+class HelpFormatter : public CLI::Formatter {
+public:
+    std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const override { return helpOf(*app); }
+};
+
+constexpr const char* kProgramFooter =
+    "`shadowlab help COMMAND` tells more about each. `shadowlab SCENE` is short for `shadowlab demo SCENE`, and "
+    "`shadowlab` alone opens the window on the first scene. What to do about an exit status stands in docs/errors.md.\n"
+    "Examples:\n"
+    "  shadowlab\n"
+    "  shadowlab capture still-life -o still-life.png\n"
+    "  shadowlab measure still-life -t all\n"
+    "  shadowlab probe still-life --pixel 640,360 -t shadow-map\n"
+    "  shadowlab list";
 
 /// Describes the program and its commands.
 void describeProgram(CLI::App& app) {
-    app.set_help_flag("-h,--help", "what there is to write, and ends");
-    app.set_version_flag("--version", "shadowlab " SHADOWLAB_VERSION, "the program's version, and ends");
+    app.set_help_flag("-h,--help", "prints this text, and ends");
+    app.set_version_flag("--version", "shadowlab " SHADOWLAB_VERSION, "prints the program's version, and ends");
     app.formatter(std::make_shared<HelpFormatter>()); // commands inherit it
-    app.get_formatter()->column_width(36);
     app.require_subcommand(0, 1);
     app.allow_extras();
     for (const Command* command : kCommands)
         addCommand(app, *command);
+    CLI::App* const help = app.add_subcommand("help", "This text, or that of a command: shadowlab help capture");
+    help->allow_extras();
+    DescribedOptions(*help).option("COMMAND", "", "the command whose help is wanted (default: this program's)");
+    help->get_option("--help")->group(kEveryCommand);
+    DescribedOptions(*help).footer("Examples:\n  shadowlab help\n  shadowlab help capture");
     // After the commands, which would inherit it.
-    app.footer(
-        "shadowlab COMMAND --help tells more about each. `shadowlab SCENE` is short for `shadowlab demo SCENE`.\n"
-        "--plugin FILE, anywhere, adds the techniques of a plug-in to those of all commands; --limit NAME=VALUE\n"
-        "sets a limit of `list limits`; --software draws on the processor, also beside a graphics card: the same\n"
-        "bytes on every machine with the same Mesa and a processor with AVX.\n"
-        "Exit status: 0 done, 1 judged and found wanting (grade, report --hard), 2 command line, 3 input, 4 output,\n"
-        "5 no OpenGL 3.3, 6 over a limit, 70 a fault of the program; docs/errors.md tells more.");
+    app.footer(kProgramFooter);
 }
 
 /// What is left to CLI11 to refuse: an option without its value ("--size: 1 required ..."), or a value for a flag.
@@ -130,6 +197,17 @@ void describeProgram(CLI::App& app) {
     if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
         refuseUsage(what.substr(0, what.find(':')) + ": its value is missing; " + helpHint(command));
     refuseUsage(what + "; " + helpHint(command));
+}
+
+/// The text of `shadowlab help` and of `shadowlab help COMMAND`.
+std::string helpOn(const std::string& name, const CLI::App& app) {
+    if (name.empty()) return helpOf(app);
+    std::vector<std::string> known;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        if (command->get_name() == name) return helpOf(*command);
+        known.push_back(command->get_name());
+    }
+    refuseUsage("help: there is no command '" + name + "'; " + remedyFor(name, known, app));
 }
 
 /// Prints a text, for --help and --version.
@@ -175,9 +253,9 @@ Work workFor(const std::vector<std::string>& given, const std::vector<std::strin
     if (parsed.empty()) return workWithoutCommand(app);
     refuseLeftOver(*parsed.front());
     refuseLeftOver(app); // words before the command
-    const Command& command = **std::ranges::find(kCommands, parsed.front()->get_name(),
-                                                 [](const Command* one) { return std::string(one->name); });
-    return command.work(GivenOptions(*parsed.front(), plugins));
+    const GivenOptions options(*parsed.front(), plugins);
+    const Command* const command = findCommand(parsed.front()->get_name());
+    return command ? command->work(options) : printing(helpOn(options.text("COMMAND"), app));
 }
 
 } // namespace shadowlab::cli

@@ -43,6 +43,11 @@ void describeDemo(DescribedOptions& add) {
                "remember size and panels of the window from run to run (default true)");
     add.flag("--report", "a line of JSON on standard output for every state that is on screen");
     add.option("--allow", "DIR", "a further folder that scenes may take meshes from; may be repeated");
+    add.footer("In the window H lists all keys. Without a display it writes a picture instead, and says why.\n"
+               "Examples:\n"
+               "  shadowlab demo still-life\n"
+               "  shadowlab demo --lesson acne\n"
+               "  shadowlab demo --deck shadows --slide methods --presenter");
 }
 
 DemoOptions demoOptions(const GivenOptions& given) {
@@ -148,7 +153,8 @@ Work demoOf(const std::string& scene) {
     return [options] { return demo(options); };
 }
 
-const Command kDemo{"demo", "Opens the window: shadow map and shadow volume on one scene (H there lists all keys)",
+const Command kDemo{"demo", "[SCENE]",
+                    "Opens the window: shadow map and shadow volume on one scene (H there lists all keys)",
                     describeDemo, demoWork};
 
 } // namespace shadowlab::cli

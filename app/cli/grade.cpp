@@ -44,7 +44,7 @@ void describeGrade(DescribedOptions& add) {
     add.option("--memory-limit", "MIB", "for each case (default 2048)");
     describeBackend(add);
     add.flag("--json", "one JSON object instead of a table");
-    add.footer("The exit status is 0 where all cases are right, and 1 where some are not.\n"
+    add.footer("Ends with status 0 where all cases are right, and with 1 where some are not.\n"
                "Examples:\n"
                "  shadowlab grade --plugin build/anna.so\n"
                "  shadowlab grade --plugin build/anna.so --family shadow-volume -o sheets --json");
@@ -184,7 +184,7 @@ Work gradeWork(const GivenOptions& given) {
 
 } // namespace
 
-const Command kGrade{"grade", "Holds a plug-in against the truth in hard cases, and prints a score sheet",
+const Command kGrade{"grade", "", "Holds a plug-in against the truth in hard cases, and prints a score sheet",
                      describeGrade, gradeWork};
 
 } // namespace shadowlab::cli

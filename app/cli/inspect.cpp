@@ -26,6 +26,9 @@ void describeInspect(DescribedOptions& add) {
     add.option("FILE", "", "an .obj mesh, a .json scene or a built-in name (`list scenes`)");
     add.flag("--json", "one JSON object instead of a table");
     add.option("--allow", "DIR", "a further folder that the scene may take meshes from; may be repeated");
+    add.footer("Examples:\n"
+               "  shadowlab inspect still-life\n"
+               "  shadowlab inspect bunny.obj --json");
 }
 
 InspectOptions inspectOptions(const GivenOptions& given) {
@@ -217,7 +220,7 @@ Work inspectWork(const GivenOptions& given) {
 
 } // namespace
 
-const Command kInspect{"inspect", "What a mesh or a scene is made of, and what that means for each technique",
+const Command kInspect{"inspect", "FILE", "What a mesh or a scene is made of, and what that means for each technique",
                        describeInspect, inspectWork};
 
 } // namespace shadowlab::cli

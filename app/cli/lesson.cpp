@@ -42,7 +42,7 @@ void describeLesson(DescribedOptions& add) {
     add.flag("--json", "the numbers as one JSON object instead of a table");
     describeBackend(add);
     add.option("--allow", "DIR", "a further folder that the lesson's scene may take meshes from; may be repeated");
-    add.footer("Exit status 3 when a number is not as the lesson says.\n"
+    add.footer("--measure ends with status 3 where a number is not as the lesson says.\n"
                "Examples:\n"
                "  shadowlab lesson acne -o acne.png\n"
                "  shadowlab lesson acne --measure\n"
@@ -181,7 +181,7 @@ int lesson(const LessonOptions& options) {
     return 0;
 }
 
-const Command kLesson{"lesson", "An artefact and its remedy: draws a lesson, or measures whether it holds",
+const Command kLesson{"lesson", "LESSON", "An artefact and its remedy: draws a lesson, or measures whether it holds",
                       describeLesson, lessonWork};
 
 } // namespace shadowlab::cli

@@ -1,7 +1,8 @@
 // `shadowlab list`: tables of techniques, scenes, lessons and so on, made from the techniques and the folders themselves.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <functional>
+#include <array>
+#include <optional>
 
 #include <glad/gl.h>
 
@@ -9,6 +10,7 @@
 #include "app/cli/common_options.h"
 #include "app/cli/json/json_values.h"
 #include "app/cli/messages.h"
+#include "app/cli/text_table.h"
 #include "app/context/assets.h"
 #include "app/course/deck.h"
 #include "app/course/lessons/lesson.h"
@@ -36,17 +38,19 @@ struct ListOptions {
 };
 
 void describeList(DescribedOptions& add) {
-    add.option(
-        "WHAT", "",
-        "techniques, plugins, parameters, stages, source, scenes, figures, decks, lessons, quantities (of lessons), "
-        "backends, keys "
-        "or limits");
-    add.flag("--json", "one JSON object instead of lines with tabs");
+    add.option("WHAT", "", "which list (default: the lists that there are, and how long they are)");
+    add.flag("--json", "one JSON object instead of lines");
+    add.footer(
+        "On a terminal the columns are aligned and have headings; in a pipe or a file they are lines with tabs between "
+        "them.\n"
+        "Examples:\n"
+        "  shadowlab list\n"
+        "  shadowlab list techniques\n"
+        "  shadowlab list parameters --json\n"
+        "  shadowlab list limits | cut -f 1,2");
 }
 
-ListOptions listOptions(const GivenOptions& given) {
-    return {given.required("WHAT", "for example shadowlab list techniques"), given.has("--json")};
-}
+ListOptions listOptions(const GivenOptions& given) { return {given.text("WHAT"), given.has("--json")}; }
 
 /// A list: one row a thing, each with the same named columns. Rows become tab-separated lines or JSON objects.
 struct Table {
@@ -244,24 +248,68 @@ std::string tableJson(const std::string& what, const Table& table) {
     return Json{{what, entries}}.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-int list(const ListOptions& options) {
-    const std::vector<std::pair<std::string, std::function<Table()>>> tables = {
-        {"techniques", techniquesTable}, {"plugins", pluginsTable},   {"parameters", parametersTable},
-        {"stages", stagesTable},         {"source", sourceTable},     {"scenes", scenesTable},
-        {"figures", figuresTable},       {"decks", decksTable},       {"lessons", lessonsTable},
-        {"quantities", quantitiesTable}, {"backends", backendsTable}, {"keys", keysTable},
-        {"limits", limitsTable}};
-    std::vector<std::string> known;
-    for (const auto& [name, make] : tables) {
-        if (name == options.what) {
-            const Table table = make();
-            print(options.json ? tableJson(name, table) : lines(table));
-            return 0;
-        }
-        known.push_back(name);
+/// A list by its name, and what is in it.
+struct NamedTable {
+    const char *name, *about;
+    Table (*make)();
+};
+
+constexpr std::array kTables{
+    NamedTable{"techniques", "ways to draw shadows, for -t", techniquesTable},
+    NamedTable{"parameters", "their settings, for --set, with what each may be", parametersTable},
+    NamedTable{"stages", "intermediate pictures and passes, for --stage", stagesTable},
+    NamedTable{"source", "where in the source each pass is", sourceTable},
+    NamedTable{"scenes", "built-in scenes", scenesTable},
+    NamedTable{"figures", "the lectures' figures of a pixel, for probe --figure", figuresTable},
+    NamedTable{"decks", "slides, for slides and demo --deck", decksTable},
+    NamedTable{"lessons", "artefacts and their remedies, for lesson and demo --lesson", lessonsTable},
+    NamedTable{"quantities", "what lessons measure", quantitiesTable},
+    NamedTable{"keys", "of the window", keysTable},
+    NamedTable{"plugins", "techniques of --plugin", pluginsTable},
+    NamedTable{"backends", "where OpenGL can come from, for --backend", backendsTable},
+    NamedTable{"limits", "of sizes and memory, for --limit", limitsTable},
+};
+
+Table overviewTable() {
+    Table table{{"list", "entries", "what"}, {}};
+    for (const NamedTable& one : kTables)
+        table.rows.push_back({one.name, std::to_string(one.make().rows.size()), one.about});
+    return table;
+}
+
+/// Lines with tabs for programs, and columns for people.
+std::string forReader(const Table& table) {
+    const std::optional<std::size_t> columns = terminalColumns();
+    return columns ? listed(table.columns, table.rows, *columns) : lines(table);
+}
+
+/// "filters": a parameter, or the values of one. Empty where nothing is called so.
+std::string whereElse(const std::string& word) {
+    for (const RegisteredTechnique& technique : registeredTechniques()) {
+        if (word == technique.info->id) return "that is a technique: see shadowlab list techniques";
+        for (const params::Param& param : technique.info->make()->params())
+            if (word == param.id || word == param.id + "s" || word == param.id + "es")
+                return "that is parameter " + std::string(technique.info->id) + "." + param.id +
+                       ": see shadowlab list parameters";
     }
-    throw Error(ExitStatus::usage,
-                "list: nothing is called '" + options.what + "'; " + suggestion(options.what, known));
+    return "";
+}
+
+int list(const ListOptions& options) {
+    std::vector<std::string> known;
+    for (const NamedTable& one : kTables)
+        known.emplace_back(one.name);
+    const auto found = std::ranges::find(known, options.what);
+    if (found == known.end() && !options.what.empty()) {
+        const std::string elsewhere = whereElse(options.what);
+        throw Error(ExitStatus::usage, "list: no list is called '" + options.what + "'; " +
+                                           (elsewhere.empty() ? suggestion(options.what, known) : elsewhere));
+    }
+    const bool isOverview = options.what.empty();
+    const Table table = isOverview ? overviewTable() : kTables[static_cast<std::size_t>(found - known.begin())].make();
+    print(options.json ? tableJson(isOverview ? "lists" : options.what, table) : forReader(table));
+    if (isOverview && !options.json && terminalColumns()) print("\nshadowlab list NAME prints one of them.\n");
+    return 0;
 }
 
 Work listWork(const GivenOptions& given) {
@@ -270,7 +318,7 @@ Work listWork(const GivenOptions& given) {
 
 } // namespace
 
-const Command kList{"list",
+const Command kList{"list", "[WHAT]",
                     "What there is: techniques, parameters, stages, scenes, keys of the window, backends, limits",
                     describeList, listWork};
 

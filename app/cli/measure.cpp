@@ -98,6 +98,22 @@ void sayWhatIsProved(const judge::Counts& truth, const std::string& scene, const
              " pixels are ties, more than one in a thousand: what lies there is not judged");
 }
 
+/// Judges every frame and times it; on a terminal a line says how far that is.
+void measureAll(report::Measurement& measurement, const film::Motion& motion, const scene::Snapshot& base) {
+    Progress progress("measuring: step", measurement.steps(motion.frames));
+    int done = 0;
+    progress.done(done);
+    measurement.tell([&] {
+        context::throwIfInterrupted();
+        progress.done(++done);
+    });
+    for (int frame = 0; frame < motion.frames; ++frame)
+        measurement.addFrame(film::momentAt(motion, base, frame));
+    for (int turn = 0; turn < measurement.turns(); ++turn)
+        measurement.timeTurn(turn);
+    measurement.tell([] {});
+}
+
 int measure(const MeasureOptions& options) {
     std::unique_ptr<context::Context> context; // before all that lives in it, so that it is destroyed after them
     std::vector<picture::Slot> slots;
@@ -114,16 +130,7 @@ int measure(const MeasureOptions& options) {
     requireDriverDraws(options.size);
     picture::Session session(base);
     report::Measurement measurement(session, slots, light, options.size);
-    Progress progress("frame", motion.frames);
-    for (int frame = 0; frame < motion.frames; ++frame) {
-        context::throwIfInterrupted();
-        measurement.addFrame(film::momentAt(motion, base, frame));
-        progress.done(frame + 1);
-    }
-    for (int turn = 0; turn < measurement.turns(); ++turn) {
-        context::throwIfInterrupted();
-        measurement.timeTurn(turn);
-    }
+    measureAll(measurement, motion, base);
     const Measured measured{
         base->name,   base->light(light).name, std::string(context->backend()), context::glRenderer(),
         options.size, motion.frames,           measurement.truthMs(),           measurement.results()};
@@ -160,7 +167,7 @@ void reserveForMeasured(ivec2 size) {
         "--size " + std::to_string(size.x) + "x" + std::to_string(size.y), "choose a smaller --size");
 }
 
-const Command kMeasure{"measure",
+const Command kMeasure{"measure", "SCENE",
                        "What techniques get wrong, pixel by pixel against the exact answer, and what they cost",
                        describeMeasure, measureWork};
 

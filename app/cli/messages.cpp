@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -56,6 +57,14 @@ void print(std::string_view text) {
             throw Error(ExitStatus::cannotWrite, image::outputErrorText("standard output", errno, false));
         }
     }
+}
+
+std::optional<std::size_t> terminalColumns() {
+    if (!::isatty(STDOUT_FILENO)) return std::nullopt;
+    constexpr std::size_t kUsual = 80;
+    winsize size{};
+    const bool isKnown = ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+    return isKnown ? size.ws_col : kUsual;
 }
 
 void note(std::string_view sentence) { say("shadowlab: note: ", sentence); }

@@ -22,9 +22,10 @@ struct NewTechniqueOptions {
 
 void describeNewTechnique(DescribedOptions& add) {
     add.option("NAME", "", "id of the technique: small letters, digits and hyphens, as my-shadows");
-    add.option("--from", "SKELETON",
-               "what to begin with: empty (a technique without shadows), or one of the lecture's algorithms with blanks to "
-               "be filled in: planar, shadow-map, z-fail, ray-tracing, radiosity (default empty)");
+    add.option(
+        "--from", "SKELETON",
+        "what to begin with: empty (a technique without shadows), or one of the lecture's algorithms with blanks to "
+        "be filled in: planar, shadow-map, z-fail, ray-tracing, radiosity (default empty)");
     add.option("-o,--output", "DIR", "the folder to be made (default: NAME)");
     add.footer("The folder has a README with the commands that build and try it.\n"
                "Examples:\n"
@@ -81,7 +82,8 @@ Work newTechniqueWork(const GivenOptions& given) {
 
 } // namespace
 
-const Command kNewTechnique{"new-technique", "Writes a folder in which a technique of your own is built as a plug-in",
+const Command kNewTechnique{"new-technique", "NAME",
+                            "Writes a folder in which a technique of your own is built as a plug-in",
                             describeNewTechnique, newTechniqueWork};
 
 } // namespace shadowlab::cli

@@ -3,6 +3,7 @@
 #include "app/cli/option_values.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -23,6 +24,13 @@ bool readWhole(std::string_view text, Number& value) {
     return error != std::errc::invalid_argument && last == end;
 }
 
+/// The ending of a name, in small letters: ".jpg".
+std::string lowerEnding(const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
+    return ending;
+}
+
 } // namespace
 
 void refuseUsage(const std::string& message) { throw Error(ExitStatus::usage, message); }
@@ -33,11 +41,20 @@ void requireEnding(const std::string& option, const std::filesystem::path& path,
     std::error_code ignored;
     const bool device = path.native().starts_with("/dev/") || path.native().starts_with("/proc/self/fd/");
     if (device || std::filesystem::is_fifo(path, ignored) || std::filesystem::is_directory(path, ignored)) return;
-    std::string found = path.extension().string();
-    std::ranges::transform(found, found.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : c; });
-    if (found != ending)
-        refuseUsage(option + ": '" + path.string() + "' does not end in " + ending + "; write " + path.string() +
-                    ending);
+    if (lowerEnding(path) == ending) return;
+    std::filesystem::path right = path;
+    // A picture in another format has the wrong ending; anything else behind a point is a part of the name.
+    if (endsAsPicture(path))
+        right.replace_extension(ending);
+    else
+        right += ending;
+    refuseUsage(option + ": '" + path.string() + "' does not end in " + ending + "; write " + right.string());
+}
+
+bool endsAsPicture(const std::filesystem::path& path) {
+    static constexpr std::array kPictures{".png", ".jpg", ".jpeg", ".gif", ".webp", ".bmp", ".tif", ".tiff",
+                                          ".ppm", ".tga", ".svg",  ".pdf", ".avif", ".mp4", ".mov", ".webm"};
+    return std::ranges::find(kPictures, lowerEnding(path)) != kPictures.end();
 }
 
 ivec2 pixelFrom(const std::string& option, const std::string& text, ivec2 size) {

@@ -14,7 +14,10 @@ namespace shadowlab::cli {
 /// Throws Error (usage).
 [[noreturn]] void refuseUsage(const std::string& message);
 
-/// Refuses an output whose name does not end in `ending`.
+/// Does the name end as those of pictures and films do, in whatever format?
+bool endsAsPicture(const std::filesystem::path& path);
+
+/// Refuses an output whose name does not end in `ending`, with the name that would do: "x.png" for "x.jpg".
 void requireEnding(const std::string& option, const std::filesystem::path& path, const std::string& ending);
 
 /// "320,180": a pixel of a picture of that size.

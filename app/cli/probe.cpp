@@ -74,6 +74,15 @@ void describeProbe(DescribedOptions& add) {
 /// Is the diagram wanted as a picture, not as SVG?
 bool isPicture(const std::filesystem::path& diagram) { return diagram.extension() == ".png"; }
 
+/// A drawing or a picture; who writes x.jpg wants a picture.
+void requireDiagramEnding(const std::filesystem::path& diagram) {
+    const std::string ending = diagram.extension().string();
+    if (endsAsPicture(diagram) && ending != ".svg" && ending != ".png")
+        refuseUsage("--diagram: '" + diagram.string() + "' ends neither in .svg nor in .png; write " +
+                    std::filesystem::path(diagram).replace_extension(".png").string());
+    requireEnding("--diagram", diagram, isPicture(diagram) ? ".png" : ".svg");
+}
+
 ProbeOptions probeOptions(const GivenOptions& given) {
     const std::string example = "shadowlab probe SCENE --pixel X,Y";
     ProbeOptions options;
@@ -90,8 +99,7 @@ ProbeOptions probeOptions(const GivenOptions& given) {
     options.light = given.text("--light");
     options.json = given.has("--json");
     options.diagram = given.text("--diagram");
-    if (!options.diagram.empty())
-        requireEnding("--diagram", options.diagram, isPicture(options.diagram) ? ".png" : ".svg");
+    if (!options.diagram.empty()) requireDiagramEnding(options.diagram);
     if (given.has("--figure") && options.diagram.empty())
         refuseUsage("--figure is drawn into a file; write --diagram OUT.svg or OUT.png, too");
     options.figure = figures::findFigure(given.text("--figure", options.figure)).name;
@@ -158,7 +166,8 @@ Work probeWork(const GivenOptions& given) {
 
 } // namespace
 
-const Command kProbe{"probe", "What a technique knows about one pixel: facts, vectors, and the tree of its rays",
-                     describeProbe, probeWork};
+const Command kProbe{"probe", "SCENE",
+                     "What a technique knows about one pixel: facts, vectors, and the tree of its rays", describeProbe,
+                     probeWork};
 
 } // namespace shadowlab::cli

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
@@ -17,7 +18,7 @@ Progress::~Progress() {
 
 void Progress::done(int count) {
     if (!shown_) return;
-    if (already_ < 0) already_ = count - 1;
+    if (already_ < 0) already_ = std::max(count - 1, 0);
     std::fprintf(stderr, "\r%s %d of %d%s\033[K", what_.c_str(), count, total_, remainingText(count).c_str());
     std::fflush(stderr);
 }

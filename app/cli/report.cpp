@@ -126,7 +126,7 @@ void writeReport(const report::Store& store) {
     print((store.folder() / "index.html").string() + "\n");
 }
 
-const Command kReport{"report",
+const Command kReport{"report", "[SCENE...]",
                       "Speed against error: every technique's sweeps on scenes, as a page, charts, CSV and JSON",
                       describeReport, reportWork};
 

@@ -42,7 +42,7 @@ void describeSlides(DescribedOptions& add) {
     add.option("--allow", "DIR", "a further folder that the decks' scenes may take meshes from; may be repeated");
     add.footer(
         "For each deck: DECK-01-NAME.png ..., the same without words as pictures/DECK-01-NAME.png, DECK.html for "
-        "a browser,\nand DECK.md for pandoc. Interrupted, the same command goes on where it was.\n"
+        "a browser, and DECK.md for pandoc. Interrupted, the same command goes on where it was.\n"
         "Examples:\n"
         "  shadowlab slides -o out\n"
         "  shadowlab slides my-deck.json -o out --size 3840x2160\n"
@@ -270,7 +270,7 @@ Work slidesWork(const GivenOptions& given) {
 
 int slides(const SlidesOptions& options) { return Slides(options).run(); }
 
-const Command kSlides{"slides", "A deck as pictures, as a page for a browser, and as a text for pandoc", describeSlides,
-                      slidesWork};
+const Command kSlides{"slides", "[DECK...]", "A deck as pictures, as a page for a browser, and as a text for pandoc",
+                      describeSlides, slidesWork};
 
 } // namespace shadowlab::cli

@@ -2,6 +2,8 @@
 #include "app/cli/text_table.h"
 
 #include <algorithm>
+#include <numeric>
+#include <sstream>
 
 namespace shadowlab::cli {
 
@@ -10,6 +12,94 @@ namespace {
 /// Characters, not bytes: names may be of any language.
 std::size_t width(const std::string& text) {
     return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+constexpr std::size_t kGap = 2; ///< blanks between two columns of a list
+// Narrower, a column of words is a column of single words.
+constexpr std::size_t kNarrowest = 18;
+
+/// A text in the pieces between which a line may end: after blanks, and within a long word after | / and commas.
+std::vector<std::string> piecesOf(const std::string& text, std::size_t columns) {
+    std::vector<std::string> pieces;
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        const bool isLong = width(word) > columns;
+        pieces.emplace_back();
+        for (const char c : word) {
+            pieces.back() += c;
+            if (isLong && (c == '|' || c == '/' || c == ',')) pieces.emplace_back();
+        }
+        if (pieces.back().empty()) pieces.pop_back();
+        pieces.back() += ' ';
+    }
+    if (!pieces.empty()) pieces.back().pop_back();
+    return pieces;
+}
+
+std::string withoutBlankAtEnd(const std::string& line) { return line.substr(0, line.find_last_not_of(' ') + 1); }
+
+/// The width of each column of a list so that all fit, the widest made narrower; none where that cannot be.
+std::vector<std::size_t> fittingWidths(const Rows& rows, std::size_t columns) {
+    std::vector<std::size_t> widths, least;
+    for (const std::vector<std::string>& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        least.resize(widths.size());
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            widths[i] = std::max(widths[i], width(row[i]));
+            for (const std::string& piece : piecesOf(row[i], kNarrowest))
+                least[i] = std::max(least[i], width(withoutBlankAtEnd(piece)));
+        }
+    }
+    for (std::size_t i = 0; i < widths.size(); ++i)
+        least[i] = std::min(widths[i], std::max(least[i], kNarrowest));
+    const auto total = [&] { return std::reduce(widths.begin(), widths.end()) + kGap * (widths.size() - 1); };
+    while (!widths.empty() && total() > columns) {
+        std::size_t widest = widths.size(); // of those that may still become narrower
+        for (std::size_t i = 0; i < widths.size(); ++i)
+            if (widths[i] > least[i] && (widest == widths.size() || widths[i] > widths[widest])) widest = i;
+        if (widest == widths.size()) return {};
+        --widths[widest];
+    }
+    return widths;
+}
+
+std::string joinedLine(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) {
+    std::string line;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        line += cells[i] +
+                std::string(i + 1 < cells.size() ? widths[i] - std::min(widths[i], width(cells[i])) + kGap : 0, ' ');
+    return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+}
+
+/// A row whose cells take as many lines as the longest of them.
+std::string rowLines(const std::vector<std::string>& row, const std::vector<std::size_t>& widths) {
+    std::vector<std::vector<std::string>> cells;
+    std::size_t lines = 1;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        cells.push_back(wrapped(row[i], widths[i]));
+        lines = std::max(lines, cells.back().size());
+    }
+    std::string text;
+    for (std::size_t line = 0; line < lines; ++line) {
+        std::vector<std::string> parts;
+        for (const std::vector<std::string>& cell : cells)
+            parts.push_back(line < cell.size() ? cell[line] : "");
+        text += joinedLine(parts, widths);
+    }
+    return text;
+}
+
+/// A row as a paragraph: what does not fit beside one another stands below one another.
+std::string paragraph(const std::vector<std::string>& headings, const std::vector<std::string>& row,
+                      std::size_t columns) {
+    constexpr std::size_t kIndent = 4;
+    std::string text = row.front() + "\n";
+    for (std::size_t i = 1; i < row.size(); ++i) {
+        if (row[i].empty()) continue;
+        for (const std::string& line : wrapped(headings[i] + ": " + row[i], columns - kIndent))
+            text += std::string(kIndent, ' ') + line + "\n";
+    }
+    return text;
 }
 
 } // namespace
@@ -31,6 +121,35 @@ std::string aligned(const Rows& rows) {
         }
         text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
     }
+    return text;
+}
+
+std::vector<std::string> wrapped(const std::string& text, std::size_t columns) {
+    std::vector<std::string> lines;
+    for (const std::string& piece : piecesOf(text, columns)) {
+        if (lines.empty() || width(lines.back()) + width(withoutBlankAtEnd(piece)) > columns)
+            lines.push_back(piece);
+        else
+            lines.back() += piece;
+    }
+    for (std::string& line : lines)
+        line = withoutBlankAtEnd(line);
+    return lines;
+}
+
+std::string listed(const std::vector<std::string>& headings, const Rows& rows, std::size_t columns) {
+    constexpr std::size_t kLeastColumns = 40;
+    columns = std::max(columns, kLeastColumns);
+    Rows all{headings};
+    all.insert(all.end(), rows.begin(), rows.end());
+    std::string text;
+    if (const std::vector<std::size_t> widths = fittingWidths(all, columns); !widths.empty()) {
+        for (const std::vector<std::string>& row : all)
+            text += rowLines(row, widths);
+        return text;
+    }
+    for (const std::vector<std::string>& row : rows)
+        text += (text.empty() ? "" : "\n") + paragraph(headings, row, columns);
     return text;
 }
 

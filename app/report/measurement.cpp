@@ -36,6 +36,8 @@ std::vector<std::uint8_t> litMask(const Truth& truth) {
 // Frames of a turn: enough for caches to be those of the technique, few enough for turns to alternate within a second.
 constexpr std::size_t kTurnFrames = 12, kWarmingFrames = 3;
 
+int turnsOf(std::size_t frames) { return static_cast<int>((frames + kTurnFrames - 1) / kTurnFrames); }
+
 } // namespace
 
 Measurement::Measurement(picture::Session& session, std::vector<picture::Slot>& slots, int light, ivec2 size)
@@ -65,17 +67,23 @@ void Measurement::addFrame(const film::Moment& moment) {
         const Judged& judged = truths.at(asked.of);
         if (first) measured.result.firstPrepareMs = session_.render(slot, view).prepareMs;
 
-        const picture::RenderedFrame rendered = session_.render(slot, view, picture::requestAnswers(*slot.info, light_));
+        const picture::RenderedFrame rendered =
+            session_.render(slot, view, picture::requestAnswers(*slot.info, light_));
         const picture::Answers answers = picture::readAnswers(*slot.info, rendered, light_);
         measured.flips.addFrame(litOutsideTies(answers.visibility, judged.truth, asked, view), litMask(judged.truth),
                                 lengthPx(judged.boundary));
         measured.result.counters = rendered.result.counters;
         if (first) judgeFirst(measured, rendered, answers, judged, *reference);
+        onStep_();
     }
     moments_.push_back(moment);
 }
 
-int Measurement::turns() const { return static_cast<int>((moments_.size() + kTurnFrames - 1) / kTurnFrames); }
+int Measurement::turns() const { return turnsOf(moments_.size()); }
+
+int Measurement::steps(int frames) const {
+    return static_cast<int>(entries_.size()) * (frames + turnsOf(static_cast<std::size_t>(frames)));
+}
 
 void Measurement::timeTurn(int turn) {
     const std::size_t first = kTurnFrames * static_cast<std::size_t>(turn), frames = moments_.size();
@@ -93,6 +101,7 @@ void Measurement::timeTurn(int turn) {
         }
         for (std::size_t i = first; i < end; ++i)
             measured.result.times.addPasses(draw(*measured.slot, moments_[i], true).result.passMs);
+        onStep_();
     }
 }
 

@@ -6,6 +6,7 @@
 // affect all of them alike; the frames before those of a turn are drawn first and do not count.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,7 +37,7 @@ struct TechniqueErrors {
     judge::Counts counts;
     double served = 1; ///< share of the pixels with a surface that the technique can serve at all
     int coreErrors = 0;
-    std::optional<double> edgeErrorPx;               ///< none: the truth has no boundary
+    std::optional<double> edgeErrorPx;             ///< none: the truth has no boundary
     std::optional<judge::Displacement> boundaryPx; ///< none: the truth, or the technique, has no boundary
     PictureErrors picture;
     std::optional<double> excessFlipRate; ///< none: a single frame, or no boundary
@@ -50,6 +51,11 @@ class Measurement {
 public:
     /// All of them must live as long as the measurement. Needs a current GL context.
     Measurement(picture::Session& session, std::vector<picture::Slot>& slots, int light, ivec2 size);
+
+    /// Called whenever one technique is through with one frame, or with one turn: it may show how far the work is, or throw.
+    void tell(std::function<void()> onStep) { onStep_ = std::move(onStep); }
+    /// How often that is for a sequence of so many frames.
+    [[nodiscard]] int steps(int frames) const;
 
     /// Judges the next frame of the sequence; the first one in all ways.
     void addFrame(const film::Moment& moment);
@@ -97,6 +103,7 @@ private:
     ivec2 size_;
     std::vector<film::Moment> moments_; ///< that were added
     double truthMs_ = 0;
+    std::function<void()> onStep_ = [] {};
 };
 
 } // namespace shadowlab::report

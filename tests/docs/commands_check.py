@@ -102,7 +102,7 @@ def complaints_about(command, names, files):
                 yield f"no stage {stage} of {', '.join(techniques)}"
     what = {"lesson": "lessons", "slides": "decks"}.get(subcommand, "scenes")
     merges = subcommand == "report" and positional[:1] == ["merge"]  # the words after it are folders of parts
-    inputs = [] if subcommand in ("list", "new-technique") or merges else [(what, word) for word in positional]
+    inputs = [] if subcommand in ("list", "new-technique", "help") or merges else [(what, word) for word in positional]
     inputs += [(name[2:] + "s", value) for name, value in options if name in ("--lesson", "--deck")]
     inputs += [("files", value) for name, value in options if name == "--path"]
     for kind, word in inputs:

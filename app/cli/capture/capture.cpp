@@ -154,6 +154,6 @@ Work captureWork(const GivenOptions& given) {
 
 int capture(const CaptureOptions& options) { return options.ui ? captureWindow(options) : capturePictures(options); }
 
-const Command kCapture{"capture", "Renders a scene to a PNG without a window", describeCapture, captureWork};
+const Command kCapture{"capture", "SCENE", "Renders a scene to a PNG without a window", describeCapture, captureWork};
 
 } // namespace shadowlab::cli
