@@ -27,10 +27,18 @@ struct SlidePicture {
     std::string
         figure; ///< the name of a drawing of that pixel (figures/figures.h); empty: the scene as techniques show it
     std::optional<scene::Camera> outside; ///< of the stage `outside`; none: as the program chooses it
-    std::string label;                    ///< above it; may be empty
+    std::string label;                    ///< above it, in plain words; may be empty
+    std::string writtenLabel;             ///< the same as the file has it, with formulas between $
     std::vector<Callout> callouts;
 };
 
+/// A slide's words as its file has them: with formulas between $ (drawing/prose.h).
+struct WrittenWords {
+    std::string title, caption;
+    std::vector<std::string> text;
+};
+
+/// Title, caption and text are in plain words, for what reads no formulas.
 struct Slide {
     std::string name; ///< its files are called so
     std::string title;
@@ -42,6 +50,7 @@ struct Slide {
     std::optional<int> supersample;      ///< N x N samples for a pixel; none: as many as for the other slides
     std::string caption;
     std::string alt; ///< the picture in words, for readers who cannot see it
+    WrittenWords written;
 };
 
 /// A deck's file, open. Slides are read one by one: an error in one does not affect the others.

@@ -8,6 +8,7 @@
 #include "app/course/deck.h"
 #include "app/course/lessons/lesson_parts.h"
 #include "app/course/state_json.h"
+#include "app/drawing/prose.h"
 #include "app/figures/figures.h"
 #include "app/picture/limits.h"
 #include "techniques/foundation/base/nearest_names.h"
@@ -123,6 +124,12 @@ struct Deck::File {
         if (names.empty()) top.fail("slides", "is missing or empty; write a list of slides");
     }
 
+    /// Its formulas in plain words; a fault in one is told with the place of the key.
+    [[nodiscard]] std::string plainText(const JsonObject& own, std::string_view key, const std::string& written) const {
+        const JsonValue* value = own.find(key);
+        return value ? saidAt(document, value->offset, [&] { return drawing::plainProse(written); }) : "";
+    }
+
     SlidePicture picture(std::span<const JsonObject* const> levels) {
         const JsonObject& own = *levels.back();
         SlidePicture picture;
@@ -134,7 +141,8 @@ struct Deck::File {
             saidAt(document, own.require("diagram", "").offset,
                    [&] { return figures::findFigure(picture.figure).name; });
         }
-        picture.label = optionalText(own, "label", kLongestTitle);
+        picture.writtenLabel = optionalText(own, "label", kLongestTitle);
+        picture.label = plainText(own, "label", picture.writtenLabel);
         picture.callouts = readCallouts(own);
         if (const JsonValue* camera = own.find("outside"))
             picture.outside = scene::readCamera(scene::NumberRanges{}, document, *camera, "the camera outside",
@@ -157,9 +165,12 @@ struct Deck::File {
                               "partner",  "diagram", "outside",     "label",    "callouts"});
         Slide slide;
         slide.name = names[number];
-        slide.title = shortText(own, "title", kLongestTitle);
-        slide.caption = optionalText(own, "caption", kLongestCaption);
-        slide.text = paragraphs(own, "text", kLongestParagraph);
+        slide.written = {shortText(own, "title", kLongestTitle), optionalText(own, "caption", kLongestCaption),
+                         paragraphs(own, "text", kLongestParagraph)};
+        slide.title = plainText(own, "title", slide.written.title);
+        slide.caption = plainText(own, "caption", slide.written.caption);
+        for (const std::string& text : slide.written.text)
+            slide.text.push_back(plainText(own, "text", text));
         slide.formulas = paragraphs(own, "formulas", kLongestFormula);
         if (own.find("supersample")) slide.supersample = own.integer("supersample", 1, 8);
         readPseudocode(own, slide);

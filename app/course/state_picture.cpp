@@ -9,68 +9,56 @@ namespace shadowlab::course {
 
 namespace {
 
-class StatePicture {
-public:
-    StatePicture(const ShownState& state, const StateRequest& request, const image::Font& font)
-        : state_(state), request_(request), font_(font), session_(state.scene), slots_(slotsOf(state.slots)) {}
-
-    image::Image draw() {
-        std::vector<picture::Cell> cells =
-            picture::layoutCells(state_.layout, static_cast<int>(slots_.size()), request_.size, state_.split);
-        std::vector<picture::Panel> panels;
-        if (state_.layout == picture::Layout::diff)
-            panels.push_back(difference());
-        else
-            for (std::size_t i = 0; i < slots_.size(); ++i)
-                panels.push_back(panel(i, cells[i]));
-        return picture::composeFigure(cells, panels, request_.size, &font_, request_.typeHeight, request_.roomBelow).picture;
-    }
-
-private:
-    picture::Panel panel(std::size_t i, picture::Cell& cell) {
-        picture::Slot& slot = slots_[i];
-        const picture::ResolvedStage stage = picture::shownInStep( // as the window shows a step
-            picture::resolve(state_.slots[i].stage, *slot.info, *state_.scene, state_.light), *slot.info,
-            picture::stageLight(*state_.scene, state_.light));
-        picture::PanelRequest request;
-        request.stage = stage;
-        request.camera = state_.camera;
-        request.supersample = stage.isDerived() ? 1 : request_.supersample;
-        const ivec2 samples = cell.pictureSize * request.supersample;
-        if (request_.picked) request.picked = lab::pixelAt(*request_.picked, samples);
-        if (request_.partner) request.partner = lab::pixelAt(*request_.partner, samples);
-        request.outside = request_.outside;
-        request.font = &font_;
-        request.markWidth = markWidth();
-        picture::Panel panel = picture::renderPanel(session_, slot, encoder_, cell, request).panel;
-        if (slots_.size() > 1) panel.title = slot.info->title;
-        return panel;
-    }
-
-    picture::Panel difference() {
-        View view;
-        view.camera = state_.camera;
-        view.size = request_.size;
-        return picture::renderDifference(session_, slots_, encoder_, view, state_.light, markWidth()).panel;
-    }
-
-    /// By the whole that the picture is a part of: a slide is seen as a whole.
-    [[nodiscard]] int markWidth() const {
-        return picture::wideMark(request_.typeHeight > 0 ? request_.typeHeight : request_.size.y);
-    }
-
-    const ShownState& state_;
-    const StateRequest& request_;
-    const image::Font& font_;
-    picture::Session session_;
-    picture::PictureEncoder encoder_;
-    std::vector<picture::Slot> slots_;
-};
+int markWidth(const StateRequest& request) {
+    return picture::wideMark(request.wholeHeight > 0 ? request.wholeHeight : request.size.y);
+}
 
 } // namespace
 
+StatePicture::StatePicture(const ShownState& state, const image::Font& font)
+    : state_(state), font_(font), session_(state.scene), slots_(slotsOf(state.slots)) {}
+
+StatePicture::Parts StatePicture::draw(const StateRequest& request) {
+    Parts parts{picture::layoutCells(state_.layout, static_cast<int>(slots_.size()), request.size, state_.split), {}};
+    if (state_.layout == picture::Layout::diff)
+        parts.panels.push_back(difference(request));
+    else
+        for (std::size_t i = 0; i < slots_.size(); ++i)
+            parts.panels.push_back(panel(request, i, parts.cells[i]));
+    return parts;
+}
+
+picture::Panel StatePicture::panel(const StateRequest& wanted, std::size_t i, picture::Cell& cell) {
+    picture::Slot& slot = slots_[i];
+    const picture::ResolvedStage stage = picture::shownInStep( // as the window shows a step
+        picture::resolve(state_.slots[i].stage, *slot.info, *state_.scene, state_.light), *slot.info,
+        picture::stageLight(*state_.scene, state_.light));
+    picture::PanelRequest request;
+    request.stage = stage;
+    request.camera = state_.camera;
+    request.supersample = stage.isDerived() ? 1 : wanted.supersample;
+    const ivec2 samples = cell.pictureSize * request.supersample;
+    if (wanted.picked) request.picked = lab::pixelAt(*wanted.picked, samples);
+    if (wanted.partner) request.partner = lab::pixelAt(*wanted.partner, samples);
+    request.outside = wanted.outside;
+    request.range = wanted.range;
+    request.font = &font_;
+    request.markWidth = markWidth(wanted);
+    picture::Panel panel = picture::renderPanel(session_, slot, encoder_, cell, request).panel;
+    if (slots_.size() > 1) panel.title = slot.info->title;
+    return panel;
+}
+
+picture::Panel StatePicture::difference(const StateRequest& request) {
+    View view;
+    view.camera = state_.camera;
+    view.size = request.size;
+    return picture::renderDifference(session_, slots_, encoder_, view, state_.light, markWidth(request)).panel;
+}
+
 image::Image drawState(const ShownState& state, const StateRequest& request, const image::Font& font) {
-    return StatePicture(state, request, font).draw();
+    const StatePicture::Parts parts = StatePicture(state, font).draw(request);
+    return picture::composeFigure(parts.cells, parts.panels, request.size, &font).picture;
 }
 
 } // namespace shadowlab::course

@@ -49,7 +49,7 @@ private:
     }
 
     Extent letters(const Node& node, dvec2 place, double em) {
-        const bool isBold = node.kind == Kind::bold;
+        const bool isBold = fonts_.isBold || node.kind == Kind::bold;
         constexpr double kFine = 1000; // pixels: whole ones are fine enough then
         const image::Font& font = isBold ? fonts_.bold : fonts_.upright;
         const double width = font.measure(node.text, kFine).width / kFine * em;

@@ -23,6 +23,7 @@ struct Extent {
 /// The faces that formulas are set in. Letters of variables lean; there is no face for them, so they are drawn slanted.
 struct FormulaFonts {
     const image::Font &upright, &bold;
+    bool isBold = false; ///< all of it, as in a heading
 };
 
 class Formula {

@@ -2,6 +2,7 @@
 // the pixel to a drawing; a new one is a line in figures.cpp.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -21,6 +22,8 @@ struct FigureSource {
     /// The room it is drawn for, in pixels of a slide 1080 high, on which kText is the least that is read. A figure whose size is
     /// given by what it shows may be of another size; it is then scaled.
     dvec2 size{1920, 1080};
+    /// Of a section: no more than so many pixels for a metre, so that sections side by side have one scale.
+    double mostPixelsPerMetre = std::numeric_limits<double>::infinity();
 };
 
 struct Figure {
@@ -29,6 +32,7 @@ struct Figure {
     std::string_view shows;      ///< in one line
     /// Same source, same drawing. Throws Error (badInput), which says why, where the pixel has nothing to draw.
     Diagram (*draw)(const FigureSource& source);
+    double border = 24; ///< pixels of its sheet that stay empty on all sides
 };
 
 /// In the order of the lectures; the first is drawn where none is named.

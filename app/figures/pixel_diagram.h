@@ -18,6 +18,7 @@ bool canDraw(const Probe& probe);
 struct Diagram {
     drawing::Drawing drawing;
     std::string title; ///< what it is, for who cannot see it
+    double pixelsPerMetre = 0; ///< of a section; 0: the drawing has no scale that matters beside another
     [[nodiscard]] std::string document() const { return drawing.document(title); }
 };
 

@@ -43,7 +43,7 @@ void SectionSheet::findPlaces(const Probe& probe) {
 }
 
 SectionSheet::SectionSheet(const Probe& probe, const scene::Scene& scene, const drawing::Box& area,
-                           std::span<const dvec2> places)
+                           std::span<const dvec2> places, double mostScale)
     : scene_(scene), area_(area) {
     findPlaces(probe);
     // The point is the origin, so lengths are distances from it.
@@ -71,6 +71,7 @@ SectionSheet::SectionSheet(const Probe& probe, const scene::Scene& scene, const 
     all.push_back(0.3 * reach * glm::normalize(eye_));
     all.push_back(-0.2 * reach * glm::normalize(eye_));
     fit(all);
+    scale_ = std::min(scale_, mostScale);
 }
 
 SectionSheet::SectionSheet(const Probe& probe, const scene::Scene& scene, const drawing::Box& area, double reach)

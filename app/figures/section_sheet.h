@@ -1,6 +1,7 @@
 // The plane through eye, light and point on a sheet of paper: how large it is drawn, and what all drawings of it share.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <limits>
 #include <span>
 
 #include "app/drawing/labels.h"
@@ -17,7 +18,9 @@ class SectionSheet {
 public:
     /// All of eye, light, point and `places` (metres of the plane) as large as fits into `area`; what would make everything else
     /// tiny is left out, and an arrow at the border points to it.
-    SectionSheet(const Probe& probe, const scene::Scene& scene, const drawing::Box& area, std::span<const dvec2> places);
+    /// `mostScale`: no more than so many pixels for a metre.
+    SectionSheet(const Probe& probe, const scene::Scene& scene, const drawing::Box& area, std::span<const dvec2> places,
+                 double mostScale = std::numeric_limits<double>::infinity());
     /// Only what lies within `reach` metres of the point.
     SectionSheet(const Probe& probe, const scene::Scene& scene, const drawing::Box& area, double reach);
 

@@ -15,7 +15,6 @@ namespace {
 // lecture hall; less is not.
 constexpr std::array kTitleShares = {1.0 / 30, 1.0 / 37, 1.0 / 45};
 constexpr std::array kLegendShares = {1.0 / 38, 1.0 / 45};
-constexpr int kMostColumns = 3;           ///< of a legend below a picture
 constexpr double kSmallestType = 10;      ///< pixels; below, letters dissolve
 constexpr double kLargestShare = 1.0 / 3; ///< of a cell that a plate may cover
 constexpr image::Color8 kDark{16, 16, 18, 255}, kLight{245, 245, 245, 255};
@@ -82,16 +81,6 @@ void drawTitles(Figure& figure, const std::vector<Plate>& titles, const std::vec
     if (isMissing) figure.notes.push_back(std::string("the titles") + kLeftOut);
 }
 
-/// The figure becomes as much higher as the highest of them.
-void drawLegendsBelow(Figure& figure, const std::vector<Plate>& legends, const std::vector<Cell>& cells) {
-    const int below = std::ranges::max(legends, {}, &Plate::height).height;
-    image::Image higher(figure.picture.width, figure.picture.height + below, kDark);
-    blit(higher, 0, 0, figure.picture);
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        if (!legends[i].isEmpty()) drawPlate(higher, legends[i], cells[i].x, figure.picture.height);
-    figure.picture = std::move(higher);
-}
-
 } // namespace
 
 std::vector<Cell> layoutCells(Layout layout, int count, ivec2 size, double splitShare) {
@@ -123,33 +112,20 @@ bool hasLegend(const Panel& panel) {
 }
 
 Figure composeFigure(const std::vector<Cell>& cells, const std::vector<Panel>& panels, ivec2 size,
-                     const image::Font* font, int typeHeight, int roomBelow) {
+                     const image::Font* font) {
     Figure figure{image::Image(size.x, size.y, {12, 12, 14, 255}), {}};
     for (std::size_t i = 0; i < cells.size(); ++i)
         drawPicture(figure.picture, cells[i], panels[i].picture);
     drawDividers(figure.picture, cells);
     if (!font) return figure;
-    if (typeHeight == 0) typeHeight = size.y;
 
     const auto titles = layOut(
-        kTitleShares, typeHeight, cells,
+        kTitleShares, size.y, cells,
         [&](std::size_t i, double em) { return titlePlate(panels[i].title, *font, em, cells[i].width); }, coversLittle);
     drawTitles(figure, titles, cells, panels);
-    const auto legendsIn = [&](int columns, const auto& fits) {
-        return layOut(
-            kLegendShares, typeHeight, cells,
-            [&](std::size_t i, double em) { return legendPlate(panels[i], *font, em, cells[i].width, columns); }, fits);
-    };
-    if (std::ranges::all_of(cells, [](const Cell& cell) { return cell.y == 0; }))
-        for (int columns = 1; columns <= kMostColumns && roomBelow > 0; ++columns) {
-            const std::vector<Plate> legends = legendsIn(columns, [&](const Plate& plate, const Cell& cell) {
-                return plate.width <= cell.width && plate.height <= roomBelow;
-            });
-            if (std::ranges::all_of(legends, &Plate::isEmpty)) continue; // there are none, or one does not fit
-            drawLegendsBelow(figure, legends, cells);
-            return figure;
-        }
-    const auto legends = legendsIn(1, coversLittle);
+    const auto legends = layOut(
+        kLegendShares, size.y, cells,
+        [&](std::size_t i, double em) { return legendPlate(panels[i], *font, em, cells[i].width); }, coversLittle);
     bool isMissing = false;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         isMissing = isMissing || (legends[i].isEmpty() && hasLegend(panels[i]));

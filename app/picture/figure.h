@@ -44,10 +44,8 @@ struct Figure {
 /// Puts the panels into their cells, with titles above and legends below. Type is at least 1/45 of the figure's height
 /// and 10 pixels high. Where titles, or legends, would then cover more than a third of a cell, all of them are left
 /// out. `font` may be null when nothing is to be labelled.
-/// `typeHeight`: of what the figure is a part of; 0: it stands alone. `roomBelow`: how much higher the figure may become, so
-/// that legends stand below its pictures and cover nothing of them; they do where all pictures are in one row.
 Figure composeFigure(const std::vector<Cell>& cells, const std::vector<Panel>& panels, ivec2 size,
-                     const image::Font* font, int typeHeight = 0, int roomBelow = 0);
+                     const image::Font* font);
 
 /// Does a figure of this panel need a legend?
 bool hasLegend(const Panel& panel);

@@ -16,16 +16,6 @@ constexpr image::Color8 kLabelText{245, 245, 245, 255};
 constexpr image::Color8 kPlate{16, 16, 18, 255};
 constexpr float kPlateCoverage = 0.9f; ///< white text keeps a contrast above 6:1 even on a white picture
 
-/// Three significant digits, more only before the point: legends are read from afar.
-std::string shortNumber(double value) {
-    const bool whole = std::abs(value) >= 100 && std::abs(value) < 1e6; // 1234 and not 1.23e+03
-    std::array<char, 32> buffer{};
-    const auto [end, error] =
-        whole ? std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::llround(value))
-              : std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 3);
-    return error == std::errc{} ? std::string(buffer.data(), end) : std::string();
-}
-
 /// The unit above a bar from minimum to maximum, with the numbers at its ends below. Counts also mark their zero.
 Plate barPlate(const Panel& panel, const image::Font& font, double em, int widest) {
     const int pad = static_cast<int>(em * 0.5), barHeight = static_cast<int>(em * 0.7);
@@ -60,36 +50,29 @@ Plate barPlate(const Panel& panel, const image::Font& font, double em, int wides
     return plate;
 }
 
-/// A swatch and a label for every colour that has a meaning, down the columns one after another.
-Plate keyPlate(const Panel& panel, const image::Font& font, double em, int widest, int columns) {
+/// A swatch and a label for every colour that has a meaning.
+Plate keyPlate(const Panel& panel, const image::Font& font, double em, int widest) {
     struct Entry {
-        int x, y; ///< of its first line, from the plate's upper left corner
+        int y; ///< of its first line, from the plate's upper edge
         std::vector<std::string> lines;
     };
     const int pad = static_cast<int>(em * 0.5), swatch = static_cast<int>(em * 0.9);
     const int lineHeight = font.measure("X", em).height;
-    const std::vector<KeyEntry>& key = panel.display.key;
-    const std::size_t perColumn =
-        (key.size() + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
     std::vector<Entry> entries;
     Plate plate;
-    int y = pad, left = 0;
-    for (std::size_t i = 0; i < key.size(); ++i) {
-        if (i > 0 && i % perColumn == 0) {
-            left = plate.width;
-            y = pad;
-        }
-        Entry entry{left + pad, y, font.wrap(key[i].label, em, widest / columns - swatch - 3 * pad)};
+    int y = pad;
+    for (const KeyEntry& one : panel.display.key) {
+        Entry entry{y, font.wrap(one.label, em, widest - swatch - 3 * pad)};
         for (const std::string& line : entry.lines)
-            plate.width = std::max(plate.width, left + font.measure(line, em).width + swatch + 3 * pad);
+            plate.width = std::max(plate.width, font.measure(line, em).width + swatch + 3 * pad);
         y += static_cast<int>(entry.lines.size()) * lineHeight;
         plate.lines += static_cast<int>(entry.lines.size());
-        plate.height = std::max(plate.height, y + pad);
         entries.push_back(std::move(entry));
     }
+    plate.height = y + pad;
     plate.drawText = [=, &font, &panel](image::Image& figure, int plateX, int plateY) {
         for (std::size_t i = 0; i < entries.size(); ++i) {
-            const int x = plateX + entries[i].x, top = plateY + entries[i].y;
+            const int x = plateX + pad, top = plateY + entries[i].y;
             fillRect(figure, x, top + (lineHeight - swatch) / 2, swatch, swatch,
                      image::encoded(panel.display.key[i].colorLinear));
             for (std::size_t line = 0; line < entries[i].lines.size(); ++line)
@@ -101,6 +84,15 @@ Plate keyPlate(const Panel& panel, const image::Font& font, double em, int wides
 }
 
 } // namespace
+
+std::string shortNumber(double value) {
+    const bool whole = std::abs(value) >= 100 && std::abs(value) < 1e6; // 1234 and not 1.23e+03
+    std::array<char, 32> buffer{};
+    const auto [end, error] =
+        whole ? std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::llround(value))
+              : std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::general, 3);
+    return error == std::errc{} ? std::string(buffer.data(), end) : std::string();
+}
 
 Plate titlePlate(const std::string& title, const image::Font& font, double em, int widest) {
     if (title.empty()) return {};
@@ -116,9 +108,9 @@ Plate titlePlate(const std::string& title, const image::Font& font, double em, i
     return plate;
 }
 
-Plate legendPlate(const Panel& panel, const image::Font& font, double em, int widest, int columns) {
+Plate legendPlate(const Panel& panel, const image::Font& font, double em, int widest) {
     if (panel.kind == StageKind::scalar || panel.kind == StageKind::count) return barPlate(panel, font, em, widest);
-    return panel.display.key.empty() ? Plate{} : keyPlate(panel, font, em, widest, columns);
+    return panel.display.key.empty() ? Plate{} : keyPlate(panel, font, em, widest);
 }
 
 void drawPlate(image::Image& figure, const Plate& plate, int x, int y) {

@@ -10,6 +10,9 @@
 
 namespace shadowlab::picture {
 
+/// Three significant digits, more only before the point: legends are read from afar.
+std::string shortNumber(double value);
+
 /// A plate that is laid out but not yet drawn, so that one can first test whether there is room for it.
 struct Plate {
     int width = 0, height = 0;
@@ -21,8 +24,8 @@ struct Plate {
 // `em` is the type size in pixels. A text that is wider than `widest` is wrapped. What cannot be wrapped may come out
 // wider. The plates refer to the font and the panel.
 Plate titlePlate(const std::string& title, const image::Font& font, double em, int widest);
-/// A bar with its numbers and unit, or the key of the colours in that many columns; empty for a panel that needs neither.
-Plate legendPlate(const Panel& panel, const image::Font& font, double em, int widest, int columns = 1);
+/// A bar with its numbers and unit, or the key of the colours; empty for a panel that needs neither.
+Plate legendPlate(const Panel& panel, const image::Font& font, double em, int widest);
 
 /// Darkens what is below, so that text is legible on any picture, and writes on it.
 void drawPlate(image::Image& figure, const Plate& plate, int x, int y);

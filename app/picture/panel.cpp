@@ -53,6 +53,12 @@ RenderedPanel renderPanel(Session& session, Slot& slot, const PictureEncoder& en
     }
     if (stage.isPass) requirePassRan(rendered, stage.key, *slot.info);
     const float exposure = session.snapshot()->exposure;
+    if (request.range && stage.isStage())
+        for (Stage& published : rendered.result.stages)
+            if (published.key == stage.key) {
+                published.display.minimum = request.range->x;
+                published.display.maximum = request.range->y;
+            }
     StageLook look = lookOf(stage, *slot.info, rendered);
     Panel panel{{}, "", look.kind, std::move(look.display)};
     if (stage.isStage()) {

@@ -37,6 +37,7 @@ struct PanelRequest {
     std::optional<scene::Camera> outside{};   ///< of the stage `outside`; none: as the program chooses it
     const image::Font* font = nullptr;        ///< for the numbers of the stage `scanline`
     int markWidth = kOnePixel;                ///< of wrong pixels that stand alone, in the stage `error`
+    std::optional<dvec2> range{};             ///< least and greatest value of a stage's colours; none: as the technique chose them
     bool timePasses = false;
 };
 

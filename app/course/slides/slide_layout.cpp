@@ -3,79 +3,157 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace shadowlab::course {
 
 namespace {
 
-constexpr double kGap = 28;           ///< between parts
-constexpr double kWordsShare = 0.36;  ///< of the width, beside pictures
-constexpr double kLegendHeight = 180; ///< of a key of eight colours in two columns, some of two lines
-constexpr double kWidestPicture = 16.0 / 9, kNarrowestPicture = 4.0 / 3; ///< the shapes that scenes are framed for
+constexpr double kGap = 28;          ///< between parts
+constexpr double kWordsShare = 0.36; ///< of the width, beside pictures
+// The shapes that scenes are framed for: from two panes side by side to a whole screen.
+constexpr double kWidestPicture = 16.0 / 9, kNarrowestPicture = 1.2;
+constexpr double kNarrowestDrawing = 0.9; ///< what is narrower has no room for its labels
+constexpr double kLeastHeight = 40;       ///< of a picture; lower ones show nothing
+constexpr double kNearlyAsLarge = 0.98;   ///< fewer rows are chosen unless more give so much more room
 
-/// Rows and columns for so many pictures.
-int columnsFor(std::size_t pictures) {
-    if (pictures <= 3) return static_cast<int>(pictures);
-    if (pictures == 4) return 2;
-    return pictures <= 6 ? 3 : 4;
+/// Rows of pictures, all equally high, with their widths.
+struct Rows {
+    std::size_t columns = 1;
+    double height = 0; ///< of a picture
+    std::vector<double> widths;
+    std::vector<double> legends; ///< heights, the same within a row
+    [[nodiscard]] double shown() const {
+        double area = 0;
+        for (const double width : widths)
+            area += width * height;
+        return area;
+    }
+};
+
+double leastWidth(const PictureNeeds& picture, double height) {
+    return height * picture.aspect.value_or(picture.isDrawing ? kNarrowestDrawing : kNarrowestPicture);
+}
+double mostWidth(const PictureNeeds& picture, double height) {
+    if (picture.aspect) return height * *picture.aspect;
+    return picture.isDrawing ? std::numeric_limits<double>::infinity() : height * kWidestPicture;
 }
 
-/// Stages explain their colours.
-bool mayHaveLegend(const SlidePicture& picture) {
-    return std::ranges::any_of(picture.state.slots, [](const lab::PaneState& slot) { return !slot.stage.isPicture(); });
+/// Of a row's pictures the widths that are nearest to one another and fill the room, as far as their shapes allow. Empty: they do not fit.
+std::vector<double> widthsOf(std::span<const PictureNeeds> row, double height, double room) {
+    const auto widthsFor = [&](double common) {
+        std::vector<double> widths;
+        for (const PictureNeeds& picture : row)
+            widths.push_back(std::clamp(common, leastWidth(picture, height), mostWidth(picture, height)));
+        return widths;
+    };
+    const auto sum = [&](double common) {
+        double width = kGap * static_cast<double>(row.size() - 1);
+        for (const double one : widthsFor(common))
+            width += one;
+        return width;
+    };
+    if (sum(0) > room) return {};
+    double low = 0, high = room;
+    constexpr int kHalvings = 50; // to far below a pixel
+    for (int i = 0; i < kHalvings; ++i)
+        (sum(0.5 * (low + high)) <= room ? low : high) = 0.5 * (low + high);
+    return widthsFor(low);
 }
 
-/// The part of a cell that a picture takes: as large as its shape allows, at its top. Below it there is room for a legend, as
-/// far as that makes it no wider than scenes are framed for.
-Box pictureIn(const Box& cell, bool hasLegend) {
-    Box box = cell;
-    if (hasLegend)
-        box.size.y = std::min(cell.size.y, std::max(cell.size.y - kLegendHeight, cell.size.x / kWidestPicture));
-    const double aspect = box.size.x / box.size.y;
-    if (aspect > kWidestPicture) box.size.x = box.size.y * kWidestPicture;
-    if (aspect < kNarrowestPicture) box.size.y = box.size.x / kNarrowestPicture;
-    box.corner.x += (cell.size.x - box.size.x) / 2.0;
-    return box;
+/// All pictures in so many columns, each of that height; false where they do not fit.
+bool place(Rows& rows, std::span<const PictureNeeds> needs, double height, dvec2 room, double label) {
+    rows.height = height;
+    rows.widths.clear();
+    rows.legends.clear();
+    double total = 0;
+    for (std::size_t first = 0; first < needs.size(); first += rows.columns) {
+        const std::span<const PictureNeeds> row = needs.subspan(first, std::min(rows.columns, needs.size() - first));
+        std::vector<double> widths = widthsOf(row, height, room.x);
+        if (widths.empty()) return false;
+        // Below one another pictures that may be of any width are as wide as the narrowest of them.
+        if (first > 0)
+            for (std::size_t i = 0; i < row.size(); ++i)
+                widths[i] = std::clamp(rows.widths[i], leastWidth(row[i], height), std::min(mostWidth(row[i], height), widths[i]));
+        double legend = 0;
+        for (std::size_t i = 0; i < row.size(); ++i)
+            if (row[i].legendHeight) legend = std::max(legend, row[i].legendHeight(widths[i]));
+        rows.widths.insert(rows.widths.end(), widths.begin(), widths.end());
+        rows.legends.insert(rows.legends.end(), row.size(), legend);
+        total += (first > 0 ? kGap : 0) + label + height + legend;
+    }
+    return total <= room.y;
+}
+
+/// The highest pictures that fit in so many columns.
+Rows highest(std::span<const PictureNeeds> needs, std::size_t columns, dvec2 room, double label) {
+    Rows rows{columns, 0, {}, {}};
+    double low = kLeastHeight, high = room.y;
+    constexpr int kHalvings = 40;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (low + high);
+        (place(rows, needs, middle, room, label) ? low : high) = middle;
+    }
+    place(rows, needs, std::floor(low), room, label);
+    return rows;
+}
+
+Rows largest(std::span<const PictureNeeds> needs, dvec2 room, double label) {
+    Rows best;
+    for (std::size_t columns = needs.size(); columns >= 1; --columns) {
+        const Rows rows = highest(needs, columns, room, label);
+        const std::size_t lines = (needs.size() + columns - 1) / columns;
+        if ((lines - 1) * columns >= needs.size()) continue; // the last row is empty
+        if (best.widths.empty() || kNearlyAsLarge * rows.shown() > best.shown()) best = rows;
+    }
+    return best;
+}
+
+void placePictures(SlideLayout& layout, const Box& area, std::span<const PictureNeeds> needs) {
+    const bool isLabelled = std::ranges::any_of(needs, &PictureNeeds::isLabelled);
+    const double label = isLabelled ? kLineHeight * kLabelType : 0;
+    const Rows rows = largest(needs, area.size, label);
+    dvec2 at = area.corner;
+    double right = at.x, bottom = at.y;
+    for (std::size_t i = 0; i < needs.size(); ++i) {
+        if (i > 0 && i % rows.columns == 0) at = {area.corner.x, bottom + kGap};
+        const dvec2 size(rows.widths[i], rows.height);
+        if (isLabelled) layout.labels.push_back({at, {size.x, label}});
+        layout.cells.push_back({at + dvec2(0, label), size});
+        layout.legends.push_back({at + dvec2(0, label + size.y), {size.x, rows.legends[i]}});
+        right = std::max(right, at.x + size.x);
+        bottom = std::max(bottom, at.y + label + size.y + rows.legends[i]);
+        at.x += size.x + kGap;
+    }
+    layout.pictures = {area.corner, dvec2(right, bottom) - area.corner};
 }
 
 } // namespace
 
-SlideLayout layOut(const Slide& slide, double width, const Fonts& fonts) {
+SlideLayout layOut(const Slide& slide, double width, const Fonts& fonts, std::span<const PictureNeeds> needs) {
     SlideLayout layout;
     layout.width = width;
-    const int room = static_cast<int>(width - 2 * kMargin);
-    layout.title = fonts.bold.wrap(slide.title, kTitleType, room);
-    if (!slide.caption.empty()) layout.caption = fonts.upright.wrap(slide.caption, kCaptionType, room);
+    const double room = width - 2 * kMargin;
+    layout.title = drawing::wrapProse(slide.written.title, kTitleType, room, true, fonts.formula());
+    if (!slide.written.caption.empty())
+        layout.caption = drawing::wrapProse(slide.written.caption, kCaptionType, room, false, fonts.formula());
     const double top = kMargin / 2 + kLineHeight * kTitleType * static_cast<double>(layout.title.size()) + kGap / 2;
-    const double bottom = kSlideHeight - 2 * kLineHeight * kFootType -
-                          kLineHeight * kCaptionType * static_cast<double>(layout.caption.size());
-    Box area{{kMargin, top}, {width - 2 * kMargin, bottom - top}};
-    layout.content = area;
+    const double captionHeight = kLineHeight * kCaptionType * static_cast<double>(layout.caption.size());
+    const double bottom = kSlideHeight - 2 * kLineHeight * kFootType - captionHeight;
+    layout.content = {{kMargin, top}, {room, bottom - top}};
+    layout.captionTop = bottom + 0.1 * kCaptionType;
     const bool hasWords = !slide.text.empty() || !slide.formulas.empty() || !slide.pseudocode.empty();
-    if (slide.pictures.empty()) {
-        layout.words = area;
-        return layout;
-    }
-    if (hasWords) {
-        layout.words = area;
-        layout.words.size.x = kWordsShare * area.size.x;
-        layout.words.corner.x = area.corner.x + area.size.x - layout.words.size.x;
-        area.size.x -= layout.words.size.x + kGap;
-    }
-    const bool isDrawing = slide.pictures.size() == 1 && !slide.pictures[0].figure.empty();
-    if (isDrawing && !hasWords) area = {{0, top}, {width, bottom - top}}; // it has a border of its own
-    layout.pictures = area;
-    const int columns = columnsFor(slide.pictures.size());
-    const int rows = (static_cast<int>(slide.pictures.size()) + columns - 1) / columns;
-    const bool labelled = std::ranges::any_of(slide.pictures, [](const auto& p) { return !p.label.empty(); });
-    const double label = labelled ? kLineHeight * kLabelType : 0;
-    const bool hasLegends = std::ranges::any_of(slide.pictures, mayHaveLegend);
-    const dvec2 cell((area.size.x - kGap * (columns - 1)) / columns, (area.size.y - kGap * (rows - 1)) / rows);
-    for (std::size_t i = 0; i < slide.pictures.size(); ++i) {
-        const dvec2 place(static_cast<int>(i) % columns, static_cast<int>(i) / columns);
-        const Box whole{area.corner + place * (cell + kGap) + dvec2(0, label), cell - dvec2(0, label)};
-        layout.cells.push_back(slide.pictures[i].figure.empty() ? pictureIn(whole, hasLegends) : whole);
-        layout.roomBelow.push_back(whole.size.y - layout.cells.back().size.y);
+    if (hasWords) layout.words = layout.content;
+    if (needs.empty()) return layout;
+    Box area = layout.content;
+    if (hasWords) area.size.x -= kWordsShare * area.size.x + kGap;
+    placePictures(layout, area, needs);
+    if (hasWords) { // all that pictures of their own shape leave free
+        layout.words.corner.x = layout.pictures.corner.x + layout.pictures.size.x + kGap;
+        layout.words.size.x = kMargin + room - layout.words.corner.x;
+    } else { // a caption belongs to what it is about
+        layout.content.size.y = layout.pictures.size.y;
+        layout.captionTop += layout.content.corner.y + layout.content.size.y - bottom;
     }
     return layout;
 }

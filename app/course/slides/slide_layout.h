@@ -1,12 +1,18 @@
 // Where a slide has its parts. Lengths are in units of which a slide is 1080 high, so that all sizes look alike.
+//
+// Title, first picture, caption and, where there is no picture, the words begin at one left edge. Pictures of a row are equally high; what
+// stands above one (its label) and below it (its legend) covers nothing of it.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/course/deck.h"
-#include "app/drawing/formula.h"
 #include "app/drawing/labels.h"
+#include "app/drawing/prose.h"
 
 namespace shadowlab::course {
 
@@ -21,19 +27,30 @@ struct Fonts {
     [[nodiscard]] drawing::FormulaFonts formula() const { return {upright, bold}; }
 };
 
-struct SlideLayout {
-    double width = 1920;
-    Box pictures;                   ///< all of them together; empty: none
-    std::vector<Box> cells;         ///< of each picture, its label above it left out
-    std::vector<double> roomBelow;  ///< of each: how much higher it may become for its legend
-    Box content;                    ///< all between title and caption
-    Box words;                      ///< text, formulas, pseudocode; empty: none
-    std::vector<std::string> title; ///< lines
-    std::vector<std::string> caption;
+/// What a picture asks of the layout.
+struct PictureNeeds {
+    bool isLabelled = false;
+    bool isDrawing = false;                           ///< of any shape; others are seen in the shapes that scenes are framed for
+    std::optional<double> aspect{};                   ///< width / height that it has of its own, as a light's square view; none: any
+    std::function<double(double width)> legendHeight{}; ///< of its legend in that width; empty: it has none
 };
 
-/// The layout of a slide of that width.
-SlideLayout layOut(const Slide& slide, double width, const Fonts& fonts);
+struct SlideLayout {
+    double width = 1920;
+    Box pictures;                          ///< all of them together, with labels and legends; empty: none
+    std::vector<Box> labels;               ///< of each picture: the line above it; empty where no picture has a label
+    std::vector<Box> cells;                ///< of each picture, label and legend left out
+    std::vector<Box> legends;              ///< of each picture: the room below it, as wide as it is
+    Box content;                           ///< all between title and caption
+    Box words;                             ///< text, formulas, pseudocode; empty: none
+    double captionTop = 0;                 ///< of the first line of the caption
+    std::vector<drawing::ProseLine> title; ///< lines
+    std::vector<drawing::ProseLine> caption;
+};
+
+/// The layout of a slide of that width; `needs` of its pictures, in order. As large pictures as fit: of all numbers of columns the one
+/// that gives them most room.
+SlideLayout layOut(const Slide& slide, double width, const Fonts& fonts, std::span<const PictureNeeds> needs);
 
 constexpr double kMargin = 56, kTitleType = 48, kCaptionType = 28, kFootType = kLeastType, kLabelType = 26;
 /// From foot to foot of lines, in em.

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/course/slides/slide_legend.h"
 #include "app/course/slides/slide_words.h"
-#include "app/course/state_picture.h"
-#include "app/figures/figures.h"
 #include "techniques/foundation/base/error.h"
 
 namespace shadowlab::course {
@@ -19,32 +18,38 @@ constexpr image::Color8 kPaper{255, 255, 255, 255};
 constexpr const char *kInk = "#1a1a1a", *kQuiet = "#5a5a5a", *kRule = "#bfbfbf";
 constexpr const char *kCallout = "#e69f00", *kCalloutEdge = "#101012"; ///< seen on light and dark pictures
 
-// The drawing of a pixel is about a picture of that size; a share of it is the same place in a picture of any other.
-constexpr ivec2 kProbedSize{1280, 720};
-// Its type is as large as the least that is read from the last row. Drawings that are higher than a slide has room for are made
-// smaller, but not below this share.
+// The type of a drawing is as large as the least that is read from the last row. Drawings that are higher than a slide has room for
+// are made smaller, but not below this share.
 constexpr double kLeastDrawingScale = 0.8;
 
-/// The drawing that the picture's technique makes of its pixel.
-figures::Diagram drawingOf(const SlidePicture& picture, const image::Font& font, dvec2 size) {
-    std::vector<picture::Slot> slots = slotsOf(picture.state.slots);
-    View view;
-    view.camera = picture.state.camera;
-    view.size = kProbedSize;
-    const ivec2 pixel = lab::pixelAt(*picture.pixel, kProbedSize);
-    view.picked = pixel;
-    if (picture.partner) view.partner = lab::pixelAt(*picture.partner, kProbedSize);
-    const int light = picture.state.scene->lights.empty() ? kNoLight : picture.state.light;
-    const Probe probe = slots[0].technique->probe(picture.state.scene, view, pixel, light);
-    return figures::findFigure(picture.figure)
-        .draw({probe, picture.state.slots[0].technique, *picture.state.scene, view, light, font, size});
+void writeLines(Drawing& drawing, const std::vector<drawing::ProseLine>& lines, dvec2 place, const drawing::TextStyle& style,
+                const Fonts& fonts) {
+    for (const drawing::ProseLine& line : lines) {
+        place.y += kLineHeight * style.size;
+        drawing::drawProse(drawing, place, line, style, fonts.formula());
+    }
 }
 
-void writeLines(Drawing& drawing, const std::vector<std::string>& lines, dvec2 place, const drawing::TextStyle& style) {
-    for (const std::string& line : lines) {
-        place.y += kLineHeight * style.size;
-        drawing.text(place, line, style);
-    }
+/// The line above a picture: one text, as far as it fits.
+void writeLabel(Drawing& drawing, const std::string& label, const Box& box, const Fonts& fonts) {
+    if (label.empty()) return;
+    double type = kLabelType;
+    std::vector<drawing::ProseLine> lines = drawing::wrapProse(label, type, box.size.x, true, fonts.formula());
+    if (lines.size() > 1) lines = drawing::wrapProse(label, type = kLeastType, box.size.x, true, fonts.formula());
+    if (lines.size() > 1)
+        throw Error(ExitStatus::badInput, "the label '" + drawing::plainProse(label) + "' is wider than its picture; make it shorter");
+    drawing::drawProse(drawing, box.corner + dvec2(0, 0.75 * box.size.y), lines[0],
+                       {.size = type, .isBold = true, .color = kInk, .hasRim = false}, fonts.formula());
+}
+
+/// In exactly that size: a stage of its own size may miss it by a pixel, or have fewer texels than that. Each stays one colour.
+image::Image resized(const image::Image& picture, ivec2 size) {
+    if (picture.width == size.x && picture.height == size.y) return picture;
+    image::Image result(size.x, size.y);
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            result.set(x, y, picture.at(x * picture.width / size.x, y * picture.height / size.y));
+    return result;
 }
 
 /// Frames and arrows over a picture that fills the cell, each with its words where there is room.
@@ -89,73 +94,47 @@ image::Image SlidePainter::cut(const image::Image& slide, const Box& box) const 
     return part;
 }
 
-image::Image SlidePainter::drawFigure(const SlidePicture& picture, dvec2 cell) const {
-    const figures::Diagram drawn = drawingOf(picture, upright_, cell);
-    const dvec2 sheet = drawn.drawing.size();
-    const double scale = std::min(cell.x / sheet.x, cell.y / sheet.y);
-    if (scale < kLeastDrawingScale)
-        throw Error(ExitStatus::badInput, "a drawing needs the whole slide to be read; leave out the words and "
-                                          "pictures beside it");
-    const ivec2 size = pixels(cell);
-    image::Image image(size.x, size.y, kPaper);
-    painter_.paint(drawn.drawing, image, pixels((cell - sheet * scale) / 2.0), scale * scale_);
-    return image;
-}
-
-std::vector<SlidePainter::Placed> SlidePainter::drawPictures(const Slide& slide,
-                                                             const SlideLayout& layout) const {
-    std::vector<Placed> placed;
-    for (std::size_t i = 0; i < slide.pictures.size(); ++i) {
-        const SlidePicture& picture = slide.pictures[i];
-        const Box& cell = layout.cells[i];
-        const ivec2 size = pixels(cell.corner + cell.size) - pixels(cell.corner);
-        const StateRequest request{.size = size,
-                                            .supersample = slide.supersample.value_or(look_.supersample),
-                                            .typeHeight = look_.size.y,
-                                            .roomBelow = static_cast<int>(layout.roomBelow[i] * scale_),
-                                            .picked = picture.pixel,
-                                            .partner = picture.partner,
-                                            .outside = picture.outside};
-        placed.push_back({picture.figure.empty() ? drawState(picture.state, request, upright_)
-                                                 : drawFigure(picture, cell.size),
-                          cell});
+void SlidePainter::drawPart(image::Image& slide, const DrawnPictures& pictures, std::size_t i) const {
+    const Fonts fonts{upright_, bold_};
+    const SlideLayout& layout = pictures.layout;
+    const DrawnPart& drawn = pictures.drawn[i];
+    const SlidePart& part = pictures.parts[i];
+    const Box& cell = layout.cells[i];
+    Drawing over({layout.width, kSlideHeight});
+    if (drawn.diagram) {
+        const Drawing& sheet = drawn.diagram->drawing;
+        const dvec2 room = cell.size + 2 * drawn.diagramBorder;
+        const double scale = std::min(room.x / sheet.size().x, room.y / sheet.size().y);
+        if (scale < kLeastDrawingScale)
+            throw Error(ExitStatus::badInput, "a drawing needs the whole slide to be read; leave out the words and pictures beside it");
+        painter_.paint(sheet, slide, pixels(cell.corner - scale * drawn.diagramBorder), scale * scale_);
+        if (!layout.labels.empty()) writeLabel(over, part.label, layout.labels[i], fonts);
+    } else {
+        const ivec2 corner = pixels(cell.corner), size = ivec2(glm::round(cell.size * scale_));
+        const StatePicture::Parts& parts = drawn.parts;
+        const bool isAlone = parts.panels.size() == 1 && parts.cells[0].width == size.x;
+        blit(slide, corner.x, corner.y,
+             isAlone ? resized(parts.panels[0].picture, size) : picture::composeFigure(parts.cells, parts.panels, size, nullptr).picture);
+        for (std::size_t band = 0; band < parts.panels.size(); ++band) {
+            const double left = cell.corner.x + parts.cells[band].x / scale_, width = parts.cells[band].width / scale_;
+            if (!layout.labels.empty())
+                writeLabel(over, hasBands(part) ? parts.panels[band].title : part.label,
+                           {{left, layout.labels[i].corner.y}, {width, layout.labels[i].size.y}}, fonts);
+            drawLegendBelow(over, parts.panels[band], {left, layout.legends[i].corner.y}, width, fonts);
+        }
     }
-    // What a row leaves free is above it and below it.
-    std::vector<double> shifts;
-    for (const Placed& of : placed) {
-        double least = kSlideHeight;
-        for (std::size_t i = 0; i < placed.size(); ++i)
-            if (placed[i].cell.corner.y == of.cell.corner.y)
-                least =
-                    std::min(least, layout.roomBelow[i] + placed[i].cell.size.y - placed[i].picture.height / scale_);
-        shifts.push_back(std::max(0.0, least / 2));
-    }
-    for (std::size_t i = 0; i < placed.size(); ++i)
-        placed[i].cell.corner.y += shifts[i];
-    return placed;
+    drawCallouts(over, part.picture, cell, bold_);
+    painter_.paint(over, slide, {0, 0}, scale_);
 }
 
 DrawnSlide SlidePainter::draw(const Slide& slide, const SlideFoot& foot) const {
     const Fonts fonts{upright_, bold_};
     const double width = look_.size.x / scale_;
-    const SlideLayout layout = layOut(slide, width, fonts);
+    const DrawnPictures pictures = drawPictures(slide, fonts, {width, scale_, look_.supersample});
+    const SlideLayout& layout = pictures.layout;
     DrawnSlide drawn{image::Image(look_.size.x, look_.size.y, kPaper), {}, {}};
-    Drawing drawing({width, kSlideHeight});
-    const std::vector<Placed> placed = drawPictures(slide, layout);
-    for (std::size_t i = 0; i < placed.size(); ++i) {
-        const Box& cell = placed[i].cell;
-        const ivec2 corner = pixels(cell.corner);
-        blit(drawn.slide, corner.x, corner.y, placed[i].picture);
-        drawCallouts(drawing, slide.pictures[i], cell, bold_);
-        if (!slide.pictures[i].label.empty())
-            drawing.text(cell.corner + dvec2(cell.size.x / 2, -0.35 * kLabelType), slide.pictures[i].label,
-                         {.size = kLabelType,
-                          .anchor = drawing::Anchor::middle,
-                          .isBold = true,
-                          .color = kInk,
-                          .hasRim = false});
-    }
-    painter_.paint(drawing, drawn.slide, {0, 0}, scale_);
+    for (std::size_t i = 0; i < pictures.parts.size(); ++i)
+        drawPart(drawn.slide, pictures, i);
     if (!slide.pictures.empty()) drawn.pictures = cut(drawn.slide, layout.pictures);
 
     Drawing words({width, kSlideHeight});
@@ -165,12 +144,9 @@ DrawnSlide SlidePainter::draw(const Slide& slide, const SlideFoot& foot) const {
 
     Drawing rim({width, kSlideHeight});
     writeLines(rim, layout.title, {kMargin, kMargin / 4},
-               {.size = kTitleType, .isBold = true, .color = kInk, .hasRim = false});
+               {.size = kTitleType, .isBold = true, .color = kInk, .hasRim = false}, fonts);
+    writeLines(rim, layout.caption, {kMargin, layout.captionTop}, {.size = kCaptionType, .color = kInk, .hasRim = false}, fonts);
     const double footLine = kSlideHeight - 0.75 * kFootType;
-    writeLines(rim, layout.caption,
-               {kMargin, footLine - 1.2 * kLineHeight * kFootType -
-                             kLineHeight * kCaptionType * static_cast<double>(layout.caption.size())},
-               {.size = kCaptionType, .color = kInk, .hasRim = false});
     rim.line({kMargin, footLine - 1.1 * kFootType}, {width - kMargin, footLine - 1.1 * kFootType}, {kRule, 2, false});
     rim.text({kMargin, footLine}, foot.deck, {.size = kFootType, .color = kQuiet, .hasRim = false});
     rim.text({width - kMargin, footLine}, std::to_string(foot.number) + " / " + std::to_string(foot.of),

@@ -1,7 +1,7 @@
 // Draws a slide: its pictures with their techniques, and everything around them.
 // SPDX-License-Identifier: MIT
 #pragma once
-#include "app/course/slides/slide_layout.h"
+#include "app/course/slides/slide_pictures.h"
 #include "app/drawing/paint.h"
 #include "techniques/foundation/image/image.h"
 
@@ -33,13 +33,7 @@ public:
     [[nodiscard]] DrawnSlide draw(const Slide& slide, const SlideFoot& foot) const;
 
 private:
-    /// A picture, and where it stands; below that, its legend.
-    struct Placed {
-        image::Image picture;
-        Box cell;
-    };
-    [[nodiscard]] std::vector<Placed> drawPictures(const Slide& slide, const SlideLayout& layout) const;
-    [[nodiscard]] image::Image drawFigure(const SlidePicture& picture, dvec2 cell) const;
+    void drawPart(image::Image& slide, const DrawnPictures& pictures, std::size_t part) const;
     [[nodiscard]] ivec2 pixels(dvec2 place) const;
     [[nodiscard]] image::Image cut(const image::Image& slide, const Box& box) const;
 

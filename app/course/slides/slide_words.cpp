@@ -16,6 +16,7 @@ using drawing::TextStyle;
 constexpr const char *kTextInk = "#1a1a1a", *kMarkedGround = "#ffe9b8";
 constexpr double kFormulaSize = 1.25; ///< times the type beside it
 constexpr double kBetween = 0.6;      ///< em between paragraphs
+constexpr double kFootAbove = 0.3;    ///< em from the foot of the letters to the end of the line
 
 /// Writes from the top down; with a null sheet it only measures.
 class Column {
@@ -24,8 +25,12 @@ public:
         : svg_(drawing), box_(box), type_(type), fonts_(fonts) {}
 
     void paragraph(const std::string& text) {
-        for (const std::string& line : fonts_.upright.wrap(text, type_, static_cast<int>(box_.size.x)))
-            put(line, 0, false);
+        for (const drawing::ProseLine& line : drawing::wrapProse(text, type_, box_.size.x, false, fonts_.formula())) {
+            y_ += kLineHeight * type_;
+            if (svg_)
+                drawing::drawProse(*svg_, box_.corner + dvec2(0, y_ - kFootAbove * type_), line,
+                                   {.size = type_, .color = kTextInk, .hasRim = false}, fonts_.formula());
+        }
         y_ += kBetween * type_;
     }
     /// Lines keep their indentation, also where they go on.
@@ -57,11 +62,11 @@ private:
     void put(const std::string& line, double indent, bool isMarked) {
         const double height = kLineHeight * type_;
         if (svg_ && isMarked)
-            svg_->rectangle(box_.corner + dvec2(-8, y_ + 0.12 * type_), {box_.size.x + 16, height}, kMarkedGround,
+            svg_->rectangle(box_.corner + dvec2(-8, y_ - 0.06 * type_), {box_.size.x + 16, height}, kMarkedGround,
                             {kMarkedGround, 0, false});
         y_ += height;
         if (svg_)
-            svg_->text(box_.corner + dvec2(indent, y_ - 0.12 * type_), line,
+            svg_->text(box_.corner + dvec2(indent, y_ - kFootAbove * type_), line,
                        {.size = type_, .isBold = isMarked, .color = kTextInk, .hasRim = false});
     }
 
@@ -76,7 +81,7 @@ private:
 /// Text first, then formulas, then the pseudocode. Does it fit?
 bool write(Drawing* drawing, const Slide& slide, const Box& box, double type, const Fonts& fonts) {
     Column column(drawing, box, type, fonts);
-    for (const std::string& text : slide.text)
+    for (const std::string& text : slide.written.text)
         column.paragraph(text);
     for (const std::string& tex : slide.formulas)
         column.formula(tex);

@@ -81,7 +81,7 @@ Diagram drawCountFigure(const FigureSource& source) {
     const dvec2 eye = probe.section->of(probe.geometry[0].fromWorld);
     for (const Crossing& crossing : volume.crossings)
         if (std::isfinite(crossing.distance)) places.push_back(eye - crossing.distance * glm::normalize(eye));
-    const SectionSheet sheet(probe, source.scene, field, places);
+    const SectionSheet sheet(probe, source.scene, field, places, source.mostPixelsPerMetre);
     drawing::Labels labels(source.font, field);
     drawCountedAreas(drawing, sheet, volume);
     sheet.drawScene(drawing, labels);
@@ -122,7 +122,8 @@ Diagram drawCountFigure(const FigureSource& source) {
     drawLegend(drawing, {area.corner + dvec2(0, area.size.y - 42), {area.size.x, 42}}, legend, source.font);
     return {std::move(drawing), std::string(counts.isPass ? "Z-pass: the segment from the point to the view point"
                                                           : "Z-fail: the ray from the point away from the view point") +
-                                    ", and the faces of shadow volumes that it crosses"};
+                                    ", and the faces of shadow volumes that it crosses",
+            sheet.scale()};
 }
 
 } // namespace shadowlab::figures

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+#include "app/course/slides/slide_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "app/course/slides/slide_legend.h"
+#include "app/figures/figures.h"
+
+namespace shadowlab::course {
+
+namespace {
+
+// The drawing of a pixel is about a picture of that size; a share of it is the same place in a picture of any other.
+constexpr ivec2 kProbedSize{1280, 720};
+constexpr dvec2 kTrialSize{320, 180}; ///< units: enough for a legend to have its entries
+constexpr int kMostTries = 3;         ///< a legend whose numbers grow with the picture may need a line more
+
+/// A drawing, in a box of that size without the sheet's border.
+figures::Diagram drawingOf(const SlidePicture& picture, const image::Font& font, dvec2 size, double mostPixelsPerMetre) {
+    std::vector<picture::Slot> slots = slotsOf(picture.state.slots);
+    View view;
+    view.camera = picture.state.camera;
+    view.size = kProbedSize;
+    const ivec2 pixel = lab::pixelAt(*picture.pixel, kProbedSize);
+    view.picked = pixel;
+    if (picture.partner) view.partner = lab::pixelAt(*picture.partner, kProbedSize);
+    const int light = picture.state.scene->lights.empty() ? kNoLight : picture.state.light;
+    const Probe probe = slots[0].technique->probe(picture.state.scene, view, pixel, light);
+    const figures::Figure& figure = figures::findFigure(picture.figure);
+    return figure.draw({probe, picture.state.slots[0].technique, *picture.state.scene, view, light, font, size + 2 * figure.border,
+                        mostPixelsPerMetre});
+}
+
+class Pictures {
+public:
+    Pictures(const Slide& slide, const Fonts& fonts, const PicturesRequest& request)
+        : slide_(slide), fonts_(fonts), request_(request), parts_(partsOf(slide)) {
+        for (const SlidePart& part : parts_)
+            states_.push_back(part.picture.figure.empty() ? std::make_unique<StatePicture>(part.picture.state, fonts.upright) : nullptr);
+        drawn_.resize(parts_.size());
+    }
+
+    DrawnPictures draw() {
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+            if (mayHaveLegend(parts_[i])) drawState(i, kTrialSize, 1);
+        findNeeds();
+        shareRanges();
+        SlideLayout layout = layOut(slide_, request_.slideWidth, fonts_, needs_);
+        for (int i = 0; i < kMostTries; ++i) {
+            for (std::size_t part = 0; part < parts_.size(); ++part)
+                if (states_[part])
+                    drawState(part, layout.cells[part].size, slide_.supersample.value_or(request_.supersample));
+            if (legendsFit(layout)) break;
+            layout = layOut(slide_, request_.slideWidth, fonts_, needs_);
+        }
+        drawDiagrams(layout);
+        return {std::move(layout), std::move(parts_), std::move(drawn_)};
+    }
+
+private:
+    void drawState(std::size_t i, dvec2 size, int supersample) {
+        const SlidePicture& picture = parts_[i].picture;
+        StateRequest request{.size = ivec2(glm::round(size * request_.scale)),
+                             .wholeHeight = static_cast<int>(kSlideHeight * request_.scale),
+                             .supersample = supersample,
+                             .picked = picture.pixel,
+                             .partner = picture.partner,
+                             .outside = picture.outside};
+        if (i < ranges_.size()) request.range = ranges_[i];
+        drawn_[i].parts = states_[i]->draw(request);
+    }
+
+    void findNeeds() {
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            PictureNeeds needs;
+            needs.isLabelled = !parts_[i].label.empty() || hasBands(parts_[i]);
+            needs.isDrawing = !parts_[i].picture.figure.empty();
+            const StatePicture::Parts& trial = drawn_[i].parts;
+            if (trial.panels.size() == 1) {
+                const image::Image& picture = trial.panels[0].picture;
+                // A stage of a size of its own is smaller than the room that it was given.
+                const ivec2 room(trial.cells[0].width, trial.cells[0].height);
+                if (picture.width < room.x || picture.height < room.y) needs.aspect = double(picture.width) / picture.height;
+            }
+            if (std::ranges::any_of(trial.panels, picture::hasLegend))
+                needs.legendHeight = [this, i](double width) { return heightOfLegend(i, width); };
+            needs_.push_back(std::move(needs));
+        }
+    }
+
+    [[nodiscard]] double heightOfLegend(std::size_t i, double width) const {
+        double height = 0;
+        const StatePicture::Parts& parts = drawn_[i].parts;
+        double all = 0;
+        for (const picture::Cell& cell : parts.cells)
+            all += cell.width;
+        for (std::size_t band = 0; band < parts.panels.size(); ++band)
+            height = std::max(height, legendHeight(parts.panels[band], width * parts.cells[band].width / all, fonts_));
+        return height;
+    }
+
+    [[nodiscard]] bool legendsFit(const SlideLayout& layout) const {
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+            if (needs_[i].legendHeight && heightOfLegend(i, layout.cells[i].size.x) > layout.legends[i].size.y) return false;
+        return true;
+    }
+
+    /// Colours that stand for the same unit get one range in all pictures: a colour means one value on the slide.
+    void shareRanges() {
+        const auto isOneOf = [](const picture::Panel& a, const picture::Panel& b) {
+            return a.kind == b.kind && (a.kind == StageKind::scalar || a.kind == StageKind::count) && a.display.unit == b.display.unit;
+        };
+        ranges_.resize(parts_.size());
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            if (drawn_[i].parts.panels.size() != 1) continue;
+            const picture::Panel& own = drawn_[i].parts.panels[0];
+            dvec2 range(own.display.minimum, own.display.maximum);
+            bool isShared = false;
+            for (std::size_t j = 0; j < parts_.size(); ++j) {
+                if (i == j || drawn_[j].parts.panels.size() != 1) continue;
+                const picture::Panel& other = drawn_[j].parts.panels[0];
+                if (!isOneOf(own, other)) continue;
+                isShared = true;
+                range = {std::min(range.x, other.display.minimum), std::max(range.y, other.display.maximum)};
+            }
+            if (isShared) ranges_[i] = range;
+        }
+    }
+
+    /// Twice where sections stand side by side: the least of their scales is that of all.
+    void drawDiagrams(const SlideLayout& layout) {
+        double least = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < 2; ++i) {
+            bool isOneScale = true;
+            for (std::size_t part = 0; part < parts_.size(); ++part) {
+                const SlidePicture& picture = parts_[part].picture;
+                if (picture.figure.empty()) continue;
+                DrawnPart& drawn = drawn_[part];
+                drawn.diagram = drawingOf(picture, fonts_.upright, layout.cells[part].size, i == 0 ? std::numeric_limits<double>::infinity() : least);
+                drawn.diagramBorder = figures::findFigure(picture.figure).border;
+                if (const double scale = drawn.diagram->pixelsPerMetre; scale > 0) {
+                    isOneScale = isOneScale && (std::isinf(least) || scale == least);
+                    least = std::min(least, scale);
+                }
+            }
+            if (isOneScale) break;
+        }
+    }
+
+    const Slide& slide_;
+    const Fonts& fonts_;
+    PicturesRequest request_;
+    std::vector<SlidePart> parts_;
+    std::vector<std::unique_ptr<StatePicture>> states_; ///< of each part; null: it is a drawing
+    std::vector<PictureNeeds> needs_;
+    std::vector<std::optional<dvec2>> ranges_;
+    std::vector<DrawnPart> drawn_;
+};
+
+} // namespace
+
+DrawnPictures drawPictures(const Slide& slide, const Fonts& fonts, const PicturesRequest& request) {
+    return Pictures(slide, fonts, request).draw();
+}
+
+} // namespace shadowlab::course
