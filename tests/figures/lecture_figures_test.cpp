@@ -98,7 +98,7 @@ TEST(LectureFiguresTest, CanBeReadAtEverySizeWhateverTheSceneIs) {
     std::map<std::string, int> drawn;
     int compared = 0, refused = 0;
     for (const Named& named : scenes())
-        for (const char* technique : {"shadow-map", "shadow-volume-zpass", "shadow-volume-zfail"})
+        for (const char* technique : {"planar", "shadow-map", "shadow-volume-zpass", "shadow-volume-zfail"})
             for (const ivec2 pixel : {ivec2(160, 70), ivec2(150, 130), ivec2(210, 110), ivec2(120, 90)}) {
                 const Asked asked = ask(named.scene, technique, pixel);
                 for (const Figure& figure : figures()) {
@@ -138,7 +138,8 @@ TEST(LectureFiguresTest, CanBeReadAtEverySizeWhateverTheSceneIs) {
         std::cout << ", " << name << " " << times;
     std::cout << '\n';
     EXPECT_GT(compared, 10'000);
-    for (const char* name : {"cameras", "passes", "count", "polygon", "edge", "extrusion", "volume"})
+    for (const char* name :
+         {"shadow-ray", "projection", "cameras", "passes", "count", "polygon", "edge", "extrusion", "volume"})
         EXPECT_GT(drawn[name], 20) << name;
 }
 
@@ -350,7 +351,7 @@ TEST(LectureFiguresTest, SayWhatIsMissingInOneLine) {
         }
         return "";
     };
-    for (const char* figure : {"polygon", "edge", "extrusion", "volume", "count", "cameras", "passes"})
+    for (const char* figure : {"shadow-ray", "projection", "polygon", "edge", "extrusion", "volume", "count", "cameras", "passes"})
         EXPECT_EQ(said(background, figure), "the pixel shows the background; choose another") << figure;
     for (const char* figure : {"polygon", "edge", "extrusion", "volume"}) {
         EXPECT_NE(said(map, figure).find("shadow-map makes no shadow volumes"), std::string::npos) << figure;

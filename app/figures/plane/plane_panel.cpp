@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/figures/figure_drawers.h"
 #include "app/figures/panels.h"
 #include "app/figures/section_sheet.h"
+#include "techniques/foundation/base/error.h"
 #include "techniques/foundation/base/look.h"
 #include "techniques/probed/plane_probe.h"
 
@@ -168,12 +170,12 @@ void drawCovers(drawing::Drawing& drawing, drawing::Labels& labels, const Sectio
     }
 }
 
-void drawNormal(drawing::Drawing& drawing, drawing::Labels& labels, const SectionSheet& sheet, const PlaneCut& plane) {
+void drawNormal(drawing::Drawing& drawing, drawing::Labels& labels, const PlaneCut& plane, dvec2 from) {
     if (glm::length(plane.gradient) < 0.05) return; // it points out of the paper
-    const dvec2 from = sheet(dvec2(0.0)), tip = from + 90.0 * dvec2(plane.gradient.x, -plane.gradient.y);
+    const dvec2 tip = from + 90.0 * dvec2(plane.gradient.x, -plane.gradient.y);
     drawing.arrow(from, tip, {"#0072b2", 3.5, false});
     labels.avoid(from, tip);
-    labels.place(drawing, tip, "N", {.size = kText, .isBold = true, .color = "#0072b2"}, 8);
+    labels.place(drawing, tip, "N", {.size = drawing::kLetter, .isBold = true, .color = "#0072b2"}, 8);
 }
 
 void writePlaneNumbers(drawing::Drawing& drawing, const drawing::Box& area, const Probe& probe, const image::Font& font) {
@@ -244,7 +246,7 @@ void drawPlane(drawing::Drawing& drawing, const drawing::Box& area, const Probe&
     drawing.line(eyeEnd, point, {"#1a1a1a", 3, false});
     labels.avoid(eyeEnd, point);
     drawLightLine(drawing, labels, sheet, probe);
-    drawNormal(drawing, labels, sheet, plane);
+    drawNormal(drawing, labels, plane, sheet(dvec2(0.0)));
     sheet.drawPoint(drawing, labels, "P'");
     sheet.drawEye(drawing, labels);
     sheet.drawLight(drawing, labels);
@@ -260,6 +262,65 @@ void drawPlane(drawing::Drawing& drawing, const drawing::Box& area, const Probe&
                                   {line, "#4d4d4d", "caster"},
                                   {line, "#a6a6a6", "casts no shadow; the plane"}};
     drawLegend(drawing, {area.corner + dvec2(0, area.size.y - kLegend), {area.size.x, kLegend}}, legend, font);
+}
+
+Diagram drawProjection(const FigureSource& source) {
+    const Probe& probe = source.probe;
+    if (probe.geometry.empty()) throw Error(ExitStatus::badInput, "the pixel shows the background; choose another");
+    if (!hasSection(probe) || !probe.find<PlaneProbe>() || !planeOf(probe).receives)
+        throw Error(ExitStatus::badInput, std::string(source.technique) +
+                                              " projects nothing onto that place; ask planar, about a pixel of a plane that "
+                                              "receives shadows");
+    drawing::Drawing drawing(source.size);
+    const drawing::Box field{dvec2(kSectionBorder), source.size - 2 * kSectionBorder};
+    std::vector<dvec2> places;
+    for (const Cover& cover : planeOf(probe).covers)
+        places.push_back(probe.section->of(cover.placeWorld));
+    const SectionSheet sheet(probe, source.scene, field, places, source.mostPixelsPerMetre, false);
+    const PlaneCut plane = cutOf(probe);
+    const std::vector<Interval> shadows = shadowsOn(plane, sheet, probe, source.scene);
+    drawing::Labels labels(source.font, field);
+    sheet.drawScene(drawing, labels);
+    drawShadows(drawing, labels, sheet, plane, shadows, surfacesOn(plane, sheet, probe, source.scene));
+    drawLightLine(drawing, labels, sheet, probe);
+    // N and the plane's formula stand where the plane is bare: toward the border that is farther away.
+    const dvec2 borders[] = {sheet.border(dvec2(0.0), plane.along), sheet.border(dvec2(0.0), -plane.along)};
+    const dvec2 here = sheet(dvec2(0.0));
+    const bool isFirst = glm::length(borders[0] - here) > glm::length(borders[1] - here);
+    const dvec2 bare = glm::mix(here, borders[isFirst ? 0 : 1], 0.75);
+    drawNormal(drawing, labels, plane, bare);
+
+    const drawing::TextStyle letter{.size = drawing::kLetter, .isBold = true}, name{.size = kHeading};
+    const dvec2 point = sheet(dvec2(0.0));
+    const auto mark = [&](dvec2 at, double radius, const std::string& fill, const char* what) {
+        drawing.circle(at, radius, fill, {"#1a1a1a", 3, false}, what);
+        labels.avoid({at - radius - 2.0, dvec2(2 * radius + 4)});
+    };
+    mark(point, 9, "#1a1a1a", "point");
+    const bool lightIsSeen = !sheet.light().isDirection && sheet.shows(sheet.light().at);
+    if (lightIsSeen) mark(sheet(sheet.light().at), 15, drawing::colorText(look::kChosenLight), "light");
+    // P: of the places above the point on the light's line the highest, where the line meets the caster first.
+    const Cover* first = nullptr;
+    for (const Cover& cover : planeOf(probe).covers)
+        if (cover.casts && cover.height > planeOf(probe).contact && (!first || cover.height > first->height)) first = &cover;
+    const dvec2 caster = first ? sheet(sheet.section().of(first->placeWorld)) : dvec2(0.0);
+    if (first) mark(caster, 9, drawing::colorText(look::kOccluded), "cover");
+    labels.place(drawing, point, drawing::LabelText{"P'", "", ""}, letter, 14);
+    if (first) labels.place(drawing, caster, drawing::LabelText{"P", "", ""}, letter, 14);
+    if (lightIsSeen)
+        labels.place(drawing, sheet(sheet.light().at), drawing::LabelText{"P", "L", " light source"}, letter, 20);
+    else
+        sheet.drawLight(drawing, labels);
+    labels.place(drawing, bare, "plane N \u00b7 P' + D = 0", name, 16);
+    // The shadow that holds the point, and what casts it, where the light's lines touch it.
+    const auto own = std::ranges::find_if(shadows, [](const Interval& one) { return one.from <= 0 && one.to >= 0; });
+    if (own != shadows.end() && first) {
+        labels.place(drawing, sheet(own->to * plane.along), "projected shadow", name, 16);
+        labels.place(drawing, sheet(own->casterTo), "object: " + first->object, name, 16);
+    }
+    return {std::move(drawing),
+            "The light source, a point P of the caster, and P', where the line through both meets the receiver's plane",
+            sheet.scale()};
 }
 
 } // namespace shadowlab::figures

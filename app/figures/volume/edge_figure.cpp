@@ -63,10 +63,13 @@ std::optional<SharedEdge> otherEdge(const CasterSolid& solid, const SharedEdge& 
     return bent ? bent : nearestEdge(solid, middle, [&](const SharedEdge& edge) { return !isOutline(solid, edge); });
 }
 
+FacingPanel panelOf(const drawing::Box& cell, const CasterSolid& solid, const SharedEdge& edge) {
+    return {solid, edge.polygons, edge.ends, isOutline(solid, edge), {cell.corner, cell.size - dvec2(0, kEdgeLines)}};
+}
+
 void drawEdge(drawing::Drawing& drawing, const drawing::Box& cell, const CasterSolid& solid, const SharedEdge& edge,
-              const image::Font& font) {
+              const FacingPanel& panel, const image::Font& font) {
     const bool outline = isOutline(solid, edge);
-    const FacingPanel panel(solid, edge.polygons, edge.ends, outline, {cell.corner, cell.size - dvec2(0, kEdgeLines)});
     panel.draw(drawing, font);
     dvec2 foot = cell.corner + dvec2(0.5 * cell.size.x, cell.size.y - kEdgeLines);
     const std::vector<double> products = panel.products();
@@ -102,9 +105,18 @@ Diagram drawEdgeFigure(const FigureSource& source) {
     const double columns = other ? 2 : 1,
                  width = (source.size.x - 2 * kSectionBorder - (columns - 1) * kEdgeGap) / columns;
     const dvec2 size(width, source.size.y - 2 * kSectionBorder);
-    drawEdge(drawing, {dvec2(kSectionBorder), size}, solid, *outline, source.font);
-    if (other)
-        drawEdge(drawing, {dvec2(kSectionBorder + width + kEdgeGap, kSectionBorder), size}, solid, *other, source.font);
+    const drawing::Box left{dvec2(kSectionBorder), size}, right{left.corner + dvec2(width + kEdgeGap, 0), size};
+    FacingPanel panel = panelOf(left, solid, *outline);
+    if (!other) {
+        drawEdge(drawing, left, solid, *outline, panel, source.font);
+    } else {
+        FacingPanel beside = panelOf(right, solid, *other);
+        const double scale = std::min(panel.pixelsPerMetre(), beside.pixelsPerMetre());
+        panel.limitScale(scale);
+        beside.limitScale(scale);
+        drawEdge(drawing, left, solid, *outline, panel, source.font);
+        drawEdge(drawing, right, solid, *other, beside, source.font);
+    }
     return {std::move(drawing),
             "An outline edge of " + solid.object->name +
                 " between a polygon that faces toward the light and one that faces away, and an edge "
