@@ -18,7 +18,9 @@ constexpr double kTall = 0.76, kDeep = 0.236, kAxis = 0.314;
 constexpr double kScriptSize = 0.7, kRaise = 0.42, kLower = 0.2, kOperationSpace = 0.26, kMarkSpace = 0.2,
                  kFunctionSpace = 1.0 / 6;
 constexpr double kFractionSize = 0.86, kBarGap = 0.1, kRuleWidth = 0.05, kLargeSize = 1.5, kLimitGap = 0.08;
-constexpr double kMatrixGap = 0.7, kMatrixLineGap = 0.3, kMatrixPad = 0.2, kFencePad = 0.14;
+// A row of a matrix has room for an index in any case, so that matrices side by side have their rows at one height.
+constexpr double kMatrixRowDeep = kLower + kScriptSize * kDeep;
+constexpr double kMatrixGap = 0.7, kMatrixLineGap = 0.2, kMatrixPad = 0.2, kFencePad = 0.14;
 
 /// Sets a tree: with a sheet it draws, without one it measures.
 class Setter {
@@ -195,7 +197,7 @@ private:
 
     Extent matrix(const Node& node, dvec2 place, double em) {
         const auto columns = static_cast<std::size_t>(node.columns), rows = node.children.size() / columns;
-        std::vector<double> widths(columns), above(rows, kTall * em), below(rows, kDeep * em);
+        std::vector<double> widths(columns), above(rows, kTall * em), below(rows, kMatrixRowDeep * em);
         for (std::size_t i = 0; i < node.children.size(); ++i) {
             const Extent cell = measured(node.children[i], em);
             widths[i % columns] = std::max(widths[i % columns], cell.width);

@@ -5,6 +5,9 @@
 
 namespace shadowlab::figures {
 
+/// The segment from the pixel's point to the light, and what it meets.
+Diagram drawShadowRay(const FigureSource& source);
+
 // Of the tree of a pixel's rays.
 Diagram drawPixelRay(const FigureSource& source);
 Diagram drawPathsFigure(const FigureSource& source);
@@ -43,6 +46,9 @@ Diagram drawCountFigure(const FigureSource& source);
 
 /// The sides between the eye and the pixel, +1 or -1, and the polygon that the pixel shows.
 Diagram drawPlusOneFigure(const FigureSource& source);
+
+/// P_L, P of the caster, its projection P' in the receiver's plane, and the plane's N.
+Diagram drawProjection(const FigureSource& source);
 
 /// The systems of coordinates of eye and light, the map, and the depths of the picked point.
 Diagram drawCamerasFigure(const FigureSource& source);

@@ -37,6 +37,11 @@ constexpr std::array kFigures{
         "all that the technique has to draw of the pixel: shadow volumes, texels or the projected shadow in the plane "
         "through eye, light and point; rays and their tree; two patches and their form factor",
         drawPixel},
+    Figure{"shadow-ray", "planar, shadow-map and shadow volumes",
+           "the segment from the pixel's point to the light, and the object that it meets", drawShadowRay, kSectionBorder},
+    Figure{"projection", "planar",
+           "the light P_L, a point P of the caster, its projection P' in the receiver's plane, and the plane's normal N",
+           drawProjection, kSectionBorder},
     Figure{
         "cameras", "shadow-map",
         "the axes of eye and light, the shadow map across the light's frustum, and w(u,v), d(u,v), z(u,v) of the point",

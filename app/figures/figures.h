@@ -22,7 +22,8 @@ struct FigureSource {
     /// The room it is drawn for, in pixels of a slide 1080 high, on which kText is the least that is read. A figure whose size is
     /// given by what it shows may be of another size; it is then scaled.
     dvec2 size{1920, 1080};
-    /// Of a section: no more than so many pixels for a metre, so that sections side by side have one scale.
+    /// Two figures of one kind side by side are compared by eye, so both are drawn at the smaller of their scales
+    /// (Diagram::pixelsPerMetre). With such a limit what is drawn begins at the same border in each of them.
     double mostPixelsPerMetre = std::numeric_limits<double>::infinity();
 };
 

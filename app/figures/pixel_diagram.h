@@ -17,8 +17,8 @@ bool canDraw(const Probe& probe);
 
 struct Diagram {
     drawing::Drawing drawing;
-    std::string title; ///< what it is, for who cannot see it
-    double pixelsPerMetre = 0; ///< of a section; 0: the drawing has no scale that matters beside another
+    std::string title;         ///< what it is, for who cannot see it
+    double pixelsPerMetre = 0; ///< of its scale, where it has one that neighbours can share: FigureSource::mostPixelsPerMetre
     [[nodiscard]] std::string document() const { return drawing.document(title); }
 };
 

@@ -43,7 +43,7 @@ void SectionSheet::findPlaces(const Probe& probe) {
 }
 
 SectionSheet::SectionSheet(const Probe& probe, const scene::Scene& scene, const drawing::Box& area,
-                           std::span<const dvec2> places, double mostScale)
+                           std::span<const dvec2> places, double mostScale, bool hasEye)
     : scene_(scene), area_(area) {
     findPlaces(probe);
     // The point is the origin, so lengths are distances from it.
@@ -52,7 +52,7 @@ SectionSheet::SectionSheet(const Probe& probe, const scene::Scene& scene, const 
     const double size = things.isEmpty() ? 0 : glm::length(things.upperWorld - things.lowerWorld);
     std::vector<dvec2> all{dvec2(0.0)};
     const bool showsLight = !light_.isDirection && lightAway <= kFarTimes * std::max(size, eyeAway);
-    const bool showsEye = eyeAway <= kFarTimes * std::max(size, showsLight ? lightAway : 0);
+    const bool showsEye = hasEye && eyeAway <= kFarTimes * std::max(size, showsLight ? lightAway : 0);
     if (showsEye) all.push_back(eye_);
     if (showsLight) all.push_back(light_.at);
     const double reach = showsEye ? eyeAway : showsLight ? lightAway : size;
@@ -68,10 +68,9 @@ SectionSheet::SectionSheet(const Probe& probe, const scene::Scene& scene, const 
         if (glm::length(place) <= reach) all.push_back(place);
     // Some of a way toward what is far away or nowhere, and behind the point, where the line goes on.
     all.push_back(0.45 * reach * light_.toward(dvec2(0.0)));
-    all.push_back(0.3 * reach * glm::normalize(eye_));
-    all.push_back(-0.2 * reach * glm::normalize(eye_));
-    fit(all);
-    scale_ = std::min(scale_, mostScale);
+    for (const double share : {0.3, -0.2})
+        if (hasEye) all.push_back(share * reach * glm::normalize(eye_));
+    fit(all, mostScale);
 }
 
 SectionSheet::SectionSheet(const Probe& probe, const scene::Scene& scene, const drawing::Box& area, double reach)
@@ -82,16 +81,21 @@ SectionSheet::SectionSheet(const Probe& probe, const scene::Scene& scene, const 
     fit({-shown, shown});
 }
 
-void SectionSheet::fit(const std::vector<dvec2>& places) {
+void SectionSheet::fit(const std::vector<dvec2>& places, double mostScale) {
     dvec2 low(1e300), high(-1e300);
     for (const dvec2& place : places) {
         low = glm::min(low, place);
         high = glm::max(high, place);
     }
     const dvec2 extent = glm::max(high - low, dvec2(1e-12));
-    scale_ = std::min((area_.size.x - 2 * kSheetMargin) / extent.x, (area_.size.y - 2 * kSheetMargin) / extent.y);
+    const dvec2 room = area_.size - 2 * kSheetMargin;
+    scale_ = std::min({room.x / extent.x, room.y / extent.y, mostScale});
     middle_ = 0.5 * (low + high);
     centre_ = area_.corner + 0.5 * area_.size;
+    if (!std::isfinite(mostScale)) return;
+    // Upward is downward on the sheet.
+    const dvec2 spare = room / scale_ - extent;
+    middle_ += 0.5 * dvec2(spare.x, -spare.y);
 }
 
 drawing::Box SectionSheet::metres() const {
@@ -168,7 +172,8 @@ void SectionSheet::drawEye(drawing::Drawing& drawing, drawing::Labels& labels) c
 }
 
 void SectionSheet::drawLight(drawing::Drawing& drawing, drawing::Labels& labels) const {
-    const std::string name = lightName_.empty() ? "light" : "light " + lightName_;
+    // Of a single light the name tells nothing.
+    const std::string name = lightName_.empty() || scene_.lights.size() == 1 ? "light source" : "light " + lightName_;
     if (light_.isDirection || !shows(light_.at)) {
         const std::string away = light_.isDirection ? "to the " + name + ", at infinity"
                                                     : name + ", " + fourDigits(glm::length(light_.at)) + " m away";

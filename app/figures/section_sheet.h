@@ -18,9 +18,10 @@ class SectionSheet {
 public:
     /// All of eye, light, point and `places` (metres of the plane) as large as fits into `area`; what would make everything else
     /// tiny is left out, and an arrow at the border points to it.
-    /// `mostScale`: no more than so many pixels for a metre.
+    /// `hasEye`: false for what is drawn without the eye and its line. `mostScale`: pixels for a metre, at most; with such a limit what is shown begins at the upper left corner, so that two
+    /// sheets of one plane have eye and light in the same places.
     SectionSheet(const Probe& probe, const scene::Scene& scene, const drawing::Box& area, std::span<const dvec2> places,
-                 double mostScale = std::numeric_limits<double>::infinity());
+                 double mostScale = std::numeric_limits<double>::infinity(), bool hasEye = true);
     /// Only what lies within `reach` metres of the point.
     SectionSheet(const Probe& probe, const scene::Scene& scene, const drawing::Box& area, double reach);
 
@@ -48,7 +49,7 @@ public:
 
 private:
     void findPlaces(const Probe& probe);
-    void fit(const std::vector<dvec2>& places);
+    void fit(const std::vector<dvec2>& places, double mostScale = std::numeric_limits<double>::infinity());
     void drawAway(drawing::Drawing& drawing, drawing::Labels& labels, dvec2 direction, const std::string& text,
                   const std::string& color) const;
 

@@ -17,7 +17,8 @@ constexpr double kSteepestView = 0.8; ///< sine of the angle above or below the 
 
 } // namespace
 
-SpaceView::SpaceView(std::span<const dvec3> shownWorld, const dvec3& towardViewerWorld, const drawing::Box& area, dvec2 margin)
+SpaceView::SpaceView(std::span<const dvec3> shownWorld, const dvec3& towardViewerWorld, const drawing::Box& area, dvec2 margin,
+                     double mostScale)
     : towardViewerWorld_(towardViewerWorld) {
     dvec3 low(1e300), high(-1e300);
     for (const dvec3& place : shownWorld) {
@@ -25,7 +26,8 @@ SpaceView::SpaceView(std::span<const dvec3> shownWorld, const dvec3& towardViewe
         high = glm::max(high, place);
     }
     const dvec3 middle = 0.5 * (low + high);
-    viewerWorld_ = middle + kAway * std::max(0.5 * glm::length(high - low), 1e-9) * towardViewerWorld_;
+    away_ = kAway * std::max(0.5 * glm::length(high - low), 1e-9);
+    viewerWorld_ = middle + away_ * towardViewerWorld_;
     rightWorld_ = glm::normalize(glm::cross(dvec3(0, 1, 0), towardViewerWorld_));
     upWorld_ = glm::cross(towardViewerWorld_, rightWorld_);
     dvec2 least(1e300), most(-1e300);
@@ -34,8 +36,9 @@ SpaceView::SpaceView(std::span<const dvec3> shownWorld, const dvec3& towardViewe
         most = glm::max(most, flat(place));
     }
     const dvec2 room = area.size - 2.0 * margin, extent = glm::max(most - least, dvec2(1e-9));
-    scale_ = std::min(room.x / extent.x, room.y / extent.y);
+    scale_ = std::min({room.x / extent.x, room.y / extent.y, mostScale * away_});
     centre_ = area.corner + 0.5 * area.size - scale_ * 0.5 * (least + most);
+    if (std::isfinite(mostScale)) centre_.y += 0.5 * (room.y - scale_ * extent.y);
 }
 
 dvec2 SpaceView::flat(const dvec3& positionWorld) const {

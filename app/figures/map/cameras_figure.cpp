@@ -24,7 +24,7 @@ constexpr double kLinesHeight = 122; ///< pixels; kLinesHeight: of the text unde
 constexpr double kAxisLength = 120,
                  kLeastAxis = 0.3; ///< pixels of a whole axis; shorter ones lie too nearly across the paper
 constexpr double kBar = 30;        ///< pixels: thickness of the map
-constexpr double kBarShare = 0.42, kPictureShare = 0.25; ///< of the way to the nearest thing, or to the point
+constexpr double kBarShare = 0.6, kPictureShare = 0.25; ///< of the way to the nearest thing, or to the point
 constexpr double kBeside = 20;                           ///< pixels from a line to what is measured along it
 constexpr const char *kEyeColor = "#1a1a1a", *kLightsColor = "#a06000", *kStoredColor = "#a06000",
                      *kComparedColor = "#0072b2";

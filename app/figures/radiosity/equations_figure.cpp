@@ -17,7 +17,10 @@ namespace shadowlab::figures {
 
 namespace {
 
-constexpr double kSymbols = 32, kNumbers = 32; ///< em
+constexpr double kMostSize = 46;                  ///< em of the equations, where there is room for it
+constexpr double kAboveLine = 20, kNoteRow = 34; ///< pixels between a heading and its equation; of the words under its columns
+constexpr double kBetweenPieces = 0.25;          ///< em
+constexpr double kFill = 0.99;                   ///< of the width: letters are measured in whole pixels
 const char* const kInk = "#1a1a1a";
 const char* const kNames[] = {"red", "green", "blue"};
 
@@ -64,6 +67,38 @@ std::string numbered(const char* letter, std::uint32_t i) {
     return std::string(letter) + "_{" + std::to_string(i) + "}";
 }
 
+/// A part of an equation, and what is written under it: empty for nothing.
+struct Piece {
+    std::string tex, below;
+};
+struct Line {
+    std::string heading;
+    std::vector<Piece> pieces;
+};
+
+drawing::Extent measured(const Line& line, double em, const drawing::FormulaFonts& fonts) {
+    drawing::Extent whole;
+    for (const Piece& piece : line.pieces) {
+        const drawing::Extent extent = drawing::Formula(piece.tex).measure(em, fonts);
+        whole.width += extent.width + (whole.width > 0 ? kBetweenPieces * em : 0);
+        whole.above = std::max(whole.above, extent.above);
+        whole.below = std::max(whole.below, extent.below);
+    }
+    return whole;
+}
+
+/// `below`: pixels that the line takes under its foot, where the words begin.
+void drawLine(drawing::Drawing& drawing, const Line& line, dvec2 place, double below, double em,
+              const drawing::FormulaFonts& fonts) {
+    for (const Piece& piece : line.pieces) {
+        const drawing::Extent extent = drawing::Formula(piece.tex).draw(drawing, place, em, kInk, fonts);
+        if (!piece.below.empty())
+            drawing.text(place + dvec2(0.5 * extent.width, below + 1.1 * kText), piece.below,
+                         {.size = kText, .anchor = drawing::Anchor::middle, .isBold = true});
+        place.x += extent.width + kBetweenPieces * em;
+    }
+}
+
 } // namespace
 
 Diagram drawEquations(const FigureSource& source) {
@@ -80,8 +115,8 @@ Diagram drawEquations(const FigureSource& source) {
     const std::string n = std::to_string(equations.count);
     const drawing::Box room =
         writeFoot(drawing, roomOf(source),
-                  "First column on the right: E, what a patch emits, and what it reflects of light sources that are no "
-                  "patches. Second: what it reflects of all other patches. W/m\u00b2, " +
+                  "E: what a patch emits, and what it reflects of light sources that are no patches. From others: what it "
+                  "reflects of all patches that are not written here. W/m\u00b2, " +
                       std::string(kNames[channel]) + "; n = " + n + ".",
                   source.font);
     std::vector<std::string> rows, unknowns, own, others, solution;
@@ -97,35 +132,40 @@ Diagram drawEquations(const FigureSource& source) {
         solution.push_back(entryText(equations.radiosity[i][channel]));
     }
     const drawing::FormulaFonts fonts{source.font, source.font}; // no vectors in bold are in it
-    struct Part {
-        std::string heading;
-        drawing::Formula formula;
-        double em;
-    };
-    Part parts[] = {{"n equations, n unknown radiosities", drawing::Formula(symbols()), kSymbols},
-                    {"Some of them with the numbers of this scene, and the solution",
-                     drawing::Formula(matrix(rows) + " " + matrix(unknowns) + " = " + matrix(own) + " + " + matrix(others) +
-                             " , \\quad " + matrix(unknowns) + " = " + matrix(solution)),
-                     kNumbers}};
+    const std::vector<Line> lines = {
+        {"n equations, n unknown radiosities", {{symbols(), ""}}},
+        {"Some of them with the numbers of this scene, and the solution",
+         {{matrix(rows), ""},
+          {matrix(unknowns), ""},
+          {"=", ""},
+          {matrix(own), "E"},
+          {"+", ""},
+          {matrix(others), "from others"},
+          {", \\quad " + matrix(unknowns) + " =", ""},
+          {matrix(solution), "solution"}}}};
     double needed = 0;
-    for (Part& part : parts) {
-        const drawing::Extent wide = part.formula.measure(part.em, fonts);
-        part.em = std::max(kText, part.em * std::min(1.0, room.size.x / wide.width));
-        const drawing::Extent extent = part.formula.measure(part.em, fonts);
+    std::vector<double> sizes;
+    for (const Line& line : lines) {
+        // As large as its width and its half of the room allow.
+        const drawing::Extent wide = measured(line, kMostSize, fonts);
+        const double half = 0.5 * room.size.y - kHeading - kAboveLine - kNoteRow;
+        sizes.push_back(std::max(kText, kMostSize * std::min({1.0, kFill * room.size.x / wide.width,
+                                                              half / (wide.above + wide.below)})));
+        const drawing::Extent extent = measured(line, sizes.back(), fonts);
         if (extent.width > room.size.x)
             throw Error(ExitStatus::badInput,
                         "the equations need the whole slide to be read; leave out what stands beside them");
-        needed += extent.above + extent.below + kHeading + 20;
+        needed += extent.above + extent.below + kHeading + kAboveLine + kNoteRow;
     }
     const double gap = std::max(0.0, (room.size.y - needed) / 3);
     double y = room.corner.y;
-    for (const Part& part : parts) {
-        const drawing::Extent extent = part.formula.measure(part.em, fonts);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const drawing::Extent extent = measured(lines[i], sizes[i], fonts);
         y += gap / 2;
-        drawing.text({room.corner.x, y + kHeading}, part.heading, {.size = kHeading, .isBold = true});
-        y += kHeading + 20 + extent.above;
-        part.formula.draw(drawing, {room.corner.x + 0.5 * (room.size.x - extent.width), y}, part.em, kInk, fonts);
-        y += extent.below + gap / 2;
+        drawing.text({room.corner.x, y + kHeading}, lines[i].heading, {.size = kHeading, .isBold = true});
+        y += kHeading + kAboveLine + extent.above;
+        drawLine(drawing, lines[i], {room.corner.x, y}, extent.below, sizes[i], fonts);
+        y += extent.below + kNoteRow + gap / 2;
     }
     return {std::move(drawing),
             "The radiosity equations in matrix form, with some of this scene's numbers and the solution"};

@@ -15,9 +15,9 @@ namespace shadowlab::figures {
 
 namespace {
 
-constexpr double kLetter = 30;       ///< em of a vector's letter
+constexpr double kLobeLetter = 34;   ///< em of a vector's letter
 constexpr double kIncoming = 0.92;   ///< of the length of a ray: the others begin where it ends
-constexpr double kIdeal = 1.06;      ///< the ideal ray ends beyond those around it
+constexpr double kIdeal = 1.2;       ///< the ideal ray ends beyond those around it, so that its head is seen
 constexpr double kNormalShare = 0.8; ///< of the same
 
 struct Lobe {
@@ -42,10 +42,10 @@ Diagram drawLobe(const FigureSource& source, const Lobe& lobe) {
                                               lobe.material);
     drawing::Drawing drawing(source.size);
     const drawing::Box room = writeFoot(drawing, roomOf(source),
-                               "S1 is of " + source.probe.tree.front().object + ". At " + fourDigits(lobe.degrees) +
-                                   "\u00b0 from " + lobe.letter + " half as many rays are sent as along it. The " +
-                                   std::to_string(lobe.raysWorld.size()) +
-                                   " thin ones are those of this pixel, as they fall on the plane of u and N.",
+                               "S1: " + source.probe.tree.front().object + ". Thin: the " +
+                                   std::to_string(lobe.raysWorld.size()) + " rays of this pixel, in the plane of u and N. At " +
+                                   fourDigits(lobe.degrees) + "\u00b0 from " + lobe.letter +
+                                   " they are half as dense as around it.",
                                source.font);
     const DrawingPlane plane = planeWithNormalUp(source.probe);
     const auto toward = [&](const dvec3& directionWorld) {
@@ -83,10 +83,10 @@ Diagram drawLobe(const FigureSource& source, const Lobe& lobe) {
     };
     vector(at, at - dvec2(0, kNormalShare * unit), {"#4d4d4d", 4, false});
     vector(at - kIncoming * unit * toward(u), at, {"#1a1a1a", 5, false});
-    vector(at, at + kIdeal * unit * toward(idealWorld), {lobe.color, 7, false});
+    vector(at, at + kIdeal * unit * toward(idealWorld), {lobe.color, 5, false});
     drawing.circle(at, 8, "#1a1a1a", {"#ffffff", 2, false}, "surface");
     labels.avoid({at - 9.0, dvec2(18)});
-    const drawing::TextStyle letter{.size = kLetter, .isBold = true, .isItalic = true};
+    const drawing::TextStyle letter{.size = kLobeLetter, .isBold = true, .isItalic = true};
     labels.place(drawing, at - dvec2(0, kNormalShare * unit), "N", letter, 10);
     labels.place(drawing, at + kIdeal * unit * toward(idealWorld), lobe.letter, letter, 12);
     labels.place(drawing, at - 0.25 * kIncoming * unit * toward(u), "u", letter, 12);

@@ -12,7 +12,7 @@ namespace shadowlab::figures {
 namespace {
 
 constexpr double kColumn = 290, kColumnGap = 36, kSwatch = 120; ///< pixels
-constexpr double kLeastArrow = 14;                              ///< shorter ones would be nothing but a head
+constexpr double kLeastArrow = 10;                              ///< shorter ones would be nothing but a head
 constexpr std::size_t kMostArrows = 64;                         ///< more subpixels are too small for them
 
 const drawing::Stroke kEdge{"#1a1a1a", 4, false}, kInner{"#8c8c8c", 2, false}, kWay{"#1a1a1a", 2.5, false};
@@ -70,7 +70,7 @@ Diagram drawJitter(const FigureSource& source) {
             drawing.rectangle(corner + side * (*sample.subpixel)[0],
                               side * ((*sample.subpixel)[1] - (*sample.subpixel)[0]), "#ffffff", kInner);
     drawing.rectangle(corner, dvec2(side), "", kEdge);
-    const double radius = std::clamp(0.13 * side / std::sqrt(static_cast<double>(rays.samples.size())), 5.0, 26.0);
+    const double radius = std::clamp(0.09 * side / std::sqrt(static_cast<double>(rays.samples.size())), 5.0, 22.0);
     for (const RaysProbe::Sample& sample : rays.samples)
         drawSample(drawing, sample, corner, side, radius, hasArrows, exposure);
 

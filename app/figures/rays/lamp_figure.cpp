@@ -16,7 +16,7 @@ namespace shadowlab::figures {
 
 namespace {
 
-constexpr double kFaceShare = 0.36;       ///< of the width: the light's own face
+constexpr double kFaceShare = 0.4;        ///< of the height: the light's own face, under its rays
 constexpr double kLook = 0.3;             ///< how far from above the plane of the light and N is looked at: sine
 constexpr double kLampNormalShare = 0.35; ///< of the way to the light
 constexpr int kCirclePieces = 72;
@@ -141,8 +141,8 @@ void drawFace(drawing::Drawing& drawing, const drawing::Box& area, const FigureS
     const RaysProbe& rays = *source.probe.find<RaysProbe>();
     const double width = glm::length(face.uWorld), height = glm::length(face.vWorld);
     std::size_t arrives = 0, sent = 0;
-    const double rows = 5.4 * kText;
-    const drawing::Box room{area.corner + dvec2(0, 1.7 * kText), area.size - dvec2(0, 1.7 * kText + rows)};
+    constexpr double kFaceWords = 400; // pixels beside the face
+    const drawing::Box room{area.corner + dvec2(0, 1.7 * kText), area.size - dvec2(kFaceWords, 1.7 * kText)};
     const double scale = std::min(room.size.x / (2 * width), room.size.y / (2 * height));
     const dvec2 half = scale * dvec2(width, height), middle = room.corner + dvec2(half.x, half.y);
     drawing.text(area.corner + dvec2(0, kText), "Seen from the point", {.size = kText, .isBold = true});
@@ -158,7 +158,7 @@ void drawFace(drawing::Drawing& drawing, const drawing::Box& area, const FigureS
         drawing.circle(middle + half * glm::clamp(place, -1.0, 1.0), 9, sample.arrives ? arriving() : blocked(),
                        {"#1a1a1a", 1.5, false}, sample.arrives ? "seen" : "hidden");
     }
-    dvec2 text = middle + dvec2(-half.x, half.y + 1.5 * kText);
+    dvec2 text = middle + dvec2(half.x + 30, -half.y + 1.2 * kText);
     const auto row = [&](const std::string& words, const std::string& color, bool isBold) {
         if (!color.empty()) drawing.circle(text + dvec2(9, -8), 9, color, {"#1a1a1a", 1.5, false});
         drawing.text(text + dvec2(color.empty() ? 0 : 28, 0), words, {.size = kText, .isBold = isBold});
@@ -166,8 +166,8 @@ void drawFace(drawing::Drawing& drawing, const drawing::Box& area, const FigureS
     };
     row(std::to_string(arrives) + " of " + std::to_string(sent) + " arrive", arriving(), false);
     row(std::to_string(sent - arrives) + (sent - arrives == 1 ? " is blocked" : " are blocked"), blocked(), false);
-    row("by these rays: " + percent(rays.sampledShare().value_or(0)), "", true);
-    row((rays.movers.empty() ? std::string("exact: ") : std::string("exact, time 0: ")) +
+    row("share of the light: " + percent(rays.sampledShare().value_or(0)), "", true);
+    row((rays.movers.empty() ? std::string("its exact share: ") : std::string("exact share, time 0: ")) +
             percent(rays.exactShare.value_or(0)),
         "", true);
 }
@@ -184,10 +184,10 @@ Diagram drawLamp(const FigureSource& source) {
                                               "ray-traced.soft-shadows is not sampled");
     drawing::Drawing drawing(source.size);
     const drawing::Box room = roomOf(source);
-    const double side = kFaceShare * room.size.x;
+    const double side = kFaceShare * room.size.y;
     const Face face = faceOf(light, source.probe.geometry.front().toWorld);
-    drawSpace(drawing, {room.corner, {room.size.x - side - 20, room.size.y}}, source, light, face);
-    drawFace(drawing, {room.corner + dvec2(room.size.x - side, 0), {side, room.size.y}}, source, face);
+    drawSpace(drawing, {room.corner, {room.size.x, room.size.y - side - 20}}, source, light, face);
+    drawFace(drawing, {room.corner + dvec2(0, room.size.y - side), {room.size.x, side}}, source, face);
     return {std::move(drawing), "Shadow rays from a point to places all over a light source, some of them blocked, and "
                                 "the share of the light that is seen"};
 }

@@ -80,13 +80,17 @@ double FacingPanel::worth(const dvec3& d) const {
 
 void FacingPanel::chooseView() {
     double most = -std::numeric_limits<double>::infinity();
-    const dvec3 best = bestDirection([&](const dvec3& direction) {
+    towardViewerWorld_ = bestDirection([&](const dvec3& direction) {
         const double value = worth(direction);
         if (value <= most) return value;
         for (const std::size_t polygon : polygons_)
             if (isHidden(solid_, solid_.centre(polygon), direction)) return most - 1;
         return most = value;
     });
+    limitScale(std::numeric_limits<double>::infinity());
+}
+
+void FacingPanel::limitScale(double mostPixelsPerMetre) {
     std::vector<dvec3> shown{lightTipWorld_};
     for (const std::size_t polygon : polygons_)
         shown.push_back((edge_ ? solid_.centre(polygon) : pWorld_) + kNormal * reach_ * solid_.normal(polygon));
@@ -94,7 +98,7 @@ void FacingPanel::chooseView() {
         for (const std::size_t t : *list)
             for (const dvec3& corner : solid_.corners(t))
                 shown.push_back(corner);
-    view_.emplace(shown, best, area_, kFacingMargin);
+    view_.emplace(shown, towardViewerWorld_, area_, kFacingMargin, mostPixelsPerMetre);
 }
 
 void FacingPanel::drawPolygons(drawing::Drawing& drawing, drawing::Labels& labels) const {

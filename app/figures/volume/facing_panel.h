@@ -14,6 +14,9 @@ public:
     FacingPanel(const CasterSolid& solid, std::array<std::size_t, 2> polygons, std::array<std::uint32_t, 2> edge,
                 bool isOutline, const drawing::Box& area);
     void draw(drawing::Drawing& drawing, const image::Font& font) const;
+    /// Two panels side by side are drawn at one scale: pixels for a metre, and what there are at most.
+    [[nodiscard]] double pixelsPerMetre() const { return view_->pixelsPerMetre(); }
+    void limitScale(double mostPixelsPerMetre);
 
     /// N.L of each of the polygons: positive where it faces the light.
     [[nodiscard]] std::vector<double> products() const;
@@ -34,6 +37,7 @@ private:
     double reach_ = 1; ///< metres around P that are drawn
     dvec3 lightTipWorld_{0.0};
     bool lightIsNear_ = false; ///< L is drawn in its whole length
+    dvec3 towardViewerWorld_{0, 0, 1};
     std::optional<SpaceView> view_;
 };
 

@@ -1,6 +1,7 @@
 // "Orientation of a polygon surface with respect to the light source": the polygon that the pixel shows, and one of the same object
 // that is turned to the other side.
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -44,10 +45,19 @@ Diagram drawPolygonFigure(const FigureSource& source) {
     const std::vector<std::size_t> polygons = other == picked ? std::vector{picked} : std::vector{picked, other};
     const double width = (source.size.x - 2 * kSectionBorder - kPolygonGap * static_cast<double>(polygons.size() - 1)) /
                          static_cast<double>(polygons.size());
+    std::vector<drawing::Box> cells;
+    std::vector<FacingPanel> panels;
+    double scale = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < polygons.size(); ++i) {
-        const drawing::Box cell{{kSectionBorder + static_cast<double>(i) * (width + kPolygonGap), kSectionBorder},
-                       {width, source.size.y - 2 * kSectionBorder}};
-        const FacingPanel panel(solid, polygons[i], {cell.corner, cell.size - dvec2(0, kPolygonLines)});
+        cells.push_back({{kSectionBorder + static_cast<double>(i) * (width + kPolygonGap), kSectionBorder},
+                         {width, source.size.y - 2 * kSectionBorder}});
+        panels.emplace_back(solid, polygons[i], drawing::Box{cells[i].corner, cells[i].size - dvec2(0, kPolygonLines)});
+        scale = std::min(scale, panels[i].pixelsPerMetre());
+    }
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        const drawing::Box& cell = cells[i];
+        FacingPanel& panel = panels[i];
+        panel.limitScale(scale);
         panel.draw(drawing, source.font);
         const double product = panel.products().front();
         const dvec2 foot = cell.corner + dvec2(0.5 * width, cell.size.y - kPolygonLines + 38);

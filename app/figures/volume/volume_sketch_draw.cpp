@@ -142,7 +142,7 @@ void VolumeSketch::drawVolume(drawing::Drawing& drawing, drawing::Labels& labels
     for (const Strip& strip : strips_)
         outline.insert(outline.end(), {(*view_)(strip.fromWorld[0]), (*view_)(strip.fromWorld[1])});
     drawing.segments(curve, {kCurve, 5, false});
-    drawing.segments(outline, {sideColor(), 6, false});
+    drawing.segments(outline, {drawing::colorText(look::kSilhouette), 6, false});
     for (const std::vector<dvec2>* lines : {&curve, &outline})
         for (std::size_t i = 0; i + 1 < lines->size(); i += 2)
             labels.avoid((*lines)[i], (*lines)[i + 1]);
@@ -175,7 +175,7 @@ void VolumeSketch::drawLight(drawing::Drawing& drawing, drawing::Labels& labels,
 void VolumeSketch::nameParts(drawing::Drawing& drawing, drawing::Labels& labels) const {
     const VolumeProbe::Caster& caster = *solid_.caster;
     const auto n = static_cast<std::uint32_t>(solid_.verticesWorld.size());
-    const drawing::TextStyle style{.size = kText, .isBold = true};
+    const drawing::TextStyle style{.size = kHeading, .isBold = true};
     // The top cap by its highest corner, which no side hides.
     const auto onSheet = [&](std::uint32_t index) {
         return (*view_)(index < n ? solid_.verticesWorld[index] : drawnEnd(index - n));
