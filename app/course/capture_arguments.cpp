@@ -81,6 +81,9 @@ std::vector<std::string> captureArguments(const lab::Document& document, const s
             for (int axis = 0; axis < 3; ++axis)
                 place += (place.empty() ? "" : ",") + exactText(point[axis]);
         words.insert(words.end(), {"--outside=" + place});
+        if (const std::string volumes = picture::volumesText(document.outsideChoice, *document.scene); !volumes.empty())
+            words.insert(words.end(), {"--volumes", volumes});
+        if (document.outsideChoice.nearClipPyramid) words.emplace_back("--near-clip");
     }
     if (isAboutPicked) {
         const ivec2 shown = picture::layoutCells(document.layout, count, size, document.split).front().pictureSize;

@@ -27,6 +27,7 @@ struct SlidePicture {
     std::string
         figure; ///< the name of a drawing of that pixel (figures/figures.h); empty: the scene as techniques show it
     std::optional<scene::Camera> outside; ///< of the stage `outside`; none: as the program chooses it
+    picture::OutsideChoice outsideChoice; ///< likewise: whose shadow volumes it shows
     std::string label;                    ///< above it, in plain words; may be empty
     std::string writtenLabel;             ///< the same as the file has it, with formulas between $
     std::vector<Callout> callouts;

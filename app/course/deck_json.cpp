@@ -147,6 +147,12 @@ struct Deck::File {
         if (const JsonValue* camera = own.find("outside"))
             picture.outside = scene::readCamera(scene::NumberRanges{}, document, *camera, "the camera outside",
                                                 lab::outsideCameraOf(*picture.state.scene, picture.state.camera));
+        if (own.find("volumes") || own.find("near-clip"))
+            picture.outsideChoice = saidAt(document, own.require(own.find("volumes") ? "volumes" : "near-clip", "").offset, [&] {
+                return picture::outsideChoiceOf(own.find("volumes") ? own.text("volumes") : "",
+                                                own.boolean("near-clip", false), *picture.state.scene,
+                                                "volumes");
+            });
         if (!picture.figure.empty() && !picture.pixel)
             own.fail("diagram", "is about a pixel; write \"pixel\": [0.5, 0.5], in shares of the picture");
         if (!picture.figure.empty() && picture.state.slots.size() != 1)
@@ -162,7 +168,7 @@ struct Deck::File {
                              {"name",     "title",   "supersample", "pictures", "text",    "pseudocode", "marked",
                               "formulas", "caption", "alt",         "scene",    "camera",  "lights",     "layout",
                               "light",    "slots",   "stage",       "step",     "split",   "set",        "pixel",
-                              "partner",  "diagram", "outside",     "label",    "callouts"});
+                              "partner",  "diagram", "outside",     "volumes",  "near-clip", "label",    "callouts"});
         Slide slide;
         slide.name = names[number];
         slide.written = {shortText(own, "title", kLongestTitle), optionalText(own, "caption", kLongestCaption),
@@ -178,11 +184,12 @@ struct Deck::File {
             for (const JsonValue& one : own.array("pictures")) {
                 const JsonObject keys(document, one, "picture " + std::to_string(slide.pictures.size() + 1),
                                       {"scene", "camera", "lights", "layout", "light", "slots", "stage", "step",
-                                       "split", "set", "pixel", "partner", "diagram", "outside", "label", "callouts"});
+                                       "split", "set", "pixel", "partner", "diagram", "outside", "volumes",
+                                       "near-clip", "label", "callouts"});
                 const std::array<const JsonObject*, 3> levels{&top, &own, &keys};
                 slide.pictures.push_back(picture(levels));
             }
-            for (const char* key : {"pixel", "partner", "diagram", "outside", "label", "callouts"})
+            for (const char* key : {"pixel", "partner", "diagram", "outside", "volumes", "near-clip", "label", "callouts"})
                 if (own.find(key)) own.fail(key, "belongs to one picture; write it there");
             if (slide.pictures.empty() || slide.pictures.size() > kMostPictures)
                 own.fail("pictures", "are 1 to " + std::to_string(kMostPictures) + "; write as many");

@@ -139,7 +139,12 @@ std::string slideText(const lab::Document& document, const std::string& scene, c
     if (!settings.empty()) slide["set"] = std::move(settings);
     if (document.picked) slide["pixel"] = {document.picked->x, document.picked->y};
     if (document.partner) slide["partner"] = {document.partner->x, document.partner->y};
-    if (isOutside) slide["outside"] = cameraJson(document.outsideCamera);
+    if (isOutside) {
+        slide["outside"] = cameraJson(document.outsideCamera);
+        const std::string volumes = picture::volumesText(document.outsideChoice, *document.scene);
+        if (!volumes.empty()) slide["volumes"] = volumes;
+        if (document.outsideChoice.nearClipPyramid) slide["near-clip"] = true;
+    }
     std::string what = document.scene->name + ", drawn by " + techniques;
     constexpr std::size_t kLongest = 280; // a caption's
     if (!stages.empty() && what.size() + stages.size() + 2 <= kLongest) what += ": " + stages;

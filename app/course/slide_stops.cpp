@@ -12,6 +12,7 @@ SlideStop stopOf(const SlidePicture& picture) {
     SlideStop stop{documentOf(picture.state), picture.label, picture.figure};
     stop.document.picked = picture.pixel;
     stop.document.partner = picture.partner;
+    stop.document.outsideChoice = picture.outsideChoice;
     if (picture.outside) stop.document.outsideCamera = *picture.outside;
     return stop;
 }
@@ -23,7 +24,7 @@ bool canStandTogether(const SlidePicture& a, const SlidePicture& b) {
     };
     return isAlone(a) && isAlone(b) && a.state.sceneName == b.state.sceneName && a.state.camera == b.state.camera &&
            a.state.scene->lights == b.state.scene->lights && a.state.light == b.state.light && a.pixel == b.pixel &&
-           a.partner == b.partner && a.outside == b.outside;
+           a.partner == b.partner && a.outside == b.outside && a.outsideChoice == b.outsideChoice;
 }
 
 } // namespace

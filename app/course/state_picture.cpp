@@ -9,9 +9,8 @@ namespace shadowlab::course {
 
 namespace {
 
-int markWidth(const StateRequest& request) {
-    return picture::wideMark(request.wholeHeight > 0 ? request.wholeHeight : request.size.y);
-}
+/// Of what is looked at as one.
+int wholeHeight(const StateRequest& request) { return request.wholeHeight > 0 ? request.wholeHeight : request.size.y; }
 
 } // namespace
 
@@ -41,9 +40,11 @@ picture::Panel StatePicture::panel(const StateRequest& wanted, std::size_t i, pi
     if (wanted.picked) request.picked = lab::pixelAt(*wanted.picked, samples);
     if (wanted.partner) request.partner = lab::pixelAt(*wanted.partner, samples);
     request.outside = wanted.outside;
+    request.outsideChoice = wanted.outsideChoice;
     request.range = wanted.range;
     request.font = &font_;
-    request.markWidth = markWidth(wanted);
+    request.markWidth = picture::wideMark(wholeHeight(wanted));
+    request.typeHeight = wholeHeight(wanted);
     picture::Panel panel = picture::renderPanel(session_, slot, encoder_, cell, request).panel;
     if (slots_.size() > 1) panel.title = slot.info->title;
     return panel;
@@ -53,7 +54,7 @@ picture::Panel StatePicture::difference(const StateRequest& request) {
     View view;
     view.camera = state_.camera;
     view.size = request.size;
-    return picture::renderDifference(session_, slots_, encoder_, view, state_.light, markWidth(request)).panel;
+    return picture::renderDifference(session_, slots_, encoder_, view, state_.light, picture::wideMark(wholeHeight(request))).panel;
 }
 
 image::Image drawState(const ShownState& state, const StateRequest& request, const image::Font& font) {

@@ -18,6 +18,7 @@ struct StateRequest {
     int supersample = 1;                      ///< N x N samples for a pixel, averaged in linear light
     std::optional<dvec2> picked{}, partner{}; ///< of stages about one pixel, in shares of the picture
     std::optional<scene::Camera> outside{};   ///< of the stage `outside`; none: as the program chooses it
+    picture::OutsideChoice outsideChoice{};   ///< likewise
     std::optional<dvec2> range{};             ///< least and greatest value of a stage's colours; none: as the technique chose them
 };
 

@@ -19,6 +19,7 @@ struct Document {
     std::string sceneName; ///< as the command line takes it
     scene::Camera camera;
     scene::Camera outsideCamera; ///< the second camera, which shows the scene, the eye and its rays from outside
+    picture::OutsideChoice outsideChoice; ///< what it shows of the techniques; its caster follows the selection
     picture::Layout layout = picture::Layout::split;
     double split = 0.5;           ///< share of the width that the left pane has
     std::optional<dvec2> picked;  ///< the picked pixel, as shares of a picture's width and height

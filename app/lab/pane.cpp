@@ -48,7 +48,8 @@ bool operator==(const PaneRequest& a, const PaneRequest& b) {
            a.state.values() == b.state.values() && a.snapshot == b.snapshot && a.view.camera == b.view.camera &&
            a.view.size == b.view.size && a.view.region.corner == b.view.region.corner &&
            a.view.region.size == b.view.region.size && a.light == b.light &&
-           (!outside || (a.outsideCamera == b.outsideCamera && a.outsideSize == b.outsideSize)) &&
+           (!outside || (a.outsideCamera == b.outsideCamera && a.outsideSize == b.outsideSize &&
+                       a.outsideChoice == b.outsideChoice && a.draft == b.draft)) &&
            (!isAboutPicked || (a.view.picked == b.view.picked && a.view.partner == b.view.partner));
 }
 
@@ -196,7 +197,8 @@ bool Pane::drawOutside(picture::Session& session, const picture::PictureEncoder&
     outside.camera = scene::widenedFor(request.outsideCamera, static_cast<double>(outside.size.x) / outside.size.y);
     outside.region = {};
     const int light = request.snapshot->lights.empty() ? kNoLight : request.light;
-    const std::optional<Stage> seen = outside_->render(session, slot, request.view, outside, light, work.deadline);
+    const std::optional<Stage> seen = outside_->render(session, slot, request.view, outside, light,
+                                                            {.choice = request.outsideChoice, .draft = request.draft}, work.deadline);
     if (!seen) return false;
     picture_ = {encoder.encodeInPlace(*seen, StageKind::swatches, request.snapshot->exposure), StageKind::swatches,
                 seen->display, picture::captionOf(*slot.info, seen->key.id)};

@@ -33,6 +33,8 @@ struct PaneRequest {
     View view;
     scene::Camera outsideCamera; ///< for the stage `outside`, which is a picture of its own size:
     ivec2 outsideSize{0};        ///< that of the pane, also where the other stages show a band of a larger picture
+    picture::OutsideChoice outsideChoice{};
+    int draft = 1;               ///< by how much its picture is coarser than the pane
     int light = 0;               ///< for stages of one light that do not name theirs
     friend bool operator==(const PaneRequest&, const PaneRequest&);
 };

@@ -65,6 +65,8 @@ PaneRequest Workbench::requestFor(const PlacedPane& placed, int draft) const {
     if (document_.layout == picture::Layout::diff) request.state.stage = {};
     request.outsideCamera = document_.outsideCamera;
     request.outsideSize = glm::max(ivec2(1), (ivec2(cell.width, cell.height) + draft - 1) / draft);
+    request.outsideChoice = document_.outsideChoice;
+    request.draft = draft;
     request.light = document_.light;
     if (document_.picked) request.view.picked = pixelAt(*document_.picked, request.view.size);
     if (document_.partner) request.view.partner = pixelAt(*document_.partner, request.view.size);
@@ -193,6 +195,7 @@ void Workbench::redo() {
 /// Cameras come back as well. What is picked stays: it is no change, and the camera that it was picked in may be another.
 void Workbench::show(Document document) {
     if (document.sceneName == document_.sceneName) {
+        document.outsideChoice.caster = document_.outsideChoice.caster;
         document.picked = document_.picked;
         document.partner = document_.partner;
     }
@@ -226,6 +229,7 @@ void Workbench::showScene(scene::Snapshot scene, std::string sceneName) {
     animation_.seconds = 0;
     document_.camera = scene->camera;
     document_.outsideCamera = outsideCameraOf(*scene, scene->camera);
+    document_.outsideChoice.caster.reset(); // objects are counted anew
     document_.light = 0;
     unpick();
     document_.scene = std::move(scene);

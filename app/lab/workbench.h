@@ -87,6 +87,8 @@ public:
     void setCamera(const scene::Camera& camera);
     void setOutsideCamera(const scene::Camera& camera);
     void resetOutsideCamera();
+    /// The object whose volume is seen from outside: the selected one. Not a change that can be undone.
+    void setOutsideCaster(std::optional<std::size_t> object) { document_.outsideChoice.caster = object; }
 
     // --- changes that cannot be undone: what is asked, and of which pane
     /// Picks the pixel at that share of a picture's width and height. The background has no probe: then no pixel is picked any more.

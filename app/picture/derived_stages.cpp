@@ -39,7 +39,8 @@ Panel outsidePanel(Session& session, Slot& slot, const PictureEncoder& encoder, 
     const double aspect = static_cast<double>(outside.size.x) / outside.size.y;
     outside.camera = request.outside ? scene::widenedFor(*request.outside, aspect)
                                      : scene::outsideCameraFor(scene, request.view.camera, aspect);
-    const Stage stage = *OutsideView().render(session, slot, request.view, outside, request.stage.light);
+    const Stage stage = *OutsideView().render(session, slot, request.view, outside, request.stage.light,
+                                                {.choice = request.outsideChoice, .typeHeight = request.typeHeight});
     return {encoder.encode(stage, kOutside.kind, scene.exposure), "", kOutside.kind, stage.display};
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/picture/figure.h"
+#include "app/picture/outside/outside_choice.h"
 #include "app/picture/picture.h"
 #include "app/picture/session.h"
 #include "app/picture/wrong_marks.h"
@@ -37,6 +38,8 @@ struct DerivedRequest {
     std::optional<scene::Camera> outside{}; ///< of `outside`; none: scene::outsideCameraFor
     ivec2 outsideSize{0};                   ///< of its picture; zero: that of the view
     int markWidth = kOnePixel;              ///< of wrong pixels that stand alone, in `error`
+    OutsideChoice outsideChoice{};
+    int typeHeight = 0; ///< of the figure that the picture is a part of; 0: its own height
 };
 Panel derivedPanel(Session& session, Slot& slot, const RenderedFrame& rendered, const PictureEncoder& encoder,
                    const DerivedRequest& request);

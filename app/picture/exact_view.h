@@ -23,6 +23,8 @@ class ExactView {
 public:
     /// Makes ready to send rays. False when the time came before it was done: call again to go on.
     bool prepare(const scene::Snapshot& snapshot, Deadline deadline) { return tracer_.advance(snapshot, deadline); }
+    /// What sends them, once prepare() has returned true.
+    [[nodiscard]] const trace::SceneTracer& tracer() const { return tracer_; }
     /// Share of it that is done, 0..1.
     [[nodiscard]] double prepared() const { return tracer_.done(); }
     /// For each pixel of the whole view: the visibility of the light by definition, and the ties. Valid until the next call

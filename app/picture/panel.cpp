@@ -48,7 +48,8 @@ RenderedPanel renderPanel(Session& session, Slot& slot, const PictureEncoder& en
     }
     if (stage.isDerived()) {
         Panel panel = derivedPanel(session, slot, rendered, encoder,
-                                   {stage.key, view, request.row, request.font, request.outside, cell.pictureSize, request.markWidth});
+                                   {stage.key, view, request.row, request.font, request.outside, cell.pictureSize, request.markWidth,
+                                    request.outsideChoice, request.typeHeight});
         return {std::move(panel), std::move(rendered)};
     }
     if (stage.isPass) requirePassRan(rendered, stage.key, *slot.info);

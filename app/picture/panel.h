@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/picture/figure.h"
+#include "app/picture/outside/outside_choice.h"
 #include "app/picture/picture.h"
 #include "app/picture/session.h"
 #include "app/picture/stage_ref.h"
@@ -35,6 +36,8 @@ struct PanelRequest {
     std::optional<ivec2> picked{}, partner{}; ///< samples of the picture; only stages about one pixel take notice
     std::optional<int> row{};                 ///< of the stage `scanline`; none: the one with most wrong pixels
     std::optional<scene::Camera> outside{};   ///< of the stage `outside`; none: as the program chooses it
+    OutsideChoice outsideChoice{};            ///< likewise
+    int typeHeight = 0;                       ///< of the figure that the picture is a part of; 0: its own height
     const image::Font* font = nullptr;        ///< for the numbers of the stage `scanline`
     int markWidth = kOnePixel;                ///< of wrong pixels that stand alone, in the stage `error`
     std::optional<dvec2> range{};             ///< least and greatest value of a stage's colours; none: as the technique chose them

@@ -52,6 +52,8 @@ public:
     /// Builds the tree for rays, as far as the deadline allows. Truth and outline otherwise build it themselves. Returns the share that
     /// is done, 1: all.
     double prepareTruth(Deadline deadline) { return exact_.prepare(snapshot_, deadline) ? 1 : exact_.prepared(); }
+    /// For rays of other kinds through the scene. After prepareTruth() has returned 1 for it.
+    [[nodiscard]] const trace::SceneTracer& tracer() const { return exact_.tracer(); }
     /// The truth of what the view shows of one light, with its ties. Valid until the next call about the same
     /// thing, the light's centre or its area.
     const judge::Truth& truth(const View& view, const LightTruth& light);

@@ -103,6 +103,8 @@ bool Screen::frame(double seconds) {
     const bool moved = !painting && (handleMouse(ui_, panes_, frames.pictures(), theme_) || held);
     ui_.pressedAt.reset();
     ui_.bench.setMoving(moved);
+    if (ui_.selection.kind == lab::Selection::Kind::object)
+        ui_.bench.setOutsideCaster(static_cast<std::size_t>(ui_.selection.index));
     ui_.bench.allowDraft(ui_.shown.coarse);
     ui_.bench.drawWhole(ui_.shown.magnifier || ui_.shown.blink);
     ui_.bench.advance(seconds);

@@ -57,6 +57,8 @@ nlohmann::ordered_json stateReport(WindowState& ui, const Screen& screen) {
     }
     json["camera"] = cameraJson(document.camera);
     json["outsideCamera"] = cameraJson(document.outsideCamera);
+    json["volumes"] = picture::volumesText(document.outsideChoice, *document.scene);
+    json["nearClip"] = document.outsideChoice.nearClipPyramid;
     const scene::Scene& scene = *ui.bench.shownScene();
     json["lights"] = nlohmann::ordered_json::array();
     for (const scene::Light& light : scene.lights)

@@ -68,8 +68,8 @@ void describePair(const RoomCache& cache, const Sources& sources, const LightBal
                                     std::max(0.0, cosJ) * std::max(0.0, cosK) * to.area / (glm::pi<double>() * r * r)));
     probe.facts.push_back(probeFact("irradiance of j by k", exchanged / from.area * balance.radiosity()[k], "W/m^2"));
     probe.visited.push_back(
-        {"r, between their centres", look::kEqualDepth, SceneShape::Kind::lines, {from.centreWorld, to.centreWorld}});
-    probe.visited.push_back(outline(to, "patch k and its normal", look::kPatchK));
+        {"r", look::kEqualDepth, SceneShape::Kind::lines, {from.centreWorld, to.centreWorld}});
+    probe.visited.push_back(outline(to, "patch k", look::kPatchK));
 }
 
 // As many rows and columns as fit on a slide.
@@ -179,7 +179,7 @@ void describePatch(const RoomCache& cache, const Sources& sources, const LightBa
         probe.facts.push_back(probeFact("visible share of the light", share));
     }
     PatchExchange& exchange = probe.add(PatchExchange{asProbed(cache, sources, balance, j)});
-    probe.visited.push_back(outline(exchange.j, "patch j and its normal", look::kPatchJ));
+    probe.visited.push_back(outline(exchange.j, "patch j", look::kPatchJ));
     if (j >= exchanging) {
         probe.facts.push_back({"form factors", "none: nothing lies before it", ""});
         return;

@@ -61,7 +61,9 @@ public:
     Progress render(Frame& frame) override;
     Probe probe(const scene::Snapshot& snapshot, const View& view, ivec2 pixel, int light) override;
     std::vector<SceneShape> shapes(const scene::Snapshot& snapshot, const View& view, int light) override {
-        return frustumShapes(tools_.fitter.fitToView(*snapshot, view, tools_.fitter.query(*snapshot, light)));
+        // With a pixel picked, its rays are seen beside the maps, in colours that cascades have as well.
+        return frustumShapes(tools_.fitter.fitToView(*snapshot, view, tools_.fitter.query(*snapshot, light)),
+                             view.picked.has_value());
     }
     std::string remark(const scene::MeshReport& report, const scene::Mesh&) const override { return remarkOn(report); }
 

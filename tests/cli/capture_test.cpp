@@ -44,6 +44,18 @@ TEST_F(CaptureTest, TwiceTheSameBytes) {
         EXPECT_EQ(picture(options), picture(options));
 }
 
+TEST_F(CaptureTest, VolumesSeenFromOutsideAreThoseAskedFor) {
+    const auto with = [&](const Words& more) {
+        Words words{"-t", "shadow-volume-zfail", "--stage", "outside"};
+        words.insert(words.end(), more.begin(), more.end());
+        return picture(words);
+    };
+    EXPECT_NE(with({"--near-clip"}), with({}));
+    expectRefused({"capture", "box.json", "-o", "y.png", "-t", "shadow-volume-zfail", "--stage", "outside", "--volumes", "nobody"},
+                  2, {"--volumes", "nobody", "all"});
+    expectRefused({"capture", "box.json", "-o", "y.png", "--volumes", "all"}, 2, {"--volumes", "--stage outside"});
+}
+
 TEST_F(CaptureTest, APixelsRaysSeenFromOutside) {
     const Words outside{"-t", "ray-traced", "--stage", "outside"};
     const auto with = [&](const char* pixel) {

@@ -41,13 +41,16 @@ scene::Camera plainCamera() {
 TEST(OutsideShapes, TheEyeSeesAllThingsAndEndsSoonBehindThem) {
     const scene::Scene scene = testing::simpleScene();
     const View view = viewOf(scene);
-    const SceneShape eye = eyeShape(scene, view);
-    EXPECT_EQ(eye.pointsWorld.size(), 2u * (4 + 4 + 4));
+    const std::vector<SceneShape> eye = eyeShapes(scene, view);
+    ASSERT_EQ(eye.size(), 2u);
+    EXPECT_EQ(eye[0].pointsWorld.size(), 2u * (4 + 4));
+    EXPECT_EQ(eye[1].pointsWorld.size(), 2u * 4);
     const double depth = shownDepth(scene, view);
-    for (const double d : {view.camera.near, depth})
-        for (const dvec3& corner : scene::viewCorners(view.camera, 4.0 / 3, d))
-            EXPECT_TRUE(holds(eye.pointsWorld, corner, 1e-12)) << d;
-    EXPECT_TRUE(holds(eye.pointsWorld, view.camera.positionWorld, 0));
+    for (const dvec3& corner : scene::viewCorners(view.camera, 4.0 / 3, depth))
+        EXPECT_TRUE(holds(eye[0].pointsWorld, corner, 1e-12));
+    for (const dvec3& corner : scene::viewCorners(view.camera, 4.0 / 3, view.camera.near))
+        EXPECT_TRUE(holds(eye[1].pointsWorld, corner, 1e-12));
+    EXPECT_TRUE(holds(eye[0].pointsWorld, view.camera.positionWorld, 0));
 
     double farthest = 0;
     const scene::Bounds things = scene::thingsBounds(scene);

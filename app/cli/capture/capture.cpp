@@ -41,6 +41,9 @@ void describeCapture(DescribedOptions& add) {
     add.option("--row", "Y", "the row of the stage scanline, from the top (default: the one with most wrong pixels)");
     add.option("--outside", "X,Y,Z,X,Y,Z",
                "where the second camera of the stage outside stands, and where it looks (default: a good place)");
+    add.option("--volumes", "all|OBJECT",
+               "whose shadow volume the stage outside shows (default: that of the object whose shadow takes most of the picture)");
+    add.flag("--near-clip", "the stage outside shows the near-clip pyramid of shadow volumes as well");
     add.option("--pixel", "X,Y",
                "the pixel whose rays the stage outside shows, in place of a few of all, or whose patch radiosity's "
                "form-factors "
@@ -126,6 +129,11 @@ CaptureOptions captureOptions(const GivenOptions& given) {
                             [](const picture::StageRef& stage) { return stage.isVisibility() || stage.isDerived(); }))
         options.supersample = 1;
     if (given.has("--outside")) options.outside = outsideFor(given, options.stages);
+    for (const char* option : {"--volumes", "--near-clip"})
+        if (given.has(option) && std::ranges::none_of(options.stages, &picture::StageRef::isOutside))
+            refuseUsage(std::string(option) + ": only the stage outside shows volumes as a whole; add --stage outside");
+    options.volumes = given.text("--volumes");
+    options.nearClip = given.has("--near-clip");
     if (given.has("--pixel")) options.pixel = pickedFor("--pixel", given, options);
     if (given.has("--partner")) {
         if (!options.pixel)

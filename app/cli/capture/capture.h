@@ -32,6 +32,8 @@ struct CaptureOptions {
     double split = 0.5;                           ///< share of the width that the left one of two bands has
     std::optional<int> row;                       ///< of stage `scanline`
     std::optional<std::array<double, 6>> outside; ///< position and target of the second camera; none: a good place
+    std::string volumes;                          ///< of the stage `outside`: "all", an object, or empty: one that is chosen
+    bool nearClip = false;                        ///< likewise: the near-clip pyramid
     std::optional<ivec2> pixel;                   ///< whose rays are shown; none: a few of all
     std::optional<ivec2> partner;                 ///< a second one beside it
     ivec2 size{1280, 720};

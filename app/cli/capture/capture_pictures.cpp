@@ -199,6 +199,8 @@ private:
         request.row = options_.row;
         request.outside = outsideCamera();
         request.markWidth = markWidth();
+        request.outsideChoice = picture::outsideChoiceOf(options_.volumes, options_.nearClip, *base_, "--volumes");
+        request.typeHeight = size_.y;
         if (stages_[i].isDerived()) request.font = &font();
         request.timePasses = !options_.stats.empty();
         return request;

@@ -28,6 +28,7 @@ lab::Document documentFor(const CaptureOptions& options, const scene::Snapshot& 
     document.layout = options.techniques.size() == 1 ? picture::Layout::single : options.layout;
     document.split = options.split;
     if (!options.light.empty()) document.light = picture::lightIndex(*scene, options.light);
+    document.outsideChoice = picture::outsideChoiceOf(options.volumes, options.nearClip, *scene, "--volumes");
     if (options.outside) {
         const auto& [x, y, z, targetX, targetY, targetZ] = *options.outside;
         document.outsideCamera.positionWorld = {x, y, z};

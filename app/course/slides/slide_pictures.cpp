@@ -67,7 +67,8 @@ private:
                              .supersample = supersample,
                              .picked = picture.pixel,
                              .partner = picture.partner,
-                             .outside = picture.outside};
+                             .outside = picture.outside,
+                             .outsideChoice = picture.outsideChoice};
         if (i < ranges_.size()) request.range = ranges_[i];
         drawn_[i].parts = states_[i]->draw(request);
     }

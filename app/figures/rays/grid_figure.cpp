@@ -20,7 +20,7 @@ namespace {
 constexpr double kListWidth = 520;
 constexpr double kLeastLine = 5;                                  ///< pixels between lines: finer grids are a grey area
 constexpr double kLeastNumber = 34;                               ///< pixels of a cell that a number fits into
-const char *const kPassed = "#d6ebf7", *const kHolds = "#fdf3dc"; // light tints of look::kEye and look::kPatchJ
+const char *const kPassed = "#d6ebf7", *const kHolds = "#fdf3dc"; // light tints of look::kVisited and look::kPatchJ
 
 /// Lines of the grid along the two axes that are seen.
 void drawLines(drawing::Drawing& drawing, const ParallelView& view, const StructureProbe& grid, int axis) {

@@ -77,7 +77,7 @@ void drawPlane(drawing::Drawing& drawing, const Sheet& sheet, ivec2 size, drawin
     std::vector<dvec2> rim;
     for (const dvec2 corner : {dvec2(0, 0), dvec2(size.x, 0), dvec2(size.x, size.y), dvec2(0, size.y)})
         rim.push_back(sheet.view(sheet.onPlane(corner)));
-    drawing.path(rim, true, "#f4f9fd", {"#1a1a1a", 3, false}); // a light tint of look::kEye
+    drawing.path(rim, true, "#f4f9fd", {"#1a1a1a", 3, false}); // a pale blue
     std::vector<dvec2> lines;
     for (double x = sheet.cellPixels; x < size.x - 0.5; x += sheet.cellPixels)
         lines.insert(lines.end(), {sheet.view(sheet.onPlane({x, 0})), sheet.view(sheet.onPlane({x, size.y}))});

@@ -121,15 +121,16 @@ double shownDepth(const scene::Scene& scene, const View& eye) {
     return kBeyond * farthest;
 }
 
-SceneShape eyeShape(const scene::Scene& scene, const View& eye) {
+std::vector<SceneShape> eyeShapes(const scene::Scene& scene, const View& eye) {
     const double aspect = static_cast<double>(eye.size.x) / eye.size.y;
     const std::array<dvec3, 4> far = scene::viewCorners(eye.camera, aspect, shownDepth(scene, eye));
-    SceneShape shape{"the eye, its near plane and its view", look::kEye, SceneShape::Kind::lines, {}};
-    addLoop(shape.pointsWorld, scene::viewCorners(eye.camera, aspect, eye.camera.near));
-    addLoop(shape.pointsWorld, far);
+    SceneShape view{"view of the eye", look::kEye, SceneShape::Kind::lines, {}};
+    SceneShape nearPlane{"near plane of the eye", look::kEye, SceneShape::Kind::lines, {}};
+    addLoop(nearPlane.pointsWorld, scene::viewCorners(eye.camera, aspect, eye.camera.near));
+    addLoop(view.pointsWorld, far);
     for (const dvec3& corner : far)
-        addSegment(shape.pointsWorld, eye.camera.positionWorld, corner);
-    return shape;
+        addSegment(view.pointsWorld, eye.camera.positionWorld, corner);
+    return {std::move(view), std::move(nearPlane)};
 }
 
 std::vector<SceneShape> lightShapes(const scene::Scene& scene, const scene::Bounds& things, int light,

@@ -11,12 +11,13 @@ namespace shadowlab::picture {
 /// that reach to the horizon do not count (scene::thingsBounds).
 double shownDepth(const scene::Scene& scene, const View& eye);
 
-/// The eye: the edges of its view from the eye itself to shownDepth(), closed there and at the near plane by a rectangle.
-SceneShape eyeShape(const scene::Scene& scene, const View& eye);
+/// What the eye sees: the edges of its view from the eye itself to shownDepth(), closed there by a rectangle; and the one at its
+/// near plane.
+std::vector<SceneShape> eyeShapes(const scene::Scene& scene, const View& eye);
 
 /// A sign for every light, as large as it has to be to be seen by the camera: a star for a point, arrows for a direction,
 /// a cone for a spot; the outline of a rect and a sphere, in their own size. `light` in the colour of the light that is
-/// looked at (kNoLight: none), all others grey. `things` are the scene's thingsBounds.
+/// looked at (kNoLight: none), which comes last, all others grey. `things` are the scene's thingsBounds.
 std::vector<SceneShape> lightShapes(const scene::Scene& scene, const scene::Bounds& things, int light,
                                     const scene::Camera& outside);
 

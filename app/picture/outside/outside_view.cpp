@@ -2,12 +2,14 @@
 #include "app/picture/outside/outside_view.h"
 
 #include <algorithm>
-#include <iterator>
+#include <array>
 #include <ranges>
 #include <utility>
 
 #include "app/picture/outside/outside_shapes.h"
 #include "app/picture/outside/pixel_shapes.h"
+#include "app/picture/outside/thing_places.h"
+#include "techniques/foundation/base/look.h"
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/debug.h"
 #include "techniques/foundation/scene/query/outside_camera.h"
@@ -17,6 +19,11 @@ namespace shadowlab::picture {
 namespace {
 
 constexpr float kGroundShare = 0.7f; ///< of the picture's light: bright floors leave room for lines that are brighter
+
+// Type of the labels, as legends have it: as shares of the figure's height, the larger one if no label is lost by it.
+constexpr std::array kTypeShares = {1.0 / 38, 1.0 / 45};
+constexpr double kSmallestType = 10; ///< pixels; below, letters dissolve
+constexpr double kTitleRoom = 1.9;   ///< em, at the top: there a figure has its title
 
 /// Lends a slot another target for as long as it lives.
 class BorrowedTarget {
@@ -31,15 +38,6 @@ private:
     gl::Target& target_;
 };
 
-/// One entry for each label. What is drawn last is explained first: the light and the eye, then what goes between them.
-std::vector<KeyEntry> keyOfShapes(std::span<const SceneShape> shapes) {
-    std::vector<KeyEntry> key;
-    for (const SceneShape& shape : shapes | std::views::reverse)
-        if (!shape.pointsWorld.empty() && std::ranges::find(key, shape.label, &KeyEntry::label) == key.end())
-            key.push_back({shape.colorLinear, shape.label});
-    return key;
-}
-
 void scissorTo(const View& view) {
     const Region& region = view.region;
     if (region.size.x <= 0 || region.size.y <= 0) return;
@@ -50,16 +48,16 @@ void scissorTo(const View& view) {
 } // namespace
 
 std::optional<Stage> OutsideView::render(Session& session, Slot& slot, const View& eye, const View& outside, int light,
-                                         Deadline deadline) {
+                                         const OutsideLook& look, Deadline deadline) {
     {
         const BorrowedTarget borrowed(slot, target_);
         FrameRequest request;
         request.deadline = deadline;
         if (session.render(slot, outside, request).result.passes.empty()) return std::nullopt;
     }
-    updateShapes(session, slot, eye, light);
-    std::vector<SceneShape> all = lightShapes(*session.snapshot(), things_, light, outside.camera);
-    all.insert(all.begin(), shapes_.begin(), shapes_.end()); // signs of lights are drawn last: they are small
+    if (!updateShapes(session, slot, eye, light, look.choice, deadline)) return std::nullopt;
+    const std::vector<SceneShape> lights = lightShapes(*session.snapshot(), things_, light, outside.camera);
+    const std::vector<SceneShape> ofPixel = pixelShapes(probe_, outside.camera);
 
     Stage stage{{"outside", light}, gl::Texture2D(GL_RGBA16F, outside.size, "outside"), {}};
     const gl::Texture2D depth(GL_DEPTH24_STENCIL8, outside.size, "outside");
@@ -71,29 +69,84 @@ std::optional<Stage> OutsideView::render(Session& session, Slot& slot, const Vie
     scissorTo(outside);
     drawGround(target_.color, session.snapshot()->exposure);
     drawDepth(session, outside);
-    painter_.draw(all, outside.camera, outside.size);
+    std::vector<const SceneShape*> inScene; // signs of lights are drawn last: they are small
+    for (const std::vector<SceneShape>* some : {&std::as_const(ofTechnique_), &std::as_const(ofEye_), &lights})
+        for (const SceneShape& shape : *some)
+            inScene.push_back(&shape);
+    painter_.draw(inScene, outside.camera, outside.size);
+    std::vector<const SceneShape*> onTop; // the pixel's rays go through glass, and into corners
+    for (const SceneShape& shape : ofPixel)
+        onTop.push_back(&shape);
+    painter_.draw(onTop, outside.camera, outside.size, true);
+    stage.display.key = label(eye, outside, lights, ofPixel, look);
     gl::check("outside");
-    if (eye.picked) { // its rays go through glass, and into corners
-        std::vector<SceneShape> ofPixel = pixelShapes(probe_, outside.camera);
-        painter_.draw(ofPixel, outside.camera, outside.size, true);
-        std::ranges::move(ofPixel, std::back_inserter(all));
-    }
-    stage.display.key = keyOfShapes(all);
     return stage;
 }
 
-void OutsideView::updateShapes(const Session& session, Slot& slot, const View& eye, int light) {
-    ShapesOf wanted{slot.info,  slot.technique.get(), {},   session.snapshot(), eye.camera, eye.size,
-                    eye.picked, eye.partner,          light};
+/// False when the rays by which a caster is chosen could not be sent by the deadline.
+bool OutsideView::updateShapes(Session& session, Slot& slot, const View& eye, int light, const OutsideChoice& choice,
+                               Deadline deadline) {
+    const scene::Snapshot& snapshot = session.snapshot();
+    ShapesOf wanted{slot.info,  slot.technique.get(), {},    snapshot, eye.camera, eye.size,
+                    eye.picked, eye.partner,          light, choice};
     for (const params::Param& param : slot.params)
         wanted.values.push_back(param.get());
-    if (wanted == madeFor_) return;
-    things_ = scene::thingsBounds(*session.snapshot());
-    shapes_.clear();
-    if (light != kNoLight) shapes_ = slot.technique->shapes(session.snapshot(), eye, light);
-    probe_ = eye.picked ? slot.technique->probe(session.snapshot(), eye, *eye.picked, light) : Probe{};
-    shapes_.push_back(eyeShape(*session.snapshot(), eye));
+    if (wanted == madeFor_) return true;
+    std::vector<SceneShape> published;
+    if (light != kNoLight) published = slot.technique->shapes(snapshot, eye, light);
+    Probe probe = eye.picked ? slot.technique->probe(snapshot, eye, *eye.picked, light) : Probe{};
+    const bool isChosen = choice.caster && hasShapesOf(published, *choice.caster);
+    std::optional<std::size_t> caster = isChosen ? choice.caster : casterAbove(probe);
+    const bool isOfObjects = std::ranges::any_of(published, [](const SceneShape& shape) { return shape.object.has_value(); });
+    if (isOfObjects && !caster && !choice.allVolumes) {
+        if (session.prepareTruth(deadline) < 1) return false;
+        caster = mostSeenCaster(session.tracer(), eye, light, published);
+    }
+    things_ = scene::thingsBounds(*snapshot);
+    ofTechnique_ = chosenShapes(published, choice, caster);
+    ofEye_ = eyeShapes(*snapshot, eye);
+    probe_ = std::move(probe);
     madeFor_ = std::move(wanted);
+    return true;
+}
+
+/// Labels the things, the most important first: the eye and the light, then what goes between them. Returns the key of the
+/// colours of those that are seen and found no room.
+std::vector<KeyEntry> OutsideView::label(const View& eye, const View& outside, std::span<const SceneShape> lights,
+                                         std::span<const SceneShape> ofPixel, const OutsideLook& look) {
+    std::vector<const SceneShape*> order;
+    const auto addFromLast = [&](std::span<const SceneShape> shapes) {
+        for (const SceneShape& shape : shapes | std::views::reverse)
+            order.push_back(&shape);
+    };
+    addFromLast(lights); // the chosen one is the last
+    addFromLast(ofPixel);
+    addFromLast(ofTechnique_);
+    addFromLast(ofEye_);
+    std::ranges::stable_partition(
+        order, [](const SceneShape* shape) { return shape->colorLinear != look::kOtherLight; });
+
+    const std::array<NamedPoint, 1> points{{{"eye", look::kEye, eye.camera.positionWorld}}};
+    const int height = look.typeHeight > 0 ? look.typeHeight : outside.size.y;
+    std::vector<KeyEntry> missing;
+    labels_.clear();
+    double em = 0;
+    for (const double share : kTypeShares) {
+        const double size = std::max(kSmallestType / look.draft, share * height);
+        const ThingPlaces things = thingPlaces(points, order, outside.camera, outside.size, size);
+        std::vector<PlacedLabel> placed =
+            placeLabels(things.wishes, things.cover, {outside.size, size, kTitleRoom * size},
+                        [&](const std::string& text) { return labelPainter_.sizeOf(text, size); });
+        if (em != 0 && placed.size() <= labels_.size()) continue;
+        em = size;
+        labels_ = std::move(placed);
+        missing.clear();
+        for (const LabelWish& wish : things.wishes)
+            if (std::ranges::find(labels_, wish.text, &PlacedLabel::text) == labels_.end())
+                missing.push_back({wish.colorLinear, wish.text});
+    }
+    labelPainter_.draw(labels_, em, painter_, outside.size);
+    return missing;
 }
 
 void OutsideView::drawGround(const gl::Texture2D& radiance, float exposure) const {

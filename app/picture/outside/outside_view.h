@@ -4,10 +4,18 @@
 #pragma once
 #include <optional>
 
-#include "app/picture/outside/shape_painter.h"
+#include "app/picture/outside/label_painter.h"
+#include "app/picture/outside/outside_choice.h"
 #include "app/picture/session.h"
 
 namespace shadowlab::picture {
+
+/// How such a picture is drawn, apart from what it is of.
+struct OutsideLook {
+    OutsideChoice choice{};
+    int typeHeight = 0; ///< that the labels' type is a share of: the height of the figure that the picture is a part of; 0: its own
+    int draft = 1;      ///< the picture is shown that many times as large
+};
 
 /// Draws such pictures, and keeps between them what it takes long to make. Needs a current GL context for its whole life.
 class OutsideView {
@@ -16,10 +24,15 @@ public:
     /// and over it the shapes. `eye` is the view that is looked at; its size gives the shape of its frustum, and
     /// of its picked pixel, if it has one, the rays are shown. `light` is an
     /// index, or kNoLight for a scene without lights. Returns a picture of linear display colours, to be shown as
-    /// StageKind::swatches, with the key of the colours; or nothing, when the technique was not ready by the deadline. The
-    /// slot's own picture stays as it is.
+    /// StageKind::swatches, in which the things are labelled; its key is of those that found no room for a label. Or nothing,
+    /// when the technique was not ready by the deadline. The slot's own picture stays as it is.
     std::optional<Stage> render(Session& session, Slot& slot, const View& eye, const View& outside, int light,
-                                Deadline deadline = Deadline::max());
+                                const OutsideLook& look = {}, Deadline deadline = Deadline::max());
+
+    /// The labels of the last picture.
+    [[nodiscard]] const std::vector<PlacedLabel>& labels() const { return labels_; }
+    /// The technique's shapes in it.
+    [[nodiscard]] const std::vector<SceneShape>& shownShapes() const { return ofTechnique_; }
 
 private:
     /// All that shapes depend on.
@@ -32,17 +45,23 @@ private:
         ivec2 eyeSize{0};
         std::optional<ivec2> picked, partner;
         int light = kNoLight;
+        OutsideChoice choice;
         friend bool operator==(const ShapesOf&, const ShapesOf&) = default;
     };
-    void updateShapes(const Session& session, Slot& slot, const View& eye, int light);
+    bool updateShapes(Session& session, Slot& slot, const View& eye, int light, const OutsideChoice& choice,
+                      Deadline deadline);
+    std::vector<KeyEntry> label(const View& eye, const View& outside, std::span<const SceneShape> lights,
+                                std::span<const SceneShape> ofPixel, const OutsideLook& look);
     void drawGround(const gl::Texture2D& radiance, float exposure) const;
     void drawDepth(const Session& session, const View& outside) const;
 
     gl::Target target_; ///< of the technique
     ShapesOf madeFor_;
     scene::Bounds things_;
-    std::vector<SceneShape> shapes_; ///< the eye's and the technique's
-    Probe probe_;                    ///< of the picked pixel, if there is one
+    std::vector<SceneShape> ofTechnique_, ofEye_;
+    Probe probe_; ///< of the picked pixel, if there is one
+    std::vector<PlacedLabel> labels_;
+    LabelPainter labelPainter_;
     ShapePainter painter_;
     gl::Program ground_{"fullscreen.vert", "picture/outside_ground.frag"};
     gl::Program depthOnly_{"position.vert", "nothing.frag"};

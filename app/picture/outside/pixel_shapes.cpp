@@ -24,11 +24,11 @@ struct ShapeKind {
 };
 /// In the order of Probe::Role.
 const std::array<ShapeKind, 5>& kinds() {
-    static const std::array<ShapeKind, 5> all = {{{"the pixel's ray, and vectors where it ends", look::kEyeRay},
-                                                  {"reflection rays R", look::kReflectionRay},
-                                                  {"refraction rays T", look::kRefractionRay},
-                                                  {"shadow rays that arrive: lit", look::kEqualDepth},
-                                                  {"shadow rays that do not arrive", look::kOccluded}}};
+    static const std::array<ShapeKind, 5> all = {{{"the pixel's ray", look::kEyeRay},
+                                                  {"reflection rays", look::kReflectionRay},
+                                                  {"refraction rays", look::kRefractionRay},
+                                                  {"shadow ray: lit", look::kEqualDepth},
+                                                  {"shadow ray: blocked", look::kOccluded}}};
     return all;
 }
 

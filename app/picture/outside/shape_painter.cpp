@@ -92,10 +92,52 @@ std::vector<ScreenSegment> projectSegments(std::span<const dvec3> pointsWorld, c
     return segments;
 }
 
-void ShapePainter::draw(std::span<const SceneShape> shapes, const scene::Camera& camera, ivec2 size, bool onTop) const {
+std::vector<std::array<dvec2, 3>> projectFaces(std::span<const dvec3> pointsWorld, const scene::Camera& camera, ivec2 size) {
+    const gl::EyeMatrices eye = gl::eyeMatrices(camera, size);
+    const dmat4 clipFromEyeRelative = eye.clipFromView * dmat4(dmat3(eye.viewFromWorld));
+    const auto nearer = [](const dvec4& clip) { return clip.z + clip.w; }; // 0 on the near plane
+    std::vector<std::array<dvec2, 3>> faces;
+    for (std::size_t i = 0; i + 2 < pointsWorld.size(); i += 3) {
+        std::vector<dvec2> corners; // of the part before the near plane: none, three or four
+        for (std::size_t k = 0; k < 3; ++k) {
+            const dvec4 a = clipFromEyeRelative * dvec4(pointsWorld[i + k] - camera.positionWorld, 1.0);
+            const dvec4 b = clipFromEyeRelative * dvec4(pointsWorld[i + (k + 1) % 3] - camera.positionWorld, 1.0);
+            const auto add = [&](const dvec4& clip) { corners.push_back((0.5 + 0.5 * dvec2(clip) / clip.w) * dvec2(size)); };
+            if (nearer(a) >= 0) add(a);
+            if ((nearer(a) >= 0) != (nearer(b) >= 0)) add(glm::mix(a, b, nearer(a) / (nearer(a) - nearer(b))));
+        }
+        for (std::size_t k = 2; k < corners.size(); ++k)
+            faces.push_back({corners[0], corners[k - 1], corners[k]});
+    }
+    return faces;
+}
+
+void ShapePainter::drawOnPicture(const std::vector<ScreenSegment>& segments, const vec3& colorLinear, float width,
+                                 ivec2 size) const {
+    if (segments.empty()) return;
+    glDepthMask(GL_FALSE);
+    glDepthFunc(GL_ALWAYS);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    const Lines lines(colorLinear, segments);
+    line_.use();
+    line_.set("pictureSize", vec2(size));
+    line_.set("reach", 0.5f * width + 2.0f);
+    for (const bool rim : {true, false}) {
+        line_.set("halfWidth", 0.5f * width + (rim ? 1.0f : 0.0f));
+        line_.set("color", rim ? vec4(look::kLineRim, look::kLineRimAlpha) : vec4(colorLinear, 1.0f));
+        glBindVertexArray(lines.vertexArray.id());
+        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, lines.segments);
+    }
+    glBindVertexArray(0);
+}
+
+void ShapePainter::draw(std::span<const SceneShape* const> shapes, const scene::Camera& camera, ivec2 size,
+                        bool onTop) const {
     std::vector<Lines> lines;
     std::vector<Faces> faces;
-    for (const SceneShape& shape : shapes) {
+    for (const SceneShape* const one : shapes) {
+        const SceneShape& shape = *one;
         if (shape.kind == SceneShape::Kind::lines) {
             const std::vector<ScreenSegment> segments = projectSegments(shape.pointsWorld, camera, size);
             if (!segments.empty()) lines.emplace_back(shape.colorLinear, segments);

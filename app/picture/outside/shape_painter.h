@@ -2,6 +2,7 @@
 // through what is behind them.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct ScreenSegment {
 /// little more than the picture. Computed in double.
 std::vector<ScreenSegment> projectSegments(std::span<const dvec3> pointsWorld, const scene::Camera& camera, ivec2 size);
 
+/// The faces (three points each) that lie before the camera's near plane, cut to it, as triangles in pixels from the lower
+/// left corner; they may reach beyond the picture.
+std::vector<std::array<dvec2, 3>> projectFaces(std::span<const dvec3> pointsWorld, const scene::Camera& camera, ivec2 size);
+
 /// Width of the lines in pixels, in a picture of that height: what look::lineRadius says, and never less than two.
 float lineWidth(int height);
 
@@ -29,7 +34,10 @@ public:
     /// scene, drawn with this very camera (gl::eyeMatrices) and offset a little away from it; it is not written. What the
     /// scene hides shows through faintly. GL state as after setBaselineState(), or with a scissor set.
     /// `onTop`: as if there were no scene.
-    void draw(std::span<const SceneShape> shapes, const scene::Camera& camera, ivec2 size, bool onTop = false) const;
+    void draw(std::span<const SceneShape* const> shapes, const scene::Camera& camera, ivec2 size, bool onTop = false) const;
+
+    /// Lines of that width as they lie in the picture, over everything.
+    void drawOnPicture(const std::vector<ScreenSegment>& segments, const vec3& colorLinear, float width, ivec2 size) const;
 
 private:
     struct Lines;

@@ -27,6 +27,8 @@ void panelTabs(WindowState& ui);
 /// The settings of the active pane's technique, made from its parameter list: the basic ones, then the groups, folded. Each is a
 /// checkbox, slider or choice with its label, value, help, range and a way back to its default.
 void parameterPanel(WindowState& ui, const Theme& theme);
+/// Of the view from outside: all shadow volumes or one, and the near-clip pyramid. For panes that look from there.
+void outsidePanel(WindowState& ui);
 /// What the active pane's technique reports about the picked pixel: facts, and the tree of its rays. Nothing while none is picked.
 void pixelPanel(WindowState& ui);
 /// Errors and frame times, a row for each pane on show.

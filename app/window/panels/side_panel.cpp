@@ -151,6 +151,7 @@ void sidePanel(WindowState& ui, const lab::LiveErrors& errors, const Area& area,
     panelTabs(ui);
     panePart(ui);
     verdictPart(ui, errors);
+    if (looksFromOutside(ui)) outsidePanel(ui);
     pixelPanel(ui);
     if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) parameterPanel(ui, theme);
     lessonList(ui);

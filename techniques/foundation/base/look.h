@@ -21,11 +21,12 @@ inline const vec3 kBoundaryEdge = linearFromSrgb8(0x00, 0x9E, 0x73);
 inline const vec3 kMultipleEdge = linearFromSrgb8(0xCC, 0x79, 0xA7);
 inline const vec3 kInconsistentEdge = linearFromSrgb8(0xF0, 0xE4, 0x42);
 
-// The parts of a shadow volume, each in the colour of what it is made of: polygons that face the light; silhouette edges,
-// extruded; in the lecture's volume polygons that face away from the light, extruded.
-inline const vec3 kTopCap = kTowardLight;
-inline const vec3 kVolumeSide = kSilhouette;
-inline const vec3 kBottomCap = kAwayFromLight;
+// The parts of a shadow volume. No two are alike, and none is like the silhouette, the eye or the light: all of them are seen in
+// one picture.
+inline const vec3 kTopCap = linearFromSrgb8(0x00, 0x9E, 0x73);
+inline const vec3 kVolumeSide = linearFromSrgb8(0xCC, 0x79, 0xA7);
+inline const vec3 kBottomCap = linearFromSrgb8(0x56, 0xB4, 0xE9);
+inline const vec3 kNearClipPyramid = linearFromSrgb8(0xE6, 0x9F, 0x00);
 
 // The method that counts a caster's volume.
 inline const vec3 kDepthPass = linearFromSrgb8(0x90, 0xF0, 0xA8);
@@ -46,16 +47,20 @@ inline const vec3 kPartlySeen = linearFromSrgb8(0xF0, 0xE4, 0x42); ///< of a lig
 inline const vec3 kNothingStored = linearFromSrgb8(0x56, 0xB4, 0xE9);
 inline const vec3 kNotAsked = linearFromSrgb8(0x60, 0x60, 0x60);
 
-// What a second camera, outside, shows of the first camera and of the lights: the eye and its rays; the chosen light, the
-// other lights; the cameras of a shadow map.
-inline const vec3 kEye = linearFromSrgb8(0x56, 0xB4, 0xE9);
-inline const vec3 kEyeRay = linearFromSrgb8(0xF2, 0xF2, 0xF2);
+// What a second camera, outside, shows of the first camera and of the lights: the eye with its view and its rays; the chosen
+// light, the other lights; the cameras of a shadow map. White is the eye's: every other colour is then left for what a
+// technique has in the scene.
+inline const vec3 kEye = linearFromSrgb8(0xF2, 0xF2, 0xF2);
+inline const vec3 kEyeRay = kEye;
 inline const vec3 kChosenLight = linearFromSrgb8(0xF0, 0xE4, 0x42);
 inline const vec3 kOtherLight = linearFromSrgb8(0xB0, 0xB0, 0xB0);
 inline const vec3 kReflectionRay = linearFromSrgb8(0xCC, 0x79, 0xA7);
 inline const vec3 kRefractionRay = linearFromSrgb8(0xE6, 0x9F, 0x00);
-inline const vec3 kVisited = linearFromSrgb8(0xB0, 0xB0, 0xB0); ///< cells and volumes on a ray's way
+inline const vec3 kVisited = linearFromSrgb8(0x56, 0xB4, 0xE9); ///< cells and volumes on a ray's way
 inline const vec3 kLightFrustum = linearFromSrgb8(0xE6, 0x9F, 0x00);
+inline const vec3 kMapTexel = linearFromSrgb8(0xCC, 0x79, 0xA7); ///< one texel of a map, on the surface that it is compared with
+inline const vec3 kReceiverPlane = linearFromSrgb8(0x56, 0xB4, 0xE9);
+inline const vec3 kPassedOver = linearFromSrgb8(0xCC, 0x79, 0xA7); ///< triangles on a light's line that do not stand in its way
 
 // The two patches of a form factor: j, which the pixel shows, and k.
 inline const vec3 kPatchJ = linearFromSrgb8(0xE6, 0x9F, 0x00);

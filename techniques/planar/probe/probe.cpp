@@ -45,9 +45,9 @@ void tell(Probe& probe, const PlaneProbe& plane, bool shadows) {
 
 /// The triangles that the line meets, and the plane's own point joined to them.
 std::vector<SceneShape> coverShapes(const PlaneProbe& plane, const dvec3& pointWorld) {
-    SceneShape casting{"triangle that throws the shadow here", look::kOccluded, SceneShape::Kind::faces, {}};
-    SceneShape others{"on the line, but not between", look::kNothingStored, SceneShape::Kind::lines, {}};
-    SceneShape way{"from the triangle to its shadow", look::kOccluded, SceneShape::Kind::lines, {}};
+    SceneShape casting{"throws the shadow", look::kOccluded, SceneShape::Kind::faces, {}};
+    SceneShape others{"not between light and plane", look::kPassedOver, SceneShape::Kind::lines, {}};
+    SceneShape way{"to its shadow", look::kOccluded, SceneShape::Kind::lines, {}};
     for (const PlaneProbe::Cover& cover : plane.covers) {
         if (cover.casts) {
             casting.pointsWorld.insert(casting.pointsWorld.end(), cover.cornersWorld.begin(), cover.cornersWorld.end());

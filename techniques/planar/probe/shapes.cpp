@@ -62,8 +62,8 @@ std::vector<SceneShape> Planar::shapes(const scene::Snapshot& snapshot, const Vi
     const std::vector<ChosenReceiver> chosen = choose(receivers_.inView(*snapshot, eye, scene::objectBounds(*snapshot)),
                                                       params_.receivers, apartInPicture(view.size))
                                                    .receivers;
-    SceneShape outline{"receiver plane", look::kBoundaryEdge, SceneShape::Kind::lines, {}};
-    SceneShape area{"receiver plane", look::kBoundaryEdge, SceneShape::Kind::faces, {}};
+    SceneShape outline{"receiver plane", look::kReceiverPlane, SceneShape::Kind::lines, {}};
+    SceneShape area{"receiver plane", look::kReceiverPlane, SceneShape::Kind::faces, {}};
     for (const ChosenReceiver& one : chosen)
         addFace(one, *snapshot, outline, area);
     std::vector<SceneShape> shapes = {outline, area};
@@ -72,7 +72,7 @@ std::vector<SceneShape> Planar::shapes(const scene::Snapshot& snapshot, const Vi
 
     // Rays onto one plane only, since more would be confusing: the lit plane in view on which most rays end.
     const dvec4 lightWorld = scene::homogeneousPositionWorld(snapshot->light(light));
-    SceneShape rays{"ray from the light to the plane", look::kSilhouette, SceneShape::Kind::lines, {}};
+    SceneShape rays{"rays to the plane", look::kSilhouette, SceneShape::Kind::lines, {}};
     for (const ChosenReceiver& one : chosen) {
         const auto projection = projectOnto(one.planeView, eye.viewFromWorld * lightWorld,
                                             reachOf(eye.viewFromWorld * lightWorld, one.frameView));

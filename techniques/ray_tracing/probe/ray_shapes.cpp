@@ -86,9 +86,9 @@ std::optional<RayPath> pathIn(const trace::SceneTracer& tracer, const trace::Eye
 
 std::vector<SceneShape> rayShapes(const trace::SceneTracer& tracer, const View& view, int light) {
     using enum SceneShape::Kind;
-    SceneShape eyeRays{"eye rays, to what a pixel shows", look::kEyeRay, lines, {}};
-    SceneShape arriving{"shadow rays that arrive: lit", look::kEqualDepth, lines, {}};
-    SceneShape blocked{"shadow rays up to what blocks them: in shadow", look::kOccluded, lines, {}};
+    SceneShape eyeRays{"eye rays", look::kEyeRay, lines, {}};
+    SceneShape arriving{"shadow rays: lit", look::kEqualDepth, lines, {}};
+    SceneShape blocked{"shadow rays: blocked", look::kOccluded, lines, {}};
     const scene::Light& source = tracer.scene().light(light);
     const scene::Bounds bounds = boundsOf(tracer.scene());
 

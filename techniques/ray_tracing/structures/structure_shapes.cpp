@@ -81,9 +81,10 @@ std::string labelOf(trace::Structure structure, int level) {
 
 std::vector<SceneShape> structureShapes(const trace::Engine& engine, trace::Structure structure,
                                         const dvec3& originWorld, const std::optional<dvec3>& eyeWorld) {
-    // From the outermost level inward; orange, then colours that differ well from it.
-    static const std::array<vec3, 5> colors = {look::kLightFrustum, look::kEye, look::kEqualDepth, look::kMultipleEdge,
-                                               look::kTowardLight};
+    // From the outermost level inward. Not the colours of the eye, of lights or of shadow rays, which are seen beside them.
+    static const std::array<vec3, 5> colors = {look::linearFromSrgb8(0xE6, 0x9F, 0x00), look::linearFromSrgb8(0x56, 0xB4, 0xE9),
+                                               look::linearFromSrgb8(0xCC, 0x79, 0xA7), look::linearFromSrgb8(0x00, 0x72, 0xB2),
+                                               look::linearFromSrgb8(0x88, 0x22, 0x55)};
     std::vector<SceneShape> shapes;
     for (const trace::StructurePart& part : engine.parts(mostOf(structure))) {
         const auto level = static_cast<std::size_t>(part.level);

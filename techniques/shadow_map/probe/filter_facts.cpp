@@ -99,8 +99,8 @@ void tellTaps(Probe& probe, const FilterAnswer& answer) {
 std::vector<SceneShape> tapShapes(const FilterAnswer& answer, double texelMetres) {
     // A third of a texel to each side: crosses of neighbouring texels stay apart.
     const double half = texelMetres / 3;
-    SceneShape lit{"comparisons that say lit", look::kEqualDepth, SceneShape::Kind::lines, {}};
-    SceneShape dark{"comparisons that say in shadow", look::kOccluded, SceneShape::Kind::lines, {}};
+    SceneShape lit{"comparisons: lit", look::kEqualDepth, SceneShape::Kind::lines, {}};
+    SceneShape dark{"comparisons: in shadow", look::kOccluded, SceneShape::Kind::lines, {}};
     if (answer.taps.size() < 2) return {};
     for (const Tap& tap : answer.taps)
         addCross((tap.isLit ? lit : dark).pointsWorld, tap.onPlaneWorld, half);

@@ -116,8 +116,8 @@ double seenShare(const scene::Snapshot& snapshot, const View& view, ivec2 pixel,
 std::vector<SceneShape> texelShapes(const MapProbe& map, const LightMaps& maps) {
     std::vector<SceneShape> shapes;
     if (map.texelIsOnReceiver) {
-        SceneShape texel{"the texel on the surface", look::kLightFrustum, SceneShape::Kind::faces, {}};
-        SceneShape rim{"the texel on the surface", look::kLightFrustum, SceneShape::Kind::lines, {}};
+        SceneShape texel{"the texel on the surface", look::kMapTexel, SceneShape::Kind::faces, {}};
+        SceneShape rim{"the texel on the surface", look::kMapTexel, SceneShape::Kind::lines, {}};
         const auto& c = map.texelOnReceiverWorld;
         texel.pointsWorld = {c[0], c[1], c[2], c[0], c[2], c[3]};
         for (std::size_t i = 0; i < 4; ++i) {
@@ -129,7 +129,7 @@ std::vector<SceneShape> texelShapes(const MapProbe& map, const LightMaps& maps) 
     }
     if (map.blockerWorld) {
         const dvec3 from = maps.parallel ? *map.blockerWorld + maps.towardLight * map.pointMetres : maps.originWorld;
-        shapes.push_back({"the light's ray to what the texel holds",
+        shapes.push_back({"to what the texel holds",
                           look::kOccluded,
                           SceneShape::Kind::lines,
                           {from, *map.blockerWorld}});

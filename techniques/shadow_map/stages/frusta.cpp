@@ -29,11 +29,11 @@ void addFrustum(const LightMaps& maps, int layer, SceneShape& edges, SceneShape&
     nearPlanes.pointsWorld.insert(nearPlanes.pointsWorld.end(), {c[0], c[1], c[2], c[0], c[2], c[3]});
 }
 
-/// Each cascade in its own colour, as in the stage `cascades`.
-std::vector<SceneShape> cascadeShapes(const LightMaps& maps) {
+/// Each cascade in its own colour, as in the stage `cascades`; `inOneColor`: all in that of a shadow map's view.
+std::vector<SceneShape> cascadeShapes(const LightMaps& maps, bool inOneColor) {
     std::vector<SceneShape> shapes;
     for (int layer = 0; layer < maps.layers(); ++layer) {
-        const vec3& color = look::kLayers[static_cast<std::size_t>(layer)];
+        const vec3& color = inOneColor ? look::kLightFrustum : look::kLayers[static_cast<std::size_t>(layer)];
         SceneShape edges{"cascade " + std::to_string(layer + 1), color, SceneShape::Kind::lines, {}};
         SceneShape nearPlane{edges.label, color, SceneShape::Kind::faces, {}};
         addFrustum(maps, layer, edges, nearPlane);
@@ -45,14 +45,17 @@ std::vector<SceneShape> cascadeShapes(const LightMaps& maps) {
 
 } // namespace
 
-std::vector<SceneShape> frustumShapes(const LightMaps& maps) {
-    if (maps.layout == Layout::cascades) return cascadeShapes(maps);
-    const std::string label = maps.layers() == 1 ? "what the shadow map sees" : "what the six shadow maps see";
-    SceneShape edges{label + (maps.layers() == 1 ? ", its near plane filled" : ""),
+std::vector<SceneShape> frustumShapes(const LightMaps& maps, bool cascadesInOneColor) {
+    if (maps.layout == Layout::cascades) return cascadeShapes(maps, cascadesInOneColor);
+    const bool isOne = maps.layers() == 1;
+    SceneShape edges{isOne ? "view of the shadow map" : "views of the six shadow maps",
                      look::kLightFrustum,
                      SceneShape::Kind::lines,
                      {}};
-    SceneShape nearPlanes{edges.label, look::kLightFrustum, SceneShape::Kind::faces, {}};
+    SceneShape nearPlanes{isOne ? "near plane of the map" : "near planes of the maps",
+                          look::kLightFrustum,
+                          SceneShape::Kind::faces,
+                          {}};
     for (int layer = 0; layer < maps.layers(); ++layer)
         addFrustum(maps, layer, edges, nearPlanes);
     if (maps.layers() == 0) return {};

@@ -14,6 +14,6 @@ namespace shadowlab::shadow_map {
 std::array<dvec3, 8> frustumCornersWorld(const LightMaps& maps, int layer);
 
 /// The edges of all frusta, from the light itself to the far plane, and their near planes filled.
-std::vector<SceneShape> frustumShapes(const LightMaps& maps);
+std::vector<SceneShape> frustumShapes(const LightMaps& maps, bool cascadesInOneColor = false);
 
 } // namespace shadowlab::shadow_map

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include <glm/gtc/constants.hpp>
@@ -55,10 +56,7 @@ Volume buildShown(const scene::Object& object, const scene::Light& light, const 
 std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view, int light,
                                      std::span<const CasterVolume* const> casters, bool withCaps,
                                      const ShownVolume& shown) {
-    SceneShape edges{"silhouette edges", look::kSilhouette, SceneShape::Kind::lines, {}};
-    SceneShape sides{"volume: sides", look::kVolumeSide, SceneShape::Kind::faces, {}};
-    SceneShape top{"volume: top cap", look::kTopCap, SceneShape::Kind::faces, {}};
-    SceneShape bottom{"volume: bottom cap", look::kBottomCap, SceneShape::Kind::faces, {}};
+    std::vector<SceneShape> allSides, allTops, allBottoms, allEdges;
     const scene::Light& source = scene.light(light);
     const dvec4 lightWorld = scene::homogeneousPositionWorld(source);
     scene::Bounds all;
@@ -67,6 +65,10 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
     const scene::Bounds end = somewhatLarger(all);
 
     for (const CasterVolume* caster : casters) {
+        SceneShape edges{"silhouette", look::kSilhouette, SceneShape::Kind::lines, {}, caster->object};
+        SceneShape sides{"sides", look::kVolumeSide, SceneShape::Kind::faces, {}, caster->object};
+        SceneShape top{"top cap", look::kTopCap, SceneShape::Kind::faces, {}, caster->object};
+        SceneShape bottom{"bottom cap", look::kBottomCap, SceneShape::Kind::faces, {}, caster->object};
         const scene::Object& object = scene.objects[caster->object];
         const scene::Mesh& mesh = *object.mesh;
         std::vector<SilhouetteEdge> silhouette;
@@ -92,21 +94,26 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
         add(top, volume.topCap);
         add(top, volume.topCapReversed);
         add(bottom, volume.bottomCap);
+        allSides.push_back(std::move(sides));
+        allTops.push_back(std::move(top));
+        allBottoms.push_back(std::move(bottom));
+        allEdges.push_back(std::move(edges));
     }
+    if (!withCaps) {
+        allTops.clear();
+        allBottoms.clear();
+    }
+    // In the order in which they are drawn: the silhouettes last, over all faces.
     std::vector<SceneShape> shapes;
-    shapes.push_back(std::move(sides));
-    if (withCaps) {
-        shapes.push_back(std::move(top));
-        shapes.push_back(std::move(bottom));
-    }
-    shapes.push_back(std::move(edges));
+    for (std::vector<SceneShape>* part : {&allSides, &allTops, &allBottoms, &allEdges})
+        std::ranges::move(*part, std::back_inserter(shapes));
     shapes.push_back(nearClipPyramid(scene, view, light));
     return shapes;
 }
 
 std::vector<SceneShape> crossedShapes(const scene::Scene& scene, const VolumeProbe& probe) {
-    SceneShape enters{"faces that count +1: the line enters", look::diverging()[6], SceneShape::Kind::faces, {}};
-    SceneShape leaves{"faces that count -1: the line leaves", look::diverging()[2], SceneShape::Kind::faces, {}};
+    SceneShape enters{"+1: the ray enters", look::diverging()[6], SceneShape::Kind::faces, {}};
+    SceneShape leaves{"-1: the ray leaves", look::diverging()[2], SceneShape::Kind::faces, {}};
     SceneShape entersRim{enters.label, enters.colorLinear, SceneShape::Kind::lines, {}};
     SceneShape leavesRim{leaves.label, leaves.colorLinear, SceneShape::Kind::lines, {}};
     scene::Bounds all;
@@ -137,8 +144,8 @@ std::vector<SceneShape> crossedShapes(const scene::Scene& scene, const VolumePro
 
 void addCountMethods(std::vector<SceneShape>& shapes, std::span<const CasterVolume* const> casters,
                      const std::function<CountMethod(const CasterVolume&)>& countMethodOf) {
-    SceneShape passing{"counted with depth pass", look::kDepthPass, SceneShape::Kind::lines, {}};
-    SceneShape failing{"counted with depth fail", look::kDepthFail, SceneShape::Kind::lines, {}};
+    SceneShape passing{"counted by depth pass", look::kDepthPass, SceneShape::Kind::lines, {}};
+    SceneShape failing{"counted by depth fail", look::kDepthFail, SceneShape::Kind::lines, {}};
     for (const CasterVolume* caster : casters) {
         SceneShape& shape = countMethodOf(*caster) == CountMethod::zPass ? passing : failing;
         for (int corner = 0; corner < 8; ++corner)
@@ -163,7 +170,8 @@ SceneShape nearClipPyramid(const scene::Scene& scene, const View& view, int ligh
     const scene::Bounds end = somewhatLarger(all);
     const dvec4 lightWorld = scene::homogeneousPositionWorld(scene.light(light));
 
-    SceneShape pyramid{"near-clip pyramid", look::kBoundaryEdge, SceneShape::Kind::lines, {}};
+    SceneShape pyramid{"near-clip pyramid", look::kNearClipPyramid, SceneShape::Kind::lines, {}};
+    pyramid.onRequest = true;
     constexpr int kAround[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     const auto corner = [&](int i) {
         return transformPoint(worldFromView,

@@ -21,8 +21,8 @@ struct ShownVolume {
 Volume buildShown(const scene::Object& object, const scene::Light& light, const CasterVolume& caster,
                   const ShownVolume& shown, std::vector<SilhouetteEdge>& silhouette);
 
-/// Silhouette edges, sides and, `withCaps`, the caps of the volumes of these casters, at the distance
-/// where they end or else cut off a little beyond the scene. And the near-clip pyramid.
+/// Sides and, `withCaps`, the caps of the volumes of these casters, at the distance where they end or else cut off a little
+/// beyond the scene, and the silhouettes: of each caster shapes of its own. And the near-clip pyramid, on request.
 std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view, int light,
                                      std::span<const CasterVolume* const> casters, bool withCaps,
                                      const ShownVolume& shown);
