@@ -209,9 +209,9 @@ def keys_table(program):
 
 
 def lessons_table(program):
-    rows = [[code(lesson["name"]), lesson["title"], lesson["happens"].replace("|", "\\|"), lesson["mends"].replace("|", "\\|")]
+    rows = [[lesson["chapter"], code(lesson["name"]), lesson["title"], lesson["happens"].replace("|", "\\|"), lesson["mends"].replace("|", "\\|")]
             for lesson in program.list("lessons")]
-    return table(["lesson", "title", "what is wrong", "its remedy"], rows)
+    return table(["chapter", "lesson", "title", "what is wrong", "its remedy"], rows)
 
 
 def artefacts_table(program, technique):

@@ -162,9 +162,9 @@ Table decksTable() {
 }
 
 Table lessonsTable() {
-    Table table{{"name", "title", "happens", "mends"}, {}};
+    Table table{{"name", "chapter", "title", "happens", "mends"}, {}};
     for (const course::LessonText& lesson : course::builtInLessons(context::assetsRoot()))
-        table.rows.push_back({lesson.name, lesson.title, lesson.happens, lesson.remedy});
+        table.rows.push_back({lesson.name, lesson.chapter, lesson.title, lesson.happens, lesson.remedy});
     return table;
 }
 

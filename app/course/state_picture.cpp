@@ -43,10 +43,12 @@ picture::Panel StatePicture::panel(const StateRequest& wanted, std::size_t i, pi
     request.outsideChoice = wanted.outsideChoice;
     request.range = wanted.range;
     request.font = &font_;
+    request.liftsSteps = true;
     request.markWidth = picture::wideMark(wholeHeight(wanted));
     request.typeHeight = wholeHeight(wanted);
     picture::Panel panel = picture::renderPanel(session_, slot, encoder_, cell, request).panel;
     if (slots_.size() > 1) panel.title = slot.info->title;
+    if (!panel.note.empty()) panel.title += (panel.title.empty() ? "" : ", ") + panel.note;
     return panel;
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/picture/derived_stages.h"
 #include "app/picture/panel.h"
+#include "app/picture/steps/step_lift.h"
 #include "app/picture/steps/stepping.h"
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/scene/query/outside_camera.h"
@@ -211,7 +212,13 @@ void Pane::encode(picture::Session& session, const picture::PictureEncoder& enco
     const float exposure = request.snapshot->exposure;
     picture::StageLook look = picture::lookOf(stage, *slot.info, rendered);
     gl::Texture2D texture;
-    if (!stage.isStage()) {
+    std::string note;
+    if (stage.isPass) {
+        const int lift = picture::stepLift(slot.target.color, request.view.region, *request.snapshot);
+        texture = encoder.encodeInPlace(slot.target.color, exposure * static_cast<float>(lift), 1, request.view.region);
+        note = picture::liftNote(lift);
+        look.caption = note;
+    } else if (!stage.isStage()) {
         texture = encoder.encodeInPlace(slot.target.color, exposure, 1, request.view.region);
     } else if (stage.isJudged()) {
         texture = encoder.encodeGround(slot.target.color, exposure, request.view.region);
@@ -220,9 +227,9 @@ void Pane::encode(picture::Session& session, const picture::PictureEncoder& enco
         texture = textureOf(panel.picture);
         look.display = std::move(panel.display);
     } else {
-        texture = encoder.encodeInPlace(picture::findStage(rendered, stage.key), look.kind, exposure);
+        texture = encoder.encodeInPlace(picture::findStage(rendered, stage.key), look.kind, exposure, 1, &slot.target.color);
     }
-    picture_ = {std::move(texture), look.kind, std::move(look.display), std::move(look.caption)};
+    picture_ = {std::move(texture), look.kind, std::move(look.display), std::move(look.caption), std::move(note)};
 }
 
 } // namespace shadowlab::lab

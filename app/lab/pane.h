@@ -46,6 +46,7 @@ struct PanePicture {
     StageKind kind = StageKind::radiance;
     Display display;     ///< for the legend
     std::string caption; ///< of the stage; empty: the finished picture
+    std::string note{};  ///< how a step is shown, where that is not as it is: "shown 8 times brighter"
 };
 
 /// How a pane is drawn, apart from what it shows.

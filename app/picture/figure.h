@@ -33,7 +33,8 @@ struct Panel {
     image::Image picture;
     std::string title; ///< empty: no label
     StageKind kind = StageKind::radiance;
-    Display display; ///< for the legend
+    Display display;  ///< for the legend
+    std::string note{}; ///< how it is shown, where that is not as it is: "shown 8 times brighter"; empty: as it is
 };
 
 struct Figure {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/picture/derived_stages.h"
+#include "app/picture/steps/step_lift.h"
 
 namespace shadowlab::picture {
 
@@ -66,9 +67,12 @@ RenderedPanel renderPanel(Session& session, Slot& slot, const PictureEncoder& en
         const Stage& published = findStage(rendered, stage.key);
         // A stage of a size of its own (a light's view of the scene) is averaged only if it would not fit otherwise.
         const bool fits = glm::all(glm::lessThanEqual(published.texture.size(), cell.pictureSize));
-        panel.picture = encoder.encode(published, look.kind, exposure, fits ? 1 : request.supersample);
+        panel.picture = encoder.encode(published, look.kind, exposure, fits ? 1 : request.supersample, &slot.target.color);
     } else {
-        panel.picture = encoder.encode(slot.target.color, exposure, request.supersample);
+        const bool isLifted = stage.isPass && request.liftsSteps;
+        const int lift = isLifted ? stepLift(slot.target.color, view.region, *session.snapshot()) : 1;
+        panel.picture = encoder.encode(slot.target.color, exposure * static_cast<float>(lift), request.supersample);
+        panel.note = liftNote(lift);
     }
     return {std::move(panel), std::move(rendered)};
 }

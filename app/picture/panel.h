@@ -42,6 +42,7 @@ struct PanelRequest {
     int markWidth = kOnePixel;                ///< of wrong pixels that stand alone, in the stage `error`
     std::optional<dvec2> range{};             ///< least and greatest value of a stage's colours; none: as the technique chose them
     bool timePasses = false;
+    bool liftsSteps = false; ///< a step before any light is on is shown brighter, as step mode does, and the panel's note says so
 };
 
 /// The view that the cell's picture is drawn with.

@@ -23,6 +23,7 @@ gl::Program encoderOf(std::vector<std::string> what) {
 PictureEncoder::PictureEncoder()
     : radiance_(encoderOf({"RADIANCE"})), oneSample_(encoderOf({"RADIANCE", "ONE_SAMPLE"})),
       ground_(encoderOf({"GROUND"})), swatches_(encoderOf({"SWATCHES"})), palette_(encoderOf({"PALETTE"})),
+      count_(encoderOf({"COUNT"})),
       visibility_(encoderOf({"VISIBILITY"})) {}
 
 gl::Texture2D PictureEncoder::encodeInPlace(const gl::Texture2D& radiance, float exposure, int supersample,
@@ -33,7 +34,8 @@ gl::Texture2D PictureEncoder::encodeInPlace(const gl::Texture2D& radiance, float
     return draw(program, radiance, supersample, region, std::move(old));
 }
 
-gl::Texture2D PictureEncoder::encodeInPlace(const Stage& stage, StageKind kind, float exposure, int supersample) const {
+gl::Texture2D PictureEncoder::encodeInPlace(const Stage& stage, StageKind kind, float exposure, int supersample,
+                                            const gl::Texture2D* ground) const {
     // A stage may have a size of its own (a shadow map's view of the scene): only those of the target's are
     // supersampled.
     switch (kind) {
@@ -46,11 +48,14 @@ gl::Texture2D PictureEncoder::encodeInPlace(const Stage& stage, StageKind kind, 
     const look::Palette& palette = kind == StageKind::count ? look::diverging() : look::viridis();
     std::array<vec4, std::tuple_size_v<look::Palette>> stops;
     std::ranges::transform(palette, stops.begin(), [](const vec3& color) { return vec4(color, 1); });
-    palette_.use();
-    palette_.set("minimum", static_cast<float>(stage.display.minimum));
-    palette_.set("maximum", static_cast<float>(stage.display.maximum));
-    palette_.set("palette", std::span<const vec4>(stops));
-    return draw(palette_, stage.texture, supersample, {});
+    const bool isOnGround = kind == StageKind::count && ground && ground->size() == stage.texture.size();
+    const gl::Program& program = isOnGround ? count_ : palette_;
+    program.use();
+    program.set("minimum", static_cast<float>(stage.display.minimum));
+    program.set("maximum", static_cast<float>(stage.display.maximum));
+    program.set("palette", std::span<const vec4>(stops));
+    if (isOnGround) program.set("exposure", exposure);
+    return draw(program, stage.texture, supersample, {}, {}, isOnGround ? ground : nullptr);
 }
 
 gl::Texture2D PictureEncoder::encodeGround(const gl::Texture2D& radiance, float exposure, const Region& region) const {
@@ -63,12 +68,13 @@ image::Image PictureEncoder::encode(const gl::Texture2D& radiance, float exposur
     return read(encodeInPlace(radiance, exposure, supersample));
 }
 
-image::Image PictureEncoder::encode(const Stage& stage, StageKind kind, float exposure, int supersample) const {
-    return read(encodeInPlace(stage, kind, exposure, supersample));
+image::Image PictureEncoder::encode(const Stage& stage, StageKind kind, float exposure, int supersample,
+                                    const gl::Texture2D* ground) const {
+    return read(encodeInPlace(stage, kind, exposure, supersample, ground));
 }
 
 gl::Texture2D PictureEncoder::draw(const gl::Program& program, const gl::Texture2D& source, int supersample,
-                                   const Region& region, gl::Texture2D old) {
+                                   const Region& region, gl::Texture2D old, const gl::Texture2D* ground) {
     const ivec2 size = source.size() / supersample;
     gl::Texture2D encoded =
         old && old.size() == size ? std::move(old) : gl::Texture2D(GL_RGBA8, size, "encoded picture");
@@ -82,6 +88,11 @@ gl::Texture2D PictureEncoder::draw(const gl::Program& program, const gl::Texture
     }
     program.use();
     program.set("supersample", supersample);
+    if (ground) {
+        constexpr int kGroundUnit = 1; // 0 is the source
+        program.set("ground", kGroundUnit);
+        ground->bind(kGroundUnit);
+    }
     program.set("source", 0);
     source.bind(0);
     gl::drawFullscreenTriangle();

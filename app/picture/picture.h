@@ -22,14 +22,16 @@ public:
     /// is not empty nothing is written. `old`: a picture that is no longer needed, to be drawn over if it has the size.
     [[nodiscard]] gl::Texture2D encodeInPlace(const gl::Texture2D& radiance, float exposure, int supersample = 1,
                                               const Region& region = {}, gl::Texture2D old = {}) const;
-    [[nodiscard]] gl::Texture2D encodeInPlace(const Stage& stage, StageKind kind, float exposure,
-                                              int supersample = 1) const;
+    /// `ground`: the finished picture's radiance, on which counts are painted; null, or of another size: they stand alone.
+    [[nodiscard]] gl::Texture2D encodeInPlace(const Stage& stage, StageKind kind, float exposure, int supersample = 1,
+                                              const gl::Texture2D* ground = nullptr) const;
 
     /// The picture without its colours, its shadows lifted: the ground on which wrong pixels are shown (verdict_panels.h).
     [[nodiscard]] gl::Texture2D encodeGround(const gl::Texture2D& radiance, float exposure, const Region& region) const;
 
     /// A stage, encoded according to its kind: exposure, a palette, or the colours as they are.
-    [[nodiscard]] image::Image encode(const Stage& stage, StageKind kind, float exposure, int supersample = 1) const;
+    [[nodiscard]] image::Image encode(const Stage& stage, StageKind kind, float exposure, int supersample = 1,
+                                      const gl::Texture2D* ground = nullptr) const;
 
     /// What was encoded, on the processor; and once more on the card.
     [[nodiscard]] static image::Image read(const gl::Texture2D& encoded);
@@ -37,8 +39,8 @@ public:
 
 private:
     [[nodiscard]] static gl::Texture2D draw(const gl::Program& program, const gl::Texture2D& source, int supersample,
-                                            const Region& region, gl::Texture2D old = {});
-    gl::Program radiance_, oneSample_, ground_, swatches_, palette_,
+                                            const Region& region, gl::Texture2D old = {}, const gl::Texture2D* ground = nullptr);
+    gl::Program radiance_, oneSample_, ground_, swatches_, palette_, count_,
         visibility_; ///< shaders/picture/encode.frag, of each kind
 };
 

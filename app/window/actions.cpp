@@ -60,14 +60,14 @@ const Action kActions[] = {
     {"magnifier", "Techniques and layout", "M", "magnifier, at the same place in all panes", GLFW_KEY_M, false, false,
      false, [](WindowState& d) { d.shown.magnifier = !d.shown.magnifier; }},
 
-    {"step-forward", "Steps and stages", "PageDown", "the next step of the algorithm", GLFW_KEY_PAGE_DOWN, false, false,
-     true, [](WindowState& d) { step(d, 1); }},
+    {"step-forward", "Steps and stages", "PageDown", "the next slide or step of a lesson, where one is on; else the next step of the algorithm", GLFW_KEY_PAGE_DOWN,
+     false, false, true, [](WindowState& d) { goThroughStory(d, 1); }},
     {"step-forward-n", "Steps and stages", "N", "the next step of the algorithm", GLFW_KEY_N, false, false, true,
-     [](WindowState& d) { step(d, 1); }},
-    {"step-back", "Steps and stages", "PageUp", "the step before", GLFW_KEY_PAGE_UP, false, false, true,
-     [](WindowState& d) { step(d, -1); }},
+     [](WindowState& d) { goThroughSteps(d, 1); }},
+    {"step-back", "Steps and stages", "PageUp", "the one before", GLFW_KEY_PAGE_UP, false, false, true,
+     [](WindowState& d) { goThroughStory(d, -1); }},
     {"step-back-n", "Steps and stages", "Shift+N", "the step before", GLFW_KEY_N, false, true, true,
-     [](WindowState& d) { step(d, -1); }},
+     [](WindowState& d) { goThroughSteps(d, -1); }},
     {"source", "Steps and stages", "Y", "formula, pseudocode and source of the step, beside its picture", GLFW_KEY_Y,
      false, false, false, toggleSource},
     {"source-on", "Steps and stages", "Shift+PageDown", "their text goes on", GLFW_KEY_PAGE_DOWN, false, true, true,
@@ -195,7 +195,7 @@ namespace {
 bool waitsForTheAnswer(const WindowState& ui, const Action& action) {
     const std::string_view id = action.id, group = action.group;
     return ui.lesson.paints() && (group == "Steps and stages" || group == "Techniques and layout") &&
-           !id.starts_with("lesson-");
+           !id.starts_with("lesson-") && id != "step-forward" && id != "step-back"; // these go through the lesson
 }
 
 /// While the right button holds the camera, these fly it (pictures.cpp), with Shift faster.

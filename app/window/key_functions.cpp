@@ -109,14 +109,16 @@ void leave(WindowState& ui) {
         return;
     else if (ui.selection.kind != lab::Selection::Kind::none)
         ui.selection = {};
+    else if (outerMode(ui) != StoryMode::explore) // steps within a lesson or a slide
+        leaveStory(ui);
+    else if (isSlidesOwnPixel(ui)) // which is not let go, or the slide would be another
+        leaveStory(ui);
     else if (ui.bench.document().partner)
         ui.bench.unpickPartner();
     else if (ui.bench.document().picked)
         ui.bench.unpick();
-    else if (ui.lesson.isOn())
-        leaveLesson(ui);
-    else if (ui.slides.isOn())
-        leaveSlides(ui);
+    else if (leaveStory(ui))
+        return;
     else if (!ui.bench.activeState().stage.isPicture())
         chooseStage(ui, {});
     else

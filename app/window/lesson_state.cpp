@@ -39,6 +39,7 @@ void reveal(WindowState& ui) {
 void show(WindowState& ui, LessonStep step) {
     LessonState& on = ui.lesson;
     on.step = step;
+    ui.innerSteps = {};
     ui.selection = {};
     ui.shown.blink = false;
     ui.bench.showDocument(documentOf(*on.now, step));
@@ -92,6 +93,7 @@ void openLesson(WindowState& ui, const std::string& nameOrPath, bool atItsEnd) {
     ui.lesson.chosen.reset();
     ui.lesson.painted.clear();
     ui.lesson.score.reset();
+    ui.lesson.wrong = {};
     show(ui, atItsEnd ? steps.back() : steps.front());
 }
 
@@ -115,8 +117,25 @@ void stepLesson(WindowState& ui, int by) {
 void leaveLesson(WindowState& ui) {
     if (!ui.lesson.isOn()) return;
     ui.lesson.now.reset();
+    ui.innerSteps = {};
     if (ui.lesson.earlier) ui.bench.showDocument(*ui.lesson.earlier);
     ui.lesson.earlier.reset();
+}
+
+void keepWrongPixels(WindowState& ui, const lab::LiveErrors& errors) {
+    LessonState& on = ui.lesson;
+    if (!on.now || (on.step != LessonStep::artefact && on.step != LessonStep::remedy)) return;
+    const std::size_t state = on.step == LessonStep::remedy ? 1 : 0;
+    const auto slot = static_cast<std::size_t>(course::judgedSlot(*on.now));
+    const lab::Document shown = course::documentOf(on.now->states[state]);
+    const lab::PaneState& meant = shown.panes[slot];
+    const lab::PaneErrors* found = errors.errors(static_cast<int>(slot));
+    // Of the very state that the lesson has: not after a setting, the camera or a light was changed.
+    if (!found || !found->exact || found->judged.state.technique != meant.technique ||
+        found->judged.state.values() != meant.values() || found->judged.view.camera != shown.camera ||
+        found->judged.light != shown.light || found->judged.snapshot != shown.scene)
+        return;
+    on.wrong[state] = found->counts.wrong();
 }
 
 void answer(WindowState& ui, int choice) {

@@ -1,12 +1,14 @@
 // The lesson that the window shows: which one, at which step, and what was shown before it.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/course/lessons/lesson.h"
 #include "app/course/lessons/prediction.h"
+#include "app/lab/errors/live_errors.h"
 
 namespace shadowlab::window {
 
@@ -24,6 +26,7 @@ struct LessonState {
     std::optional<int> chosen;                ///< of a question's choices
     course::Prediction painted;
     std::optional<course::PredictionScore> score;
+    std::array<std::optional<int>, 2> wrong{}; ///< pixels of the artefact and of the remedy, as the window's judge found them
 
     [[nodiscard]] bool isOn() const { return now.has_value(); }
     /// Does the mouse paint where the shadow will be?
@@ -40,6 +43,8 @@ void openLesson(WindowState& ui, const std::string& nameOrPath, bool atItsEnd = 
 void stepLesson(WindowState& ui, int by);
 /// Ends the lesson and restores what was shown before it.
 void leaveLesson(WindowState& ui);
+/// Keeps how many pixels of the state on show are wrong, once the judge has found it exactly.
+void keepWrongPixels(WindowState& ui, const lab::LiveErrors& errors);
 /// An answer to the question that is asked; counted from 0.
 void answer(WindowState& ui, int choice);
 

@@ -62,17 +62,14 @@ void Screen::fit(ivec2 windowPixels, float contentScale) {
     framebuffer_ = gl::Framebuffer(&picture_, nullptr, "window");
 }
 
-PaneFrames Screen::frames() const { return paneFrames(ui_, theme_, pictureArea()); }
+PaneFrames Screen::frames() const { return paneFrames(ui_, theme_, layout().pictures); }
 
-Area Screen::pictureArea() const {
+StoryLayout Screen::layout() const {
     const auto top = static_cast<int>(topBarHeight());
     const int right = ui_.shown.panel ? static_cast<int>(panelWidth(theme_, size_.x)) : 0;
     const int width = std::max(0, size_.x - right - sourceWidth());
-    const auto bottom = static_cast<int>(stepPanelHeight(ui_, theme_, static_cast<float>(width)) +
-                                         lessonPanelHeight(ui_, theme_, static_cast<float>(width)) +
-                                         slidePanelHeight(ui_, theme_, static_cast<float>(width)) +
-                                         (ui_.shown.strip ? stripHeight(theme_) : 0));
-    return {{0, top}, glm::max(ivec2(0), ivec2(width, size_.y - top - bottom))};
+    const int bottom = ui_.shown.strip ? static_cast<int>(stripHeight(theme_)) : 0;
+    return layStory(ui_, {{0, top}, glm::max(ivec2(0), ivec2(width, size_.y - top - bottom))}, theme_);
 }
 
 int Screen::sourceWidth() const {
@@ -123,8 +120,10 @@ bool Screen::frame(double seconds) {
     const bool judged = errors_.update(ui_.bench, pictures, clock_);
     if (const std::string failure = errors_.takeFailure(); !failure.empty())
         complain("errors cannot be found: " + failure);
+    keepWrongPixels(ui_, errors_);
     const bool small = updateStrip(deadline);
-    busy_ = drawn || moved || painted || judged || small || !ran_.empty() || !ui_.bench.isAtRest() ||
+    const bool figured = figure_.update(ui_, layout().figure.size, theme_.em, labels_);
+    busy_ = drawn || figured || moved || painted || judged || small || !ran_.empty() || !ui_.bench.isAtRest() ||
             ui_.flashUntil > ImGui::GetTime();
     settled_ = !busy_ && errors_.isDone();
 
@@ -162,30 +161,17 @@ bool Screen::updateStrip(Deadline deadline) {
 }
 
 void Screen::drawWidgets() {
-    const Area pictures = pictureArea();
-    const int top = pictures.corner.y;
+    const StoryLayout story = layout();
+    const int top = story.pictures.corner.y;
+    const int besideStory = story.room.size.x;
     topBar(ui_, {{0, 0}, {size_.x, top}}, theme_);
-    const int besidePictures = pictures.size.x + sourceWidth();
-    if (ui_.shown.source) source_.draw(ui_, {{pictures.size.x, top}, {sourceWidth(), size_.y - top}}, theme_);
+    const int besidePictures = besideStory + sourceWidth();
+    if (ui_.shown.source) source_.draw(ui_, {{besideStory, top}, {sourceWidth(), size_.y - top}}, theme_);
     if (ui_.shown.panel)
         sidePanel(ui_, errors_, {{besidePictures, top}, {size_.x - besidePictures, size_.y - top}}, theme_);
-    int below = pictures.corner.y + pictures.size.y;
-    if (ui_.lesson.isOn()) {
-        const auto height = static_cast<int>(lessonPanelHeight(ui_, theme_, static_cast<float>(pictures.size.x)));
-        lessonPanel(ui_, {{0, below}, {pictures.size.x, height}}, theme_);
-        below += height;
-    }
-    if (ui_.slides.isOn()) {
-        const auto height = static_cast<int>(slidePanelHeight(ui_, theme_, static_cast<float>(pictures.size.x)));
-        slidePanel(ui_, {{0, below}, {pictures.size.x, height}}, theme_);
-        below += height;
-    }
-    if (isStepping(ui_)) {
-        const auto height = static_cast<int>(stepPanelHeight(ui_, theme_, static_cast<float>(pictures.size.x)));
-        stepPanel(ui_, {{0, below}, {pictures.size.x, height}}, theme_);
-        below += height;
-    }
-    if (ui_.shown.strip) stripPanel(ui_, strip_, {{0, below}, {pictures.size.x, size_.y - below}}, theme_);
+    storyBar(ui_, figure_, story, theme_);
+    const int below = static_cast<int>(static_cast<float>(size_.y) - stripHeight(theme_));
+    if (ui_.shown.strip) stripPanel(ui_, strip_, {{0, below}, {besideStory, size_.y - below}}, theme_);
     if (ui_.shown.keys) keyOverlay(size_, theme_);
 }
 

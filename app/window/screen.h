@@ -10,6 +10,7 @@
 
 #include "app/lab/stage_strip.h"
 #include "app/window/panels/source_panel.h"
+#include "app/window/panels/story_bar.h"
 #include "app/window/pictures.h"
 #include "app/window/theme.h"
 #include "app/window/widget_renderer.h"
@@ -49,7 +50,8 @@ public:
     [[nodiscard]] const lab::LiveErrors& errors() const { return errors_; }
     /// The step as text, as it was shown last.
     [[nodiscard]] const picture::StepSource& stepSource() const { return source_.shown(); }
-    [[nodiscard]] const Theme& theme() const { return theme_; }
+    /// The drawing of the slide on show, as it was shown last.
+    [[nodiscard]] const SlideFigure& figure() const { return figure_; }
     [[nodiscard]] const std::vector<ShownPane>& shownPanes() const { return panes_; }
     [[nodiscard]] const Theme& theme() const { return theme_; }
     [[nodiscard]] const lab::StageStrip& strip() const { return strip_; }
@@ -65,8 +67,9 @@ public:
 private:
     void drawMessages(const Area& pictures);
     void drawWidgets();
-    [[nodiscard]] Area pictureArea() const; ///< with the bands above and below the pictures
     [[nodiscard]] PaneFrames frames() const;
+    /// Where pictures, band and drawing are.
+    [[nodiscard]] StoryLayout layout() const;
     [[nodiscard]] int sourceWidth() const;
     /// Small pictures wait until nothing moves: they must not slow down what does.
     bool updateStrip(Deadline deadline);
@@ -81,6 +84,7 @@ private:
     Theme theme_;
     lab::StageStrip strip_;
     SourcePanel source_;
+    SlideFigure figure_;
     image::Font labels_; ///< for numbers inside of pictures
     lab::LiveErrors errors_;
     gl::Texture2D picture_;

@@ -25,6 +25,7 @@ void show(WindowState& ui, course::Deck& deck, std::size_t slide, bool atItsEnd)
 
 void showStop(WindowState& ui) {
     const SlideState& on = ui.slides;
+    ui.innerSteps = {};
     if (on.stops.empty()) return; // words alone: the picture before stays
     ui.selection = {};
     ui.shown.blink = false;
@@ -92,6 +93,7 @@ void leaveSlides(WindowState& ui) {
     if (!ui.slides.isOn()) return;
     ui.slides.deck.reset();
     ui.slides.stops.clear();
+    ui.innerSteps = {};
     if (ui.slides.earlier) ui.bench.showDocument(*ui.slides.earlier);
     ui.slides.earlier.reset();
 }

@@ -81,6 +81,8 @@ nlohmann::ordered_json stateReport(WindowState& ui, const Screen& screen) {
                           {"technique", picked.askedFor.state.technique},
                           {"facts", picked.probe.facts.size()},
                           {"rays", picked.probe.tree.size()}};
+    constexpr const char* kModes[] = {"explore", "steps", "lesson", "slides"};
+    json["story"] = kModes[static_cast<int>(storyMode(ui))];
     json["lesson"] = nullptr;
     if (ui.lesson.now) {
         constexpr const char* kSteps[] = {"question", "reveal", "artefact", "mend"};

@@ -13,7 +13,7 @@ namespace {
 
 /// Latin with what formulas and units of this program use.
 constexpr ImWchar kLetters[] = {0x0020, 0x00FF, 0x0391, 0x03C9, 0x2010, 0x2026, 0x2190, 0x2193,
-                                0x2212, 0x2212, 0x2260, 0x2265, 0x25A0, 0x25CF, 0};
+                                0x2202, 0x222B, 0x2260, 0x2265, 0x25A0, 0x25CF, 0};
 
 void setColors(bool presenter) {
     ImGui::StyleColorsDark();

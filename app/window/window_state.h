@@ -11,6 +11,7 @@
 #include "app/lab/workbench.h"
 #include "app/window/lesson_state.h"
 #include "app/window/slide_state.h"
+#include "app/window/story.h"
 
 namespace shadowlab::window {
 
@@ -67,6 +68,7 @@ struct WindowState {
     lab::Selection selection, hovered;
     LessonState lesson;
     SlideState slides;
+    InnerSteps innerSteps; ///< of a lesson or a slide
     dvec2 lens{
         0.5}; ///< where the magnifier looks, as shares of a picture's width and height from its upper left corner
     Drag drag = Drag::none;

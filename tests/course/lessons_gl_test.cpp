@@ -91,6 +91,34 @@ TEST_F(LessonsTest, CountersAndFactsAreMeasuredByTheirLabels) {
     }
 }
 
+// A list by chapters and the way through the course are one order: the lessons of a chapter follow each other.
+TEST_F(LessonsTest, EveryLessonIsInAChapterAndChaptersAreWhole) {
+    const std::vector<LessonText> all = builtInLessons(context::assetsRoot());
+    ASSERT_GE(all.size(), 30u);
+    const std::vector<std::string> chapters = chaptersOf(all);
+    EXPECT_GE(chapters.size(), 5u);
+    EXPECT_LE(chapters.size(), all.size() / 3) << "a chapter is more than a lesson or two";
+    std::size_t changes = 1;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_FALSE(all[i].chapter.empty()) << all[i].name;
+        if (i > 0 && all[i].chapter != all[i - 1].chapter) ++changes;
+    }
+    EXPECT_EQ(changes, chapters.size()) << "the key \"order\" of a lesson lies between those of another chapter";
+}
+
+// The window says what the remedy changes; a lesson of which it can say nothing would show two pictures without a cause.
+TEST_F(LessonsTest, EveryRemedyChangesSomethingThatIsSaid) {
+    int said = 0;
+    for (const LessonText& text : builtInLessons(context::assetsRoot())) {
+        const std::vector<LessonChange> changes = changesOf(loadLesson(text.file.string(), loading()));
+        EXPECT_FALSE(changes.empty()) << text.name;
+        for (const LessonChange& change : changes)
+            EXPECT_NE(change.before, change.after) << text.name << ", " << change.name;
+        said += changes.empty() ? 0 : 1;
+    }
+    EXPECT_GE(said, 30);
+}
+
 // Each artefact that is looked for has a lesson, by the name under which it is looked for.
 TEST_F(LessonsTest, NoArtefactIsMissing) {
     std::set<std::string> names;

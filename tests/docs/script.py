@@ -22,6 +22,11 @@ class Script(NamedTuple):
     windows: dict  # letter: what stands after `demo`
     rows: list
 
+    def shows_deck(self, letter):
+        """Whether that window goes through the whole deck: there PageDown stands for "on to the next slide of the row"."""
+        words = self.windows.get(letter, [])
+        return "--deck" in words and "--slide" not in words
+
 
 def scripts_of(text):
     """Each table below a marker <!-- script: DECK -->."""

@@ -46,6 +46,12 @@ def complaints_about(script, slides, keys):
                 yield f"{where}: no window {letter} was started"
             if key not in keys:
                 yield f"{where}: the window has no key {key}"
+        for letter in filter(script.shows_deck, script.windows):
+            # The window starts with the deck's first slide; every other one is gone to, so that no row needs what is left of another.
+            reached = [slide for slide in row.slides if slide != slides[0]]
+            turned = row.pressed.count((letter, "PageDown"))
+            if turned != len(reached):
+                yield f"{where}: PageDown stands {turned} times for window {letter}, and the row has {len(reached)} slides to go to"
     if minute != MINUTES:
         yield f"{script.deck}: the script ends at minute {minute}, not {MINUTES}"
 

@@ -33,21 +33,32 @@ WRONG = [
     ("no window B", "A: `J`", "B: `J`"),
 ]
 
+# The same of a window that goes through the deck: PageDown leads to every slide but the first.
+DECK_SECTION = SECTION.replace("--lesson acne", "--deck made-up")
+DECK_RIGHT = "| 0-20 | `one` | A: `J` | say |\n| 20-50 | `two`, `three` | A: `PageDown` `J` `PageDown` | say |"
+DECK_WRONG = [
+    ("PageDown stands 1 times", "`PageDown` `J` `PageDown`", "`J` `PageDown`"),
+    ("PageDown stands 1 times", "A: `J`", "A: `PageDown`"),
+]
 
-def said_of(rows):
-    (script,) = scripts_of(SECTION.format(rows=rows))
+
+def said_of(rows, section=SECTION):
+    (script,) = scripts_of(section.format(rows=rows))
     pressed = sum(len(row.pressed) for row in script.rows)
     return list(complaints_about(script, SLIDES, KEYS)), script.windows, pressed
 
 
 def main():
     failures = []
-    for said, old, new in WRONG:
-        complaints, _, _ = said_of(RIGHT.replace(old, new, 1))
+    cases = [(RIGHT, SECTION, *wrong) for wrong in WRONG] + [(DECK_RIGHT, DECK_SECTION, *wrong) for wrong in DECK_WRONG]
+    for right, section, said, old, new in cases:
+        complaints, _, _ = said_of(right.replace(old, new, 1), section)
         if not any(said in complaint for complaint in complaints):
             failures.append(f"with {new} for {old} it says {complaints}, not '{said}'")
     if said_of(RIGHT) != ([], {"A": ["--lesson", "acne", "--presenter"]}, 2):
         failures.append(f"of the right script it says {said_of(RIGHT)}")
+    if said_of(DECK_RIGHT, DECK_SECTION)[0]:
+        failures.append(f"of the right script of a deck it says {said_of(DECK_RIGHT, DECK_SECTION)[0]}")
     print("".join(line + "\n" for line in failures), end="")
     sys.exit(1 if failures else 0)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """teaching_walk.py PROGRAM: opens the windows of docs/teaching.md and presses the keys of each script, row after row: every key has to
-do what it does by `list keys`. It prints how long each row waited for pictures; nothing is asserted about that. Only with
-SHADOWLAB_LONG; exit status 77 says that it was left out."""
+do what it does by `list keys`, PageDown has to lead to the slides of its row, and no row may leave anything open. It prints how long
+each row waited for pictures; nothing is asserted about that. Only with SHADOWLAB_LONG; exit status 77 says that it was left out."""
 # SPDX-License-Identifier: MIT
 import contextlib
 import json
@@ -16,9 +16,10 @@ from script import scripts_of
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tests/window"))
-from window_driver import Display, Window  # noqa: E402 (it lies in another folder)
+from window_driver import Display, Window, check  # noqa: E402 (it lies in another folder)
 
 LEFT_OUT = 77
+MOST_PICTURES = 30  # of the slides that no row has, and of one slide
 OVER_A_THING = (500, 420)  # of the mouse: where the row asks for a pixel, there is one
 NAMES = {"PageDown": "Next", "PageUp": "Prior", "Esc": "Escape", "Space": "space", "[": "bracketleft", "]": "bracketright"}
 
@@ -49,6 +50,7 @@ def walk(script, program, actions):
         folder = to_close.enter_context(tempfile.TemporaryDirectory())
         for row in script.rows:
             seconds = 0.0
+            to_reach = [slide for slide in row.slides if slide != script.rows[0].slides[0]]
             for letter, key in row.pressed:
                 if letter not in windows:
                     display = to_close.enter_context(Display())  # of its own, as each window has a desktop of its own
@@ -56,8 +58,25 @@ def walk(script, program, actions):
                     to_close.callback(windows[letter].close)
                     windows[letter].hand("mousemove", *OVER_A_THING)
                 seconds += pressed(windows[letter], key, actions[key])
+                if key == "PageDown" and script.shows_deck(letter):
+                    slide = to_reach.pop(0)
+                    for _ in range(MOST_PICTURES):
+                        if windows[letter].state["slide"]["name"] == slide:
+                            break
+                        seconds += pressed(windows[letter], key, actions[key])
+                    reached = windows[letter].state["slide"]["name"]
+                    check(reached == slide, f"{row.first_minute}-{row.last_minute}: PageDown leads to {reached}, not to {slide}")
+            for letter, _ in row.pressed:
+                leaves_nothing(windows[letter].state, f"{script.deck}, minutes {row.first_minute}-{row.last_minute}, window {letter}")
             waited.append(seconds)
     return waited
+
+
+def leaves_nothing(state, where):
+    """The next row begins with a slide or a lesson, and with nothing open that this one has opened."""
+    check(state["story"] in ("slides", "lesson"), f"{where}: the band is left in mode {state['story']}")
+    for part in ("keys", "strip", "source", "magnifier", "panel"):
+        check(not state["shown"][part], f"{where}: {part} is left open")
 
 
 def pressed(window, key, action):

@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include <set>
+#include <thread>
 
 #include "app/context/assets.h"
 #include "app/window/screen.h"
@@ -70,13 +71,13 @@ TEST_F(LessonStateTest, WhileTheShadowIsPaintedNothingShowsIt) {
     ASSERT_TRUE(lab.ui.lesson.paints());
     lab.screen.frame(0.03);
     const lab::Document asked = lab.ui.bench.document();
-    for (const int key : {GLFW_KEY_E, GLFW_KEY_U, GLFW_KEY_O, GLFW_KEY_X, GLFW_KEY_PAGE_DOWN, GLFW_KEY_V}) {
+    for (const int key : {GLFW_KEY_E, GLFW_KEY_U, GLFW_KEY_O, GLFW_KEY_X, GLFW_KEY_N, GLFW_KEY_V}) {
         lab.press(key);
         EXPECT_EQ(lab.ui.bench.document(), asked) << "key " << key;
     }
     ASSERT_EQ(lab.ui.messages.size(), 6u) << "each says why";
     EXPECT_FALSE(lab.ui.messages[0].fault);
-    lab.press(GLFW_KEY_J);
+    lab.press(GLFW_KEY_PAGE_DOWN);
     EXPECT_EQ(lab.ui.lesson.step, LessonStep::reveal);
     window::leaveLesson(lab.ui);
     EXPECT_EQ(lab.ui.bench.document(), before);
@@ -101,6 +102,78 @@ TEST_F(LessonStateTest, KeysGoOnAnswerAndLeave) {
     lab.press(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(lab.ui.lesson.isOn());
     EXPECT_EQ(lab.ui.bench.document(), before);
+}
+
+// One pair of keys goes through whatever the band tells of; steps within a lesson lead back to it.
+TEST_F(LessonStateTest, PageKeysGoThroughTheLessonAndStepsWithinItLeadBack) {
+    Lab lab;
+    lab.screen.fit({960, 600}, 1);
+    const lab::Document before = lab.ui.bench.document();
+    window::openLesson(lab.ui, "acne");
+    lab.screen.frame(0.03);
+    EXPECT_EQ(storyMode(lab.ui), window::StoryMode::lesson);
+    const lab::Document artefact = lab.ui.bench.document();
+    lab.press(GLFW_KEY_N);
+    EXPECT_TRUE(isStepping(lab.ui));
+    EXPECT_EQ(storyMode(lab.ui), window::StoryMode::steps);
+    EXPECT_EQ(outerMode(lab.ui), window::StoryMode::lesson);
+    lab.press(GLFW_KEY_PAGE_DOWN); // now through the steps
+    EXPECT_EQ(lab.ui.lesson.step, LessonStep::artefact);
+    EXPECT_EQ(storyMode(lab.ui), window::StoryMode::steps);
+    lab.press(GLFW_KEY_ESCAPE);
+    EXPECT_EQ(storyMode(lab.ui), window::StoryMode::lesson);
+    EXPECT_EQ(lab.ui.bench.document(), artefact);
+    lab.press(GLFW_KEY_PAGE_DOWN);
+    EXPECT_EQ(lab.ui.lesson.step, LessonStep::remedy);
+    lab.press(GLFW_KEY_PAGE_UP);
+    EXPECT_EQ(lab.ui.lesson.step, LessonStep::artefact);
+    lab.press(GLFW_KEY_PAGE_UP, true); // Shift scrolls the source
+    EXPECT_EQ(lab.ui.lesson.step, LessonStep::artefact);
+    lab.press(GLFW_KEY_ESCAPE);
+    EXPECT_EQ(storyMode(lab.ui), window::StoryMode::explore);
+    EXPECT_EQ(lab.ui.bench.document(), before);
+}
+
+// What is beyond the last step of a technique, or before the first, is the lesson again.
+TEST_F(LessonStateTest, StepsWithinALessonEndInIt) {
+    Lab lab;
+    lab.screen.fit({960, 600}, 1);
+    window::openLesson(lab.ui, "acne");
+    lab.screen.frame(0.03);
+    const lab::Document artefact = lab.ui.bench.document();
+    int steps = 0;
+    for (lab.press(GLFW_KEY_N); storyMode(lab.ui) == window::StoryMode::steps && steps < 20; lab.press(GLFW_KEY_N))
+        ++steps;
+    EXPECT_GE(steps, 3) << "lights off, the map, the comparison";
+    EXPECT_EQ(lab.ui.bench.document(), artefact);
+    EXPECT_FALSE(lab.ui.innerSteps.on);
+}
+
+// The band says what the judge has found of either state, and which setting made the difference.
+TEST_F(LessonStateTest, WrongPixelsOfBothStatesAreKept) {
+    Lab lab;
+    lab.ui.live = false;
+    window::Screen screen(lab.ui, context::assetsRoot() / "fonts" / "DejaVuSans.ttf"); // one that judges at once
+    screen.setPatience(std::chrono::hours(1));
+    screen.fit({640, 400}, 1);
+    const auto found = [&](std::size_t state) {
+        for (int i = 0; i < 4000 && !lab.ui.lesson.wrong[state]; ++i) {
+            screen.frame(0.03);
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        return lab.ui.lesson.wrong[state];
+    };
+    window::openLesson(lab.ui, "acne");
+    ASSERT_TRUE(found(0));
+    EXPECT_FALSE(lab.ui.lesson.wrong[1]);
+    window::stepLesson(lab.ui, 1);
+    ASSERT_TRUE(found(1));
+    EXPECT_GT(*lab.ui.lesson.wrong[0], 10 * *lab.ui.lesson.wrong[1]) << "stripes all over, and a few at edges";
+    const std::vector<course::LessonChange> changes = course::changesOf(*lab.ui.lesson.now);
+    ASSERT_EQ(changes.size(), 1u);
+    EXPECT_EQ(changes[0].name, "bias-mode");
+    EXPECT_EQ(changes[0].before, "none");
+    EXPECT_EQ(changes[0].after, "receiver-plane");
 }
 
 TEST_F(LessonStateTest, AQuestionDoesNotShowItsAnswer) {

@@ -5,6 +5,7 @@
 #include <GLFW/glfw3.h>
 
 #include "app/context/assets.h"
+#include "app/course/lessons/lesson.h"
 #include "app/course/state_picture.h"
 #include "app/window/screen.h"
 #include "tests/foundation/scene/scene_files.h"
@@ -83,6 +84,34 @@ TEST_F(SlideStateTest, KeysGoOnAndBackAndOut) {
     lab.press(GLFW_KEY_ESCAPE);
     EXPECT_FALSE(lab.ui.slides.isOn());
     EXPECT_EQ(lab.ui.bench.document(), before);
+}
+
+// A presenter's remote goes from slide to slide; a drawing stands beside the picture that its pixel is marked in.
+TEST_F(SlideStateTest, PageKeysTurnSlidesAndDrawingsAreShown) {
+    Lab lab;
+    lab.ui.live = false;
+    lab.screen.setPatience(std::chrono::hours(1));
+    lab.screen.fit({960, 600}, 1);
+    lab.screen.frame(0.03);
+    const ivec2 whole = lab.screen.pictureSize();
+    window::openDeck(lab.ui, "shadows", "one-pixel");
+    ASSERT_EQ(window::slideFigureKind(lab.ui), window::SlideFigureKind::ofPixel);
+    for (int i = 0; i < 200 && !lab.screen.figure().texture(); ++i)
+        lab.screen.frame(0.03);
+    ASSERT_TRUE(lab.screen.figure().texture()) << lab.screen.figure().fault();
+    const ivec2 drawing = lab.screen.figure().texture().size(), picture = lab.screen.pictureSize();
+    EXPECT_GT(drawing.x, whole.x / 3);
+    EXPECT_LE(drawing.x + picture.x, whole.x) << "beside each other";
+    // A pixel of the slide is the same place in a picture of the same shape; one pixel of rounding.
+    EXPECT_NEAR(picture.x / course::kLessonAspect, picture.y, 1);
+    const std::string first = lab.ui.slides.slide.name;
+    lab.press(GLFW_KEY_PAGE_DOWN);
+    EXPECT_NE(lab.ui.slides.slide.name, first);
+    lab.press(GLFW_KEY_PAGE_UP);
+    EXPECT_EQ(lab.ui.slides.slide.name, first);
+    lab.press(GLFW_KEY_ESCAPE);
+    EXPECT_FALSE(lab.ui.slides.isOn());
+    EXPECT_EQ(lab.screen.figure().texture().size(), ivec2(0));
 }
 
 TEST_F(SlideStateTest, WhatIsNotThereIsSaidAndNothingChanges) {

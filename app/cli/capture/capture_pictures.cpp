@@ -164,7 +164,7 @@ private:
             for (const std::string& remark : figure.notes)
                 note(remark);
         if (film_)
-            film_->add(captions_ ? captions_->below(figure.picture, step_) : figure.picture);
+            film_->add(captions_ ? captions_->below(figure.picture, step_, panels.front().note) : figure.picture);
         else
             image::writeWhole(path, image::encodePng(figure.picture, {.opaque = true, .text = stats_->pngText()}));
     }
@@ -202,6 +202,7 @@ private:
         request.outsideChoice = picture::outsideChoiceOf(options_.volumes, options_.nearClip, *base_, "--volumes");
         request.typeHeight = size_.y;
         if (stages_[i].isDerived()) request.font = &font();
+        request.liftsSteps = options_.steps;
         request.timePasses = !options_.stats.empty();
         return request;
     }

@@ -22,6 +22,7 @@ struct LessonText {
     std::string name; ///< of the file, without folder and ending
     std::filesystem::path file;
     std::string title;
+    std::string chapter; ///< of the course; empty: none
     std::string happens; ///< what is wrong, and why
     std::string remedy;  ///< what removes it
 };
@@ -82,6 +83,20 @@ struct Lesson {
     ivec2 size{320, 180}; ///< of the pictures that are measured
     std::optional<Question> question;
 };
+
+/// One thing that differs between the two states of a lesson, in words: "bias-mode", "none", "receiver-plane".
+struct LessonChange {
+    std::string name, before, after;
+};
+
+/// What the remedy changes: techniques and their settings slot by slot, the scene, its camera, its lights.
+std::vector<LessonChange> changesOf(const Lesson& lesson);
+
+/// The slot that the lesson's numbers of wrong pixels are about, counted from 0.
+int judgedSlot(const Lesson& lesson);
+
+/// The chapters of lessons in the order in which they first occur.
+std::vector<std::string> chaptersOf(const std::vector<LessonText>& lessons);
 
 /// The built-in lessons in the order of the course: by their keys "order", then by name. Throws Error (badInput) for one that
 /// cannot be read.

@@ -27,12 +27,16 @@ public:
     LessonReader(const std::string& text, const std::filesystem::path& file)
         : file_(file), document_(text, file, picture::limits().jsonDepth, "a lesson, starting with {"),
           top_(document_, document_.root(), "the lesson",
-               {"title", "order", "scene", "camera", "lights", "motion", "layout", "light", "slots", "set", "size",
+               {"title", "chapter", "order", "scene", "camera", "lights", "motion", "layout", "light", "slots", "set", "size",
                 "before", "after", "happens", "mends", "look", "expect", "question"}) {}
 
     [[nodiscard]] LessonText words() const {
-        return {file_.stem().string(), file_, shortText(top_, "title", kLongestTitle),
-                shortText(top_, "happens", kLongestSentence), shortText(top_, "mends", kLongestSentence)};
+        return {.name = file_.stem().string(),
+                .file = file_,
+                .title = shortText(top_, "title", kLongestTitle),
+                .chapter = top_.find("chapter") ? shortText(top_, "chapter", kLongestLabel) : std::string(),
+                .happens = shortText(top_, "happens", kLongestSentence),
+                .remedy = shortText(top_, "mends", kLongestSentence)};
     }
     [[nodiscard]] int order() const { return top_.integer("order", 0, 1000, 1000); }
 

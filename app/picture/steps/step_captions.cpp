@@ -34,12 +34,12 @@ StepCaptions::StepCaptions(const TechniqueInfo& info, const std::vector<StageKey
               2 * margin_;
 }
 
-image::Image StepCaptions::below(const image::Image& picture, std::size_t step) const {
+image::Image StepCaptions::below(const image::Image& picture, std::size_t step, const std::string& note) const {
     image::Image whole(picture.width, picture.height + height_, kCaptionGround);
     image::blit(whole, 0, 0, picture);
     const Caption& caption = captions_[step];
     int y = picture.height + margin_;
-    y += font_.draw(whole, margin_, y, caption.which, smallEm_, kAccent).height;
+    y += font_.draw(whole, margin_, y, caption.which + (note.empty() ? "" : "  ·  " + note), smallEm_, kAccent).height;
     for (const std::string& line : caption.title)
         y += font_.draw(whole, margin_, y, line, em_, kCaptionText).height;
     return whole;

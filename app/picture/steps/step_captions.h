@@ -18,8 +18,8 @@ public:
 
     /// Pixels.
     [[nodiscard]] int height() const { return height_; }
-    /// The picture of a step with its caption below.
-    [[nodiscard]] image::Image below(const image::Image& picture, std::size_t step) const;
+    /// The picture of a step with its caption below. `note`: how it is shown (Panel::note).
+    [[nodiscard]] image::Image below(const image::Image& picture, std::size_t step, const std::string& note = {}) const;
 
 private:
     struct Caption {

@@ -40,19 +40,7 @@ void lessonList(WindowState& ui);
 /// All built-in decks, to be opened; of the open one, its slides.
 void deckList(WindowState& ui);
 
-// Below the pictures. The heights are 0 while there is nothing to show.
-/// Whether the active pane shows a step.
-bool isStepping(const WindowState& ui);
-/// Room for the longest of the technique's steps, so that the pictures do not jump from step to step.
-float stepPanelHeight(const WindowState& ui, const Theme& theme, float width);
-/// What the step on show does, and why.
-void stepPanel(WindowState& ui, const Area& area, const Theme& theme);
-/// Room for the longest of the lesson's steps.
-float lessonPanelHeight(const WindowState& ui, const Theme& theme, float width);
-void lessonPanel(WindowState& ui, const Area& area, const Theme& theme);
-float slidePanelHeight(const WindowState& ui, const Theme& theme, float width);
-/// The slide's title, which of its pictures is on show, and what it says.
-void slidePanel(WindowState& ui, const Area& area, const Theme& theme);
+// Below the pictures, and below the band (story_bar.h).
 float stripHeight(const Theme& theme);
 /// The size of one small picture of the strip.
 ivec2 thumbnailSize(const Theme& theme);

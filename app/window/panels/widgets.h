@@ -1,4 +1,4 @@
-// Pieces that several panels are made of: a window that fills its area, a band below the pictures, buttons with help.
+// Pieces that several panels are made of: a window that fills its area, buttons with help.
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <string>
@@ -10,17 +10,6 @@ namespace shadowlab::window {
 
 /// Begins an ImGui window that fills the area and stays there; ImGui::End() ends it. True while any of it is visible.
 bool beginIn(const char* name, const Area& area, ImGuiWindowFlags flags = 0);
-
-struct BandHeading {
-    const char* name; ///< of the ImGui window
-    std::string title;
-    std::string place; ///< how far one has come, in the accent's colour
-    const char* hint;  ///< the keys, at the right end where there is room
-};
-
-/// Begins the band of a lesson or a deck, below the pictures: arrows, heading, hint. The caller draws the rest and calls
-/// ImGui::End(). Returns which arrow was clicked: -1 back, 1 on, 0 none.
-int beginBand(const BandHeading& heading, const Area& area, const Theme& theme);
 
 /// How high a text of that size is when it is wrapped at that width, all in pixels.
 float wrappedHeight(ImFont* font, float size, const std::string& text, float width);

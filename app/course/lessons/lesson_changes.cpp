@@ -1,0 +1,67 @@
+// What a lesson's remedy changes, in words.
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <set>
+
+#include "app/course/lessons/lesson.h"
+#include "app/course/lessons/lesson_quantities.h"
+
+namespace shadowlab::course {
+
+namespace {
+
+/// The value of a setting in words, also where it is the technique's own.
+std::string valueOf(const lab::PaneState& state, const std::string& param) {
+    const auto found = state.values().find(param);
+    if (found != state.values().end()) return found->second;
+    const picture::Slot slot = picture::Session::makeSlot(state.technique);
+    const auto known = std::ranges::find(slot.params, param, &params::Param::id);
+    return known == slot.params.end() ? std::string() : params::initialText(*known);
+}
+
+void addChangesOfSlot(std::vector<LessonChange>& changes, const lab::PaneState& before, const lab::PaneState& after) {
+    if (before.technique != after.technique) {
+        changes.push_back({"technique", std::string(findTechnique(before.technique).title),
+                           std::string(findTechnique(after.technique).title)});
+        return;
+    }
+    std::set<std::string> names;
+    for (const lab::PaneState* state : {&before, &after})
+        for (const auto& [param, value] : state->values())
+            names.insert(param);
+    for (const std::string& name : names) {
+        const std::string from = valueOf(before, name), to = valueOf(after, name);
+        if (from != to) changes.push_back({name, from, to});
+    }
+}
+
+} // namespace
+
+std::vector<LessonChange> changesOf(const Lesson& lesson) {
+    const ShownState &before = lesson.states[0], &after = lesson.states[1];
+    std::vector<LessonChange> changes;
+    for (std::size_t i = 0; i < std::min(before.slots.size(), after.slots.size()); ++i)
+        addChangesOfSlot(changes, before.slots[i], after.slots[i]);
+    if (before.sceneName != after.sceneName)
+        changes.push_back({"scene", before.sceneName, after.sceneName});
+    else if (before.scene->lights != after.scene->lights)
+        changes.push_back({"lights", "as they were", "changed"});
+    if (before.camera != after.camera) changes.push_back({"camera", "where it was", "moved"});
+    return changes;
+}
+
+int judgedSlot(const Lesson& lesson) {
+    for (const Expectation& expected : lesson.expectations)
+        for (const LessonQuantity& quantity : lessonQuantities())
+            if (quantity.id == expected.quantity && quantity.of == LessonQuantity::Of::visibility) return expected.slot;
+    return 0;
+}
+
+std::vector<std::string> chaptersOf(const std::vector<LessonText>& lessons) {
+    std::vector<std::string> chapters;
+    for (const LessonText& lesson : lessons)
+        if (std::ranges::find(chapters, lesson.chapter) == chapters.end()) chapters.push_back(lesson.chapter);
+    return chapters;
+}
+
+} // namespace shadowlab::course

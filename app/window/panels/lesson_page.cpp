@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "app/course/lessons/lesson_figure.h"
+#include "app/course/lessons/lesson_quantities.h"
+#include "app/window/panels/panels.h"
+#include "app/window/panels/story_page.h"
+
+namespace shadowlab::window {
+
+namespace {
+
+using course::Question;
+using Kind = StoryLine::Kind;
+
+std::string percent(double share) { return std::to_string(std::lround(100 * share)) + " %"; }
+
+/// "1 of 2: the artefact"; before that, what is to be done.
+std::string stepTitle(const LessonState& on, LessonStep step) {
+    switch (step) {
+    case LessonStep::question:
+        return on.now->question->kind == Question::Kind::mark ? "Predict: paint the shadow" : "A question";
+    case LessonStep::reveal: return "The truth";
+    case LessonStep::artefact: return course::stateTitle(0);
+    case LessonStep::remedy: return course::stateTitle(1);
+    }
+    return {};
+}
+
+/// What was answered, and what is right: said with the artefact.
+std::string verdictOnChoice(const LessonState& on) {
+    const Question& question = *on.now->question;
+    const std::string& right = question.choices[static_cast<std::size_t>(question.right)];
+    if (!on.chosen) return "The answer: " + right + ".";
+    return (*on.chosen == question.right ? "Right: " : "Not so. It is: ") + right + ".";
+}
+
+std::string scoreLine(const LessonState& on) {
+    if (on.painted.isEmpty()) return "Nothing was painted.";
+    if (!on.score) return {};
+    return percent(on.score->shadowFound()) + " of the shadow found, " + percent(on.score->paintedRight()) +
+           " of the paint in it";
+}
+
+/// The settings that make the artefact; with the remedy, what became of each.
+std::string changesLine(const course::Lesson& lesson, bool isRemedy) {
+    std::string line;
+    for (const course::LessonChange& change : course::changesOf(lesson)) {
+        line += (line.empty() ? "" : ",   ") + change.name;
+        line += isRemedy ? ": " + change.before + " → " + change.after : " = " + change.before;
+    }
+    return line.empty() ? line : (isRemedy ? "Changed:  " : "Setting:  ") + line;
+}
+
+const course::LessonQuantity& quantityOf(const course::Expectation& expected) {
+    return *std::ranges::find(course::kLessonQuantities, expected.quantity, &course::LessonQuantity::id);
+}
+
+/// How many pixels are wrong; of a lesson about something else, what is measured and what it has to be.
+std::string countsLine(const LessonState& on, bool isRemedy) {
+    const course::Expectation& expected = on.now->expectations.front();
+    const course::LessonQuantity& quantity = quantityOf(expected);
+    if (quantity.of != course::LessonQuantity::Of::visibility) {
+        const std::string name = expected.fact.empty() ? std::string(quantity.id) : expected.fact;
+        const std::string unit = quantity.unit.empty() ? "" : " (" + std::string(quantity.unit) + ")";
+        return "Measured:  " + name + unit + ", before " + expected.before.text() +
+               (isRemedy ? ", after " + expected.after.text() : "");
+    }
+    const auto count = [&](std::size_t state) {
+        return on.wrong[state] ? std::to_string(*on.wrong[state]) : std::string("being counted");
+    };
+    if (!isRemedy) return "Wrong pixels:  " + count(0);
+    return "Wrong pixels:  " + (on.wrong[0] ? count(0) + " → " : std::string()) + count(1);
+}
+
+StoryPage pageOf(const LessonState& on, LessonStep step) {
+    const course::Lesson& lesson = *on.now;
+    StoryPage page{.title = lesson.text.title, .place = stepTitle(on, step), .lines = {}, .code = {}};
+    std::vector<StoryLine>& lines = page.lines;
+    if (step == LessonStep::question) {
+        lines.push_back({.text = lesson.question->text});
+        for (std::size_t i = 0; i < lesson.question->choices.size(); ++i)
+            lines.push_back({.kind = Kind::choice,
+                             .text = std::to_string(i + 1) + "  " + lesson.question->choices[i],
+                             .isChosen = on.chosen == static_cast<int>(i)});
+        if (lesson.question->kind == Question::Kind::mark)
+            lines.push_back({.kind = Kind::quiet, .text = "Left button: paint.  Right button: wipe.  PageDown: the truth."});
+    } else if (step == LessonStep::reveal) {
+        lines.push_back({.kind = Kind::large, .text = scoreLine(on)});
+        lines.push_back({.kind = Kind::key, .text = "right", .color = kPredictedRight});
+        lines.push_back({.kind = Kind::key, .text = "shadow that was missed", .color = kPredictedMissed});
+        lines.push_back({.kind = Kind::key, .text = "painted, but lit", .color = kPredictedWrong});
+    } else {
+        const bool isRemedy = step == LessonStep::remedy;
+        if (!isRemedy && lesson.question && lesson.question->kind == Question::Kind::choice)
+            lines.push_back({.text = verdictOnChoice(on)});
+        lines.push_back({.text = course::sentenceOf(lesson, isRemedy ? 1 : 0)});
+        if (const std::string changes = changesLine(lesson, isRemedy); !changes.empty())
+            lines.push_back({.kind = Kind::accent, .text = changes});
+        lines.push_back({.kind = Kind::accent, .text = countsLine(on, isRemedy)});
+    }
+    return page;
+}
+
+} // namespace
+
+StoryPage lessonPage(const WindowState& ui) { return pageOf(ui.lesson, ui.lesson.step); }
+
+std::vector<StoryPage> lessonPages(const WindowState& ui) {
+    std::vector<StoryPage> pages;
+    for (const LessonStep step : stepsOf(*ui.lesson.now))
+        pages.push_back(pageOf(ui.lesson, step));
+    return pages;
+}
+
+void lessonChoices(WindowState& ui) {
+    for (const std::string& chapter : course::chaptersOf(ui.lesson.all)) {
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(kAccent), "%s", chapter.c_str());
+        ImGui::Indent();
+        for (const course::LessonText& lesson : ui.lesson.all) {
+            if (lesson.chapter != chapter) continue;
+            const bool isOn = ui.lesson.now && ui.lesson.now->text.file == lesson.file;
+            if (ImGui::Selectable(lesson.title.c_str(), isOn)) openLesson(ui, lesson.name);
+        }
+        ImGui::Unindent();
+    }
+}
+
+void lessonList(WindowState& ui) {
+    if (!ui.lesson.all.empty() && ImGui::CollapsingHeader("Lessons")) lessonChoices(ui);
+}
+
+} // namespace shadowlab::window
