@@ -54,8 +54,14 @@ gl::Texture2D PictureEncoder::encodeInPlace(const Stage& stage, StageKind kind, 
     program.set("minimum", static_cast<float>(stage.display.minimum));
     program.set("maximum", static_cast<float>(stage.display.maximum));
     program.set("palette", std::span<const vec4>(stops));
-    if (isOnGround) program.set("exposure", exposure);
-    return draw(program, stage.texture, supersample, {}, {}, isOnGround ? ground : nullptr);
+    if (isOnGround) {
+        constexpr int kGroundUnit = 1; // 0 is the source
+        program.set("exposure", exposure);
+        program.set("ground", kGroundUnit);
+        ground->bind(kGroundUnit);
+        glActiveTexture(GL_TEXTURE0); // the picture that draw() makes is bound where it is made
+    }
+    return draw(program, stage.texture, supersample, {});
 }
 
 gl::Texture2D PictureEncoder::encodeGround(const gl::Texture2D& radiance, float exposure, const Region& region) const {
@@ -74,7 +80,7 @@ image::Image PictureEncoder::encode(const Stage& stage, StageKind kind, float ex
 }
 
 gl::Texture2D PictureEncoder::draw(const gl::Program& program, const gl::Texture2D& source, int supersample,
-                                   const Region& region, gl::Texture2D old, const gl::Texture2D* ground) {
+                                   const Region& region, gl::Texture2D old) {
     const ivec2 size = source.size() / supersample;
     gl::Texture2D encoded =
         old && old.size() == size ? std::move(old) : gl::Texture2D(GL_RGBA8, size, "encoded picture");
@@ -88,11 +94,6 @@ gl::Texture2D PictureEncoder::draw(const gl::Program& program, const gl::Texture
     }
     program.use();
     program.set("supersample", supersample);
-    if (ground) {
-        constexpr int kGroundUnit = 1; // 0 is the source
-        program.set("ground", kGroundUnit);
-        ground->bind(kGroundUnit);
-    }
     program.set("source", 0);
     source.bind(0);
     gl::drawFullscreenTriangle();

@@ -39,7 +39,7 @@ public:
 
 private:
     [[nodiscard]] static gl::Texture2D draw(const gl::Program& program, const gl::Texture2D& source, int supersample,
-                                            const Region& region, gl::Texture2D old = {}, const gl::Texture2D* ground = nullptr);
+                                            const Region& region, gl::Texture2D old = {});
     gl::Program radiance_, oneSample_, ground_, swatches_, palette_, count_,
         visibility_; ///< shaders/picture/encode.frag, of each kind
 };

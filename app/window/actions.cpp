@@ -60,8 +60,9 @@ const Action kActions[] = {
     {"magnifier", "Techniques and layout", "M", "magnifier, at the same place in all panes", GLFW_KEY_M, false, false,
      false, [](WindowState& d) { d.shown.magnifier = !d.shown.magnifier; }},
 
-    {"step-forward", "Steps and stages", "PageDown", "the next slide or step of a lesson, where one is on; else the next step of the algorithm", GLFW_KEY_PAGE_DOWN,
-     false, false, true, [](WindowState& d) { goThroughStory(d, 1); }},
+    {"step-forward", "Steps and stages", "PageDown",
+     "the next slide or part of the lesson that is on, else the next step of the algorithm", GLFW_KEY_PAGE_DOWN, false,
+     false, true, [](WindowState& d) { goThroughStory(d, 1); }},
     {"step-forward-n", "Steps and stages", "N", "the next step of the algorithm", GLFW_KEY_N, false, false, true,
      [](WindowState& d) { goThroughSteps(d, 1); }},
     {"step-back", "Steps and stages", "PageUp", "the one before", GLFW_KEY_PAGE_UP, false, false, true,

@@ -18,6 +18,14 @@ void orbit(WindowState& ui, double right, double over) {
     moveCamera(ui, [&](const scene::Camera& camera) { return lab::orbited(camera, right, over); });
 }
 
+/// Whether the picked pixel is the one that the slide on show is about.
+bool isSlidesOwnPixel(const WindowState& ui) {
+    const SlideState& on = ui.slides;
+    const lab::Document& document = ui.bench.document();
+    return on.isOn() && !on.stops.empty() && on.stops[on.stop].document.picked == document.picked &&
+           on.stops[on.stop].document.partner == document.partner;
+}
+
 } // namespace
 
 void chooseNumber(WindowState& ui, std::size_t number) {

@@ -64,13 +64,6 @@ bool leaveStory(WindowState& ui) {
     return false;
 }
 
-bool isSlidesOwnPixel(const WindowState& ui) {
-    const SlideState& on = ui.slides;
-    const lab::Document& document = ui.bench.document();
-    return on.isOn() && !on.stops.empty() && on.stops[on.stop].document.picked == document.picked &&
-           on.stops[on.stop].document.partner == document.partner;
-}
-
 void explore(WindowState& ui) {
     while (leaveStory(ui)) {}
 }

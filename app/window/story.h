@@ -34,8 +34,6 @@ void goThroughStory(WindowState& ui, int by);
 void goThroughSteps(WindowState& ui, int by);
 /// Leaves the mode, one level: steps within a slide lead back to what the slide shows. False where nothing is on.
 bool leaveStory(WindowState& ui);
-/// Whether the picked pixel is the one that the slide on show is about.
-bool isSlidesOwnPixel(const WindowState& ui);
 /// Leaves all of them: nothing is told.
 void explore(WindowState& ui);
 

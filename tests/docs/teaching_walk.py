@@ -65,9 +65,9 @@ def walk(script, program, actions):
                             break
                         seconds += pressed(windows[letter], key, actions[key])
                     reached = windows[letter].state["slide"]["name"]
-                    check(reached == slide, f"{row.first_minute}-{row.last_minute}: PageDown leads to {reached}, not to {slide}")
+                    check(reached == slide, f"minute {row.first_minute}: PageDown leads to {reached}, not to {slide}")
             for letter, _ in row.pressed:
-                leaves_nothing(windows[letter].state, f"{script.deck}, minutes {row.first_minute}-{row.last_minute}, window {letter}")
+                leaves_nothing(windows[letter].state, f"{script.deck}, minute {row.first_minute}, {letter}")
             waited.append(seconds)
     return waited
 
