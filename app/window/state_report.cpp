@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/window/state_report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -104,6 +105,14 @@ nlohmann::ordered_json stateReport(WindowState& ui, const Screen& screen) {
                      {"magnifier", shown.magnifier}, {"blink", shown.blink},
                      {"presenter", shown.presenter}, {"handles", shown.handles},
                      {"coarse", shown.coarse},       {"panelHasKeys", ui.panelHasKeys}};
+    json["strip"] = nullptr;
+    if (shown.strip) {
+        const std::vector<lab::Thumbnail>& all = screen.strip().thumbnails();
+        json["strip"] = {
+            {"pictures", std::ranges::count_if(all, [](const lab::Thumbnail& one) { return bool(one.picture.texture); })},
+            {"toCome", std::ranges::count_if(all, &lab::Thumbnail::isToCome)},
+            {"percent", std::lround(100 * screen.strip().progress())}};
+    }
     json["canUndo"] = ui.bench.history().canUndo();
     json["canRedo"] = ui.bench.history().canRedo();
     json["draft"] = ui.bench.draft();

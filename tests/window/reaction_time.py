@@ -2,13 +2,13 @@
 """How soon the window reacts to a key that opens the strip of stages or changes the layout, and how soon it has settled.
 
 /usr/bin/python3 reaction_time.py PROGRAM [SCENE [KEYS]] prints the figures; it asserts nothing, for they belong to the machine.
-For each key: milliseconds until a frame with the new layout is on the screen, until the pictures are finished, and until also the
-exact errors are there (settled); then the processor time of the program, all its threads, which other programs on the machine
-change far less. KEYS, as xdotool names them, are pressed before, to choose techniques.
+For each key: milliseconds until a frame with the new layout is on the screen ("reacts"), and until also the small pictures and the
+exact errors are there ("settles"). Beside each stands the processor time that the program has used until then, in all its threads:
+other programs on the machine change it far less. "gap" is the longest time between two states that the window has reported: as
+long as the strip is being drawn, each slice of it is one. KEYS, as xdotool names them, are pressed before, to choose techniques.
 """
 # SPDX-License-Identifier: MIT
 import os
-import statistics
 import sys
 import tempfile
 import time
@@ -17,30 +17,30 @@ from frame_rate import Keyboard
 from window_driver import Display, Window
 
 ROUNDS = 3  # the first compiles shaders and builds what techniques need, the others are what a class sees
-SMALL_GAP = 0.35  # seconds: a window that reports nothing for so long was blocked, not idle
+LAYOUTS = [("v", "next-layout")] * 5
+KEYS = [("t", "strip"), ("t", "strip"), *LAYOUTS, ("t", "strip"), *LAYOUTS, ("t", "strip")]
 
 
-def processor_seconds(process):
+def processor_ms(process):
     with open(f"/proc/{process.pid}/stat", encoding="ascii") as stat:
         fields = stat.read().rsplit(")", 1)[1].split()
-    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+    return 1000 * (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def timed(window, keyboard, key, action):
-    """Milliseconds to the first frame and to the settled one, the longest the window was silent, processor ms."""
-    used = processor_seconds(window.process)
-    begin = last = time.monotonic()
+    """Milliseconds and processor milliseconds to the first frame, the same to the settled one, and the longest gap."""
+    used, begin = processor_ms(window.process), time.monotonic()
+
+    def since():
+        return [1000 * (time.monotonic() - begin), processor_ms(window.process) - used]
+
     keyboard.press(key)
     window.wait(f"{key} ({action})", lambda s: action in s["ran"], fresh=True)
-    reacted = time.monotonic() - begin
-    silent = 0
-    while True:
-        now = time.monotonic()
-        silent, last = max(silent, now - last), now
-        if window.state["settled"]:
-            break
+    reacted, gap, last = since(), 0, window.state["seconds"]
+    while not window.state["settled"]:
         window.wait("the next state", lambda s: True, fresh=True)
-    return [1000 * t for t in (reacted, last - begin, processor_seconds(window.process) - used)]
+        gap, last = max(gap, window.state["seconds"] - last), window.state["seconds"]
+    return [*reacted, *since(), 1000 * gap]
 
 
 def main():
@@ -53,13 +53,12 @@ def main():
         window.wait("rest", lambda s: s["settled"])
         keyboard = Keyboard(display.name)
         for turn in range(ROUNDS):
-            print(f"round {turn + 1}                  reacts  settles  processor (ms)")
-            for key, action, what in [("t", "strip", "strip opens"), ("t", "strip", "strip closes")] + \
-                    [("v", "next-layout", None)] * 5 + [("t", "strip", "strip opens")] + \
-                    [("v", "next-layout", None)] * 5 + [("t", "strip", "strip closes")]:
+            print(f"round {turn + 1}                  reacts  (proc)  settles (proc)     gap  (ms)")
+            for key, action in KEYS:
                 times = timed(window, keyboard, key, action)
-                strip = " with strip" if window.state["shown"]["strip"] and not what else ""
-                name = what or f"to {window.state['layout']}{strip}"
+                strip = window.state["shown"]["strip"]
+                name = ("strip opens" if strip else "strip closes") if key == "t" else \
+                    f"to {window.state['layout']}{' with strip' if strip else ''}"
                 print(f"  {name:22}" + "".join(f"{ms:8.0f}" for ms in times), flush=True)
         window.close()
 
