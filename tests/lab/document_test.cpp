@@ -100,8 +100,12 @@ TEST(CaptureWords, SayAllThatThePictureDependsOn) {
     document.panes[1].settings["shadow-map"]["resolution"] = "64"; // of a technique that is not shown there
     const std::string line = course::asCommandLine(course::captureArguments(document, "/a b/scene.json", "out.png", {1000, 500}));
     EXPECT_EQ(line, "capture '/a b/scene.json' -o out.png -t shadow-map,shadow-volume-zfail --size 1000x500 "
-                    "--layout split --split 0.3125 --light 'the sun' --stage '1:error@the sun' "
+                    "--layout split --split 0.3125 --enlarge true --light 'the sun' --stage '1:error@the sun' "
                     "--set 2:shadow-volume-zfail.caps=false");
+    document.layout = picture::Layout::diff; // it is of the finished pictures, whatever the panes show
+    EXPECT_EQ(course::asCommandLine(course::captureArguments(document, "s.json", "o.png", {10, 20})),
+              "capture s.json -o o.png -t shadow-map,shadow-volume-zfail --size 10x20 --layout diff --enlarge true --light 'the sun' "
+              "--set 2:shadow-volume-zfail.caps=false");
     document.layout = picture::Layout::single;
     document.active = 2;
     EXPECT_EQ(course::asCommandLine(course::captureArguments(document, "s.json", "o.png", {10, 20})),
