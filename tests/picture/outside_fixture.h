@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include "app/picture/outside/outside_view.h"
+#include "app/picture/picture.h"
+#include "techniques/registry.h"
 #include "techniques/foundation/scene/query/outside_camera.h"
 #include "tests/support/gl_fixture.h"
 #include "tests/support/scenes.h"
