@@ -1,4 +1,5 @@
-// "Every polygon is rendered N + 1 times": the passes of a frame, and how many polygons each of them draws.
+// "Every polygon is rendered N + 1 times": once from each light, once from the eye, and how many polygons each of them draws. The program
+// itself draws the eye's picture in a pass for each light, so that each can be looked at; what that adds stands below, paler.
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
@@ -13,14 +14,8 @@ namespace {
 
 constexpr double kPassesBorder = 24, kNumber = 130; ///< pixels; kNumber: of a count at the end of a bar
 constexpr double kNamesWidth = 470;                 ///< of the words before the bars
-constexpr double kLeastRow = 34, kMostRow = 78;
+constexpr double kLeastRow = 34, kMostRow = 110;
 constexpr const char *kFromEye = "#0072b2", *kOfLight = "#a06000";
-
-std::string nameOf(const Probe::DrawnPass& pass, const scene::Scene& scene) {
-    if (pass.light < 0) return "lights off, from the eye";
-    const std::string& light = scene.light(pass.light).name;
-    return pass.id == "depth" ? "depth map, from light " + light : "light " + light + " added, from the eye";
-}
 
 std::string thousands(std::uint64_t number) {
     std::string text = std::to_string(number);
@@ -42,47 +37,54 @@ Diagram drawPassesFigure(const FigureSource& source) {
     drawing::Drawing drawing(source.size);
     const drawing::Box area{dvec2(kPassesBorder), source.size - 2 * kPassesBorder};
     const std::size_t lights = source.scene.lights.size();
-    constexpr double foot = 4 * 36 + 20;
-    const double row =
-        std::clamp((area.size.y - kHeading - 24 - foot) / static_cast<double>(passes.size()), kLeastRow, kMostRow);
-    const auto rows = std::min(passes.size(), static_cast<std::size_t>((area.size.y - kHeading - 24 - foot) / row));
+    const std::string n = std::to_string(lights);
+    // The lecture's renderings: the maps in the order of the lights, then the eye's picture, whose first pass draws all that is seen.
+    std::vector<const Probe::DrawnPass*> renderings;
+    for (const Probe::DrawnPass& pass : passes)
+        if (pass.id == "depth") renderings.push_back(&pass);
+    renderings.push_back(&passes.front());
     std::uint64_t most = 1, all = 0;
     for (const Probe::DrawnPass& pass : passes) {
         most = std::max(most, pass.triangles);
         all += pass.triangles;
     }
-    drawing.text(area.corner + dvec2(0, kHeading), "Polygons that each pass of a frame draws",
+    const bool isAll = renderings.size() == lights + 1; // else a light has several maps, or none
+    drawing.text(area.corner + dvec2(0, kHeading),
+                 "N = " + n + (lights == 1 ? " light: " : " lights: ") + (isAll ? "N + 1 = " : "") +
+                     std::to_string(renderings.size()) + " renderings, and the polygons that each draws",
                  {.size = kHeading, .isBold = true});
-    const double left = area.corner.x + std::min(kNamesWidth, 0.45 * area.size.x),
-                 widest = area.corner.x + area.size.x - kNumber - left;
+    constexpr double kBelow = 4 * 34 + 16; // of the lines below the bars
+    const double row = std::clamp((area.size.y - kHeading - 24 - kBelow) / static_cast<double>(renderings.size()), kLeastRow, kMostRow);
+    const auto rows = std::min(renderings.size(), static_cast<std::size_t>((area.size.y - kHeading - 24 - kBelow) / row));
+    const double left = area.corner.x + std::min(kNamesWidth, 0.45 * area.size.x), widest = area.corner.x + area.size.x - kNumber - left;
     dvec2 at = area.corner + dvec2(0, kHeading + 24);
     for (std::size_t i = 0; i < rows; ++i) {
-        const Probe::DrawnPass& pass = passes[i];
+        const Probe::DrawnPass& pass = *renderings[i];
+        const bool isMap = pass.id == "depth";
         const double width = widest * static_cast<double>(pass.triangles) / static_cast<double>(most);
-        const double middle = at.y + 0.5 * row, line = middle + 0.35 * kText;
-        drawing.text({area.corner.x, line}, std::to_string(i + 1) + ". " + nameOf(pass, source.scene), {.size = kText});
-        drawing.rectangle({left, at.y + 5}, {std::max(width, 1.0), row - 10}, pass.id == "depth" ? kOfLight : kFromEye,
-                          {"", 0, false});
-        drawing.text({left + width + 12, line}, thousands(pass.triangles), {.size = kText, .isBold = true});
+        const double foot = at.y + 0.5 * row + 0.35 * kText;
+        drawing.text({area.corner.x, foot},
+                     std::to_string(i + 1) + (isMap ? ". from light " + source.scene.light(pass.light).name + ": depth map"
+                                                    : ". from the eye: the image"),
+                     {.size = kText});
+        drawing.rectangle({left, at.y + 8}, {std::max(width, 1.0), row - 16}, isMap ? kOfLight : kFromEye, {"", 0, false});
+        drawing.text({left + width + 12, foot}, thousands(pass.triangles), {.size = kText, .isBold = true});
         at.y += row;
     }
-    if (rows < passes.size())
-        drawing.text(at + dvec2(0, kText), "and " + std::to_string(passes.size() - rows) + " more", {.size = kText});
-    at = area.corner + dvec2(0, area.size.y - foot + 40);
-    const std::string n = std::to_string(lights);
-    drawing.text(at,
-                 "N = " + n + (lights == 1 ? " light: " : " lights: ") + std::to_string(passes.size()) +
-                     " passes = 2N + 1, " + thousands(all) + " polygons",
-                 {.size = kHeading, .isBold = true});
-    drawing.text(at + dvec2(0, 40),
-                 "The lecture's N + 1 = " + std::to_string(lights + 1) +
-                     ": once from each light, once from the eye for all.",
-                 {.size = kText});
-    drawing.text(at + dvec2(0, 74), "Here each light has a pass of its own from the eye, and what a map covers",
-                 {.size = kText});
-    drawing.text(at + dvec2(0, 108), "in part is drawn twice: with the map, and without.", {.size = kText});
-    return {std::move(drawing),
-            "The passes of a frame with " + n + " lights, and how many polygons each of them draws"};
+    if (rows < renderings.size())
+        drawing.text(at + dvec2(0, kText), "and " + std::to_string(renderings.size() - rows) + " more", {.size = kText});
+    const std::size_t added = passes.size() - renderings.size();
+    at.y = std::min(at.y + 34, area.corner.y + area.size.y - kBelow + 34);
+    for (const std::string& line : source.font.wrap(
+             "This program adds the lights one by one, so that each can be looked at: the image takes a pass with all lights off and " +
+                 std::to_string(added) + " more, one for each light. That is " + std::to_string(passes.size()) + " passes" +
+                 (passes.size() == 2 * lights + 1 ? ", 2N + 1" : "") + ", and " + thousands(all) +
+                 " polygons. A pass that adds a light draws what its map covers in part twice, inside and outside of it.",
+             kText, static_cast<int>(area.size.x))) {
+        at.y += 34;
+        drawing.text(at, line, {.size = kText, .color = "#4d4d4d"});
+    }
+    return {std::move(drawing), "The renderings of a frame with " + n + " lights, and how many polygons each of them draws"};
 }
 
 } // namespace shadowlab::figures
