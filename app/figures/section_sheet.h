@@ -18,8 +18,8 @@ class SectionSheet {
 public:
     /// All of eye, light, point and `places` (metres of the plane) as large as fits into `area`; what would make everything else
     /// tiny is left out, and an arrow at the border points to it.
-    /// `hasEye`: false for what is drawn without the eye and its line. `mostScale`: pixels for a metre, at most; with such a limit what is shown begins at the upper left corner, so that two
-    /// sheets of one plane have eye and light in the same places.
+    /// `mostScale`: pixels for a metre, at most; with such a limit what is shown begins at the upper left corner, so that two
+    /// sheets of one plane have eye and light in the same places. `hasEye`: false for what is drawn without the eye and its line.
     SectionSheet(const Probe& probe, const scene::Scene& scene, const drawing::Box& area, std::span<const dvec2> places,
                  double mostScale = std::numeric_limits<double>::infinity(), bool hasEye = true);
     /// Only what lies within `reach` metres of the point.
