@@ -51,6 +51,7 @@ struct Slide {
     std::optional<int> supersample;      ///< N x N samples for a pixel; none: as many as for the other slides
     std::string caption;
     std::string alt; ///< the picture in words, for readers who cannot see it
+    std::vector<std::string> notes{}; ///< for who speaks: what to say, what to ask; never drawn on the slide
     WrittenWords written;
 };
 

@@ -26,7 +26,7 @@ using scene::Range;
 
 // What fits on a slide in type that is read from the last row.
 constexpr std::size_t kLongestCaption = 280, kLongestParagraph = 320, kLongestFormula = 600, kLongestAlt = 600,
-                      kLongestName = 60;
+                      kLongestNote = 1200, kLongestName = 60;
 constexpr std::size_t kMostSlides = 300, kMostPictures = 8, kMostLines = 12;
 
 std::string optionalText(const JsonObject& object, std::string_view key, std::size_t longest) {
@@ -90,8 +90,8 @@ struct Deck::File {
 
     File(std::filesystem::path file, const scene::LoadOptions& loading)
         : name(file.stem().string()), path(std::move(file)), options(loading),
-          document(scene::readFile(path, picture::limits().sceneFileBytes, "scene-file"), path, picture::limits().jsonDepth,
-                   "a deck, starting with {"),
+          document(scene::readFile(path, picture::limits().sceneFileBytes, "scene-file"), path,
+                   picture::limits().jsonDepth, "a deck, starting with {"),
           top(document, document.root(), "the deck",
               {"title", "subtitle", "scene", "camera", "lights", "layout", "light", "slots", "stage", "step", "split",
                "set", "slides"}),
@@ -168,7 +168,7 @@ struct Deck::File {
                              {"name",     "title",   "supersample", "pictures", "text",    "pseudocode", "marked",
                               "formulas", "caption", "alt",         "scene",    "camera",  "lights",     "layout",
                               "light",    "slots",   "stage",       "step",     "split",   "set",        "pixel",
-                              "partner",  "diagram", "outside",     "volumes",  "near-clip", "label",    "callouts"});
+                              "partner",  "diagram", "outside",     "volumes",  "near-clip", "label",    "callouts", "notes"});
         Slide slide;
         slide.name = names[number];
         slide.written = {shortText(own, "title", kLongestTitle), optionalText(own, "caption", kLongestCaption),
@@ -178,6 +178,7 @@ struct Deck::File {
         for (const std::string& text : slide.written.text)
             slide.text.push_back(plainText(own, "text", text));
         slide.formulas = paragraphs(own, "formulas", kLongestFormula);
+        slide.notes = paragraphs(own, "notes", kLongestNote);
         if (own.find("supersample")) slide.supersample = own.integer("supersample", 1, 8);
         readPseudocode(own, slide);
         if (own.find("pictures")) {

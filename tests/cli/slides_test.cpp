@@ -11,7 +11,7 @@ protected:
         folder.write("deck.json", R"({"title": "A deck", "scene": "box.json", "slots": [{"technique": "shadow-map"}],
   "slides": [
     {"name": "box", "title": "A box", "slots": [{"technique": "shadow-volume"}], "alt": "A box & its shadow.",
-     "callouts": [{"box": [0.3, 0.3, 0.4, 0.4], "label": "box"}], "caption": "It stands on the floor."},
+     "callouts": [{"box": [0.3, 0.3, 0.4, 0.4], "label": "box"}], "caption": "It stands on the floor.", "notes": ["Say what it stands on.", "Ask: <where>?"]},
     {"name": "broken", "title": "Broken", "slots": [{"technique": "shadow-map"}], "stage": "nothing", "alt": "-"},
     {"name": "words", "title": "Words", "text": ["No picture."], "formulas": ["\\frac{1}{2}"]},
     {"name": "drawing", "title": "A drawing", "slots": [{"technique": "shadow-volume"}], "diagram": "pixel",
@@ -54,6 +54,15 @@ TEST_F(SlidesTest, PagesHoldAllThatWasDrawn) {
     EXPECT_NE(html.find("alt=\"A box &amp; its shadow.\""), std::string::npos);
     EXPECT_NE(html.find("It stands on the floor."), std::string::npos);
     EXPECT_EQ(html.find("http"), std::string::npos) << "it needs nothing from elsewhere";
+    EXPECT_NE(html.find("<div class=\"notes\"><p>Say what it stands on.</p><p>Ask: &lt;where&gt;?</p></div>"), std::string::npos);
+    EXPECT_NE(text.find("::: notes\nSay what it stands on."), std::string::npos);
+    // The line of keys names each that does something special, and the script knows it.
+    for (const char* key : {"f", "b", "n", "c", "o", "h"}) {
+        EXPECT_NE(html.find("<kbd>" + std::string(key) + "</kbd>"), std::string::npos) << key;
+        EXPECT_NE(html.find(" " + std::string(key) + ": "), std::string::npos) << key;
+    }
+    EXPECT_NE(html.find("showKeys(true);"), std::string::npos) << "visible from the start";
+    EXPECT_NE(html.find("'.': dark"), std::string::npos) << "what the remote of a presenter sends";
     EXPECT_NE(text.find("# A box\n"), std::string::npos);
     EXPECT_NE(text.find("(pictures/deck-01-box.png)"), std::string::npos);
     EXPECT_NE(text.find("![](pictures/deck-03-words-with-words.png)"), std::string::npos)

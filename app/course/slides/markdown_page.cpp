@@ -76,7 +76,10 @@ std::string markdown(const Deck& deck, const std::vector<PageSlide>& slides) {
         else
             text += picture + words;
         if (picture.empty() && !caption.empty()) text += caption + "\n\n";
-        const std::string notes = (slide.alt.empty() ? "" : plain(slide.alt) + "\n\n") +
+        std::string spoken;
+        for (const std::string& note : slide.notes)
+            spoken += plain(note) + "\n\n";
+        const std::string notes = spoken + (slide.alt.empty() ? "" : plain(slide.alt) + "\n\n") +
                                   (isAllPicture ? caption + "\n\n" + wordsOf(slide) : "");
         if (!notes.empty()) text += "::: notes\n" + notes + ":::\n\n";
     }
