@@ -7,7 +7,6 @@
 
 #include "app/window/actions.h"
 #include "app/window/gizmo.h"
-#include "app/window/imgui_bridge.h"
 #include "app/window/panels/lesson_marks.h"
 #include "app/window/panels/panels.h"
 #include "app/window/picture_mouse.h"

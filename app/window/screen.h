@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/lab/stage_strip.h"
+#include "app/window/imgui_bridge.h"
 #include "app/window/panels/source_panel.h"
 #include "app/window/panels/story_bar.h"
 #include "app/window/pictures.h"
@@ -53,6 +54,8 @@ public:
     /// The drawing of the slide on show, as it was shown last.
     [[nodiscard]] const SlideFigure& figure() const { return figure_; }
     [[nodiscard]] const std::vector<ShownPane>& shownPanes() const { return panes_; }
+    /// Whether a drop-down list or a menu is open.
+    [[nodiscard]] bool isListOpen() const { return isPopupOpen(); }
     [[nodiscard]] const Theme& theme() const { return theme_; }
     [[nodiscard]] const lab::StageStrip& strip() const { return strip_; }
     /// The ids of the actions that keys have run in the last frame.

@@ -388,14 +388,5 @@ TEST_F(CaptureTest, SmallPicturesSayWhatIsLeftOut) {
     EXPECT_NE(result.err.find("note: the legends would cover the pictures"), std::string::npos) << result.err;
 }
 
-TEST_F(CaptureTest, DemoWritesItsPictureAndSaysWhere) {
-    const Listing before = listing();
-    // Short for `demo box.json`; without a display there is no window.
-    const ProgramResult result = succeed({"box.json"}, {.environment = {{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}}});
-    EXPECT_EQ(newSince(before), Words{"box-comparison.png"});
-    EXPECT_EQ(result.out, (folder.path() / "box-comparison.png").string() + "\n");
-    EXPECT_EQ(headerOf(content("box-comparison.png")).width, 1600u);
-}
-
 } // namespace
 } // namespace shadowlab::testing

@@ -11,7 +11,6 @@
 #include "app/context/assets.h"
 #include "app/lab/object_picking.h"
 #include "app/window/gizmo.h"
-#include "app/window/imgui_bridge.h"
 #include "app/window/panels/panels.h"
 #include "app/window/screen.h"
 #include "techniques/foundation/scene/load/load.h"
@@ -150,7 +149,7 @@ TEST_F(WindowDraggingTest, EscClosesAnOpenListAndArrowsStayInIt) {
     const dvec2 combo(20, 0.5 * window::topBarHeight()); // the choice of scenes
     hand.drag(combo, {0, 0});
     hand.to(combo, false);
-    ASSERT_TRUE(window::isPopupOpen());
+    ASSERT_TRUE(hand.screen.isListOpen());
     for (const int key : {GLFW_KEY_LEFT, GLFW_KEY_DOWN, GLFW_KEY_V, GLFW_KEY_J}) {
         hand.ui.keys.push_back({key, false, false, false, false});
         hand.screen.frame(0.03);
@@ -161,7 +160,7 @@ TEST_F(WindowDraggingTest, EscClosesAnOpenListAndArrowsStayInIt) {
     hand.ui.keys.push_back({GLFW_KEY_ESCAPE, false, false, false, false});
     hand.screen.frame(0.03);
     hand.screen.frame(0.03);
-    EXPECT_FALSE(window::isPopupOpen());
+    EXPECT_FALSE(hand.screen.isListOpen());
     EXPECT_EQ(hand.ui.selection.kind, lab::Selection::Kind::light) << "one press of Esc leaves one thing";
     hand.ui.keys.push_back({GLFW_KEY_LEFT, false, false, false, false});
     hand.ui.selection = {};
