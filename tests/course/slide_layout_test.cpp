@@ -107,6 +107,9 @@ TEST(SlideLayoutTest, PicturesUseTheSlide) {
     EXPECT_GT(alone.cells[0].size.y, 0.8 * kSlideHeight);
     EXPECT_NEAR(pair.pictures.corner.x + pair.pictures.size.x, 1920 - kMargin, 2) << "heights are whole units";
     EXPECT_GT(pair.cells[0].size.y, 0.6 * kSlideHeight);
+    const std::vector<PictureNeeds> four(4);
+    const SlideLayout square = layOut(slide, 1920, slideFonts(), four);
+    EXPECT_NEAR(square.cells[2].corner.x, square.cells[0].corner.x, kRounding) << "two rows of two";
 }
 
 TEST(ProseTest, FormulasStandAmongWords) {

