@@ -14,9 +14,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kFiner = 2; ///< samples of a thumbnail's pixel in each direction: small pictures of edges need it
 
-// A frame of more stages takes longer, most of all when their shaders are compiled. So their number doubles as long as frames are
-// shorter than this, and begins again with one after a longer one.
-constexpr std::chrono::milliseconds kQuickFrame{12};
+// Some stages share work, as the pictures from the light share a map, so a frame of several is cheaper than several frames. But while
+// a frame is drawn the window does not answer. So the number of stages doubles as long as frames are shorter than this, and begins
+// again with one after a longer one.
+constexpr std::chrono::milliseconds kQuickFrame{100};
 
 /// How many texels of a stage go into a pixel of its thumbnail.
 int reduction(ivec2 stage, ivec2 thumbnail) {

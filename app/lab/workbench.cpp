@@ -72,7 +72,7 @@ PaneRequest Workbench::requestFor(const PlacedPane& placed, int draft) const {
     if (document_.partner) request.view.partner = pixelAt(*document_.partner, request.view.size);
     const bool judged = std::ranges::find(answering_, placed.pane) != answering_.end();
     const bool isThere = pane(placed.pane).drawnFor() == request;
-    if (document_.layout == picture::Layout::split && !isAtRest() && !whole_ && !judged && !isThere) {
+    if (document_.layout == picture::Layout::split && !whole_ && !judged && !isThere) {
         const ivec2 corner = ivec2(cell.cropX, 0) / draft;
         const ivec2 end =
             glm::min((ivec2(cell.cropX + cell.width, cell.height) + draft - 1) / draft, request.view.size);

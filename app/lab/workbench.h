@@ -50,10 +50,10 @@ public:
     [[nodiscard]] ivec2 shownSize(ivec2 areaSize) const;
     /// The panes of the layout, in a picture area of that size. Empty where the area is too small for them.
     [[nodiscard]] std::vector<PlacedPane> placed(ivec2 areaSize) const;
-    /// What a placed pane has to show, drawn with 1 / `draft` of the pixels in each direction. In the layout `split` a pane is
-    /// drawn whole, although a band of it is seen: verdicts are of whole pictures, so that they are the same numbers in every
-    /// layout, and the split line can be dragged over what is already there. Only while something else moves the band is enough,
-    /// but for a pane that is to be judged. In the layout `diff` panes show the finished picture, whatever their stage.
+    /// What a placed pane has to show, drawn with 1 / `draft` of the pixels in each direction. In the layout `split` that is the
+    /// band that is seen, so that the window reacts soon. But a pane that is to be judged is drawn whole: verdicts are of whole
+    /// pictures, so that they are the same numbers in every layout. At rest all are judged, and then the split line is dragged
+    /// over pictures that are already there. In the layout `diff` panes show the finished picture, whatever their stage.
     [[nodiscard]] PaneRequest requestFor(const PlacedPane& placed, int draft = 1) const;
 
     /// Draws what has changed. `areaSize` is the picture area in pixels. Returns true if anything was drawn. Work that is
@@ -64,7 +64,7 @@ public:
     /// Draws coarse as long as something moves and full frames take too long (kTooSlowMs).
     void setMoving(bool moving) { moving_ = moving; }
     void allowDraft(bool allowed) { draftAllowed_ = allowed; }
-    /// Draws every pane whole also while something moves: for what looks at one place in several panes.
+    /// Draws every pane whole at once: for what looks at one place in several panes.
     void drawWhole(bool whole) { whole_ = whole; }
     /// Draws every pane again, after its shaders have changed.
     void drawAnew();

@@ -98,7 +98,7 @@ std::string noteOf(const WrongMarks& marks, int width) {
     if (marks.wide == 0) return {};
     const std::string wide = "drawn " + std::to_string(width) + " pixels wide";
     return marks.single == 0 ? "each wrong pixel is " + wide
-                             : "wrong pixels that stand alone are " + wide + ", dense ones as they are";
+                             : "wrong pixels that stand alone are " + wide;
 }
 
 } // namespace shadowlab::picture

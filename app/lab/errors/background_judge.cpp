@@ -88,7 +88,7 @@ private:
 
     /// Pictures change their size when a layout is chosen or a panel opens, and change it back again.
     using Kept = std::list<Known>;
-    static constexpr std::size_t kMostKept = 4;
+    static constexpr std::size_t kMostKept = 6;
     static void bringToFront(Kept& kept, const Key& key) {
         // A truth without ties is that of a moment in which something moved: it will not come back.
         std::erase_if(kept, [&](const Known& known) { return known.madeFor != key && !known.exact; });
