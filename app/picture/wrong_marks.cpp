@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <iterator>
 
 namespace shadowlab::picture {
@@ -82,15 +81,18 @@ WrongMarks wrongMarks(const std::vector<std::uint8_t>& isWrong, ivec2 size, int 
     marks.wide = static_cast<int>(alone.size());
     marks.single -= marks.wide;
 
-    // Ring after ring around all of them: what a nearer one has taken stays its own.
-    for (int ring = 1; ring <= width / 2; ++ring)
-        for (const ivec2& pixel : alone)
-            for (int y = std::max(0, pixel.y - ring); y <= std::min(size.y - 1, pixel.y + ring); ++y) {
-                const int step = std::abs(y - pixel.y) == ring ? 1 : 2 * ring; // whole rows above and below, two ends between
-                for (int x = pixel.x - ring; x <= pixel.x + ring; x += step)
-                    if (x >= 0 && x < size.x && marks.owner[index(x, y)] == WrongMarks::kNone)
-                        marks.owner[index(x, y)] = static_cast<std::int32_t>(index(pixel.x, pixel.y));
-            }
+    // The nearest places of all squares first: what a nearer pixel has taken stays its own.
+    std::vector<ivec2> places;
+    for (int y = -(width / 2); y <= width / 2; ++y)
+        for (int x = -(width / 2); x <= width / 2; ++x)
+            places.emplace_back(x, y);
+    std::ranges::stable_sort(places, {}, [](const ivec2& place) { return place.x * place.x + place.y * place.y; });
+    for (const ivec2& place : places)
+        for (const ivec2& pixel : alone) {
+            const int x = pixel.x + place.x, y = pixel.y + place.y;
+            if (x < 0 || x >= size.x || y < 0 || y >= size.y || marks.owner[index(x, y)] != WrongMarks::kNone) continue;
+            marks.owner[index(x, y)] = static_cast<std::int32_t>(index(pixel.x, pixel.y));
+        }
     return marks;
 }
 

@@ -208,8 +208,8 @@ TEST_F(ScreenTest, VerdictsAreOfTheWholePictureInEveryLayout) {
     for (const double split : {0.0, 0.2, 0.9, 1.0}) {
         lab.ui.bench.change("", [&](lab::Document& d) { d.split = split; });
         settle(lab.screen);
-        if (split > 0) EXPECT_EQ(wrongOf(lab, 0), map) << split;
-        if (split < 1) EXPECT_EQ(wrongOf(lab, 1), volumes) << split;
+        if (split > 0) { EXPECT_EQ(wrongOf(lab, 0), map) << split; }
+        if (split < 1) { EXPECT_EQ(wrongOf(lab, 1), volumes) << split; }
     }
     lab.ui.bench.change("", [](lab::Document& d) { d.split = 0.5; });
     chooseLayout(lab.ui, picture::Layout::diff);
