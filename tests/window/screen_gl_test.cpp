@@ -270,7 +270,7 @@ TEST_F(ScreenTest, ADifferenceIsOfTheFinishedPicturesWhateverThePanesShow) {
     const std::vector<std::uint8_t> difference = pixels(lab.screen);
     ASSERT_TRUE(lab.screen.errors().difference());
     const image::Image picture = picture::PictureEncoder::read(lab.screen.errors().difference()->verdicts);
-    for (const char* stage : {"outside", "pass:light"}) {
+    for (const char* stage : {"outside", "truth"}) {
         lab.ui.bench.change("", [&](lab::Document& d) { d.panes[0].stage = picture::StageRef::parse(stage); });
         settle(lab.screen);
         EXPECT_EQ(lab.ui.bench.pane(0).picture().caption, "") << "no word of another picture in the title";
