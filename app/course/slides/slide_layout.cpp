@@ -15,7 +15,7 @@ constexpr double kWordsShare = 0.36; ///< of the width, beside pictures
 constexpr double kWidestPicture = 16.0 / 9, kNarrowestPicture = 1.2;
 constexpr double kNarrowestDrawing = 0.9; ///< what is narrower has no room for its labels
 constexpr double kLeastHeight = 40;       ///< of a picture; lower ones show nothing
-constexpr double kNearlyAsLarge = 0.98;   ///< fewer rows are chosen unless more give so much more room
+constexpr double kNearlyAsLarge = 1.12;   ///< pictures in more rows may be so much smaller: they use the whole height of the slide
 
 /// Rows of pictures, all equally high, with their widths.
 struct Rows {
