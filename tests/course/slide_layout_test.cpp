@@ -25,7 +25,7 @@ std::vector<PictureNeeds> needsOf(const Slide& slide, double legend, bool isSqua
     std::vector<PictureNeeds> all;
     for (const SlidePart& part : partsOf(slide)) {
         PictureNeeds needs;
-        needs.isLabelled = !part.label.empty() || hasBands(part);
+        needs.label = hasBands(part) ? "bands" : part.label;
         needs.isDrawing = !part.picture.figure.empty();
         if (mayHaveLegend(part)) {
             if (legend > 0) needs.legendHeight = [legend](double) { return legend; };

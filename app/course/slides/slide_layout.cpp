@@ -22,7 +22,7 @@ struct Rows {
     std::size_t columns = 1;
     double height = 0; ///< of a picture
     std::vector<double> widths;
-    std::vector<double> legends; ///< heights, the same within a row
+    std::vector<double> labels, legends; ///< heights, the same within a row
     [[nodiscard]] double shown() const {
         double area = 0;
         for (const double width : widths)
@@ -62,9 +62,10 @@ std::vector<double> widthsOf(std::span<const PictureNeeds> row, double height, d
 }
 
 /// All pictures in so many columns, each of that height; false where they do not fit.
-bool place(Rows& rows, std::span<const PictureNeeds> needs, double height, dvec2 room, double label) {
+bool place(Rows& rows, std::span<const PictureNeeds> needs, double height, dvec2 room, const Fonts& fonts) {
     rows.height = height;
     rows.widths.clear();
+    rows.labels.clear();
     rows.legends.clear();
     double total = 0;
     for (std::size_t first = 0; first < needs.size(); first += rows.columns) {
@@ -75,9 +76,13 @@ bool place(Rows& rows, std::span<const PictureNeeds> needs, double height, dvec2
         if (first > 0)
             for (std::size_t i = 0; i < row.size(); ++i)
                 widths[i] = std::clamp(rows.widths[i], leastWidth(row[i], height), std::min(mostWidth(row[i], height), widths[i]));
-        double legend = 0;
-        for (std::size_t i = 0; i < row.size(); ++i)
+        double label = 0, legend = 0;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const auto lines = drawing::wrapProse(row[i].label, kLabelType, widths[i], true, fonts.formula());
+            if (!row[i].label.empty()) label = std::max(label, kLineHeight * kLabelType * static_cast<double>(lines.size()));
             if (row[i].legendHeight) legend = std::max(legend, row[i].legendHeight(widths[i]));
+        }
+        rows.labels.insert(rows.labels.end(), row.size(), label);
         rows.widths.insert(rows.widths.end(), widths.begin(), widths.end());
         rows.legends.insert(rows.legends.end(), row.size(), legend);
         total += (first > 0 ? kGap : 0) + label + height + legend;
@@ -86,22 +91,22 @@ bool place(Rows& rows, std::span<const PictureNeeds> needs, double height, dvec2
 }
 
 /// The highest pictures that fit in so many columns.
-Rows highest(std::span<const PictureNeeds> needs, std::size_t columns, dvec2 room, double label) {
-    Rows rows{columns, 0, {}, {}};
+Rows highest(std::span<const PictureNeeds> needs, std::size_t columns, dvec2 room, const Fonts& fonts) {
+    Rows rows{columns, 0, {}, {}, {}};
     double low = kLeastHeight, high = room.y;
     constexpr int kHalvings = 40;
     for (int i = 0; i < kHalvings; ++i) {
         const double middle = 0.5 * (low + high);
-        (place(rows, needs, middle, room, label) ? low : high) = middle;
+        (place(rows, needs, middle, room, fonts) ? low : high) = middle;
     }
-    place(rows, needs, std::floor(low), room, label);
+    place(rows, needs, std::floor(low), room, fonts);
     return rows;
 }
 
-Rows largest(std::span<const PictureNeeds> needs, dvec2 room, double label) {
+Rows largest(std::span<const PictureNeeds> needs, dvec2 room, const Fonts& fonts) {
     Rows best;
     for (std::size_t columns = needs.size(); columns >= 1; --columns) {
-        const Rows rows = highest(needs, columns, room, label);
+        const Rows rows = highest(needs, columns, room, fonts);
         const bool isPrime = needs.size() == 5 || needs.size() == 7;       // more than a row of them has a last row with gaps
         if (needs.size() % columns != 0 && !isPrime) continue;
         if (best.widths.empty() || kNearlyAsLarge * rows.shown() > best.shown()) best = rows;
@@ -109,15 +114,15 @@ Rows largest(std::span<const PictureNeeds> needs, dvec2 room, double label) {
     return best;
 }
 
-void placePictures(SlideLayout& layout, const Box& area, std::span<const PictureNeeds> needs) {
-    const bool isLabelled = std::ranges::any_of(needs, &PictureNeeds::isLabelled);
-    const double label = isLabelled ? kLineHeight * kLabelType : 0;
-    const Rows rows = largest(needs, area.size, label);
+void placePictures(SlideLayout& layout, const Box& area, std::span<const PictureNeeds> needs, const Fonts& fonts) {
+    const bool isLabelled = std::ranges::any_of(needs, [](const PictureNeeds& one) { return !one.label.empty(); });
+    const Rows rows = largest(needs, area.size, fonts);
     dvec2 at = area.corner;
     double right = at.x, bottom = at.y;
     for (std::size_t i = 0; i < needs.size(); ++i) {
         if (i > 0 && i % rows.columns == 0) at = {area.corner.x, bottom + kGap};
         const dvec2 size(rows.widths[i], rows.height);
+        const double label = rows.labels[i];
         if (isLabelled) layout.labels.push_back({at, {size.x, label}});
         layout.cells.push_back({at + dvec2(0, label), size});
         layout.legends.push_back({at + dvec2(0, label + size.y), {size.x, rows.legends[i]}});
@@ -147,7 +152,7 @@ SlideLayout layOut(const Slide& slide, double width, const Fonts& fonts, std::sp
     if (needs.empty()) return layout;
     Box area = layout.content;
     if (hasWords) area.size.x -= kWordsShare * area.size.x + kGap;
-    placePictures(layout, area, needs);
+    placePictures(layout, area, needs, fonts);
     if (hasWords) { // all that pictures of their own shape leave free
         layout.words.corner.x = layout.pictures.corner.x + layout.pictures.size.x + kGap;
         layout.words.size.x = kMargin + room - layout.words.corner.x;

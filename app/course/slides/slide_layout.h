@@ -29,7 +29,7 @@ struct Fonts {
 
 /// What a picture asks of the layout.
 struct PictureNeeds {
-    bool isLabelled = false;
+    std::string label{}; ///< above it, with formulas between $; empty: none
     bool isDrawing = false;                           ///< of any shape; others are seen in the shapes that scenes are framed for
     std::optional<double> aspect{};                   ///< width / height that it has of its own, as a light's square view; none: any
     std::function<double(double width)> legendHeight{}; ///< of its legend in that width; empty: it has none
@@ -38,7 +38,7 @@ struct PictureNeeds {
 struct SlideLayout {
     double width = 1920;
     Box pictures;                          ///< all of them together, with labels and legends; empty: none
-    std::vector<Box> labels;               ///< of each picture: the line above it; empty where no picture has a label
+    std::vector<Box> labels;               ///< of each picture: the lines above it; empty where no picture has a label
     std::vector<Box> cells;                ///< of each picture, label and legend left out
     std::vector<Box> legends;              ///< of each picture: the room below it, as wide as it is
     Box content;                           ///< all between title and caption

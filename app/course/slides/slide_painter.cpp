@@ -30,16 +30,16 @@ void writeLines(Drawing& drawing, const std::vector<drawing::ProseLine>& lines, 
     }
 }
 
-/// The line above a picture: one text, as far as it fits.
+/// Above a picture: in rows of several lines the last of them stands at the picture.
 void writeLabel(Drawing& drawing, const std::string& label, const Box& box, const Fonts& fonts) {
-    if (label.empty()) return;
-    double type = kLabelType;
-    std::vector<drawing::ProseLine> lines = drawing::wrapProse(label, type, box.size.x, true, fonts.formula());
-    if (lines.size() > 1) lines = drawing::wrapProse(label, type = kLeastType, box.size.x, true, fonts.formula());
-    if (lines.size() > 1)
-        throw Error(ExitStatus::badInput, "the label '" + drawing::plainProse(label) + "' is wider than its picture; make it shorter");
-    drawing::drawProse(drawing, box.corner + dvec2(0, 0.75 * box.size.y), lines[0],
-                       {.size = type, .isBold = true, .color = kInk, .hasRim = false}, fonts.formula());
+    const std::vector<drawing::ProseLine> lines = drawing::wrapProse(label, kLabelType, box.size.x, true, fonts.formula());
+    const double row = kLineHeight * kLabelType;
+    double foot = box.corner.y + box.size.y - row * (static_cast<double>(lines.size()) - 0.75);
+    for (const drawing::ProseLine& line : lines) {
+        drawing::drawProse(drawing, {box.corner.x, foot}, line,
+                           {.size = kLabelType, .isBold = true, .color = kInk, .hasRim = false}, fonts.formula());
+        foot += row;
+    }
 }
 
 /// In exactly that size: a stage of its own size may miss it by a pixel, or have fewer texels than that. Each stays one colour.

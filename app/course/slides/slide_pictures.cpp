@@ -76,7 +76,7 @@ private:
     void findNeeds() {
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             PictureNeeds needs;
-            needs.isLabelled = !parts_[i].label.empty() || hasBands(parts_[i]);
+            needs.label = hasBands(parts_[i]) ? "bands" : parts_[i].label; // names of techniques fit above their bands
             needs.isDrawing = !parts_[i].picture.figure.empty();
             const StatePicture::Parts& trial = drawn_[i].parts;
             if (trial.panels.size() == 1) {
