@@ -115,7 +115,7 @@ std::string hardPage(const std::vector<CaseResult>& results, const std::string& 
            "is "
            "dark and should not be, pink is a surface where there is none, darkest grey are ties</figcaption></figure>"
            "</div>\n<form method=\"dialog\"><button>Close</button></form></dialog>\n<script>" +
-           std::string(kHardScript) + "</script>\n</body>\n</html>\n";
+           std::string(report::kCardsScript) + std::string(kHardScript) + "</script>\n</body>\n</html>\n";
 }
 
 } // namespace shadowlab::hard

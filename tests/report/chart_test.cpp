@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "app/report/page/chart_legend.h"
 #include "app/report/page/log_axis.h"
 #include "app/report/page/technique_mark.h"
 #include "tests/figures/written.h"
@@ -94,6 +95,27 @@ std::size_t expectReadable(const Group& group) {
             EXPECT_FALSE(all[i].box.overlaps(all[j].box)) << all[i].text << " covers " << all[j].text;
     }
     return all.size();
+}
+
+// A sweep's title stands in the chart where there is room; in the legend all of them stand, below their technique.
+TEST(ReportChartTest, EveryLabelIsInTheLegend) {
+    const Group group = madeGroup("still-life");
+    const Chart chart = chartOf(group, kSize);
+    double frameRight = 0;
+    for (const drawing::Mark& mark : chart.drawing.marks())
+        if (const auto* frame = std::get_if<drawing::Rectangle>(&mark))
+            frameRight = std::max(frameRight, frame->corner.x + frame->size.x);
+    std::multiset<std::string> inChart, inLegend;
+    for (const drawing::Mark& mark : chart.drawing.marks())
+        if (const auto* text = std::get_if<drawing::TextLine>(&mark); text && text->style.isItalic)
+            (text->place.x > frameRight ? inLegend : inChart).insert(text->text);
+    for (const std::string& label : inChart)
+        EXPECT_TRUE(inLegend.contains(label)) << label;
+    EXPECT_GE(inChart.size(), 2u);
+    std::set<std::pair<std::string, std::string>> named;
+    for (const Point& point : group.points)
+        if (!point.key.varies.empty() && hasPlace(point)) named.insert({point.key.technique, point.key.sweep});
+    EXPECT_EQ(inLegend.size(), named.size());
 }
 
 TEST(ReportChartTest, LettersAreLargeEnoughInPrint) {

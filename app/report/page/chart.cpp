@@ -26,7 +26,7 @@ constexpr double kZero = 0.5 * (kBottom + kZeroBottom);
 constexpr double kRoomX = 62, kRoomY = 30; ///< that the numbers of two ticks need: "0.005" is 60 pixels wide
 constexpr double kRadius = 11;             ///< of markers
 constexpr double kFrontAway = 15;          ///< pixels from a point to its number at least
-constexpr double kSweepWidth = 300;        ///< of the title of a sweep at most
+constexpr double kSweepWidth = 260; ///< of the title of a sweep at most, which is the room that the legend has for it
 
 drawing::TextStyle type(Anchor anchor, bool isBold = false, double size = kChartType) {
     return {size, anchor, isBold, false, "#000000", false};
@@ -77,7 +77,7 @@ public:
                       type(Anchor::start));
         drawing_.text({kMargin, 116},
                       group_.truth == judge::TruthOf::area ? "error: RMSE of visibility"
-                                                             : "error: wrong pixels by length of shadow boundary [px]",
+                                                           : "error: wrong pixels by length of shadow boundary [px]",
                       type(Anchor::start, true));
         drawing_.text({0.5 * (kLeft + kRight), kZeroBottom + 70}, "time of a frame, light moving [ms]",
                       type(Anchor::middle, true));
@@ -207,12 +207,14 @@ Chart chartOf(const Group& group, ivec2 size) {
     const image::Font font(context::assetsRoot() / "fonts" / "DejaVuSans.ttf");
     constexpr double kLegendWidth = kChartWidth - kLegendLeft - kMargin;
     const bool hasNote = !std::ranges::all_of(group.points, hasPlace);
-    const dvec2 keyPlace(kMargin, kZeroBottom + (hasNote ? 150 : 116));
-    // How high the sheet has to be is known once the words around the chart have been written.
+    // How high the sheet has to be is known once the words around the chart have been written. The legend may be longer than the
+    // chart is high; what explains the front stands below both.
     Drawing around({kChartWidth, 0});
-    const double height = kMargin + std::max({drawLegend(around, group, font, {kLegendLeft, kTop}, kLegendWidth),
-                                              drawFrontKey(around, group, font, keyPlace, kChartWidth - 2 * kMargin),
-                                              kZeroBottom + (hasNote ? 110 : 76)});
+    const double legendEnd = drawLegend(around, group, font, {kLegendLeft, kTop}, kLegendWidth);
+    const dvec2 keyPlace(kMargin, std::max(kZeroBottom + (hasNote ? 150 : 116), legendEnd + kMargin));
+    const double height =
+        kMargin + std::max({legendEnd, drawFrontKey(around, group, font, keyPlace, kChartWidth - 2 * kMargin),
+                            kZeroBottom + (hasNote ? 110 : 76)});
     Writer writer(group, font, height);
     const std::map<std::string, TechniqueMark> marks = marksOf(group);
     writer.title(size);

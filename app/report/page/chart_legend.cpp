@@ -18,6 +18,18 @@ constexpr double kMarker = 11; ///< radius, as in the chart
 const drawing::TextStyle kText{kChartType, drawing::Anchor::start, false, false, "#000000", false};
 const drawing::TextStyle kBold{kChartType, drawing::Anchor::start, true, false, "#000000", false};
 
+const drawing::TextStyle kItalic{kChartType, drawing::Anchor::start, false, true, "#000000", false};
+
+/// The titles that a technique's sweeps have in the chart, in the order of their points.
+std::vector<std::string> sweepsOf(const Group& group, const std::string& technique) {
+    std::vector<std::string> titles;
+    for (const Point& point : group.points)
+        if (point.key.technique == technique && !point.key.varies.empty() && hasPlace(point) &&
+            std::ranges::find(titles, point.key.sweep) == titles.end())
+            titles.push_back(point.key.sweep);
+    return titles;
+}
+
 std::string unitOf(const Group& group) { return group.truth == judge::TruthOf::area ? "" : " px"; }
 
 } // namespace
@@ -69,13 +81,19 @@ double drawLegend(drawing::Drawing& drawing, const Group& group, const image::Fo
         told.push_back(technique);
         drawMark(drawing, middle(), marks.at(technique), kMarker, false);
         write(technique);
+        for (const std::string& title : sweepsOf(group, technique)) {
+            drawing.line(middle() - dvec2(14, 0), middle() + dvec2(14, 0), {"#707070", 1.5, false});
+            drawing.text({corner.x + kSample, y}, fitted(font, title, kChartType, width - kSample), kItalic);
+            y += kLine;
+        }
     }
     y += 0.5 * kLine;
     const auto sample = [&](const drawing::Stroke& stroke, const std::string& text) {
         drawing.line(middle() - dvec2(14, 0), middle() + dvec2(14, 0), stroke);
         write(text);
     };
-    sample({"#000000", 3, false}, "Pareto front");
+    sample({"#000000", 3, false}, "Pareto front; its numbers");
+    write("are explained below");
     sample({"#707070", 1.5, false}, "points of one sweep");
     const double ends[] = {-14, 14};
     for (const double end : ends)

@@ -122,7 +122,8 @@ std::string htmlPage(const Report& report) {
            "<title>Shadows: cost and error</title>\n<style>" +
            std::string(kPageStyle) + "</style>\n</head>\n<body>\n<main>\n" + introduction(report) + summary(report) +
            groups + machines(report) + "</main>\n<p class=\"told\" id=\"told\" role=\"status\"></p>\n" +
-           pictures.definitions() + "<script>" + std::string(kPageScript) + "</script>\n</body>\n</html>\n";
+           pictures.definitions() + "<script>" + std::string(kCardsScript) + std::string(kPageScript) +
+           "</script>\n</body>\n</html>\n";
 }
 
 } // namespace shadowlab::report

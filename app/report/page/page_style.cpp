@@ -57,6 +57,26 @@ th[aria-sort=descending] button::after { content: ' ▼' }
 .open[aria-expanded=true]::before { content: '▾ ' }
 .told { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%) }
 .store { position: absolute; width: 0; height: 0; overflow: hidden }
+/* A phone: a chart is moved sideways in its own box, and a row of a table becomes a card, its cells below one another. Their names come
+   from the script; without it the table is moved sideways, too. */
+@media screen and (max-width: 700px) {
+  body { padding: 0 .8rem 2rem }
+  h1 { font-size: 1.4rem }
+  .chart { overflow-x: auto }
+  .chart svg { min-width: 760px }
+  .text.name { min-width: 9rem }
+  .cards, .cards tbody, .cards tr, .cards th, .cards td { display: block; width: auto; min-width: 0 }
+  .cards caption { display: block }
+  .cards thead, .cards tr[hidden] { display: none }
+  .cards tr { border-bottom: 2px solid #000; padding: .2rem 0 }
+  .cards tbody th { position: static; border: 0; font-size: 1.05em; white-space: normal }
+  .cards td { border: 0; text-align: left; white-space: normal; overflow-wrap: anywhere }
+  .cards td[data-head] { display: flow-root; text-align: right; border-top: 1px solid #ddd }
+  .cards td[data-head]::before { content: attr(data-head); float: left; width: 45%; margin-right: 1rem; text-align: left; color: #333;
+    font-weight: normal }
+  .cards .shown { position: static; max-width: none }
+  .verdict + .text { min-width: 0 }
+}
 @media print {
   @page { size: A4 landscape; margin: 12mm }
   body { font-size: 9pt; max-width: none; padding: 0 }
@@ -130,6 +150,18 @@ addEventListener('hashchange', showTarget);
 for (const spot of document.querySelectorAll('.spot'))
   spot.addEventListener('click', () => { if (spot.getAttribute('href') === location.hash) showTarget() });
 showTarget();
+)";
+
+// The head of its column beside every cell, for the cards of a phone.
+const std::string_view kCardsScript = R"(
+for (const table of document.querySelectorAll('.wide table')) {
+  const heads = [...table.tHead.rows[table.tHead.rows.length - 1].cells].map(head => head.textContent.trim());
+  for (const body of table.tBodies)
+    for (const row of body.rows)
+      if (row.cells.length === heads.length)
+        [...row.cells].forEach((cell, i) => { if (cell.matches('td')) cell.dataset.head = heads[i] });
+  table.classList.add('cards');
+}
 )";
 
 } // namespace shadowlab::report

@@ -5,6 +5,6 @@
 
 namespace shadowlab::report {
 
-extern const std::string_view kPageStyle, kPageScript;
+extern const std::string_view kPageStyle, kPageScript, kCardsScript;
 
 } // namespace shadowlab::report
