@@ -92,8 +92,8 @@ double drawLegend(drawing::Drawing& drawing, const Group& group, const image::Fo
         drawing.line(middle() - dvec2(14, 0), middle() + dvec2(14, 0), stroke);
         write(text);
     };
-    sample({"#000000", 3, false}, "Pareto front; its numbers");
-    write("are explained below");
+    sample({"#000000", 3, false}, "Pareto front, with");
+    write("numbers: see below");
     sample({"#707070", 1.5, false}, "points of one sweep");
     const double ends[] = {-14, 14};
     for (const double end : ends)
