@@ -10,8 +10,6 @@ namespace {
 constexpr float kArrowEm = 4.5f; ///< length of an axis arrow, however far away the thing is
 constexpr float kEdgeEm = 1.8f;  ///< how far within the picture a light outside it has its mark
 
-double distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
 } // namespace
 
 std::optional<ImVec2> SeenPane::place(const dvec3& positionWorld) const {
@@ -34,7 +32,7 @@ std::optional<ImVec2> SeenPane::arrowEnd(const lab::Handle& handle, int axis, co
     directionWorld[axis] = 1;
     const auto toward = place(handle.positionWorld + metres * directionWorld);
     if (!from || !toward) return {};
-    const double seenLength = distance(*from, *toward);
+    const double seenLength = std::hypot(toward->x - from->x, toward->y - from->y);
     // What a metre on the screen would be if it were not foreshortened; less than a fifth of it cannot be aimed with.
     const double full = 1e-3 * size.y / (2 * std::tan(glm::radians(camera.fovYDegrees) / 2));
     if (seenLength < 0.2 * full) return {};
