@@ -38,8 +38,14 @@ void chooseStage(WindowState& ui, const picture::StageRef& stage) {
     ui.bench.endGesture();
 }
 
+void chooseView(WindowState& ui, const picture::StageRef& stage) {
+    if (ui.bench.document().layout == picture::Layout::diff && !stage.isPicture()) chooseLayout(ui, picture::Layout::split);
+    chooseStage(ui, stage);
+}
+
 void toggleStage(WindowState& ui, const picture::StageRef& stage) {
-    chooseStage(ui, ui.bench.activeState().stage == stage ? picture::StageRef() : stage);
+    const bool isShown = ui.bench.activeState().stage == stage && ui.bench.document().layout != picture::Layout::diff;
+    chooseView(ui, isShown ? picture::StageRef() : stage);
 }
 
 void chooseLayout(WindowState& ui, picture::Layout layout) {

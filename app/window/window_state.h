@@ -97,6 +97,9 @@ void chooseTechnique(WindowState& ui, std::string_view id);
 void chooseSister(WindowState& ui);
 /// What the active pane shows of its technique.
 void chooseStage(WindowState& ui, const picture::StageRef& stage);
+/// What the active pane shows, as a key or the view's list asks for it. A difference is always of finished pictures: it gives way to
+/// the split picture, whose panes show stages.
+void chooseView(WindowState& ui, const picture::StageRef& stage);
 /// Shows that stage; or the finished picture, if the pane shows the stage already.
 void toggleStage(WindowState& ui, const picture::StageRef& stage);
 void chooseLayout(WindowState& ui, picture::Layout layout);

@@ -127,8 +127,4 @@ void lessonChoices(WindowState& ui) {
     }
 }
 
-void lessonList(WindowState& ui) {
-    if (!ui.lesson.all.empty() && ImGui::CollapsingHeader("Lessons")) lessonChoices(ui);
-}
-
 } // namespace shadowlab::window

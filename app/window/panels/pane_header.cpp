@@ -78,7 +78,8 @@ bool viewEntry(const std::string& caption, bool chosen, const lab::Thumbnail* th
 void viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, float width, const Theme& theme) {
     const lab::PaneState& state = ui.bench.document().panes[static_cast<std::size_t>(pane)];
     const TechniqueInfo& info = findTechnique(state.technique);
-    const picture::StageRef now = state.stage.ofAnyLight();
+    const bool differs = ui.bench.document().layout == picture::Layout::diff; // of finished pictures, whatever the panes show elsewhere
+    const picture::StageRef now = differs ? picture::StageRef() : state.stage.ofAnyLight();
     const std::string shown = now.isPass        ? "after a step"
                               : now.isPicture() ? "the finished picture"
                                                 : picture::captionOf(info, now.id);
@@ -93,7 +94,7 @@ void viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, float wid
             const auto& pictures = strip.thumbnails();
             const auto found = std::ranges::find(pictures, stage, &lab::Thumbnail::stage);
             if (viewEntry(caption, now == stage, found == pictures.end() ? nullptr : &*found, theme))
-                chooseStage(ui, stage);
+                chooseView(ui, stage);
         };
         entry({}, "the finished picture");
         const auto stages = picture::stagesOf(info);

@@ -35,10 +35,6 @@ void pixelPanel(WindowState& ui);
 void errorTable(const WindowState& ui, const lab::LiveErrors& errors);
 /// Frame times above, edge errors below, one curve for each pane on show.
 void historyPlot(const WindowState& ui, const lab::LiveErrors& errors, const Theme& theme);
-/// All lessons of the course, to choose from.
-void lessonList(WindowState& ui);
-/// All built-in decks, to be opened; of the open one, its slides.
-void deckList(WindowState& ui);
 
 // Below the pictures, and below the band (story_bar.h).
 float stripHeight(const Theme& theme);

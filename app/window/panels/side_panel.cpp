@@ -154,8 +154,6 @@ void sidePanel(WindowState& ui, const lab::LiveErrors& errors, const Area& area,
     if (looksFromOutside(ui)) outsidePanel(ui);
     pixelPanel(ui);
     if (ImGui::CollapsingHeader("Settings", ImGuiTreeNodeFlags_DefaultOpen)) parameterPanel(ui, theme);
-    lessonList(ui);
-    deckList(ui);
     if (ImGui::CollapsingHeader("Animation")) animationPart(ui, theme);
     if (ImGui::CollapsingHeader("Details")) {
         techniquePart(ui);

@@ -60,8 +60,4 @@ void deckChoices(WindowState& ui) {
     if (!chosenDeck.empty()) openDeck(ui, chosenDeck, chosenSlide);
 }
 
-void deckList(WindowState& ui) {
-    if (!ui.slides.decks.empty() && ImGui::CollapsingHeader("Slides")) deckChoices(ui);
-}
-
 } // namespace shadowlab::window
