@@ -61,7 +61,7 @@ void step(WindowState& ui, int by) {
     const lab::Pane& pane = ui.bench.pane(active);
     const lab::PaneState& state = ui.bench.document().panes[static_cast<std::size_t>(active)];
     const scene::Scene& scene = *ui.bench.shownScene();
-    chooseStage(
+    chooseView(
         ui, picture::stepped(state.stage, pane.passesOf(state.technique, scene), scene, ui.bench.document().light, by));
 }
 

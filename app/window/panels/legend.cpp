@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 
 #include "techniques/foundation/base/look.h"
 
@@ -62,23 +63,43 @@ void drawBar(ImDrawList& list, const lab::PanePicture& picture, const Area& band
     text(high);
 }
 
+/// Words of a key, with the swatch they explain; a label's further lines have none.
+struct KeyItem {
+    std::string words;
+    const KeyEntry* swatch = nullptr;
+};
+
+std::vector<KeyItem> itemsOf(const std::vector<KeyEntry>& key) {
+    std::vector<KeyItem> items;
+    for (const KeyEntry& entry : key) {
+        std::istringstream lines(entry.label);
+        const KeyEntry* swatch = &entry;
+        for (std::string line; std::getline(lines, line); swatch = nullptr)
+            items.push_back({line, swatch});
+    }
+    return items;
+}
+
 /// Swatches with their words, one after the other.
 void drawKey(ImDrawList& list, const std::vector<KeyEntry>& key, const Area& band, const Theme& theme) {
     const float room = static_cast<float>(band.size.x) - theme.em;
-    const auto entryWidth = [&](const KeyEntry& entry, float em) { return textWidth(theme, em, entry.label) + 2.4f * em; };
+    const std::vector<KeyItem> items = itemsOf(key);
+    const auto itemWidth = [&](const KeyItem& item, float em) {
+        return textWidth(theme, em, item.words) + (item.swatch ? 2.4f : 1.2f) * em;
+    };
     float wanted = 0;
-    for (const KeyEntry& entry : key)
-        wanted += entryWidth(entry, theme.em);
+    for (const KeyItem& item : items)
+        wanted += itemWidth(item, theme.em);
     const float em = std::round(theme.em * std::clamp(room / wanted, kSmallest, 1.0f));
-    std::vector<std::vector<const KeyEntry*>> lines(1);
+    std::vector<std::vector<const KeyItem*>> lines(1);
     float used = 0;
-    for (const KeyEntry& entry : key) {
-        if (used > 0 && used + entryWidth(entry, em) > room) {
+    for (const KeyItem& item : items) {
+        if (used > 0 && used + itemWidth(item, em) > room) {
             lines.emplace_back();
             used = 0;
         }
-        lines.back().push_back(&entry);
-        used += entryWidth(entry, em);
+        lines.back().push_back(&item);
+        used += itemWidth(item, em);
     }
     const float lineHeight = lines.size() == 1 ? static_cast<float>(band.size.y) : em * 1.25f;
     const float left = static_cast<float>(band.corner.x), bottom = static_cast<float>(band.corner.y + band.size.y);
@@ -88,11 +109,12 @@ void drawKey(ImDrawList& list, const std::vector<KeyEntry>& key, const Area& ban
     for (const auto& line : lines) {
         float x = left + em * 0.5f;
         const float swatch = em * 0.85f, top = y + (lineHeight - swatch) / 2;
-        for (const KeyEntry* entry : line) {
-            list.AddRectFilled({x, top}, {x + swatch, top + swatch}, shownColor(entry->colorLinear));
-            list.AddText(theme.text, em, {x + swatch + em * 0.4f, y + (lineHeight - em) / 2 - em * 0.1f}, kPlateText,
-                         entry->label.c_str());
-            x += entryWidth(*entry, em);
+        for (const KeyItem* item : line) {
+            if (item->swatch)
+                list.AddRectFilled({x, top}, {x + swatch, top + swatch}, shownColor(item->swatch->colorLinear));
+            const float textX = item->swatch ? x + swatch + em * 0.4f : x;
+            list.AddText(theme.text, em, {textX, y + (lineHeight - em) / 2 - em * 0.1f}, kPlateText, item->words.c_str());
+            x += itemWidth(*item, em);
         }
         y += lineHeight;
     }
