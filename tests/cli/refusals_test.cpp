@@ -170,7 +170,6 @@ const std::vector<Refusal> kUsage = {
      kTwo + std::vector<std::string>{"--set", "2:shadow-map.cull=true"},
      2,
      {"no slot 2 shows shadow-map"}},
-    {"ListWithoutWhat", {"list"}, 2, {"WHAT is missing"}},
     {"ListUnknown", {"list", "technique"}, 2, {"\"techniques\""}},
     {"ListOptionValue", {"list", "scenes", "more"}, 2, {"'more' is one argument too many"}},
     {"DemoOfNothing", {"demo", "no-such-scene"}, 3, {"no-such-scene"}},

@@ -51,7 +51,7 @@ Diagram drawPassesFigure(const FigureSource& source) {
     const bool isAll = renderings.size() == lights + 1; // else a light has several maps, or none
     drawing.text(area.corner + dvec2(0, kHeading),
                  "N = " + n + (lights == 1 ? " light: " : " lights: ") + (isAll ? "N + 1 = " : "") +
-                     std::to_string(renderings.size()) + " renderings, and the polygons that each draws",
+                     std::to_string(renderings.size()) + " renderings",
                  {.size = kHeading, .isBold = true});
     constexpr double kBelow = 4 * 34 + 16; // of the lines below the bars
     const double row = std::clamp((area.size.y - kHeading - 24 - kBelow) / static_cast<double>(renderings.size()), kLeastRow, kMostRow);

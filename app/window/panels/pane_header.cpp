@@ -115,7 +115,10 @@ std::string verdictLine(const WindowState& ui, const lab::LiveErrors& errors, in
     std::string text;
     if (lights.size() > 1)
         text = lights[std::min(static_cast<std::size_t>(ui.bench.document().light), lights.size() - 1)].name + ": ";
-    if (const lab::PaneErrors* known = errors.errors(pane)) {
+    const bool isStep = ui.bench.document().panes[static_cast<std::size_t>(pane)].stage.isPass;
+    if (isStep) {
+        text += "a step, not judged";
+    } else if (const lab::PaneErrors* known = errors.errors(pane)) {
         const int wrong = known->counts.wrong();
         text += std::to_string(wrong) + (wrong == 1 ? " wrong pixel" : " wrong pixels");
         char edge[32];

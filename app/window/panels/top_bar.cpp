@@ -27,6 +27,7 @@ struct BarButton {
 
 void openSaveMenu(WindowState&) { ImGui::OpenPopup("save menu"); }
 
+/// Pictures of the window are made without a user, whose changes there would be to undo.
 std::vector<BarButton> barButtons(const WindowState& ui) {
     const Layout layout = ui.bench.document().layout;
     const bool playing = ui.bench.animation().playing;
@@ -44,9 +45,9 @@ std::vector<BarButton> barButtons(const WindowState& ui) {
          [](WindowState& d) { chooseLayout(d, Layout::diff); }, 0},
         {"play", playing ? Icon::pause : Icon::play, playing, true, playing ? "pauses (Space)" : "plays (Space)",
          [](WindowState& d) { d.bench.play(!d.bench.animation().playing); }, 0, true},
-        {"undo", Icon::undo, false, ui.bench.history().canUndo(), "takes the last change back (Ctrl+Z)",
+        {"undo", Icon::undo, false, ui.live && ui.bench.history().canUndo(), "takes the last change back (Ctrl+Z)",
          [](WindowState& d) { d.bench.undo(); }, 0},
-        {"redo", Icon::redo, false, ui.bench.history().canRedo(), "makes it again (Ctrl+Y)",
+        {"redo", Icon::redo, false, ui.live && ui.bench.history().canRedo(), "makes it again (Ctrl+Y)",
          [](WindowState& d) { d.bench.redo(); }, 2},
         {"stages", Icon::stages, ui.shown.strip, true, "all stages as small pictures (T)",
          [](WindowState& d) { d.shown.strip = !d.shown.strip; }, 1, true},
