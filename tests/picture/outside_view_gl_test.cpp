@@ -133,7 +133,7 @@ TEST_F(OutsideViewTest, WhatTheSceneHidesIsFaint) {
     const dvec3 middle = outside.camera.targetWorld;
     const scene::Camera& camera = outside.camera;
     const dvec3 right = glm::normalize(glm::cross(middle - camera.positionWorld, camera.upWorld));
-    technique->shown = {{"bar", look::kMultipleEdge, SceneShape::Kind::lines, {middle - right, middle + right}}};
+    technique->shown = {{"", look::kMultipleEdge, SceneShape::Kind::lines, {middle - right, middle + right}}}; // without a label
     scene::Scene empty = *session->snapshot();
     empty.objects.clear();
     const auto visible = [&](scene::Scene scene) {

@@ -166,8 +166,11 @@ TEST_F(ZPassTest, FromOutsideOneSeesVolumesSilhouettesAndTheNearClipPyramid) {
             const View view{.camera = scene.camera, .size = kSize, .region = {}};
             const std::vector<SceneShape> shapes = slot.technique->shapes(snapshot, view, 0);
             const auto named = [&](const std::string& label) {
-                const auto found = std::ranges::find(shapes, label, &SceneShape::label);
-                return found == shapes.end() ? std::vector<dvec3>{} : found->pointsWorld;
+                std::vector<dvec3> pointsWorld; // each caster has a shape of its own
+                for (const SceneShape& shape : shapes)
+                    if (shape.label == label)
+                        pointsWorld.insert(pointsWorld.end(), shape.pointsWorld.begin(), shape.pointsWorld.end());
+                return pointsWorld;
             };
             EXPECT_GT(named("silhouette").size(), 40u);
             EXPECT_GE(named("sides").size(), 3 * named("silhouette").size()); // two triangles an edge

@@ -41,7 +41,10 @@ void LabelPainter::draw(const std::vector<PlacedLabel>& labels, double em, const
         if (label.standsOnIt()) continue;
         const vec3 from = onScreen(label.lineStart()), to = onScreen(label.place);
         lines.drawOnPicture({{from, to}}, label.colorLinear, std::max(1.0f, static_cast<float>(kLine * em)), size);
-        lines.drawOnPicture({{to, to}}, label.colorLinear, static_cast<float>(kDot * em), size);
+    }
+    for (const PlacedLabel& label : labels) { // over all lines
+        const vec3 at = onScreen(label.place);
+        if (!label.standsOnIt()) lines.drawOnPicture({{at, at}}, label.colorLinear, static_cast<float>(kDot * em), size);
     }
     glDisable(GL_BLEND);
     glDisable(GL_DEPTH_TEST);
