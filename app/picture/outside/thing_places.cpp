@@ -127,6 +127,7 @@ ThingPlaces thingPlaces(std::span<const NamedPoint> points, std::span<const Scen
     std::vector<const SceneShape*> first; // of each thing
     std::vector<Thing> things;
     for (const SceneShape* shape : shapes) {
+        if (shape->label.empty()) continue; // nothing to be called by
         const auto known = std::ranges::find(first, shape->label, [](const SceneShape* one) { return one->label; });
         const auto number = static_cast<std::size_t>(known - first.begin());
         if (known == first.end()) {
