@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "techniques/probed/map_probe.h"
 #include "techniques/probed/plane_probe.h"
@@ -60,8 +60,9 @@ const PlaneProbe::Cover* firstCasting(const PlaneProbe& plane) {
 
 std::string fixed(double number, int decimals) {
     std::array<char, 400> text{}; // a double has at most 309 digits before its point
-    std::snprintf(text.data(), text.size(), "%.*f", decimals, number + 0.0);
-    return text.data();
+    // With a point in any language of the system. 0.0 makes -0 a plain zero.
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number + 0.0, std::chars_format::fixed, decimals).ptr;
+    return {text.data(), end};
 }
 
 std::string percentOf(double share) {

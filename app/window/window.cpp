@@ -57,6 +57,7 @@ public:
         ui_->lesson.loading = loading;
         ui_->slides.decks = course::builtInDecks(context::assetsRoot());
         ui_->slides.loading = loading;
+        ui_->showsTimes = !settings.report; // the report has them
         if (settings.presenter) // a lecture begins the same way every time, whatever the last run has left
             togglePresenter(*ui_);
         else

@@ -76,6 +76,7 @@ struct WindowState {
     int dragPane = 0; ///< and the pane it is dragged in
     std::vector<std::string> scenes; ///< built-in ones
     bool live = true; ///< false for pictures of the window: no times, which differ from run to run, and exact errors at once
+    bool showsTimes = true; ///< milliseconds, which differ from run to run: without them equal states have equal pictures
     bool panelOutsidePresenter = true; ///< whether the settings come back after presenter mode
     bool panelBesideSource = true;     ///< whether they come back after the source was on show
     bool panelHasKeys = false;         ///< the arrow keys move among the settings instead of moving the camera

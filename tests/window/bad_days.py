@@ -54,7 +54,7 @@ class BadDay:
         for key in ("scene", "camera", "lights", "panes", "glObjects"):
             now, then = state[key], self.before[key]
             if key == "panes":
-                now, then = ([{**p, "frameMs": 0} for p in panes] for panes in (now, then))
+                now, then = ([{**p, "frameMs": 0, "errors": None} for p in panes] for panes in (now, then))  # of that size
             if key == "glObjects" and now < then:
                 continue  # a reload lets go of what only the closed panel asked for
             check(now == then, f"{what} changed {key}: {then} is now {now}")

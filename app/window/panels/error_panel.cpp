@@ -109,14 +109,14 @@ void errorTable(const WindowState& ui, const lab::LiveErrors& errors) {
         cell(1, known ? std::to_string(known->counts.falseLit) : "-");
         cell(2, known ? std::to_string(known->counts.falseShadow) : "-");
         cell(3, edge);
-        cell(4, ui.live ? std::to_string(std::lround(ui.bench.pane(pane).rendered().frameMs)) + " ms" : "- ms");
+        cell(4, ui.live && ui.showsTimes ? std::to_string(std::lround(ui.bench.pane(pane).rendered().frameMs)) + " ms" : "- ms");
     }
     ImGui::EndTable();
     ImGui::TextDisabled(errors.isDone() ? "of the whole picture, exact" : "without ties; exact when all is at rest");
 }
 
 void historyPlot(const WindowState& ui, const lab::LiveErrors& errors, const Theme& theme) {
-    if (!ui.live) return; // a plot over time is never the same twice
+    if (!ui.live || !ui.showsTimes) return; // a plot over time is never the same twice
     chart(ui, errors, theme, "frame", "ms",
           [](const lab::SlotSample& s) { return s.frameMs > 0 ? std::optional(s.frameMs) : std::nullopt; });
     chart(ui, errors, theme, "edge error", "px", [](const lab::SlotSample& s) { return s.edgeErrorPx; });

@@ -2,9 +2,10 @@
 #include "app/window/panels/panels.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <cmath>
 
 #include "app/picture/derived_stages.h"
+#include "app/picture/verdict_reasons.h"
 #include "app/window/panels/widgets.h"
 #include "app/window/widget_renderer.h"
 #include "techniques/registry.h"
@@ -121,15 +122,11 @@ std::string verdictLine(const WindowState& ui, const lab::LiveErrors& errors, in
     } else if (const lab::PaneErrors* known = errors.errors(pane)) {
         const int wrong = known->counts.wrong();
         text += std::to_string(wrong) + (wrong == 1 ? " wrong pixel" : " wrong pixels");
-        char edge[32];
-        if (known->edgeErrorPx) {
-            std::snprintf(edge, sizeof edge, ", edge %.2f px", *known->edgeErrorPx);
-            text += edge;
-        }
+        if (known->edgeErrorPx) text += ", edge " + picture::fixed(*known->edgeErrorPx, 2) + " px";
     } else {
         text += "not judged yet";
     }
-    if (ui.live) text += ", " + std::to_string(std::lround(ui.bench.pane(pane).rendered().frameMs)) + " ms";
+    if (ui.live && ui.showsTimes) text += ", " + std::to_string(std::lround(ui.bench.pane(pane).rendered().frameMs)) + " ms";
     return text;
 }
 

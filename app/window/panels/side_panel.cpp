@@ -97,7 +97,7 @@ void timesPart(const WindowState& ui) {
         ImGui::Text(format, values...);
     };
     const auto time = [&](const std::string& name, double ms) {
-        if (ui.live)
+        if (ui.live && ui.showsTimes)
             row(name, "%.1f ms", ms);
         else
             row(name, "- ms");
