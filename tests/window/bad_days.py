@@ -140,6 +140,10 @@ def drops(day):
     def drop(*paths):
         subprocess.run([DEBIAN_PYTHON, DROP, day.number, *paths], env=w.environment, check=True)
 
+    # At the end something is there to be made again, which an icon shows; so it is from the start.
+    w.key("v", "next-layout")
+    w.key("ctrl+z", "undo")
+    day.before["picture"] = w.state["picture"]
     tried = 0
     for path, words in bad_files(day.folder):
         drop(path)
