@@ -32,6 +32,8 @@ using Clock = std::chrono::steady_clock;
 
 /// Frames that follow one in which something happened: ImGui needs two to lay out what has changed.
 constexpr int kFramesAfter = 3;
+/// Frames that need all programs on show, while something moves.
+constexpr int kFramesToCompile = 10;
 /// How long a window sleeps in which nothing happens, between looks at files and loaders.
 constexpr double kIdleSeconds = 0.1;
 /// The same while exact errors are being found, which only the processor's idle time is given to.
@@ -199,9 +201,10 @@ private:
         if (std::exchange(requests.reloadShaders, false)) {
             gl::reloadShaders();
             ui_->bench.drawAnew();
-            shadersReloaded_ = true;
-        } else if (std::exchange(shadersReloaded_, false)) {
-            // By now every program on show was compiled again.
+            framesSinceReload_ = 0;
+        } else if (framesSinceReload_ && (!screen_->isBusy() || ++*framesSinceReload_ > kFramesToCompile)) {
+            // By now every program on show was compiled again: those that draw, and from the next frame on those that are judged by.
+            framesSinceReload_.reset();
             const std::vector<std::string> faults = gl::takeShaderFaults();
             for (const std::string& fault : shaderFaults_)
                 screen_->withdraw(fault);
@@ -268,7 +271,7 @@ private:
     lab::SceneLoader loader_;
     lab::ShaderWatch watch_;
     std::vector<std::string> shaderFaults_;
-    bool shadersReloaded_ = false;
+    std::optional<int> framesSinceReload_; ///< none: the faults of the last reload were taken
     std::string loadFault_;           ///< of the last scene that could not be loaded
     nlohmann::ordered_json reported_; ///< without frames and seconds
     long frames_ = 0;

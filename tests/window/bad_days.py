@@ -143,7 +143,7 @@ def drops(day):
     # At the end something is there to be made again, which an icon shows; so it is from the start.
     w.key("v", "next-layout")
     w.key("ctrl+z", "undo")
-    day.before["picture"] = w.state["picture"]
+    day.before.update(picture=w.state["picture"], glObjects=w.state["glObjects"])
     tried = 0
     for path, words in bad_files(day.folder):
         drop(path)
