@@ -14,6 +14,7 @@ constexpr double kWordsShare = 0.36; ///< of the width, beside pictures
 // The shapes that scenes are framed for: from two panes side by side to a whole screen.
 constexpr double kWidestPicture = 16.0 / 9, kNarrowestPicture = 1.2;
 constexpr double kNarrowestDrawing = 0.9; ///< what is narrower has no room for its labels
+constexpr double kWidestUseful = 2;       ///< a drawing in a wider field has empty sides: what it shows follows the height
 constexpr double kLeastHeight = 40;       ///< of a picture; lower ones show nothing
 constexpr double kNearlyAsLarge = 1.12;   ///< pictures in more rows may be so much smaller: they use the whole height of the slide
 
@@ -26,7 +27,7 @@ struct Rows {
     [[nodiscard]] double shown() const {
         double area = 0;
         for (const double width : widths)
-            area += width * height;
+            area += std::min(width, kWidestUseful * height) * height;
         return area;
     }
 };
