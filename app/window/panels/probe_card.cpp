@@ -11,6 +11,7 @@ namespace shadowlab::window {
 namespace {
 
 constexpr float kWidestEm = 25, kFromRingEm = 1.4f;
+constexpr float kMostOfPane = 0.33f; ///< of its height, that a card with sums may have
 constexpr std::size_t kMostSums = 5; ///< what can be read at a glance; the panel has the rest
 
 /// One line of the card.
@@ -39,7 +40,7 @@ void drawProbeCard(ImDrawList& list, const WindowState& ui, const ShownPane& sho
     if (shown.pane != document.active || !document.picked || !known.askedFor.view.picked ||
         known.askedFor.state.technique != document.panes[static_cast<std::size_t>(document.active)].technique)
         return;
-    const std::vector<CardLine> lines = cardLines(known.probe, theme);
+    std::vector<CardLine> lines = cardLines(known.probe, theme);
     const float pad = theme.em * 0.5f;
     const float room = std::min(kWidestEm * theme.em, static_cast<float>(shown.area.size.x) - 2 * pad);
     if (lines.empty() || room < 6 * theme.em) return;
@@ -52,6 +53,10 @@ void drawProbeCard(ImDrawList& list, const WindowState& ui, const ShownPane& sho
         heights.push_back(extent.y + pad * 0.4f);
     }
     size.y += pad * 0.6f;
+    // In a small pane the sums go: the picture has to be seen, and the panel has them.
+    const float mostHeight = kMostOfPane * static_cast<float>(shown.area.size.y);
+    for (; lines.size() > 1 && size.y > mostHeight; lines.pop_back(), heights.pop_back())
+        size.y -= heights.back();
     const ImVec2 ring(shown.pictureCorner.x + static_cast<float>(document.picked->x) * shown.pictureSize.x,
                       shown.pictureCorner.y + static_cast<float>(document.picked->y) * shown.pictureSize.y);
     const float away = kFromRingEm * theme.em, left = static_cast<float>(shown.area.corner.x),
