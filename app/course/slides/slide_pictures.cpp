@@ -17,8 +17,13 @@ constexpr ivec2 kProbedSize{1280, 720};
 constexpr dvec2 kTrialSize{320, 180}; ///< units: enough for a legend to have its entries
 constexpr int kMostTries = 3;         ///< a legend whose numbers grow with the picture may need a line more
 
-/// A drawing, in a box of that size without the sheet's border.
-figures::Diagram drawingOf(const SlidePicture& picture, const image::Font& font, dvec2 size, double mostPixelsPerMetre) {
+/// What the technique knows of the pixel that a drawing is about.
+struct Probed {
+    View view;
+    int light = kNoLight;
+    Probe probe;
+};
+Probed probed(const SlidePicture& picture) {
     std::vector<picture::Slot> slots = slotsOf(picture.state.slots);
     View view;
     view.camera = picture.state.camera;
@@ -27,10 +32,14 @@ figures::Diagram drawingOf(const SlidePicture& picture, const image::Font& font,
     view.picked = pixel;
     if (picture.partner) view.partner = lab::pixelAt(*picture.partner, kProbedSize);
     const int light = picture.state.scene->lights.empty() ? kNoLight : picture.state.light;
-    const Probe probe = slots[0].technique->probe(picture.state.scene, view, pixel, light);
+    return {view, light, slots[0].technique->probe(picture.state.scene, view, pixel, light)};
+}
+
+/// A drawing, in a box of that size without the sheet's border.
+figures::Diagram drawingOf(const SlidePicture& picture, const Probed& of, const image::Font& font, dvec2 size, double mostPixelsPerMetre) {
     const figures::Figure& figure = figures::findFigure(picture.figure);
-    return figure.draw({probe, picture.state.slots[0].technique, *picture.state.scene, view, light, font, size + 2 * figure.border,
-                        mostPixelsPerMetre});
+    return figure.draw({of.probe, picture.state.slots[0].technique, *picture.state.scene, of.view, of.light, font,
+                        size + 2 * figure.border, mostPixelsPerMetre});
 }
 
 class Pictures {
@@ -130,16 +139,19 @@ private:
         }
     }
 
-    /// Twice where sections stand side by side: the least of their scales is that of all.
+    /// Sections that stand side by side have the least of their scales: twice where a later one has a smaller scale than one before.
     void drawDiagrams(const SlideLayout& layout) {
         double least = std::numeric_limits<double>::infinity();
+        std::vector<std::optional<Probed>> probes(parts_.size()); // of the drawings
+        for (std::size_t part = 0; part < parts_.size(); ++part)
+            if (!parts_[part].picture.figure.empty()) probes[part] = probed(parts_[part].picture);
         for (int i = 0; i < 2; ++i) {
             bool isOneScale = true;
             for (std::size_t part = 0; part < parts_.size(); ++part) {
+                if (!probes[part]) continue;
                 const SlidePicture& picture = parts_[part].picture;
-                if (picture.figure.empty()) continue;
                 DrawnPart& drawn = drawn_[part];
-                drawn.diagram = drawingOf(picture, fonts_.upright, layout.cells[part].size, i == 0 ? std::numeric_limits<double>::infinity() : least);
+                drawn.diagram = drawingOf(picture, *probes[part], fonts_.upright, layout.cells[part].size, least);
                 drawn.diagramBorder = figures::findFigure(picture.figure).border;
                 if (const double scale = drawn.diagram->pixelsPerMetre; scale > 0) {
                     isOneScale = isOneScale && (std::isinf(least) || scale == least);
