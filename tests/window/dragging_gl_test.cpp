@@ -8,13 +8,10 @@
 #include <numbers>
 #include <set>
 
-#include "app/context/assets.h"
 #include "app/lab/object_picking.h"
 #include "app/window/gizmo.h"
 #include "app/window/panels/panels.h"
-#include "app/window/screen.h"
-#include "techniques/foundation/scene/load/load.h"
-#include "tests/support/gl_fixture.h"
+#include "tests/window/screen_fixture.h"
 
 namespace shadowlab {
 namespace {
@@ -22,29 +19,18 @@ namespace {
 constexpr ivec2 kWindow(480, 320);
 constexpr float kPixels = 24;
 
-class WindowDraggingTest : public testing::GlTest {
-protected:
-    static scene::Snapshot scene(const std::string& name) {
-        return scene::loadScene(name, {.assetsRoot = context::assetsRoot(), .allowed = {}, .limits = {}});
-    }
-};
+class WindowDraggingTest : public testing::ScreenFixture {};
 
 /// A small window with one picture, whose scene is drawn without shadows: what is tested is the mouse.
-struct Hand {
-    explicit Hand(const scene::Snapshot& scene)
-        : ui(lab::newDocument(scene, scene->name)), screen(quiet(ui), context::assetsRoot() / "fonts" / "DejaVuSans.ttf") {
-        screen.fit(kWindow, 1);
-        for (int i = 0; i < 3; ++i)
-            screen.frame(0.03);
-    }
-    static window::WindowState& quiet(window::WindowState& ui) {
-        ui.live = false;
+struct Hand : testing::Lab {
+    explicit Hand(const scene::Snapshot& scene) : Lab(scene, kWindow) {
         ui.shown.panel = false;
         ui.bench.change("", [](lab::Document& d) {
             d.layout = picture::Layout::single;
             d.panes[0].technique = "unshadowed";
         });
-        return ui;
+        for (int i = 0; i < 3; ++i)
+            screen.frame(0.03);
     }
     void to(const dvec2& place, bool down) {
         ImGuiIO& io = ImGui::GetIO();
@@ -66,8 +52,6 @@ struct Hand {
                 places[name] = place;
         return places;
     }
-    window::WindowState ui;
-    window::Screen screen;
 };
 
 TEST_F(WindowDraggingTest, EveryLightAndObjectOfEverySceneFollowsTheMouseAndComesBack) {
@@ -172,14 +156,13 @@ TEST_F(WindowDraggingTest, TheNextLightIsNamedAndFlashes) {
     Hand hand(scene("three-lights"));
     hand.ui.live = true;
     hand.screen.frame(0.03);
-    const auto pixels = [&] { return picture::PictureEncoder::read(hand.screen.picture()).rgba; };
     hand.ui.keys.push_back({GLFW_KEY_L, false, false, false, false});
     hand.screen.frame(0.03);
     EXPECT_EQ(hand.ui.bench.document().light, 1);
     std::set<std::vector<std::uint8_t>> seen;
     for (int i = 0; i < 30; ++i) {
         hand.screen.frame(0.03);
-        seen.insert(pixels());
+        seen.insert(pixels(hand.screen));
     }
     EXPECT_GE(seen.size(), 2u) << "nothing on the screen changes";
 }
