@@ -68,7 +68,7 @@ std::string joinedLine(const std::vector<std::string>& cells, const std::vector<
     for (std::size_t i = 0; i < cells.size(); ++i)
         line += cells[i] +
                 std::string(i + 1 < cells.size() ? widths[i] - std::min(widths[i], width(cells[i])) + kGap : 0, ' ');
-    return line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    return withoutBlankAtEnd(line) + "\n";
 }
 
 /// A row whose cells take as many lines as the longest of them.
@@ -119,7 +119,7 @@ std::string aligned(const Rows& rows) {
             const bool left = i == 0 || i + 1 == widths.size();
             line += (i > 0 ? "  " : "") + (left ? row[i] + gap : gap + row[i]);
         }
-        text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+        text += withoutBlankAtEnd(line) + "\n";
     }
     return text;
 }

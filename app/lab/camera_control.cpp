@@ -11,17 +11,6 @@ namespace {
 constexpr double kSteepestDegrees = 89; ///< of the view against the horizon; at 90 "right" would mean nothing
 constexpr double kNearestTarget = 1e-3, kFarthestTarget = 1e7; ///< metres; beyond, a wheel would lose the scene
 
-/// Unit vectors of the picture in world space.
-struct Axes {
-    dvec3 rightWorld, upWorld, forwardWorld;
-};
-
-Axes axesOf(const scene::Camera& camera) {
-    const dvec3 forwardWorld = glm::normalize(camera.targetWorld - camera.positionWorld);
-    const dvec3 rightWorld = glm::normalize(glm::cross(forwardWorld, camera.upWorld));
-    return {rightWorld, glm::cross(rightWorld, forwardWorld), forwardWorld};
-}
-
 /// `direction` turned about the camera's up direction, then raised toward it as far as allowed.
 dvec3 swung(const scene::Camera& camera, const dvec3& direction, double aroundDegrees, double raiseDegrees) {
     const dvec3 upWorld = glm::normalize(camera.upWorld);
@@ -38,6 +27,12 @@ dvec3 swung(const scene::Camera& camera, const dvec3& direction, double aroundDe
 
 } // namespace
 
+PictureAxes pictureAxes(const scene::Camera& camera) {
+    const dvec3 forwardWorld = glm::normalize(camera.targetWorld - camera.positionWorld);
+    const dvec3 rightWorld = glm::normalize(glm::cross(forwardWorld, camera.upWorld));
+    return {rightWorld, glm::cross(rightWorld, forwardWorld), forwardWorld};
+}
+
 scene::Camera orbited(scene::Camera camera, double rightDegrees, double overDegrees) {
     const dvec3 toEyeWorld = camera.positionWorld - camera.targetWorld;
     camera.positionWorld = camera.targetWorld + swung(camera, toEyeWorld, rightDegrees, overDegrees);
@@ -51,7 +46,7 @@ scene::Camera turnedHead(scene::Camera camera, double rightDegrees, double upDeg
 }
 
 scene::Camera panned(scene::Camera camera, double right, double up) {
-    const Axes axes = axesOf(camera);
+    const PictureAxes axes = pictureAxes(camera);
     const double heightAtTarget = 2 * targetDistance(camera) * std::tan(glm::radians(camera.fovYDegrees) / 2);
     // What is seen goes one way when the camera goes the other.
     const dvec3 shiftWorld = -heightAtTarget * (right * axes.rightWorld + up * axes.upWorld);
@@ -69,7 +64,7 @@ scene::Camera zoomed(scene::Camera camera, double factor) {
 }
 
 scene::Camera flown(scene::Camera camera, double right, double up, double forward) {
-    const Axes axes = axesOf(camera);
+    const PictureAxes axes = pictureAxes(camera);
     const dvec3 shiftWorld = right * axes.rightWorld + up * axes.upWorld + forward * axes.forwardWorld;
     camera.positionWorld += shiftWorld;
     camera.targetWorld += shiftWorld;

@@ -5,6 +5,12 @@
 
 namespace shadowlab::lab {
 
+/// The picture's unit vectors in world space.
+struct PictureAxes {
+    dvec3 rightWorld, upWorld, forwardWorld;
+};
+PictureAxes pictureAxes(const scene::Camera& camera);
+
 /// Goes around the target, by degrees: `right` about the up direction, `over` toward it. Stops short of looking straight
 /// along up, where the picture would turn over.
 scene::Camera orbited(scene::Camera camera, double rightDegrees, double overDegrees);

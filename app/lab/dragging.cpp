@@ -2,8 +2,9 @@
 #include "app/lab/dragging.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "app/lab/camera_control.h"
 
 namespace shadowlab::lab {
 
@@ -18,17 +19,6 @@ constexpr double kStepPixels = 4;  ///< the mouse's way is followed in steps of 
 constexpr int kMostSteps = 64;     ///< or in that many
 constexpr double kLargestGain = 8; ///< of a light far outside the picture
 constexpr double kLeastDepth = 0.1; ///< of the distance to the camera's target: what is nearer to the eye moves as if it were there
-
-/// The picture's unit vectors in world space.
-struct PictureAxes {
-    dvec3 rightWorld, upWorld, forwardWorld;
-};
-
-PictureAxes pictureAxes(const scene::Camera& camera) {
-    const dvec3 forwardWorld = glm::normalize(camera.targetWorld - camera.positionWorld);
-    const dvec3 rightWorld = glm::normalize(glm::cross(forwardWorld, camera.upWorld));
-    return {rightWorld, glm::cross(rightWorld, forwardWorld), forwardWorld};
-}
 
 double heightPerDepth(const scene::Camera& camera) { return 2 * std::tan(glm::radians(camera.fovYDegrees) / 2); }
 

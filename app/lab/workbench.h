@@ -42,7 +42,7 @@ public:
     [[nodiscard]] const std::vector<scene::Bounds>& bounds();
     [[nodiscard]] const Pane& pane(int i) const { return panes_[static_cast<std::size_t>(i)]; }
     [[nodiscard]] Pane& pane(int i) { return panes_[static_cast<std::size_t>(i)]; }
-    [[nodiscard]] PaneState& activeState() { return document_.panes[static_cast<std::size_t>(document_.active)]; }
+    [[nodiscard]] const PaneState& activeState() const { return document_.panes[static_cast<std::size_t>(document_.active)]; }
     [[nodiscard]] picture::Session& session() { return session_; }
     [[nodiscard]] const picture::PictureEncoder& encoder() const { return encoder_; }
 

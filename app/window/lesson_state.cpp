@@ -42,7 +42,8 @@ void show(WindowState& ui, LessonStep step) {
     ui.innerSteps = {};
     ui.selection = {};
     ui.shown.blink = false;
-    ui.bench.showDocument(documentOf(*on.now, step));
+    on.shown = documentOf(*on.now, step);
+    ui.bench.showDocument(on.shown);
     const film::Motion& motion = on.now->motion;
     if (motion.frames > 1)
         ui.bench.setAnimation([&](lab::Animation& animation) {
@@ -84,6 +85,7 @@ void openLesson(WindowState& ui, const std::string& nameOrPath, bool atItsEnd) {
         Lesson lesson = course::loadLesson(nameOrPath, ui.lesson.loading);
         leaveSlides(ui);
         if (!ui.lesson.earlier) ui.lesson.earlier = ui.bench.document();
+        ui.lesson.changes = course::changesOf(lesson);
         ui.lesson.now = std::move(lesson);
     } catch (const Error& fault) {
         complain(ui, fault.what());
@@ -127,13 +129,12 @@ void keepWrongPixels(WindowState& ui, const lab::LiveErrors& errors) {
     if (!on.now || (on.step != LessonStep::artefact && on.step != LessonStep::remedy)) return;
     const std::size_t state = on.step == LessonStep::remedy ? 1 : 0;
     const auto slot = static_cast<std::size_t>(course::judgedSlot(*on.now));
-    const lab::Document shown = course::documentOf(on.now->states[state]);
-    const lab::PaneState& meant = shown.panes[slot];
+    const lab::PaneState& meant = on.shown.panes[slot];
     const lab::PaneErrors* found = errors.errors(static_cast<int>(slot));
     // Of the very state that the lesson has: not after a setting, the camera or a light was changed.
     if (!found || !found->exact || found->judged.state.technique != meant.technique ||
-        found->judged.state.values() != meant.values() || found->judged.view.camera != shown.camera ||
-        found->judged.light != shown.light || found->judged.snapshot != shown.scene)
+        found->judged.state.values() != meant.values() || found->judged.view.camera != on.shown.camera ||
+        found->judged.light != on.shown.light || found->judged.snapshot != on.shown.scene)
         return;
     on.wrong[state] = found->counts.wrong();
 }

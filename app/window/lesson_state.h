@@ -26,6 +26,8 @@ struct LessonState {
     std::optional<int> chosen;                ///< of a question's choices
     course::Prediction painted;
     std::optional<course::PredictionScore> score;
+    std::vector<course::LessonChange> changes; ///< what its remedy changes
+    lab::Document shown;                       ///< by the step on show, before anything was changed by hand
     std::array<std::optional<int>, 2> wrong{}; ///< pixels of the artefact and of the remedy, as the window's judge found them
 
     [[nodiscard]] bool isOn() const { return now.has_value(); }

@@ -97,10 +97,10 @@ void drawProgress(ImDrawList& list, const std::string& progress, const ShownPane
     list.AddText(theme.text, theme.em, corner, kPlateText, progress.c_str());
 }
 
-/// Which of the judged pictures the pane shows, if it shows one.
-bool isJudged(const WindowState& ui, const ShownPane& shown) {
+/// Does the pane show verdicts, or wait for them?
+bool isJudged(const WindowState& ui, int pane) {
     const lab::Document& document = ui.bench.document();
-    return document.layout == Layout::diff || document.panes[static_cast<std::size_t>(shown.pane)].stage.isJudged();
+    return document.layout == Layout::diff || document.panes[static_cast<std::size_t>(pane)].stage.isJudged();
 }
 
 void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, const ShownPane& shown, const Theme& theme) {
@@ -111,12 +111,10 @@ void drawPane(ImDrawList& list, WindowState& ui, const lab::LiveErrors& errors, 
         list.AddRectFilled(low, high, IM_COL32(12, 12, 14, 255));
     list.PopClipRect();
     list.PushClipRect(low, {high.x, high.y + static_cast<float>(shown.footer.size.y)}, true);
-    const bool judged = isJudged(ui, shown);
+    const bool judged = isJudged(ui, shown.pane);
     const gl::Texture2D& texture = pane.picture().texture;
-    if (judged && ui.bench.document().layout == Layout::diff)
-        drawJudged(list, errors.difference(), pane, shown, theme);
-    else if (judged)
-        drawJudged(list, errors.picture(shown.pane), pane, shown, theme);
+    if (judged)
+        drawJudged(list, errors.shownOn(ui.bench.document(), shown.pane), pane, shown, theme);
     else if (texture && pane.showsTheEyesView())
         drawWhole(list, texture, shown, true);
     else if (texture)
@@ -153,14 +151,11 @@ void drawSplitLine(ImDrawList& list, const WindowState& ui, const Area& area, co
 
 std::string progressOf(const WindowState& ui, const lab::LiveErrors& errors, int number) {
     const lab::Pane& pane = ui.bench.pane(number);
-    const lab::Document& document = ui.bench.document();
     if (!pane.failure().empty()) return {};
     if (pane.progress() < 1) return "preparing: " + std::to_string(static_cast<int>(100 * pane.progress())) + " %";
     if (ui.bench.draft() > 1)
         return "while it moves: one pixel for " + std::to_string(ui.bench.draft() * ui.bench.draft());
-    const bool waits = document.layout == Layout::diff
-                           ? !errors.difference()
-                           : document.panes[static_cast<std::size_t>(number)].stage.isJudged() && !errors.picture(number);
+    const bool waits = isJudged(ui, number) && !errors.shownOn(ui.bench.document(), number);
     return waits ? "finding the exact answer ..." : "";
 }
 

@@ -61,8 +61,6 @@ void Screen::fit(ivec2 windowPixels, float contentScale) {
     framebuffer_ = gl::Framebuffer(&picture_, nullptr, "window");
 }
 
-PaneFrames Screen::frames() const { return paneFrames(ui_, theme_, layout().pictures); }
-
 StoryLayout Screen::layout() const {
     const auto top = static_cast<int>(topBarHeight());
     const int right = ui_.shown.panel ? static_cast<int>(panelWidth(theme_, size_.x)) : 0;
@@ -90,7 +88,8 @@ bool Screen::frame(double seconds) {
     ran_ = runKeys(ui_);
     if (!ui_.requests.news.empty()) say(std::exchange(ui_.requests.news, {}));
 
-    const PaneFrames frames = this->frames();
+    const StoryLayout story = layout();
+    const PaneFrames frames = paneFrames(ui_, theme_, story.pictures);
     const ivec2 pictures = frames.pictureSize();
     panes_ = window::shownPanes(ui_, frames, clock_);
     const bool painting = ui_.lesson.paints(); // then the mouse is a brush
@@ -121,18 +120,18 @@ bool Screen::frame(double seconds) {
         complain("errors cannot be found: " + failure);
     keepWrongPixels(ui_, errors_);
     const bool small = updateStrip(deadline);
-    const bool figured = figure_.update(ui_, layout().figure.size, theme_.em, labels_);
+    const bool figured = figure_.update(ui_, story.figure.size, theme_.em, labels_);
     busy_ = drawn || figured || moved || painted || judged || small || !ran_.empty() || !ui_.bench.isAtRest() ||
             ui_.flashUntil > ImGui::GetTime();
     settled_ = !busy_ && errors_.isDone();
 
     drawPictures(ui_, errors_, panes_, frames, theme_);
     drawMagnifiers(ui_, errors_, panes_, theme_);
-    ui_.shown.viewMenu = false; // it says so itself while it is open
+    viewsAreOpen_ = false;
     for (const PaneHeader& header : paneHeaders(ui_, frames))
-        paneHeader(ui_, errors_, strip_, header, frames.headerLines, theme_);
-    drawWidgets();
-    drawMessages(frames.pictures());
+        viewsAreOpen_ = paneHeader(ui_, errors_, strip_, header, frames.headerLines, theme_) || viewsAreOpen_;
+    drawWidgets(story);
+    drawMessages(frames);
     ui_.requests.focusPanel = false;
     ImGui::Render();
 
@@ -145,7 +144,7 @@ bool Screen::frame(double seconds) {
 }
 
 bool Screen::updateStrip(Deadline deadline) {
-    if (!(ui_.shown.strip || ui_.shown.viewMenu) || !ui_.bench.isAtRest()) return false;
+    if (!(ui_.shown.strip || viewsAreOpen_) || !ui_.bench.isAtRest()) return false;
     if (!ran_.empty()) return true; // what a key has changed is seen first
     deadline = std::max(deadline, std::chrono::steady_clock::now() + kStripSlice);
     lab::PlacedPane active;
@@ -159,8 +158,7 @@ bool Screen::updateStrip(Deadline deadline) {
     }
 }
 
-void Screen::drawWidgets() {
-    const StoryLayout story = layout();
+void Screen::drawWidgets(const StoryLayout& story) {
     const int top = story.pictures.corner.y;
     const int besideStory = story.room.size.x;
     topBar(ui_, {{0, 0}, {size_.x, top}}, theme_);
@@ -178,12 +176,12 @@ void Screen::withdraw(const std::string& beginning) {
     std::erase_if(ui_.messages, [&](const Message& message) { return message.text.starts_with(beginning); });
 }
 
-void Screen::drawMessages(const Area& pictures) {
+void Screen::drawMessages(const PaneFrames& frames) {
     std::erase_if(ui_.messages,
                   [&](const Message& message) { return !message.fault && clock_ > message.untilSeconds; });
     // From the foot of the pictures upward, the newest lowest: most are one line, in the place of the legends.
-    const float footer = static_cast<float>(frames().footer);
-    float bottom = static_cast<float>(pictures.corner.y + pictures.size.y) + footer;
+    const Area pictures = frames.pictures();
+    float bottom = static_cast<float>(pictures.corner.y + pictures.size.y + frames.footer);
     const float width = std::min(static_cast<float>(pictures.size.x), theme_.em * 60);
     for (std::size_t i = ui_.messages.size(); i-- > 0;) {
         const Message message = ui_.messages[i];

@@ -45,7 +45,7 @@ public:
     /// Whether the next frame should follow at once. False while only exact errors are missing, which need the processor.
     [[nodiscard]] bool isBusy() const { return busy_; }
     /// Pixels of the picture area: what a capture of the pictures alone has.
-    [[nodiscard]] ivec2 pictureSize() const { return ui_.bench.shownSize(frames().pictureSize()); }
+    [[nodiscard]] ivec2 pictureSize() const { return ui_.bench.shownSize(paneFrames(ui_, theme_, layout().pictures).pictureSize()); }
     /// Whether the next frame would look just like this one, without input and without time passing.
     [[nodiscard]] bool isSettled() const { return settled_; }
     [[nodiscard]] const lab::LiveErrors& errors() const { return errors_; }
@@ -68,9 +68,8 @@ public:
     void withdraw(const std::string& beginning);
 
 private:
-    void drawMessages(const Area& pictures);
-    void drawWidgets();
-    [[nodiscard]] PaneFrames frames() const;
+    void drawMessages(const PaneFrames& frames);
+    void drawWidgets(const StoryLayout& story);
     /// Where pictures, band and drawing are.
     [[nodiscard]] StoryLayout layout() const;
     [[nodiscard]] int sourceWidth() const;
@@ -98,6 +97,7 @@ private:
     double clock_ = 0, timed_ = 0, drawn_ = 0; ///< seconds: now, and of the last frames with and without times
     // The window has to react within a tenth of a second; the rest of a frame takes its part of that.
     std::chrono::milliseconds patience_{60};
+    bool viewsAreOpen_ = false; ///< a pane's list of views, with small pictures
     bool settled_ = false, busy_ = true;
 };
 

@@ -36,7 +36,7 @@ bool isKnown(const WindowState& ui) {
     const lab::Document& document = ui.bench.document();
     const lab::PaneRequest& of = ui.bench.pickedPixel().askedFor;
     return document.picked && of.view.picked && of.snapshot == ui.bench.shownScene() &&
-           of.state.technique == document.panes[static_cast<std::size_t>(document.active)].technique &&
+           of.state.technique == ui.bench.activeState().technique &&
            *of.view.picked == lab::pixelAt(*document.picked, of.view.size);
 }
 

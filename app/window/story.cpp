@@ -9,20 +9,15 @@ namespace shadowlab::window {
 
 namespace {
 
-const lab::PaneState& activePane(const WindowState& ui) {
-    const lab::Document& document = ui.bench.document();
-    return document.panes[static_cast<std::size_t>(document.active)];
-}
-
 /// What the lesson or the slide showed before the steps; where they were begun in no such thing, the finished picture.
 void leaveSteps(WindowState& ui) {
     const InnerSteps inner = std::exchange(ui.innerSteps, {});
-    chooseStage(ui, inner.on && inner.technique == activePane(ui).technique ? inner.stage : picture::StageRef());
+    chooseStage(ui, inner.on && inner.technique == ui.bench.activeState().technique ? inner.stage : picture::StageRef());
 }
 
 } // namespace
 
-bool isStepping(const WindowState& ui) { return activePane(ui).stage.isPass; }
+bool isStepping(const WindowState& ui) { return ui.bench.activeState().stage.isPass; }
 
 StoryMode outerMode(const WindowState& ui) {
     if (!ui.innerSteps.on || !isStepping(ui)) return StoryMode::explore;
@@ -47,7 +42,7 @@ void goThroughStory(WindowState& ui, int by) {
 
 void goThroughSteps(WindowState& ui, int by) {
     if (storyMode(ui) == StoryMode::lesson || storyMode(ui) == StoryMode::slides) {
-        const lab::PaneState& state = activePane(ui);
+        const lab::PaneState& state = ui.bench.activeState();
         ui.innerSteps = {true, state.technique, state.stage};
     }
     step(ui, by);

@@ -57,9 +57,8 @@ void chooseLayout(WindowState& ui, picture::Layout layout) {
 }
 
 void step(WindowState& ui, int by) {
-    const int active = ui.bench.document().active;
-    const lab::Pane& pane = ui.bench.pane(active);
-    const lab::PaneState& state = ui.bench.document().panes[static_cast<std::size_t>(active)];
+    const lab::Pane& pane = ui.bench.pane(ui.bench.document().active);
+    const lab::PaneState& state = ui.bench.activeState();
     const scene::Scene& scene = *ui.bench.shownScene();
     chooseView(
         ui, picture::stepped(state.stage, pane.passesOf(state.technique, scene), scene, ui.bench.document().light, by));
@@ -122,9 +121,8 @@ void resetCamera(WindowState& ui) {
 }
 
 bool looksFromOutside(const WindowState& ui) {
-    const lab::Document& document = ui.bench.document();
-    return document.layout != picture::Layout::diff && // its picture is that of the eye
-           document.panes[static_cast<std::size_t>(document.active)].stage.isOutside();
+    return ui.bench.document().layout != picture::Layout::diff && // its picture is that of the eye
+           ui.bench.activeState().stage.isOutside();
 }
 
 void moveCamera(WindowState& ui, const std::function<scene::Camera(const scene::Camera&)>& move) {

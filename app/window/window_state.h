@@ -26,7 +26,6 @@ struct Shown {
     bool presenter = false;
     bool handles = true; ///< of lights and objects, for dragging
     bool plot = true;    ///< of times and errors
-    bool viewMenu = false; ///< a pane's choice of views is open, with small pictures
     bool coarse = true;  ///< fewer pixels while something moves, if all of them would take too long
     friend bool operator==(const Shown&, const Shown&) = default;
 };

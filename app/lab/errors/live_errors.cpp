@@ -81,8 +81,6 @@ void LiveErrors::forgetAreas(const Workbench& bench, const std::vector<PlacedPan
 
 bool LiveErrors::update(Workbench& bench, ivec2 areaSize, double seconds) {
     const std::vector<PlacedPane> placed = bench.placed(areaSize);
-    for (auto& [pane, known] : errors_)
-        known.frameMs = bench.pane(pane).rendered().frameMs;
     if (!wanted_.empty()) {
         // A pane that could not be drawn in time is asked again in the next frame.
         const bool ready = std::ranges::all_of(wanted_, [&](int pane) {
@@ -164,8 +162,7 @@ void LiveErrors::take(const Workbench& bench, const JudgeAnswer& answer, double 
         const int pane = submitted.panes[i];
         if (!answer.slots[i]) continue;
         const SlotAnswer& slot = *answer.slots[i];
-        errors_[pane] = {slot.judgement.counts,       slot.edgeErrorPx,       slot.coreErrors, slot.exact,
-                         submitted.requests[i], bench.pane(pane).rendered().frameMs};
+        errors_[pane] = {slot.judgement.counts, slot.edgeErrorPx, slot.coreErrors, slot.exact, submitted.requests[i]};
         showPicture(bench, answer, submitted, i);
     }
     for (int pane = 0; pane < kPanes; ++pane) {

@@ -30,7 +30,6 @@ struct PaneErrors {
     std::optional<int> coreErrors;
     bool exact = false; ///< ties are known; else some of the wrong pixels may be ties
     PaneRequest judged; ///< what it is about
-    double frameMs = 0; ///< what a frame of the pane takes, of the last one that was timed; 0: none was
 };
 
 /// A stage that has been judged, ready to be seen: the ground, and over it the verdicts.

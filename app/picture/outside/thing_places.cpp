@@ -128,7 +128,7 @@ ThingPlaces thingPlaces(std::span<const NamedPoint> points, std::span<const Scen
     std::vector<Thing> things;
     for (const SceneShape* shape : shapes) {
         if (shape->label.empty()) continue; // nothing to be called by
-        const auto known = std::ranges::find(first, shape->label, [](const SceneShape* one) { return one->label; });
+        const auto known = std::ranges::find(first, shape->label, [](const SceneShape* one) -> const std::string& { return one->label; });
         const auto number = static_cast<std::size_t>(known - first.begin());
         if (known == first.end()) {
             first.push_back(shape);

@@ -2,10 +2,10 @@
 #include "app/window/panels/legend.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 
+#include "app/picture/labels.h"
 #include "techniques/foundation/base/look.h"
 
 namespace shadowlab::window {
@@ -16,14 +16,6 @@ constexpr float kSmallest = 0.72f; ///< of the text's size: what the last row st
 constexpr float kBarEm = 11;       ///< length of a bar
 constexpr int kBarSteps = 64; ///< colours of a bar: finer than the eye can distinguish
 
-std::string shortNumber(double value) {
-    char text[32];
-    const bool isWhole = std::abs(value) >= 100 && std::abs(value) < 1e6;
-    const auto [end, error] = isWhole ? std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 0)
-                                      : std::to_chars(text, text + sizeof text, value, std::chars_format::general, 3);
-    return error == std::errc{} ? std::string(text, end) : "?";
-}
-
 float textWidth(const Theme& theme, float em, const std::string& text) {
     return theme.text->CalcTextSizeA(em, FLT_MAX, 0, text.c_str()).x;
 }
@@ -31,7 +23,7 @@ float textWidth(const Theme& theme, float em, const std::string& text) {
 /// The unit, the least number, the colours from it to the greatest, and that.
 void drawBar(ImDrawList& list, const lab::PanePicture& picture, const Area& band, const Theme& theme) {
     const Display& display = picture.display;
-    const std::string low = shortNumber(display.minimum), high = shortNumber(display.maximum);
+    const std::string low = picture::shortNumber(display.minimum), high = picture::shortNumber(display.maximum);
     const float room = static_cast<float>(band.size.x) - theme.em;
     const auto wantedWidth = [&](float em) {
         return textWidth(theme, em, display.unit) + textWidth(theme, em, low + high) + (kBarEm + 2) * em;

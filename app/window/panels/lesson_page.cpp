@@ -44,9 +44,9 @@ std::string scoreLine(const LessonState& on) {
 }
 
 /// The settings that make the artefact; with the remedy, what became of each.
-std::string changesLine(const course::Lesson& lesson, bool isRemedy) {
+std::string changesLine(const LessonState& on, bool isRemedy) {
     std::string line;
-    for (const course::LessonChange& change : course::changesOf(lesson)) {
+    for (const course::LessonChange& change : on.changes) {
         line += (line.empty() ? "" : ",   ") + change.name;
         line += isRemedy ? ": " + change.before + " → " + change.after : " = " + change.before;
     }
@@ -96,7 +96,7 @@ StoryPage pageOf(const LessonState& on, LessonStep step) {
         if (!isRemedy && lesson.question && lesson.question->kind == Question::Kind::choice)
             lines.push_back({.text = verdictOnChoice(on)});
         lines.push_back({.text = course::sentenceOf(lesson, isRemedy ? 1 : 0)});
-        if (const std::string changes = changesLine(lesson, isRemedy); !changes.empty())
+        if (const std::string changes = changesLine(on, isRemedy); !changes.empty())
             lines.push_back({.kind = Kind::accent, .text = changes});
         lines.push_back({.kind = Kind::accent, .text = countsLine(on, isRemedy)});
     }

@@ -76,7 +76,8 @@ bool viewEntry(const std::string& caption, bool chosen, const lab::Thumbnail* th
     return pressed;
 }
 
-void viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, float width, const Theme& theme) {
+/// True while it is open.
+bool viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, float width, const Theme& theme) {
     const lab::PaneState& state = ui.bench.document().panes[static_cast<std::size_t>(pane)];
     const TechniqueInfo& info = findTechnique(state.technique);
     const bool differs = ui.bench.document().layout == picture::Layout::diff; // of finished pictures, whatever the panes show elsewhere
@@ -88,9 +89,9 @@ void viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, float wid
     // Wider than its button: captions are sentences. Not over all of the window, so that the list hangs below the button.
     ImGui::SetNextWindowSizeConstraints({std::max(width, 30 * theme.em), 0},
                                         {FLT_MAX, std::max(6 * theme.em, ImGui::GetIO().DisplaySize.y - 6 * theme.em)});
-    if (ImGui::BeginCombo("##view", shown.c_str(), ImGuiComboFlags_HeightLargest)) {
+    const bool isOpen = ImGui::BeginCombo("##view", shown.c_str(), ImGuiComboFlags_HeightLargest);
+    if (isOpen) {
         ui.bench.activate(pane);
-        ui.shown.viewMenu = true;
         const auto entry = [&](const picture::StageRef& stage, const std::string& caption) {
             const auto& pictures = strip.thumbnails();
             const auto found = std::ranges::find(pictures, stage, &lab::Thumbnail::stage);
@@ -107,6 +108,7 @@ void viewMenu(WindowState& ui, int pane, const lab::StageStrip& strip, float wid
         ImGui::EndCombo();
     }
     hint((shown + "\nwhat this pane shows: E error, U truth, O from outside, T all stages").c_str());
+    return isOpen;
 }
 
 /// "lamp: 404 wrong pixels, edge 0.21 px, 12 ms"
@@ -148,7 +150,7 @@ void verdict(const WindowState& ui, const lab::LiveErrors& errors, const PaneHea
 
 } // namespace
 
-void paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::StageStrip& strip, const PaneHeader& header, int lines,
+bool paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::StageStrip& strip, const PaneHeader& header, int lines,
                 const Theme& theme) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float inset = theme.em * 0.5f;
@@ -166,14 +168,16 @@ void paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::Stage
     }
     if (ImGui::IsWindowHovered() && ImGui::IsMouseClicked(0)) ui.bench.activate(header.pane);
     float room = static_cast<float>(header.area.size.x) - 2 * inset - style.ItemSpacing.x;
-    if (lines == 1) room -= ImGui::CalcTextSize("cool lamp: 9999 wrong pixels, edge 0.00 px, 999 ms").x;
+    if (lines == 1) // beside a long verdict
+        room -= ImGui::CalcTextSize("cool lamp: 9999 wrong pixels, edge 0.00 px, 999 ms").x;
     room = std::min(room, theme.em * 34);
     techniqueMenu(ui, header.pane, std::round(room * kTechniqueShare));
     ImGui::SameLine();
-    viewMenu(ui, header.pane, strip, std::round(room * (1 - kTechniqueShare)), theme);
+    const bool isOpen = viewMenu(ui, header.pane, strip, std::round(room * (1 - kTechniqueShare)), theme);
     verdict(ui, errors, header, lines);
     ImGui::End();
     ImGui::PopStyleVar(4);
+    return isOpen;
 }
 
 } // namespace shadowlab::window

@@ -16,8 +16,8 @@ namespace shadowlab::window {
 float topBarHeight();
 void topBar(WindowState& ui, const Area& area, const Theme& theme);
 
-/// The band above a pane: its technique, what is shown of it, and how wrong it is.
-void paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::StageStrip& strip, const PaneHeader& header, int lines,
+/// The band above a pane: its technique, what is shown of it, and how wrong it is. True while its list of views is open.
+bool paneHeader(WindowState& ui, const lab::LiveErrors& errors, const lab::StageStrip& strip, const PaneHeader& header, int lines,
                 const Theme& theme);
 
 // Beside the pictures: all about the active pane.

@@ -188,11 +188,10 @@ bool groupHeading(const params::ParamGroup& group) {
 } // namespace
 
 void parameterPanel(WindowState& ui, const Theme& theme) {
-    const lab::Document& document = ui.bench.document();
-    const lab::PaneState state = document.panes[static_cast<std::size_t>(document.active)];
+    const lab::PaneState state = ui.bench.activeState();
     picture::Slot* found = nullptr;
     try {
-        found = &ui.bench.pane(document.active).slotFor(state);
+        found = &ui.bench.pane(ui.bench.document().active).slotFor(state);
     } catch (const Error&) {
         // The pane says what is wrong with a value; here is the way out.
         if (ImGui::Button("All as by default  (R)")) resetSettings(ui);

@@ -38,7 +38,7 @@ void drawProbeCard(ImDrawList& list, const WindowState& ui, const ShownPane& sho
     const lab::Document& document = ui.bench.document();
     const lab::PickedPixel& known = ui.bench.pickedPixel();
     if (shown.pane != document.active || !document.picked || !known.askedFor.view.picked ||
-        known.askedFor.state.technique != document.panes[static_cast<std::size_t>(document.active)].technique)
+        known.askedFor.state.technique != ui.bench.activeState().technique)
         return;
     std::vector<CardLine> lines = cardLines(known.probe, theme);
     const float pad = theme.em * 0.5f;

@@ -144,7 +144,7 @@ void SourcePanel::update(WindowState& ui) {
     if (!source_ || reloadsRead_ != gl::shaderReloads()) source_ = SourceText::read();
     reloadsRead_ = gl::shaderReloads();
     const lab::Document& document = ui.bench.document();
-    const lab::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
+    const lab::PaneState& state = ui.bench.activeState();
     lab::Pane& pane = ui.bench.pane(document.active);
     const TechniqueInfo& info = findTechnique(state.technique);
     const scene::Scene& scene = *ui.bench.shownScene();
@@ -158,8 +158,7 @@ void SourcePanel::update(WindowState& ui) {
 
 void SourcePanel::draw(WindowState& ui, const Area& area, const Theme& theme) {
     update(ui);
-    const lab::Document& document = ui.bench.document();
-    const lab::PaneState& state = document.panes[static_cast<std::size_t>(document.active)];
+    const lab::PaneState& state = ui.bench.activeState();
     beginIn("source", area, ImGuiWindowFlags_NoNav);
     panelTabs(ui);
     const std::string step = state.technique + " " + state.stage.text();

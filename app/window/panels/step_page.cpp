@@ -9,11 +9,6 @@ namespace shadowlab::window {
 
 namespace {
 
-const lab::PaneState& steppedPane(const WindowState& ui) {
-    const lab::Document& document = ui.bench.document();
-    return document.panes[static_cast<std::size_t>(document.active)];
-}
-
 StoryPage pageOf(const WindowState& ui, const TechniqueInfo& info, const PassInfo& pass) {
     StoryPage page;
     page.title = pass.title;
@@ -37,7 +32,7 @@ StoryPage pageOf(const WindowState& ui, const TechniqueInfo& info, const PassInf
 } // namespace
 
 std::vector<StoryPage> stepPages(const WindowState& ui) {
-    const TechniqueInfo& info = findTechnique(steppedPane(ui).technique);
+    const TechniqueInfo& info = findTechnique(ui.bench.activeState().technique);
     std::vector<StoryPage> pages;
     for (const PassInfo& pass : info.passes)
         pages.push_back(pageOf(ui, info, pass));
@@ -45,7 +40,7 @@ std::vector<StoryPage> stepPages(const WindowState& ui) {
 }
 
 StoryPage stepPage(const WindowState& ui) {
-    const lab::PaneState& state = steppedPane(ui);
+    const lab::PaneState& state = ui.bench.activeState();
     const lab::Document& document = ui.bench.document();
     const lab::Pane& pane = ui.bench.pane(document.active);
     const scene::Scene& scene = *ui.bench.shownScene();
