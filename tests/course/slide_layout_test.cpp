@@ -6,7 +6,9 @@
 
 #include "app/context/assets.h"
 #include "app/course/slides/slide_parts.h"
+#include "app/course/slides/slide_words.h"
 #include "techniques/foundation/base/error.h"
+#include "tests/figures/written.h"
 
 namespace shadowlab::course {
 namespace {
@@ -110,6 +112,30 @@ TEST(SlideLayoutTest, PicturesUseTheSlide) {
     const std::vector<PictureNeeds> four(4);
     const SlideLayout square = layOut(slide, 1920, slideFonts(), four);
     EXPECT_NEAR(square.cells[2].corner.x, square.cells[0].corner.x, kRounding) << "two rows of two";
+}
+
+// Marked lines of pseudocode are bold, which is wider: they are broken as they are drawn.
+TEST(SlideWordsTest, NoLineReachesBeyondTheWords) {
+    int lines = 0, bold = 0;
+    for (const std::string& name : builtInDecks(context::assetsRoot())) {
+        Deck deck(name, kLayoutLoading);
+        for (std::size_t i = 0; i < deck.slides().size(); ++i) {
+            const Slide slide = deck.read(i);
+            const SlideLayout layout = layOut(slide, 1920, slideFonts(), needsOf(slide, 70, false));
+            drawing::Drawing drawing({1920, kSlideHeight});
+            writeWords(drawing, slide, layout, slideFonts());
+            for (const figures::Written& one : figures::written(drawing.document("words"))) {
+                const image::Font& font = one.isBold ? slideFonts().bold : slideFonts().upright;
+                // Lines are broken by whole pixels of their type: two units.
+                EXPECT_LE(one.box.corner.x + drawing::textSize(font, one.text, one.em).x, layout.words.corner.x + layout.words.size.x + 2)
+                    << name << ", " << slide.name << ": " << one.text;
+                ++lines;
+                bold += one.isBold;
+            }
+        }
+    }
+    EXPECT_GE(lines, 150);
+    EXPECT_GE(bold, 5);
 }
 
 TEST(ProseTest, FormulasStandAmongWords) {

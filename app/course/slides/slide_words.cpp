@@ -38,7 +38,7 @@ public:
         const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
         const double indent = 0.5 * type_ * static_cast<double>(blanks);
         for (const std::string& line :
-             fonts_.upright.wrap(text.substr(blanks), type_, static_cast<int>(box_.size.x - indent)))
+             (isMarked ? fonts_.bold : fonts_.upright).wrap(text.substr(blanks), type_, static_cast<int>(box_.size.x - indent)))
             put(line, indent, isMarked);
         y_ += 0.2 * type_;
     }
