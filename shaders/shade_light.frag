@@ -1,12 +1,25 @@
 #version 330 core
-// One light's contribution to one pixel. Two outputs share it: the reflected radiance, and the visibility alone.
+// One light's contribution to one pixel. What is written of it is chosen by a define:
+//   (none)           the reflected radiance, to be added to what is there
+//   VISIBILITY_ONLY  the visible share of the light alone
+//   FINISHED         the pixel as it is shown: this light and what there is with lights off, exposed and encoded
+//   IN_SHADOW_TOO    with FINISHED: a second output, the pixel as it is shown where the light is hidden
 #include "material.glsl"
 #include "light.glsl"
 #include "facing.glsl"
 in vec3 positionView;
 in vec3 normalView;
 uniform int receivesShadow;
-out vec4 result;
+layout(location = 0) out vec4 result;
+#ifdef FINISHED
+#include "lights_off.glsl"
+#include "srgb.glsl"
+uniform float exposure;
+#endif
+#ifdef IN_SHADOW_TOO
+layout(location = 1) out vec4 inShadow;
+uniform vec3 frontInShadow, backInShadow; // finished: the two sides of the surface with lights off, the same all over it
+#endif
 #include "shadow_visibility.glsl"
 
 // [anchor: shade-light]
@@ -24,6 +37,14 @@ void main() {
     vec3 lightView = visibility * irradiance(shadingNormalView, toLightView, distanceSquared);
     // In a degenerate direction the reflectance is NaN, and 0 * NaN is NaN: so it is not multiplied where nothing is
     // visible.
-    result = visibility > 0.0 ? vec4(lightView * reflectance(shadingNormalView, toLightView, toEyeView), 0.0) : vec4(0.0);
+    vec3 reflected = visibility > 0.0 ? lightView * reflectance(shadingNormalView, toLightView, toEyeView) : vec3(0.0);
+#ifdef FINISHED
+    result = vec4(srgbFromLinear(clamp(exposure * (lightsOffRadiance() + reflected), 0.0, 1.0)), 1.0);
+#else
+    result = vec4(reflected, 0.0);
+#endif
+#ifdef IN_SHADOW_TOO
+    inShadow = receivesShadow == 0 ? result : vec4(gl_FrontFacing ? frontInShadow : backInShadow, 1.0);
+#endif
 #endif
 }

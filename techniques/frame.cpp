@@ -19,6 +19,21 @@ Frame::Frame(const scene::Snapshot& snapshot, const View& view, const gl::SceneB
     eye_.part = scene::picturePart(view.region.corner, view.region.size, view.size);
 }
 
+bool Frame::drawFinished() {
+    // Stages and steps are made of radiance, and so is a sum over several lights; a hole is cut where depth is written, which the
+    // shader of finished pixels does not do.
+    if (!request_.finished || !request_.stages.empty() || request_.stopAfter || scene().lights.size() != 1 ||
+        buffers_.anyHoles())
+        return false;
+    for (gl::Texture2D* picture : {&request_.finished->color, &request_.finished->inShadow})
+        if (!*picture || picture->size() != target_.size())
+            *picture = gl::Texture2D(GL_RGBA8, target_.size(), "finished picture");
+    finished_ = gl::Framebuffer(&request_.finished->color, &target_.depthStencil, "finished picture");
+    finishedAndInShadow_ = gl::Framebuffer(request_.finished->color, request_.finished->inShadow, target_.depthStencil,
+                                           "finished picture, and in shadow");
+    return result_.isFinished = true;
+}
+
 void Frame::useNearPlaneOfView() {
     camera_ = view_.camera;
     eye_.clipFromView = gl::eyeMatrices(camera_, view_.size).clipFromView;
@@ -39,7 +54,7 @@ void Frame::pass(const PassInfo& info, const std::function<void()>& draw, int li
     {
         const gl::DebugGroup group(info.title);
         gl::setBaselineState();
-        target_.framebuffer.bind();
+        (drawsFinished() ? finished_ : target_.framebuffer).bind();
         scissorTo(std::nullopt);
         if (request_.timePasses)
             timer_.time(key.id, draw);

@@ -50,6 +50,9 @@ struct FrameRequest {
     /// something has moved.
     bool refine = true;
     Deadline deadline = Deadline::max();
+    /// Nothing is wanted but the picture as it is shown, one sample a pixel, with the scene's exposure: a technique that can draws it
+    /// in here at once (Frame::drawFinished), without a picture of radiance. Others, and frames of which more is asked, draw as ever.
+    gl::FinishedPicture* finished = nullptr;
 };
 
 class Frame {
@@ -76,6 +79,14 @@ public:
     [[nodiscard]] const gl::EyeMatrices& eye() const { return eye_; }
     [[nodiscard]] const gl::SceneBuffers& buffers() const { return buffers_; }
     [[nodiscard]] const gl::Target& target() const { return target_; }
+    /// For a technique that is able to draw finished pixels, before its first pass: true if that is all that is wanted. The passes
+    /// then draw to request.finished instead of target().color; depth and stencil stay target()'s.
+    bool drawFinished();
+    [[nodiscard]] bool drawsFinished() const { return result_.isFinished; }
+    /// Within a pass of a frame that draws finished pixels: both pictures are drawn to, the one in shadow as well.
+    void bindInShadowToo() const { finishedAndInShadow_.bind(); }
+    /// The finished picture in which the light is hidden everywhere.
+    [[nodiscard]] const gl::Texture2D& inShadow() const { return request_.finished->inShadow; }
     [[nodiscard]] Deadline deadline() const { return request_.deadline; }
     [[nodiscard]] bool refines() const { return request_.refine; }
     /// The pass after which nothing more is drawn; none: the picture is finished.
@@ -111,6 +122,7 @@ public:
         std::vector<Counter> counters;
         std::vector<StageKey> passes; ///< in the order they ran
         std::vector<gl::PassTimer::Result> passMs;
+        bool isFinished = false; ///< the picture is in the request's `finished`, not in the target
     };
     Result takeResult();
 
@@ -126,6 +138,7 @@ private:
     const gl::SceneBuffers& buffers_;
     const gl::Target& target_;
     FrameRequest request_;
+    gl::Framebuffer finished_, finishedAndInShadow_; ///< of request_.finished, with the target's depth and stencil
     gl::PassTimer timer_;
     Result result_;
     bool stopped_ = false;

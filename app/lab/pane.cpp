@@ -127,6 +127,7 @@ void Pane::draw(picture::Session& session, const picture::PictureEncoder& encode
 
     FrameRequest frame = picture::frameFor(stage);
     if (stage.isDerived()) frame.stages.clear(); // the verdicts are found in the background, which asks for answers itself
+    if (!stage.isStage() && !stage.isPass) frame.finished = &finished_;
     frame.timePasses = frame.waitForGl = work.timePasses;
     frame.deadline = work.deadline;
     frame.refine = work.refine;
@@ -219,7 +220,8 @@ void Pane::encode(picture::Session& session, const picture::PictureEncoder& enco
         note = picture::liftNote(lift);
         look.caption = note;
     } else if (!stage.isStage()) {
-        texture = encoder.encodeInPlace(slot.target.color, exposure, 1, request.view.region);
+        encoder.finish(finished_, slot.target, rendered.result, exposure, request.view.region);
+        texture = std::exchange(finished_.color, std::move(picture_.texture));
     } else if (stage.isJudged()) {
         texture = encoder.encodeGround(slot.target.color, exposure, request.view.region);
     } else if (stage.isDerived()) {

@@ -108,6 +108,7 @@ private:
     std::map<std::string, picture::Slot> slots_;    ///< by technique
     std::unique_ptr<picture::OutsideView> outside_; ///< made when it is first looked from there
     PanePicture picture_;
+    gl::FinishedPicture finished_; ///< the picture before that, to be drawn over
     picture::RenderedFrame rendered_; ///< of the picture
     PaneRequest drawnFor_;
     bool isDrawn_ = false; ///< rendered_ is of drawnFor_, and not of what was asked for before

@@ -98,8 +98,8 @@ bool StageStrip::draw(picture::Session& session, const picture::PictureEncoder& 
             const Stage& published = picture::findStage(rendered, frame.stages[i - std::max<std::size_t>(next_, 1)]);
             const StageInfo& info = picture::stageInfo(*slot.info, published.key.id);
             thumbnail.picture = {
-                encoder.encodeInPlace(published, info.kind, exposure, reduction(published.texture.size(), size)), info.kind,
-                published.display, ""};
+                encoder.encodeInPlace(published, info.kind, exposure, reduction(published.texture.size(), size), &slot.target.color),
+                info.kind, published.display, ""};
         }
         thumbnail.isToCome = !rendered.converged;
     }

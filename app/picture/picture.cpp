@@ -34,6 +34,12 @@ gl::Texture2D PictureEncoder::encodeInPlace(const gl::Texture2D& radiance, float
     return draw(program, radiance, supersample, region, std::move(old));
 }
 
+void PictureEncoder::finish(gl::FinishedPicture& picture, const gl::Target& target, const Frame::Result& frame,
+                            float exposure, const Region& region) const {
+    if (!frame.isFinished)
+        picture.color = encodeInPlace(target.color, exposure, 1, region, std::move(picture.color));
+}
+
 gl::Texture2D PictureEncoder::encodeInPlace(const Stage& stage, StageKind kind, float exposure, int supersample,
                                             const gl::Texture2D* ground) const {
     // A stage may have a size of its own (a shadow map's view of the scene): only those of the target's are

@@ -22,6 +22,9 @@ public:
     /// is not empty nothing is written. `old`: a picture that is no longer needed, to be drawn over if it has the size.
     [[nodiscard]] gl::Texture2D encodeInPlace(const gl::Texture2D& radiance, float exposure, int supersample = 1,
                                               const Region& region = {}, gl::Texture2D old = {}) const;
+    /// Makes `picture.color` the frame as it is shown: encodes the radiance in the target, unless the frame has drawn finished pixels.
+    void finish(gl::FinishedPicture& picture, const gl::Target& target, const Frame::Result& frame, float exposure,
+                const Region& region = {}) const;
     /// `ground`: the finished picture's radiance, on which counts are painted; null, or of another size: they stand alone.
     [[nodiscard]] gl::Texture2D encodeInPlace(const Stage& stage, StageKind kind, float exposure, int supersample = 1,
                                               const gl::Texture2D* ground = nullptr) const;

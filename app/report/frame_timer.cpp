@@ -37,20 +37,22 @@ film::Moment FrameTimer::momentOf(int frame) {
     return moment;
 }
 
-picture::RenderedFrame drawMoment(picture::Session& session, picture::Slot& slot, const film::Moment& moment, ivec2 size,
-                                  bool timesPasses) {
+picture::RenderedFrame drawMoment(picture::Session& session, picture::Slot& slot, const film::Moment& moment,
+                                  gl::FinishedPicture& finished, ivec2 size, bool timesPasses) {
     session.setScene(moment.snapshot);
     View view;
     view.camera = moment.camera;
     view.size = size;
     FrameRequest request;
     request.timePasses = timesPasses;
+    request.finished = &finished;
     return session.render(slot, view, request);
 }
 
-double FrameTimer::encode(picture::Slot& slot, const film::Moment& moment) {
+/// What is left to do for the picture: nothing, where finished pixels were drawn.
+double FrameTimer::encode(picture::Slot& slot, const picture::RenderedFrame& drawn, const film::Moment& moment) {
     const SteadyClock::time_point start = SteadyClock::now();
-    picture_ = encoder_.encodeInPlace(slot.target.color, moment.snapshot->exposure, 1, {}, std::move(picture_));
+    encoder_.finish(picture_, slot.target, drawn.result, moment.snapshot->exposure);
     glFinish();
     return elapsedMs(start);
 }
@@ -77,7 +79,7 @@ Turn FrameTimer::turn(const std::string& name, picture::Slot& slot, int round) {
     for (int i = 0; i < warming + counted; ++i) {
         moment = momentOf(frame++);
         const picture::RenderedFrame drawn = draw(slot, moment);
-        const double encodeMs = encode(slot, moment);
+        const double encodeMs = encode(slot, drawn, moment);
         if (i < warming) continue;
         turn.frame.push_back(drawn.frameMs + encodeMs);
         turn.prepare.push_back(drawn.prepareMs);
@@ -85,8 +87,8 @@ Turn FrameTimer::turn(const std::string& name, picture::Slot& slot, int round) {
         turn.encode.push_back(encodeMs);
     }
     for (int i = 0; i < resting; ++i) {
-        const double drawMs = draw(slot, moment).frameMs;
-        turn.atRest.push_back(drawMs + encode(slot, moment));
+        const picture::RenderedFrame drawn = draw(slot, moment);
+        turn.atRest.push_back(drawn.frameMs + encode(slot, drawn, moment));
     }
     for (const gl::PassTimer::Result& pass : draw(slot, momentOf(frame), true).result.passMs)
         turn.passes.push_back({pass.name, pass.elapsedMs});

@@ -34,9 +34,10 @@ struct Times {
     std::map<std::string, double> firstMs, residentMegabytes;
 };
 
-/// One frame of a slot. `timesPasses`: with a clock around each pass.
-picture::RenderedFrame drawMoment(picture::Session& session, picture::Slot& slot, const film::Moment& moment, ivec2 size,
-                                  bool timesPasses);
+/// One frame of a slot, of which nothing but the picture is wanted: see FrameRequest::finished. `timesPasses`: with a clock around
+/// each pass.
+picture::RenderedFrame drawMoment(picture::Session& session, picture::Slot& slot, const film::Moment& moment,
+                                  gl::FinishedPicture& finished, ivec2 size, bool timesPasses);
 
 class FrameTimer {
 public:
@@ -50,9 +51,9 @@ public:
 
 private:
     picture::RenderedFrame draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses = false) {
-        return drawMoment(session_, slot, moment, size_, timesPasses);
+        return drawMoment(session_, slot, moment, picture_, size_, timesPasses);
     }
-    double encode(picture::Slot& slot, const film::Moment& moment);
+    double encode(picture::Slot& slot, const picture::RenderedFrame& drawn, const film::Moment& moment);
     film::Moment momentOf(int frame);
 
     picture::Session& session_;
@@ -60,7 +61,7 @@ private:
     ivec2 size_;
     TurnLength length_;
     picture::PictureEncoder encoder_;
-    gl::Texture2D picture_;
+    gl::FinishedPicture picture_;
     std::map<std::string, double> usualMs_;
 };
 

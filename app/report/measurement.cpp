@@ -94,8 +94,7 @@ void Measurement::timeTurn(int turn) {
         for (std::size_t i = first; i < end; ++i) {
             const SteadyClock::time_point start = SteadyClock::now();
             const picture::RenderedFrame drawn = draw(*measured.slot, moments_[i], false);
-            picture_ = encoder_.encodeInPlace(measured.slot->target.color, moments_[i].snapshot->exposure, 1, {},
-                                              std::move(picture_));
+            encoder_.finish(picture_, measured.slot->target, drawn.result, moments_[i].snapshot->exposure);
             glFinish();
             measured.result.times.addFrame(elapsedMs(start), drawn.prepareMs);
         }

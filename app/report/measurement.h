@@ -92,13 +92,13 @@ private:
     Shown shown(const picture::Slot& slot) const;
     Shown referencePicture(const View& view);
     picture::RenderedFrame draw(picture::Slot& slot, const film::Moment& moment, bool timesPasses = false) {
-        return drawMoment(session_, slot, moment, size_, timesPasses);
+        return drawMoment(session_, slot, moment, picture_, size_, timesPasses);
     }
 
     picture::Session& session_;
     std::vector<Entry> entries_;
     picture::PictureEncoder encoder_;
-    gl::Texture2D picture_; ///< the last one that was timed
+    gl::FinishedPicture picture_; ///< the last one that was timed
     int light_;
     ivec2 size_;
     std::vector<film::Moment> moments_; ///< that were added

@@ -8,6 +8,7 @@
 #include "techniques/foundation/gl/baseline.h"
 #include "techniques/foundation/gl/program.h"
 #include "techniques/lights_in_view.h"
+#include "techniques/shading_passes.h"
 #include "techniques/shadow_map/irregular/alias_free_pass.h"
 #include "techniques/shadow_map/probe/triangle_decision.h"
 #include "techniques/shadow_map/shared_info.h"
@@ -66,10 +67,11 @@ public:
     std::string remark(const scene::MeshReport& report, const scene::Mesh&) const override { return remarkOn(report); }
 
 private:
-    static void drawDecided(const Frame& frame, const gl::Program& program, int light, const gl::Texture2D& visibility);
+    static void drawDecided(const Frame& frame, const gl::Program& program, int light, const gl::Texture2D& visibility,
+                            gl::ShadedAs shadedAs);
 
     AliasFreePass samples_;
-    gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
+    ShadingPasses passes_;
     gl::Program shade_{"surface.vert", "shade_light.frag", {}, kReadsDecided};
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}, kReadsDecided};
 };
@@ -79,7 +81,8 @@ Progress AliasFreeMap::render(Frame& frame) {
     const auto pass = [&](std::string_view id, int light, const std::function<void()>& draw) {
         frame.pass(passInfo(kAliasFreePasses, id), draw, light);
     };
-    pass("lights-off", kNoLight, [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
+    frame.drawFinished();
+    pass("lights-off", kNoLight, [&] { passes_.lightsOff(frame, ShadingPasses::Depths::first); });
     samples_.beginFrame();
 
     for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
@@ -89,22 +92,21 @@ Progress AliasFreeMap::render(Frame& frame) {
             frame.drawStage(kVisibilityStage, light, GL_RG32F, [&] {
                 glClear(GL_STENCIL_BUFFER_BIT);
                 gl::setVisibilityState();
-                drawDecided(frame, visibility_, light, *visibility);
+                drawDecided(frame, visibility_, light, *visibility, gl::ShadedAs::radiance);
             });
         if (frame.wants("eye-samples", light)) samples_.publishSamples(frame, light);
         pass("light", light, [&] {
-            if (!mayLight(frame, light)) return;
+            if (!mayLight(frame, light) && !frame.drawsFinished()) return;
             glClear(GL_STENCIL_BUFFER_BIT);
-            gl::setAddLightState();
-            drawDecided(frame, shade_, light, *visibility);
+            drawDecided(frame, shade_, light, *visibility, passes_.beginLight(frame));
         });
     }
     return {};
 }
 
 void AliasFreeMap::drawDecided(const Frame& frame, const gl::Program& program, int light,
-                               const gl::Texture2D& visibility) {
-    gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+                               const gl::Texture2D& visibility, gl::ShadedAs shadedAs) {
+    gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light, shadedAs);
     visibility.bind(kVisibilityUnit);
     program.set("decided", kVisibilityUnit);
     gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());

@@ -72,7 +72,6 @@ private:
     MapTools tools_{params_};
     ExactLight exact_{tools_};
     LessonStages lessonStages_{tools_};
-    gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
 };
 
 Progress ExactMap::render(Frame& frame) {
@@ -81,7 +80,8 @@ Progress ExactMap::render(Frame& frame) {
     const auto pass = [&](std::string_view id, int light, const std::function<void()>& draw) {
         frame.pass(passInfo(kExactPasses, id), draw, light);
     };
-    pass("lights-off", kNoLight, [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
+    frame.drawFinished();
+    pass("lights-off", kNoLight, [&] { tools_.passes.lightsOff(frame, ShadingPasses::Depths::first); });
     if (frame.wants("without-shadows")) lessonStages_.publishWithoutShadows(frame);
     tools_.fitter.fitMaps(frame);
     exact_.beginFrame();

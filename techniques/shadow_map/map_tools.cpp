@@ -7,17 +7,17 @@
 namespace shadowlab::shadow_map {
 
 void addLight(MapTools& tools, Frame& frame, int light, const LightShadowMap& map) {
-    if (tools.params.cull && !mayLight(frame, light)) return;
+    const bool isLeftOut = tools.params.cull && !mayLight(frame, light);
+    if (isLeftOut && !frame.drawsFinished()) return; // finished pixels are drawn here, lit or not
     glClear(GL_STENCIL_BUFFER_BIT);
-    gl::setAddLightState();
-    tools.receivers.drawLight(frame, light, map, false);
+    tools.receivers.drawLight(frame, light, map, tools.passes.beginLight(frame));
 }
 
 void publishVisibility(MapTools& tools, Frame& frame, int light, const LightShadowMap& map) {
     frame.drawStage(kVisibilityStage, light, GL_RG32F, [&] {
         glClear(GL_STENCIL_BUFFER_BIT);
         gl::setVisibilityState();
-        tools.receivers.drawLight(frame, light, map, true);
+        tools.receivers.drawVisibility(frame, light, map);
     });
 }
 

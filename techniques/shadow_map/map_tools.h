@@ -1,6 +1,7 @@
 // What the techniques with a map work with: cameras are fitted, maps are drawn, receivers look them up.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include "techniques/shading_passes.h"
 #include "techniques/shadow_map/receivers.h"
 
 namespace shadowlab::shadow_map {
@@ -11,9 +12,10 @@ struct MapTools {
     MapFitter fitter{params};
     MapDrawer drawer{params, fitter};
     Receivers receivers{params, fitter};
+    ShadingPasses passes;
 };
 
-/// The pass `light`: adds the light to the picture wherever its map, or what was decided with it, lets it through.
+/// The pass `light`: shades the picture with the light wherever its map, or what was decided with it, lets it through.
 void addLight(MapTools& tools, Frame& frame, int light, const LightShadowMap& map);
 
 /// The stage `visibility`: how much of the light that is, 0 to 1.

@@ -96,7 +96,7 @@ void Receivers::draw(const Frame& frame, const gl::Program& program, int light, 
 
 void Receivers::use(const Frame& frame, const gl::Program& program, int light, const LightShadowMap& map,
                     const OwnUniforms& own) const {
-    gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+    gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light, own.shadedAs);
     program.set("shadowMap", kMapUnit); // also where there is none: no unit holds textures of two kinds
     if (map.depth) {
         setReceiverUniforms(program, map.maps, params_, map.query.filter);

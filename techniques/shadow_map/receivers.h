@@ -13,8 +13,9 @@ constexpr int kDecidedUnit = kMapUnit + 5, kMomentsUnit = kMapUnit + 6;
 
 /// Uniforms of one program beside those that all lookups have.
 struct OwnUniforms {
-    std::function<void(const gl::Program&)> once;                            ///< set once the program is in use
+    std::function<void(const gl::Program&)> once{};                          ///< set once the program is in use
     std::function<void(const gl::Program&, std::size_t object)> perObject{}; ///< and before each object
+    gl::ShadedAs shadedAs = gl::ShadedAs::radiance;
 };
 
 class Receivers {
@@ -39,9 +40,12 @@ public:
     /// Draws them with `lookup` where a caster's shadow can fall, and with `plain` elsewhere.
     void drawWhereNeeded(const Frame& frame, const gl::Program& lookup, const gl::Program& plain, int light,
                          const LightShadowMap& map, const OwnUniforms& own = {});
-    /// Adds the light (visibilityOnly: writes its visibility) with the light's map.
-    void drawLight(const Frame& frame, int light, const LightShadowMap& map, bool visibilityOnly) {
-        drawWhereNeeded(frame, lightProgram(map, visibilityOnly), unshadowed(visibilityOnly), light, map);
+    /// Draws the light as its map lets it through, or only how much that is.
+    void drawLight(const Frame& frame, int light, const LightShadowMap& map, gl::ShadedAs shadedAs) {
+        drawWhereNeeded(frame, lightProgram(map, false), unshadowed(false), light, map, {.shadedAs = shadedAs});
+    }
+    void drawVisibility(const Frame& frame, int light, const LightShadowMap& map) {
+        drawWhereNeeded(frame, lightProgram(map, true), unshadowed(true), light, map);
     }
 
 private:

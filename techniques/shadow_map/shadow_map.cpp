@@ -3,6 +3,8 @@
 // Williams, "Casting Curved Shadows on Curved Surfaces", SIGGRAPH 1978. The cameras are fitted in fit/, the depths are drawn in
 // maps/, and the comparison is put together of a bias (bias/) and a filter (filters/).
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+
 #include "techniques/shadow_map/filters/filters.h"
 #include "techniques/shadow_map/maps/averaged_light.h"
 #include "techniques/shadow_map/probe/probe.h"
@@ -111,12 +113,13 @@ public:
     std::string remark(const scene::MeshReport& report, const scene::Mesh&) const override { return remarkOn(report); }
 
 private:
+    [[nodiscard]] ShadingPasses::Depths depthsFor(const scene::Scene& scene) const;
+
     ShadowMapParams params_;
     MapTools tools_{params_};
     AveragedLight averaged_{tools_};
     LessonStages lessonStages_{tools_};
     FilterStages filterStages_{tools_};
-    gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
 };
 
 Progress ShadowMap::render(Frame& frame) {
@@ -125,7 +128,8 @@ Progress ShadowMap::render(Frame& frame) {
     const auto pass = [&](std::string_view id, int light, const std::function<void()>& draw) {
         frame.pass(passInfo(mapPasses(), id), draw, light);
     };
-    pass("lights-off", kNoLight, [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
+    frame.drawFinished();
+    pass("lights-off", kNoLight, [&] { tools_.passes.lightsOff(frame, depthsFor(scene)); });
     if (frame.wants("without-shadows")) lessonStages_.publishWithoutShadows(frame);
     tools_.fitter.fitMaps(frame);
 
@@ -146,6 +150,14 @@ Progress ShadowMap::render(Frame& frame) {
         if (frame.wants("kernel", light)) filterStages_.publishKernel(frame, light, map);
     }
     return {};
+}
+
+/// Many lookups are worth more than drawing depths first; an average over the light is made where there are depths.
+ShadingPasses::Depths ShadowMap::depthsFor(const scene::Scene& scene) const {
+    constexpr double kNeighbours = 1; // texels: as far as one interpolated lookup reaches
+    const bool isCheap = filterInfo(params_.filter.kind).radiusTexels(params_.filter) <= kNeighbours;
+    const bool averages = std::ranges::any_of(scene.lights, [&](const scene::Light& light) { return averaged_.averagesOver(light); });
+    return isCheap && !averages ? ShadingPasses::Depths::withLight : ShadingPasses::Depths::first;
 }
 
 bool ShadowMap::samplesArea(const scene::Scene& scene, int light) const {

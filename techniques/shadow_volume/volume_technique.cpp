@@ -33,8 +33,9 @@ Progress VolumeTechnique::render(Frame& frame) {
     if (usesNearPlaneOfView()) frame.useNearPlaneOfView();
     if (failRule().farPlane) frame.useFarPlane();
     if (!params_.cull) frame.drawWhatIsOutOfView();
-    frame.pass(passInfo(counting_.passes, "lights-off"),
-               [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
+    frame.drawFinished();
+    constexpr int kOnlyLight = 0; // finished pixels are drawn of one light
+    frame.pass(passInfo(counting_.passes, "lights-off"), [&] { passes_.lightsOff(frame, kOnlyLight); });
     if (frame.wants("lights-off")) frame.publishTarget("lights-off");
 
     frame.count("volumes-rebuilt", static_cast<double>(casters_.takeRebuilt()), static_cast<double>(casters_.count()));
@@ -56,9 +57,7 @@ Progress VolumeTechnique::render(Frame& frame) {
         frame.pass(
             passInfo(counting_.passes, "light"),
             [&] {
-                if (!isNeeded) return;
-                gl::setAddLightState();
-                drawLit(frame, shade_, light);
+                if (isNeeded) this->light(frame, light);
             },
             light);
     }
@@ -217,6 +216,15 @@ void VolumeTechnique::repair(Frame& frame, int light) {
     frame.pass(
         passInfo(counting_.passes, kRepairPass.id), [&] { repair_.apply(frame, light, drawn_, params_.stencil); },
         light);
+}
+
+void VolumeTechnique::light(Frame& frame, int light) const {
+    if (frame.drawsFinished()) {
+        passes_.takeInShadow(frame, params_.stencil.mask());
+        return;
+    }
+    gl::setAddLightState();
+    drawLit(frame, passes_.light(), light);
 }
 
 // [anchor: light-where-zero]

@@ -7,6 +7,7 @@
 #include "techniques/foundation/trace/judge/exact_visibility.h"
 #include "techniques/frame.h"
 #include "techniques/probed/volume_probe.h"
+#include "techniques/shading_passes.h"
 #include "techniques/shadow_volume/count/float_count.h"
 #include "techniques/shadow_volume/cull/casters.h"
 #include "techniques/shadow_volume/probe/stage_pictures.h"
@@ -84,6 +85,7 @@ private:
     void publishCount(Frame& frame, std::string_view stage, int light, bool bothSigns);
     void count(Frame& frame, const CountPass& pass, int light);
     void repair(Frame& frame, int light);
+    void light(Frame& frame, int light) const;
     void drawLit(Frame& frame, const gl::Program& program, int light) const;
     void publishVisibility(Frame& frame, int light);
     void publishStencilStages(Frame& frame, int light);
@@ -103,8 +105,7 @@ private:
     int startCount_ = 0;               ///< likewise
     FaceCounter counter_;
     FloatCount floats_;
-    gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
-    gl::Program shade_{"surface.vert", "shade_light.frag"};
+    StencilledPasses passes_;
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
     StagePictures pictures_;
     RepairPass repair_;

@@ -5,6 +5,7 @@
 // shadows.
 // SPDX-License-Identifier: MIT
 #include "techniques/frame.h"
+#include "techniques/shading_passes.h"
 
 namespace shadowlab::unshadowed {
 
@@ -36,22 +37,23 @@ class Unshadowed final : public Technique {
 public:
     Progress render(Frame& frame) override {
         const scene::Scene& scene = frame.scene();
+        frame.drawFinished();
         frame.pass(passInfo(kPasses, "lights-off"),
-                   [&] { gl::drawLightsOff(lightsOff_, scene, frame.buffers(), frame.eye()); });
+                   [&] { passes_.lightsOff(frame, ShadingPasses::Depths::withLight); });
         if (frame.wants("lights-off")) frame.publishTarget("lights-off");
         for (int light = 0; light < static_cast<int>(scene.lights.size()); ++light) {
             if (frame.wants("visibility", light))
                 frame.drawStage("visibility", light, GL_RG32F, [&] {
                     glClear(GL_STENCIL_BUFFER_BIT);
                     gl::setVisibilityState();
-                    draw(frame, visibility_, light);
+                    draw(frame, visibility_, light, gl::ShadedAs::radiance);
                 });
             frame.pass(
                 passInfo(kPasses, "light"),
                 [&] {
                     glClear(GL_STENCIL_BUFFER_BIT);
-                    gl::setAddLightState();
-                    draw(frame, shade_, light);
+                    const gl::ShadedAs shadedAs = passes_.beginLight(frame);
+                    draw(frame, shade_, light, shadedAs);
                 },
                 light);
         }
@@ -59,12 +61,12 @@ public:
     }
 
 private:
-    static void draw(const Frame& frame, const gl::Program& program, int light) {
-        gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light);
+    static void draw(const Frame& frame, const gl::Program& program, int light, gl::ShadedAs shadedAs) {
+        gl::useForLight(program, frame.scene(), frame.buffers(), frame.eye(), light, shadedAs);
         gl::drawSurfaces(program, frame.scene(), frame.buffers(), frame.eye());
     }
 
-    gl::Program lightsOff_{"surface.vert", "lights_off.frag"};
+    ShadingPasses passes_;
     gl::Program shade_{"surface.vert", "shade_light.frag"};
     gl::Program visibility_{"surface.vert", "shade_light.frag", {"VISIBILITY_ONLY"}};
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/foundation/gl/framebuffer.h"
 
+#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -19,6 +20,18 @@ Framebuffer::Framebuffer(const Texture2D* color, const Texture2D* depthStencil, 
     }
     if (depthStencil)
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depthStencil->id(), 0);
+    requireComplete(name);
+}
+
+Framebuffer::Framebuffer(const Texture2D& first, const Texture2D& second, const Texture2D& depthStencil,
+                         std::string_view name)
+    : handle_(FramebufferHandle::create()), size_(first.size()) {
+    glBindFramebuffer(GL_FRAMEBUFFER, handle_.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, first.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, GL_TEXTURE_2D, second.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depthStencil.id(), 0);
+    constexpr std::array<GLenum, 2> kOutputs{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    glDrawBuffers(static_cast<GLsizei>(kOutputs.size()), kOutputs.data());
     requireComplete(name);
 }
 

@@ -14,6 +14,8 @@ public:
     Framebuffer() = default;
     /// Either may be null. Throws std::logic_error spelling out why it is incomplete.
     Framebuffer(const Texture2D* color, const Texture2D* depthStencil, std::string_view name);
+    /// Two colours that one shader writes, outputs 0 and 1, with depth and stencil.
+    Framebuffer(const Texture2D& first, const Texture2D& second, const Texture2D& depthStencil, std::string_view name);
     /// Depth only, into one layer.
     Framebuffer(const DepthTextureArray& depth, int layer, std::string_view name);
     /// The same with a layer of numbers beside it.
@@ -44,6 +46,12 @@ struct Target {
         : color(GL_RGBA16F, size, name), depthStencil(GL_DEPTH24_STENCIL8, size, name),
           framebuffer(&color, &depthStencil, name), withoutColor(nullptr, &depthStencil, name) {}
     [[nodiscard]] ivec2 size() const { return color.size(); }
+};
+
+/// A picture ready to be shown: exposed, clamped and encoded as sRGB, 8 bits a channel. `inShadow` is the same picture as if the
+/// light were hidden everywhere; a technique that decides after shading copies its pixels. Both are empty until somebody draws.
+struct FinishedPicture {
+    Texture2D color, inShadow;
 };
 
 } // namespace shadowlab::gl

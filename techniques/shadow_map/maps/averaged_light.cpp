@@ -40,7 +40,7 @@ const gl::Texture2D& AveragedLight::average(Frame& frame, int light) {
         glEnable(GL_BLEND);
         glBlendColor(share, share, share, share);
         glBlendFunc(GL_CONSTANT_COLOR, GL_ONE);
-        tools_.receivers.drawLight(frame, light, map, true);
+        tools_.receivers.drawVisibility(frame, light, map);
     }
     return averaged_;
 }

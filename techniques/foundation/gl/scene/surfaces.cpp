@@ -8,6 +8,8 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "techniques/foundation/image/image.h"
+
 namespace shadowlab::gl {
 
 namespace {
@@ -22,26 +24,37 @@ int lightKind(scene::LightType type) {
     }
 }
 
-/// Defines for what is constant in a pass: the kind of light, and whether any material has highlights. A software renderer
+/// Defines for what is constant in a pass: the kind of light, what is written, and whether any material has highlights. A software renderer
 /// evaluates all branches for every pixel, which took a fifth to a third of the frame time.
-std::vector<std::string> knownBefore(const scene::Scene& scene, const scene::Light& light) {
+std::vector<std::string> knownBefore(const scene::Scene& scene, const scene::Light& light, ShadedAs shadedAs) {
     std::vector<std::string> defines{"LIGHT_KIND " + std::to_string(lightKind(light.type))};
+    if (shadedAs != ShadedAs::radiance) defines.emplace_back("FINISHED");
+    if (shadedAs == ShadedAs::finishedAndInShadow) defines.emplace_back("IN_SHADOW_TOO");
     const auto hasNoSpecular = [](const scene::Material& material) { return material.specular == vec3(0); };
     if (std::ranges::all_of(scene.materials, hasNoSpecular)) defines.emplace_back("NO_SPECULAR");
     return defines;
 }
 
+/// The surface of a rect light emits from its front alone.
+bool isRectSurface(const scene::Scene& scene, const scene::Object& object) {
+    return object.emitterOfLight >= 0 && scene.light(object.emitterOfLight).type == scene::LightType::rect;
+}
+
+/// A radiance as a finished picture shows it: shaders/picture/encode.frag on the processor.
+vec3 finished(const vec3& radiance, float exposure) {
+    const auto encoded = [&](float linear) { return static_cast<float>(image::srgbFromLinear(exposure * linear)) / 255; };
+    return {encoded(radiance.r), encoded(radiance.g), encoded(radiance.b)};
+}
+
 /// What shaders/surface.vert and shaders/lights_off.frag ask of an object.
 void setObject(const Program& program, const scene::Scene& scene, const EyeMatrices& eye, const scene::Object& object) {
     const dmat4 viewFromMesh = eye.viewFromWorld * scene::worldFromMesh(object);
-    const bool rectSurface =
-        object.emitterOfLight >= 0 && scene.light(object.emitterOfLight).type == scene::LightType::rect;
     program.set("clipFromMesh", mat4(eye.clipFromView * viewFromMesh));
     program.set("viewFromMesh", mat4(viewFromMesh));
     program.set("normalViewFromMesh", mat3(glm::transpose(glm::inverse(dmat3(viewFromMesh)))));
     program.set("mirrored", scene::isMirrored(object) ? 1 : 0);
     program.set("receivesShadow", object.receivesShadow ? 1 : 0);
-    program.set("emitsFromFrontOnly", rectSurface ? 1 : 0);
+    program.set("emitsFromFrontOnly", isRectSurface(scene, object) ? 1 : 0);
 }
 
 void drawRun(const Program& program, const SceneBuffers& buffers, std::size_t index, std::uint32_t first,
@@ -60,6 +73,12 @@ void drawPart(const Program& program, const scene::Scene& scene, const SceneBuff
     program.set("specular", material.specular);
     program.set("shininess", material.shininess);
     program.set("emission", material.emission);
+    if (program.reads("frontInShadow")) {
+        const vec3 reflected = scene.ambient * material.diffuse;
+        const vec3 front = finished(material.emission + reflected, scene.exposure);
+        program.set("frontInShadow", front);
+        program.set("backInShadow", isRectSurface(scene, object) ? finished(reflected, scene.exposure) : front);
+    }
     drawRun(program, buffers, index, part.firstTriangle, part.triangleCount);
 }
 
@@ -152,10 +171,13 @@ void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuf
 }
 
 void useForLight(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
-                 int light) {
+                 int light, ShadedAs shadedAs) {
     const scene::Light& source = scene.light(light);
     // The visibility shader is too short to gain from variants: one program serves all kinds of light.
-    program.useWith(program.isMadeWith("VISIBILITY_ONLY") ? std::vector<std::string>{} : knownBefore(scene, source));
+    program.useWith(program.isMadeWith("VISIBILITY_ONLY") ? std::vector<std::string>{}
+                                                          : knownBefore(scene, source, shadedAs));
+    program.set("ambient", scene.ambient); // where lights off and light are one pass
+    program.set("exposure", scene.exposure);
     program.set("lightKind", lightKind(source.type)); // where the program was not made for it
     const dvec3 directionWorld =
         source.type == scene::LightType::rect ? scene::rectNormalWorld(source) : source.directionWorld;
@@ -181,6 +203,14 @@ void drawLightsOff(const Program& lightsOff, const scene::Scene& scene, const Sc
     lightsOff.use();
     lightsOff.set("ambient", scene.ambient);
     drawSurfacesWithHoles(lightsOff, scene, buffers, eye, setup);
+}
+
+void drawSurfaceDepth(const Program& positionOnly, const scene::Scene& scene, const SceneBuffers& buffers,
+                      const EyeMatrices& eye) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        drawIfSeen(scene, buffers, eye, i, {}, [&] {
+            drawDepth(positionOnly, scene, buffers, i, eye.clipFromMesh(scene.objects[i]));
+        });
 }
 
 void setAddLightState() {

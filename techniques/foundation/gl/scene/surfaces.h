@@ -53,14 +53,25 @@ void drawSurfacesWithHoles(const Program& program, const scene::Scene& scene, co
 void drawDepth(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, std::size_t object,
                const dmat4& clipFromMesh);
 
+/// What shaders/shade_light.frag writes.
+enum class ShadedAs {
+    radiance,            ///< to be added to the target
+    finished,            ///< the pixel as it is shown, lights-off radiance included
+    finishedAndInShadow, ///< the same, and in a second output the pixel as it is shown where the light is hidden
+};
+
 /// Puts the program to use, as it is made for lights of this kind and the materials of this scene, sets the uniforms of
 /// shaders/light.glsl and binds the facing signs. Set other uniforms after it, and follow with drawSurfaces.
 void useForLight(const Program& program, const scene::Scene& scene, const SceneBuffers& buffers, const EyeMatrices& eye,
-                 int light);
+                 int light, ShadedAs shadedAs = ShadedAs::radiance);
 
 /// Clears colour to the background, depth and stencil, and draws emission + ambient with depth: all lights off.
 void drawLightsOff(const Program& lightsOff, const scene::Scene& scene, const SceneBuffers& buffers,
                    const EyeMatrices& eye, const ObjectSetup& setup = {});
+
+/// Draws the depth of all surfaces, their holes left out, and nothing else. Clears nothing.
+void drawSurfaceDepth(const Program& positionOnly, const scene::Scene& scene, const SceneBuffers& buffers,
+                      const EyeMatrices& eye);
 
 /// GL state for adding one light to what drawLightsOff has drawn: depth GL_EQUAL, no depth writes, additive blending,
 /// and a stencil that lets each pixel be lit once (of two surfaces at one depth the first drawn is the visible one).
