@@ -26,8 +26,27 @@ scene::Camera outsideCameraOf(const scene::Scene& scene, const scene::Camera& ey
     return scene::outsideCameraFor(scene, eye, kAspect);
 }
 
-ivec2 pixelAt(const dvec2& share, ivec2 size) {
-    return glm::clamp(ivec2(glm::floor(share * dvec2(size))), ivec2(0), size - 1);
+namespace {
+
+constexpr double kPlacesAspect = 16.0 / 9;
+
+} // namespace
+
+dvec2 placeOf(const dvec2& share, const dvec2& size) {
+    return {0.5 + (share.x - 0.5) * (size.x / size.y) / kPlacesAspect, share.y};
+}
+
+dvec2 shareOf(const dvec2& place, const dvec2& size) {
+    return {0.5 + (place.x - 0.5) * kPlacesAspect / (size.x / size.y), place.y};
+}
+
+bool isInPicture(const dvec2& place, ivec2 size) {
+    const dvec2 share = shareOf(place, size);
+    return share.x >= 0 && share.x <= 1 && share.y >= 0 && share.y <= 1;
+}
+
+ivec2 pixelAt(const dvec2& place, ivec2 size) {
+    return glm::clamp(ivec2(glm::floor(shareOf(place, size) * dvec2(size))), ivec2(0), size - 1);
 }
 
 int shownPanes(picture::Layout layout) {

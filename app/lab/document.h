@@ -22,7 +22,7 @@ struct Document {
     picture::OutsideChoice outsideChoice; ///< what it shows of the techniques; its caster follows the selection
     picture::Layout layout = picture::Layout::split;
     double split = 0.5;           ///< share of the width that the left pane has
-    std::optional<dvec2> picked;  ///< the picked pixel, as shares of a picture's width and height
+    std::optional<dvec2> picked;  ///< the picked pixel: a place (pixelAt), the same thing in the scene whatever the picture's shape
     std::optional<dvec2> partner; ///< a second one beside it, never alone
     int light = 0;                ///< the light that stages and errors are about
     int active = 0;               ///< the pane that keys and panels are about
@@ -36,8 +36,16 @@ Document newDocument(scene::Snapshot scene, std::string sceneName);
 /// Where the second camera stands at first.
 scene::Camera outsideCameraOf(const scene::Scene& scene, const scene::Camera& eye);
 
-/// The pixel at a share of a picture's width and height.
-ivec2 pixelAt(const dvec2& share, ivec2 size);
+/// A place in what a camera sees: shares of the width and height of a picture of 16 : 9, which lie beyond 0 and 1 in a wider one. A
+/// camera's angle is that of a picture's height, so pictures of other shapes show more or less at their sides: shares of each would be
+/// other points of the scene.
+dvec2 placeOf(const dvec2& share, const dvec2& size);
+/// Where a place is in a picture of that size: shares of its width and height.
+dvec2 shareOf(const dvec2& place, const dvec2& size);
+/// Does a picture of that size show the place? A narrow one may end before it.
+bool isInPicture(const dvec2& place, ivec2 size);
+/// The pixel at a place; where the picture ends before it, the last one.
+ivec2 pixelAt(const dvec2& place, ivec2 size);
 
 /// How many panes the layout shows, from the first.
 int shownPanes(picture::Layout layout);

@@ -68,8 +68,11 @@ PaneRequest Workbench::requestFor(const PlacedPane& placed, int draft) const {
     request.outsideChoice = document_.outsideChoice;
     request.draft = draft;
     request.light = document_.light;
-    if (document_.picked) request.view.picked = pixelAt(*document_.picked, request.view.size);
-    if (document_.partner) request.view.partner = pixelAt(*document_.partner, request.view.size);
+    const auto pixelOf = [&](const std::optional<dvec2>& place) {
+        return place && isInPicture(*place, request.view.size) ? std::optional(pixelAt(*place, request.view.size)) : std::nullopt;
+    };
+    request.view.picked = pixelOf(document_.picked);
+    if (request.view.picked) request.view.partner = pixelOf(document_.partner);
     const bool judged = std::ranges::find(answering_, placed.pane) != answering_.end();
     const bool isThere = pane(placed.pane).drawnFor() == request;
     if (document_.layout == picture::Layout::split && !whole_ && !judged && !isThere) {
@@ -124,14 +127,14 @@ bool Workbench::askAboutPixel(const PaneRequest& request, Pane& pane) {
 }
 
 void Workbench::pick(const dvec2& place) {
-    document_.picked = glm::clamp(place, dvec2(0), dvec2(1));
+    document_.picked = place;
     isNewlyPicked_ = true;
     pickedPixel_ = {};
 }
 
 void Workbench::pickPartner(const dvec2& place) {
     if (!document_.picked) return pick(place);
-    document_.partner = glm::clamp(place, dvec2(0), dvec2(1));
+    document_.partner = place;
 }
 
 void Workbench::unpick() {
@@ -232,6 +235,7 @@ void Workbench::showScene(scene::Snapshot scene, std::string sceneName) {
     document_.outsideChoice.caster.reset(); // objects are counted anew
     document_.light = 0;
     unpick();
+    ++replacements_;
     document_.scene = std::move(scene);
     document_.sceneName = std::move(sceneName);
     // A stage of a light that this scene does not have is no stage of it.
@@ -245,6 +249,7 @@ void Workbench::showDocument(Document document) {
     animation_.playing = false;
     animation_.seconds = 0;
     unpick();
+    ++replacements_;
     document_ = std::move(document);
     shown_ = document_.scene;
 }

@@ -105,6 +105,8 @@ public:
 
     /// Replaces the whole document, as a step of a lesson does.
     void showDocument(Document document);
+    /// How often a scene or a whole document was put in place of the one before: what was found of that one is of no use.
+    [[nodiscard]] int replacements() const { return replacements_; }
 
     void play(bool playing);
     void setAnimation(const std::function<void(Animation&)>& edit) { edit(animation_); }
@@ -122,6 +124,7 @@ private:
     void show(Document document);
 
     Document document_;
+    int replacements_ = 0;
     UndoHistory history_;
     Animation animation_;
     scene::Snapshot shown_;

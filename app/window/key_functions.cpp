@@ -2,6 +2,7 @@
 #include "app/window/key_functions.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "app/lab/camera_control.h"
 #include "app/window/gizmo.h"
@@ -16,6 +17,25 @@ constexpr double kTurnDegrees = 3, kFlyShare = 0.04, kMoveShare = 0.02;
 
 void orbit(WindowState& ui, double right, double over) {
     moveCamera(ui, [&](const scene::Camera& camera) { return lab::orbited(camera, right, over); });
+}
+
+/// What the slide or the lesson on show has in the active pane, where the class now looks at it in another way; none: nothing is told,
+/// or that is still on show.
+std::optional<picture::StageRef> toldStage(const WindowState& ui) {
+    const bool ofSlide = ui.slides.isOn() && !ui.slides.stops.empty();
+    if (!ofSlide && !ui.lesson.isOn()) return std::nullopt;
+    const lab::Document& told = ofSlide ? ui.slides.stops[ui.slides.stop].document : ui.lesson.shown;
+    const lab::PaneState& meant = told.panes[static_cast<std::size_t>(ui.bench.document().active)];
+    const lab::PaneState& now = ui.bench.activeState();
+    if (meant.technique != now.technique || meant.stage == now.stage) return std::nullopt;
+    return meant.stage;
+}
+
+/// Closes what lies beside the pictures or over them. False: there is no such thing.
+bool closeAids(Shown& shown) {
+    const bool any = shown.strip || shown.magnifier || shown.blink;
+    shown.strip = shown.magnifier = shown.blink = false;
+    return any;
 }
 
 /// Whether the picked pixel is the one that the slide on show is about.
@@ -117,8 +137,12 @@ void leave(WindowState& ui) {
         return;
     else if (ui.selection.kind != lab::Selection::Kind::none)
         ui.selection = {};
+    else if (closeAids(ui.shown))
+        return;
     else if (outerMode(ui) != StoryMode::explore) // steps within a lesson or a slide
         leaveStory(ui);
+    else if (const auto told = toldStage(ui))
+        chooseStage(ui, *told);
     else if (isSlidesOwnPixel(ui)) // which is not let go, or the slide would be another
         leaveStory(ui);
     else if (ui.bench.document().partner)
@@ -129,8 +153,6 @@ void leave(WindowState& ui) {
         return;
     else if (!ui.bench.activeState().stage.isPicture())
         chooseStage(ui, {});
-    else
-        ui.shown.blink = ui.shown.magnifier = false;
 }
 
 } // namespace shadowlab::window

@@ -111,7 +111,11 @@ void stepLesson(WindowState& ui, int by) {
     int next = by > 0 ? 0 : count - 1;
     if (on.now) {
         const auto found = std::ranges::find(on.all, on.now->text.file, &course::LessonText::file);
-        if (found != on.all.end()) next = (static_cast<int>(found - on.all.begin()) + by + count) % count;
+        if (found != on.all.end()) next = static_cast<int>(found - on.all.begin()) + by;
+        if (next < 0 || next >= count) {
+            ui.requests.news = by > 0 ? "This was the last lesson." : "This is the beginning of the first lesson.";
+            return;
+        }
     }
     openLesson(ui, on.all[static_cast<std::size_t>(next)].name, by < 0);
 }

@@ -39,6 +39,12 @@ struct ShownPane {
     ImVec2 pictureCorner; ///< of the whole picture, which may reach beyond the area
     ImVec2 pictureSize;
     Area footer; ///< below it
+    /// Where a place of the document (lab/document.h) is on the screen.
+    [[nodiscard]] ImVec2 at(const dvec2& place) const {
+        const dvec2 share = lab::shareOf(place, {pictureSize.x, pictureSize.y});
+        return {pictureCorner.x + static_cast<float>(share.x) * pictureSize.x,
+                pictureCorner.y + static_cast<float>(share.y) * pictureSize.y};
+    }
 };
 
 /// The panes that are visible now: those of the layout, or while two of them blink the one that is shown at that time.

@@ -25,12 +25,13 @@ void pickPixel(WindowState& ui, const std::vector<ShownPane>& panes, ImVec2 plac
         if (!shown.area.contains(place) || !ui.bench.pane(shown.pane).showsTheEyesView()) continue;
         ui.bench.activate(shown.pane);
         // The middle of the pixel: its edge may be rounded to either side.
-        const dvec2 share = (dvec2(place.x, place.y) + 0.5 - dvec2(shown.pictureCorner.x, shown.pictureCorner.y)) /
-                            dvec2(shown.pictureSize.x, shown.pictureSize.y);
+        const dvec2 size(shown.pictureSize.x, shown.pictureSize.y);
+        const dvec2 share = (dvec2(place.x, place.y) + 0.5 - dvec2(shown.pictureCorner.x, shown.pictureCorner.y)) / size;
+        const dvec2 picked = lab::placeOf(share, size);
         if (asPartner)
-            ui.bench.pickPartner(share);
+            ui.bench.pickPartner(picked);
         else
-            ui.bench.pick(share);
+            ui.bench.pick(picked);
     }
 }
 

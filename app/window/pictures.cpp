@@ -67,8 +67,7 @@ void drawJudged(ImDrawList& list, const lab::JudgedPicture* judged, const lab::P
 
 /// A ring with four strokes around a pixel: none of them covers it.
 void drawRing(ImDrawList& list, const ShownPane& shown, const dvec2& picked, ImU32 ring, float radius) {
-    const ImVec2 at(shown.pictureCorner.x + static_cast<float>(picked.x) * shown.pictureSize.x,
-                    shown.pictureCorner.y + static_cast<float>(picked.y) * shown.pictureSize.y);
+    const ImVec2 at = shown.at(picked);
     for (const bool rim : {true, false}) {
         const ImU32 color = rim ? IM_COL32(16, 16, 18, 255) : ring;
         const float width = rim ? 5.0f : 2.5f;

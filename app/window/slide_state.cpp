@@ -62,6 +62,7 @@ void openDeck(WindowState& ui, const std::string& nameOrPath, const std::string&
 void stepSlides(WindowState& ui, int by) {
     SlideState& on = ui.slides;
     if (!on.deck) {
+        if (!on.leftDeck.empty()) return openDeck(ui, on.leftDeck, on.leftSlide);
         if (!on.decks.empty()) openDeck(ui, on.decks.front());
         return;
     }
@@ -91,6 +92,8 @@ void stepSlides(WindowState& ui, int by) {
 
 void leaveSlides(WindowState& ui) {
     if (!ui.slides.isOn()) return;
+    ui.slides.leftDeck = ui.slides.deck->file().string();
+    ui.slides.leftSlide = ui.slides.slide.name;
     ui.slides.deck.reset();
     ui.slides.stops.clear();
     ui.innerSteps = {};

@@ -22,6 +22,7 @@ struct SlideState {
     std::vector<course::SlideStop> stops;    ///< its pictures; none: words alone
     std::size_t stop = 0;                     ///< the one on show
     std::optional<lab::Document> earlier; ///< what was shown before the deck was opened
+    std::string leftDeck, leftSlide;      ///< what was on when a deck was last closed; empty: none was
 
     [[nodiscard]] bool isOn() const { return deck.has_value(); }
 };
@@ -29,7 +30,8 @@ struct SlideState {
 /// Opens a deck, a built-in name or a file, at the slide of that name; empty: the first. What cannot be read
 /// only leads to a message.
 void openDeck(WindowState& ui, const std::string& nameOrPath, const std::string& slide = {});
-/// One picture on (1) or back (-1), into the next or the last slide where this one ends. Without a deck: opens the first.
+/// One picture on (1) or back (-1), into the next or the last slide where this one ends. Without a deck: opens the one that was closed last, at its slide,
+/// else the first.
 void stepSlides(WindowState& ui, int by);
 /// Closes the deck and restores what was shown before it.
 void leaveSlides(WindowState& ui);

@@ -11,7 +11,7 @@
 #include "techniques/foundation/trace/parallel.h"
 
 #ifdef __linux__
-#include <sched.h>
+#include <sys/resource.h>
 #endif
 
 namespace shadowlab::lab {
@@ -44,15 +44,16 @@ TEST(Mailbox, LettersOfAnotherThreadComeInOrderAndTheLastOneArrives) {
 
 #ifdef __linux__
 TEST(BackgroundPriority, IsInheritedByTheThreadsOfParallelForAndByNobodyElse) {
-    std::atomic<int> idle = 0, other = 0;
+    const int before = getpriority(PRIO_PROCESS, 0);
+    std::atomic<int> low = 0, other = 0;
     std::jthread([&] {
-        yieldToAllOthers();
+        yieldToDrawing();
         trace::parallelFor(
-            64, [&](std::size_t) { ++(sched_getscheduler(0) == SCHED_IDLE ? idle : other); }, 4);
+            64, [&](std::size_t) { ++(getpriority(PRIO_PROCESS, 0) == kBackgroundNice ? low : other); }, 4);
     }).join();
-    EXPECT_EQ(idle, 64);
+    EXPECT_EQ(low, 64);
     EXPECT_EQ(other, 0);
-    EXPECT_NE(sched_getscheduler(0), SCHED_IDLE);
+    EXPECT_EQ(getpriority(PRIO_PROCESS, 0), before);
 }
 #endif
 

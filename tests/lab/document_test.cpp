@@ -113,29 +113,49 @@ TEST(CaptureWords, SayAllThatThePictureDependsOn) {
     EXPECT_EQ(course::asCommandLine({"it's"}), "'it'\\''s'");
 }
 
-// A picked pixel is a share of the picture: the same share of a picture of another size is another pixel.
+// A place is the same direction from the camera, whatever the shape of the picture: a ball stays under its mark when a pane becomes wider.
+TEST(PickedPlace, IsTheSamePointOfTheSceneInPicturesOfAnyShape) {
+    const scene::Camera camera = someDocument().camera;
+    const dvec3 pointWorld = camera.targetWorld + dvec3(0.3, 0.2, -0.1);
+    const auto shareIn = [&](dvec2 size) {
+        const dvec4 clip = scene::clipFromView(camera, size.x / size.y) * (scene::viewFromWorld(camera) * dvec4(pointWorld, 1.0));
+        return dvec2(0.5 + 0.5 * clip.x / clip.w, 0.5 - 0.5 * clip.y / clip.w);
+    };
+    const dvec2 first(1280, 720), place = lab::placeOf(shareIn(first), first);
+    EXPECT_EQ(place, shareIn(first)) << "in a picture of 16 : 9 a place is its share";
+    for (const dvec2 size : {dvec2(640, 480), dvec2(1000, 300), dvec2(400, 900)}) {
+        const dvec2 share = lab::shareOf(place, size);
+        EXPECT_NEAR(share.x, shareIn(size).x, 1e-9); // rounding of doubles
+        EXPECT_NEAR(share.y, shareIn(size).y, 1e-9);
+        EXPECT_NEAR(lab::placeOf(share, size).x, place.x, 1e-9);
+    }
+    EXPECT_TRUE(lab::isInPicture({0.95, 0.5}, {1600, 900}));
+    EXPECT_FALSE(lab::isInPicture({0.95, 0.5}, {900, 900})) << "a square picture ends before it";
+}
+
+// A picked pixel is a place in the picture: in a picture of another size it is another pixel.
 TEST(CaptureWords, NameAPickedPixelWhereItsRaysAreSeen) {
     lab::Document document = someDocument();
     document.layout = picture::Layout::single;
     document.active = 2;
-    document.picked = dvec2(0.255, 0.75);
+    document.picked = lab::placeOf({0.255, 0.75}, {100, 40});
     const auto line = [&](ivec2 size) { return course::asCommandLine(course::captureArguments(document, "s.json", "o.png", size)); };
     EXPECT_EQ(line({100, 40}).find("--pixel"), std::string::npos);
     document.panes[2].stage = {"outside"};
     EXPECT_NE(line({100, 40}).find(" --pixel 25,30"), std::string::npos) << line({100, 40});
-    EXPECT_NE(line({200, 60}).find(" --pixel 51,45"), std::string::npos) << line({200, 60});
+    EXPECT_NE(line({200, 60}).find(" --pixel 63,45"), std::string::npos) << line({200, 60});
     document.layout = picture::Layout::grid; // each of its pictures is half as wide and half as high
     document.panes[0].stage = {"outside"};
     EXPECT_NE(line({200, 80}).find(" --pixel 25,30"), std::string::npos) << line({200, 80});
-    EXPECT_EQ(lab::pixelAt({1, 1}, {100, 40}), ivec2(99, 39));
+    EXPECT_EQ(lab::pixelAt(lab::placeOf({1, 1}, {100, 40}), {100, 40}), ivec2(99, 39));
 }
 
 TEST(CaptureWords, NameBothPickedPixelsWhereAStageIsAboutThem) {
     lab::Document document = someDocument();
     document.layout = picture::Layout::single;
     document.active = 0;
-    document.picked = dvec2(0.255, 0.75);
-    document.partner = dvec2(0.5, 0.1);
+    document.picked = lab::placeOf({0.255, 0.75}, {100, 40});
+    document.partner = dvec2(0.5, 0.1); // the middle column of any picture
     document.panes[0].technique = "radiosity";
     const auto line = [&] { return course::asCommandLine(course::captureArguments(document, "s.json", "o.png", {100, 40})); };
     EXPECT_EQ(line().find("--p"), std::string::npos) << line();

@@ -98,7 +98,7 @@ int captureWindow(const CaptureOptions& options) {
                 throw Error(ExitStatus::usage, option + ": in a window of this size a picture has " +
                                                    std::to_string(shown.x) + " x " + std::to_string(shown.y) +
                                                    " pixels; choose one within");
-            return (dvec2(pixel) + 0.5) / dvec2(shown);
+            return lab::placeOf((dvec2(pixel) + 0.5) / dvec2(shown), shown);
         };
         ui.bench.pick(placeOf("--pixel", *options.pixel));
         if (options.partner) ui.bench.pickPartner(placeOf("--partner", *options.partner));

@@ -218,7 +218,7 @@ std::shared_ptr<const JudgeAnswer> BackgroundJudge::newest() {
 }
 
 void BackgroundJudge::work(bool yields) {
-    if (yields) yieldToAllOthers();
+    if (yields) yieldToDrawing();
     Judge judge;
     while (true) {
         const int rung = bell_; // read first, so that a signal from here on is not missed

@@ -1,6 +1,6 @@
 // Truth and errors of what the window shows, found beside the running picture.
 //
-// A thread of idle priority works on a copy: the scene, the view, and each technique's visibility image, read back by the thread
+// A thread of low priority works on a copy: the scene, the view, and each technique's visibility image, read back by the thread
 // that draws. It never uses OpenGL. It caches the tree of the scene and the last truths from task to task: where only a technique's
 // settings changed, or the window has gone back to an earlier layout, no ray is traced again.
 //
@@ -73,7 +73,7 @@ struct JudgeAnswer {
 /// in one piece.
 class BackgroundJudge {
 public:
-    /// `yields`: run at idle priority, so that drawing is never delayed. Without it the thread runs at normal priority, for captures
+    /// `yields`: run at low priority, so that drawing is never delayed. Without it the thread runs at normal priority, for captures
     /// and tests, which wait for the answer.
     explicit BackgroundJudge(bool yields = true);
     ~BackgroundJudge();

@@ -2,16 +2,14 @@
 #include "app/lab/errors/background_priority.h"
 
 #ifdef __linux__
-#include <pthread.h>
-#include <sched.h>
+#include <sys/resource.h>
 #endif
 
 namespace shadowlab::lab {
 
-void yieldToAllOthers() {
+void yieldToDrawing() {
 #ifdef __linux__
-    const sched_param none{};
-    pthread_setschedparam(pthread_self(), SCHED_IDLE, &none);
+    setpriority(PRIO_PROCESS, 0, kBackgroundNice); // on Linux 0 is the calling thread
 #endif
 }
 

@@ -39,6 +39,7 @@ bool LiveErrors::ask(Workbench& bench, ivec2 areaSize, double seconds) {
     wanted_.clear();
     const std::vector<PlacedPane> placed = bench.placed(areaSize);
     const OnShow shown = onShow(bench, placed);
+    forgetOthers(bench, placed, shown);
     // What moves without a change of any picture, as the split line does, is no motion for the judge.
     if (!bench.isAtRest() && shown != exactFor_) restSince_ = seconds;
     isNew_ = bench.isAtRest() && shown != seen_;
@@ -66,6 +67,25 @@ bool LiveErrors::ask(Workbench& bench, ivec2 areaSize, double seconds) {
     }
     bench.wantVisibility(wanted_);
     return !wanted_.empty();
+}
+
+/// While something moves a verdict may be a moment old. It is not kept under the name of another technique or light, nor for another
+/// scene, slide or lesson.
+void LiveErrors::forgetOthers(const Workbench& bench, const std::vector<PlacedPane>& placed, const OnShow& shown) {
+    if (std::exchange(replacements_, bench.replacements()) != bench.replacements()) {
+        errors_.clear();
+        pictures_.clear();
+        difference_.reset();
+        submitted_.clear();
+    }
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const PaneRequest& request = shown.requests[i];
+        std::erase_if(errors_, [&](const auto& known) {
+            const PaneRequest& judged = known.second.judged;
+            return known.first == placed[i].pane &&
+                   (judged.state.technique != request.state.technique || judged.light != request.light);
+        });
+    }
 }
 
 /// The truth about an area takes seconds. So while things move nothing is said of who is judged by it: what was true of another

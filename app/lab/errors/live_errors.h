@@ -78,6 +78,13 @@ private:
         std::optional<image::Image> diffGround;               ///< of `diff`: the picture of the first pane
         int markWidth = picture::kOnePixel;
     };
+    /// What there is to be judged in a frame. The layout decides what is made of the verdicts.
+    struct OnShow {
+        picture::Layout layout = picture::Layout::single;
+        std::vector<PaneRequest> requests; ///< one for each pane
+        friend bool operator==(const OnShow&, const OnShow&) = default;
+    };
+    void forgetOthers(const Workbench& bench, const std::vector<PlacedPane>& placed, const OnShow& shown);
     void forgetAreas(const Workbench& bench, const std::vector<PlacedPane>& placed);
     void submit(Workbench& bench, const std::vector<PlacedPane>& placed, const std::vector<int>& panes, int markWidth, bool exact);
     void take(const Workbench& bench, const JudgeAnswer& answer, double seconds);
@@ -91,12 +98,7 @@ private:
     std::map<int, JudgedPicture> pictures_;
     std::optional<JudgedPicture> difference_;
     History history_;
-    /// What there is to be judged in a frame. The layout decides what is made of the verdicts.
-    struct OnShow {
-        picture::Layout layout = picture::Layout::single;
-        std::vector<PaneRequest> requests; ///< one for each pane
-        friend bool operator==(const OnShow&, const OnShow&) = default;
-    };
+    int replacements_ = 0; ///< of the document, when it was last looked at
     static OnShow onShow(const Workbench& bench, const std::vector<PlacedPane>& placed);
     OnShow exactFor_; ///< what the last exact task was about
     OnShow seen_;     ///< in the last frame

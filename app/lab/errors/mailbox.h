@@ -1,6 +1,6 @@
 // A place for one value that is passed from one thread to another. A later value replaces one that was not fetched.
 //
-// Neither side ever blocks. A mutex would not do: a thread of idle priority may be preempted while it holds the mutex, and the thread
+// Neither side ever blocks. A mutex would not do: a thread of low priority may be preempted while it holds the mutex, and the thread
 // that draws would then wait for it (priority inversion).
 // SPDX-License-Identifier: MIT
 #pragma once

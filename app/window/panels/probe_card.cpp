@@ -57,8 +57,7 @@ void drawProbeCard(ImDrawList& list, const WindowState& ui, const ShownPane& sho
     const float mostHeight = kMostOfPane * static_cast<float>(shown.area.size.y);
     for (; lines.size() > 1 && size.y > mostHeight; lines.pop_back(), heights.pop_back())
         size.y -= heights.back();
-    const ImVec2 ring(shown.pictureCorner.x + static_cast<float>(document.picked->x) * shown.pictureSize.x,
-                      shown.pictureCorner.y + static_cast<float>(document.picked->y) * shown.pictureSize.y);
+    const ImVec2 ring = shown.at(*document.picked);
     const float away = kFromRingEm * theme.em, left = static_cast<float>(shown.area.corner.x),
                 top = static_cast<float>(shown.area.corner.y), right = left + static_cast<float>(shown.area.size.x),
                 bottom = top + static_cast<float>(shown.area.size.y);
