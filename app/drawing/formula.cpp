@@ -25,8 +25,8 @@ constexpr double kMatrixGap = 0.7, kMatrixLineGap = 0.2, kMatrixPad = 0.2, kFenc
 /// Sets a tree: with a sheet it draws, without one it measures.
 class Setter {
 public:
-    Setter(const FormulaFonts& fonts, std::string color, Drawing* drawing)
-        : fonts_(fonts), color_(std::move(color)), svg_(drawing) {}
+    Setter(const FormulaFonts& fonts, std::string color, Drawing* drawing, bool hasRim = false)
+        : fonts_(fonts), color_(std::move(color)), svg_(drawing), hasRim_(hasRim) {}
 
     Extent set(const Node& node, dvec2 place, double em) {
         switch (node.kind) {
@@ -61,14 +61,21 @@ private:
                         .isBold = isBold,
                         .isItalic = node.kind == Kind::variable,
                         .color = color_,
-                        .hasRim = false});
+                        .hasRim = hasRim_});
         return {width, kTall * em, kDeep * em};
     }
 
+    static bool isFunction(const Node& node) {
+        return (node.kind == Kind::scripts ? node.children[0] : node).kind == Kind::function;
+    }
     static double spaceAfter(const Node& node) {
-        if (node.kind == Kind::mark) return kMarkSpace;
-        const Node& base = node.kind == Kind::scripts ? node.children[0] : node;
-        return base.kind == Kind::function ? kFunctionSpace : 0;
+        return node.kind == Kind::mark ? kMarkSpace : isFunction(node) ? kFunctionSpace : 0;
+    }
+    /// A function keeps away from what it is multiplied by.
+    static double spaceBefore(const Node& node, const Node* before) {
+        const bool isFree = !before || before->kind == Kind::operation || before->kind == Kind::opening || before->kind == Kind::mark ||
+                            before->kind == Kind::space || before->kind == Kind::large;
+        return isFunction(node) && !isFree ? kFunctionSpace : 0;
     }
 
     Extent row(const Node& node, dvec2 place, double em) {
@@ -80,7 +87,7 @@ private:
                                 (!before || before->kind == Kind::operation || before->kind == Kind::opening ||
                                  before->kind == Kind::mark || before->kind == Kind::space);
             const double around = child.kind == Kind::operation && !isSign ? kOperationSpace * em : 0;
-            whole.width += around;
+            whole.width += around + spaceBefore(child, before) * em;
             const Extent extent = set(child, place + dvec2(whole.width, 0), em);
             whole.width += extent.width + around + spaceAfter(child) * em;
             whole.above = std::max(whole.above, extent.above);
@@ -230,6 +237,7 @@ private:
     const FormulaFonts& fonts_;
     std::string color_;
     Drawing* svg_;
+    bool hasRim_;
 };
 
 bool isEmpty(const Node& node) { return node.kind == Kind::row && node.children.empty(); }
@@ -280,9 +288,8 @@ Extent Formula::measure(double em, const FormulaFonts& fonts) const {
     return Setter(fonts, "", nullptr).set(*root_, {0, 0}, em);
 }
 
-Extent Formula::draw(Drawing& drawing, dvec2 place, double em, const std::string& color,
-                     const FormulaFonts& fonts) const {
-    return Setter(fonts, color, &drawing).set(*root_, place, em);
+Extent Formula::draw(Drawing& drawing, dvec2 place, double em, const std::string& color, const FormulaFonts& fonts, bool hasRim) const {
+    return Setter(fonts, color, &drawing, hasRim).set(*root_, place, em);
 }
 
 std::string Formula::spoken() const { return spokenOf(*root_); }

@@ -35,8 +35,8 @@ public:
     Formula& operator=(Formula&&) noexcept;
 
     [[nodiscard]] Extent measure(double em, const FormulaFonts& fonts) const;
-    /// Draws with the left end of the foot line at `place`. Returns what measure() returns.
-    Extent draw(Drawing& drawing, dvec2 place, double em, const std::string& color, const FormulaFonts& fonts) const;
+    /// Draws with the left end of the foot line at `place`. Returns what measure() returns. `hasRim`: as TextStyle::hasRim.
+    Extent draw(Drawing& drawing, dvec2 place, double em, const std::string& color, const FormulaFonts& fonts, bool hasRim = false) const;
 
     /// In one line for who cannot see it: "N · P' + D = 0", "F_jk = (1)/(A_j) ∫∫ ...".
     [[nodiscard]] std::string spoken() const;

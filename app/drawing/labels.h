@@ -1,11 +1,11 @@
 // Places labels beside what they name, so that none covers another, nor a line where there is room elsewhere.
 // SPDX-License-Identifier: MIT
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "app/drawing/drawing.h"
-#include "techniques/foundation/image/text.h"
+#include "app/drawing/formula.h"
 
 namespace shadowlab::drawing {
 
@@ -31,7 +31,8 @@ constexpr double kLetter = 34;       ///< em of letters that have an index, so t
 class Labels {
 public:
     /// All labels stay within `area`.
-    Labels(const image::Font& font, const Box& area) : font_(font), area_(area) {}
+    Labels(const FormulaFonts& fonts, const Box& area) : fonts_(fonts), area_(area) {}
+    Labels(const image::Font& font, const Box& area) : Labels(FormulaFonts{font, font}, area) {}
 
     /// What labels keep away from as well as they can.
     void avoid(dvec2 from, dvec2 to) { lines_.push_back({from, to}); }
@@ -39,17 +40,18 @@ public:
 
     /// Writes a label near a place: `away` pixels from it at least. Where it has to go far, a thin line leads to it. Of
     /// places that are equally free the nearest. Nothing is written, and false returned, where there is no room at all.
-    bool place(Drawing& drawing, dvec2 anchor, const std::string& text, const TextStyle& style, double away = 10) {
-        return place(drawing, anchor, LabelText{text, "", ""}, style, away);
-    }
+    /// `text` may have formulas between $ (prose.h).
+    bool place(Drawing& drawing, dvec2 anchor, const std::string& text, const TextStyle& style, double away = 10);
     bool place(Drawing& drawing, dvec2 anchor, const LabelText& text, const TextStyle& style, double away = 10);
 
 private:
     [[nodiscard]] double cost(const Box& box) const;
+    [[nodiscard]] int crossedBy(dvec2 from, dvec2 to) const;
+    [[nodiscard]] std::optional<Box> roomFor(Drawing& drawing, dvec2 anchor, dvec2 size, double away);
     struct Line {
         dvec2 from, to;
     };
-    const image::Font& font_;
+    FormulaFonts fonts_;
     Box area_;
     std::vector<Line> lines_;
     std::vector<Box> boxes_;

@@ -3,11 +3,14 @@
 
 #include <cairo-ft.h>
 #include <cairo.h>
+#include FT_ADVANCES_H
 
 #include <array>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
+#include <vector>
 
 #include "techniques/foundation/base/error.h"
 #include "techniques/foundation/image/utf8.h"
@@ -57,11 +60,38 @@ void addRoundRectangle(cairo_t* cairo, dvec2 corner, dvec2 size, double radius) 
     cairo_close_path(cairo);
 }
 
+/// A line of text, its foot at (0, 0), in em.
+struct PlacedText {
+    std::vector<cairo_glyph_t> glyphs;
+    double width = 0;
+};
+
+/// With the design widths and the kerning that image::Font measures by: what was measured is what is drawn. Cairo itself would
+/// round each width to whole pixels.
+PlacedText placed(FT_Face face, std::string_view text) {
+    PlacedText line;
+    const double em = face->units_per_EM;
+    FT_UInt previous = 0;
+    for (const char32_t letter : image::decodeUtf8(text)) {
+        const FT_UInt index = FT_Get_Char_Index(face, letter);
+        FT_Vector kerning{};
+        if (previous && FT_HAS_KERNING(face)) FT_Get_Kerning(face, previous, index, FT_KERNING_UNSCALED, &kerning);
+        line.width += static_cast<double>(kerning.x) / em;
+        line.glyphs.push_back({index, line.width, 0});
+        FT_Fixed advance = 0;
+        FT_Get_Advance(face, index, FT_LOAD_NO_SCALE, &advance);
+        line.width += static_cast<double>(advance) / em;
+        previous = index;
+    }
+    return line;
+}
+
 } // namespace
 
-/// The two faces, as Cairo knows them.
+/// The two faces, as Cairo knows them and as FreeType does.
 struct Painter::Fonts {
     std::array<cairo_font_face_t*, 2> fonts{}; ///< upright, bold
+    std::array<FT_Face, 2> faces{};            ///< the same, which Cairo owns
 
     explicit Fonts(const std::filesystem::path& folder) {
         constexpr std::array names{"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"};
@@ -75,6 +105,7 @@ struct Painter::Fonts {
                                             "(package fonts-dejavu-core has the same files)");
             }
             fonts[i] = cairo_ft_font_face_create_for_ft_face(face, FT_LOAD_NO_HINTING);
+            faces[i] = face;
             // Cairo may keep a font in its caches after the last user has gone; the face goes when Cairo lets it go.
             static const cairo_user_data_key_t kFace{};
             cairo_font_face_set_user_data(fonts[i], &kFace, face,
@@ -107,6 +138,7 @@ namespace {
 struct Brush {
     cairo_t* cairo;
     const std::array<cairo_font_face_t*, 2>& fonts;
+    const std::array<FT_Face, 2>& faces;
 
     void operator()(const Line& line) const {
         for (const dvec2& point : line.points)
@@ -145,18 +177,20 @@ struct Brush {
     }
     void operator()(const TextLine& text) const {
         const TextStyle& style = text.style;
-        cairo_set_font_face(cairo, fonts[style.isBold ? 1 : 0]);
+        const std::size_t font = style.isBold ? 1 : 0;
+        cairo_set_font_face(cairo, fonts[font]);
         cairo_matrix_t matrix;
         cairo_matrix_init_scale(&matrix, style.size, style.size);
         constexpr double kSlant = 0.2; // DejaVu Sans Oblique leans by 11 degrees
         if (style.isItalic) matrix.xy = -kSlant * style.size;
         cairo_set_font_matrix(cairo, &matrix);
-        const std::string letters = image::withoutNoncharacters(text.text);
-        cairo_text_extents_t extents;
-        cairo_text_extents(cairo, letters.c_str(), &extents);
+        PlacedText line = placed(faces[font], image::withoutNoncharacters(text.text));
         const double share = style.anchor == Anchor::start ? 0 : style.anchor == Anchor::middle ? 0.5 : 1;
-        cairo_move_to(cairo, text.place.x - share * extents.x_advance, text.place.y);
-        cairo_text_path(cairo, letters.c_str());
+        for (cairo_glyph_t& glyph : line.glyphs) {
+            glyph.x = text.place.x + style.size * (glyph.x - share * line.width);
+            glyph.y = text.place.y;
+        }
+        cairo_glyph_path(cairo, line.glyphs.data(), static_cast<int>(line.glyphs.size()));
         if (style.hasRim) {
             cairo_set_source_rgb(cairo, 1, 1, 1);
             cairo_set_line_width(cairo, kRimWidth);
@@ -198,7 +232,7 @@ void Painter::paint(const Drawing& drawing, image::Image& picture, ivec2 corner,
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
     cairo_set_antialias(cairo, CAIRO_ANTIALIAS_BEST);
     for (const Mark& mark : drawing.marks())
-        std::visit(Brush{cairo, fonts_->fonts}, mark);
+        std::visit(Brush{cairo, fonts_->fonts, fonts_->faces}, mark);
     const cairo_status_t status = cairo_status(cairo);
     cairo_destroy(cairo);
     cairo_surface_flush(surface);

@@ -122,9 +122,11 @@ std::vector<ProseLine> wrapProse(std::string_view text, double em, double width,
 }
 
 void drawProse(Drawing& drawing, dvec2 place, const ProseLine& line, const TextStyle& style, const FormulaFonts& fonts) {
+    const double share = style.anchor == Anchor::start ? 0 : style.anchor == Anchor::middle ? 0.5 : 1;
+    if (share > 0) place.x -= share * proseWidth(line, style.size, style.isBold, fonts);
     for (const Piece& piece : line.pieces) {
         if (piece.isFormula) {
-            Formula(piece.text).draw(drawing, place, style.size, style.color, facesFor(style.isBold, fonts));
+            Formula(piece.text).draw(drawing, place, style.size, style.color, facesFor(style.isBold, fonts), style.hasRim);
         } else {
             TextStyle placed = style;
             placed.anchor = Anchor::start;
@@ -132,6 +134,12 @@ void drawProse(Drawing& drawing, dvec2 place, const ProseLine& line, const TextS
         }
         place.x += pieceWidth(piece, style.size, style.isBold, fonts);
     }
+}
+
+void drawProse(Drawing& drawing, dvec2 place, std::string_view text, const TextStyle& style, const FormulaFonts& fonts) {
+    constexpr double kOneLine = 1e9; // pixels: no line is as wide
+    for (const ProseLine& line : wrapProse(text, style.size, kOneLine, style.isBold, fonts))
+        drawProse(drawing, place, line, style, fonts);
 }
 
 std::string plainProse(std::string_view text) {

@@ -26,8 +26,10 @@ std::vector<ProseLine> wrapProse(std::string_view text, double em, double width,
 /// Pixels from the line's left end to its right end.
 double proseWidth(const ProseLine& line, double em, bool isBold, const FormulaFonts& fonts);
 
-/// Draws a line with its left end at `place`, the foot of its letters. Letters of formulas are as bold as the words.
+/// Draws a line with its anchor at `place`, the foot of its letters. Letters of formulas are as bold as the words.
 void drawProse(Drawing& drawing, dvec2 place, const ProseLine& line, const TextStyle& style, const FormulaFonts& fonts);
+/// The same of a text in one line, however long. Throws as wrapProse() does.
+void drawProse(Drawing& drawing, dvec2 place, std::string_view text, const TextStyle& style, const FormulaFonts& fonts);
 
 /// The same in plain words, for who reads no formulas: "the texel holds d(u, v)". Throws as wrapProse() does.
 std::string plainProse(std::string_view text);
