@@ -111,10 +111,10 @@ ProbeOptions probeOptions(const GivenOptions& given) {
 std::vector<std::uint8_t> diagramOf(const ProbeOptions& options, const Probe& probe, const scene::Scene& scene,
                                     const View& view, int light) {
     const std::filesystem::path fonts = context::assetsRoot() / "fonts";
-    const image::Font font(fonts / "DejaVuSans.ttf");
+    const image::Font font(fonts / "DejaVuSans.ttf"), bold(fonts / "DejaVuSans-Bold.ttf");
     const auto drawn = [&] {
         try {
-            return figures::findFigure(options.figure).draw({probe, options.technique, scene, view, light, font});
+            return figures::findFigure(options.figure).draw({probe, options.technique, scene, view, light, font, bold});
         } catch (const Error& why) {
             throw Error(ExitStatus::usage, std::string("--diagram: ") + why.what()); // the pixel was given there
         }

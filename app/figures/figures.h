@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "app/drawing/formula.h"
 #include "app/figures/pixel_diagram.h"
 #include "techniques/technique.h"
 
@@ -19,12 +20,15 @@ struct FigureSource {
     const View& view; ///< that the pixel belongs to: its camera, and the picture's size
     int light = kNoLight;
     const image::Font& font; ///< DejaVu Sans, by whose measures labels are placed
+    const image::Font& bold; ///< DejaVu Sans Bold: vectors of formulas
     /// The room it is drawn for, in pixels of a slide 1080 high, on which kText is the least that is read. A figure whose size is
     /// given by what it shows may be of another size; it is then scaled.
     dvec2 size{1920, 1080};
     /// Two figures of one kind side by side are compared by eye, so both are drawn at the smaller of their scales
     /// (Diagram::pixelsPerMetre). With such a limit what is drawn begins at the same border in each of them.
     double mostPixelsPerMetre = std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] drawing::FormulaFonts fonts() const { return {font, bold}; }
 };
 
 struct Figure {

@@ -18,7 +18,7 @@ namespace {
 // The eye and the light are drawn where they are, unless one of them is so many times as far away as all else.
 constexpr double kFarTimes = 4;
 constexpr double kSheetMargin = 46; ///< pixels around what is drawn, for its signs
-constexpr double kSheetRow = 32;    ///< pixels from one line of text to the next
+constexpr double kSheetRow = 32;    ///< pixels from one line of the least type to the next
 
 } // namespace
 
@@ -215,20 +215,22 @@ void drawLegend(drawing::Drawing& drawing, const drawing::Box& area, std::span<c
     }
 }
 
+double TextColumn::lineHeight() const { return kSheetRow * em_ / kText; }
+
 void TextColumn::heading(const std::string& text) {
-    y_ += y_ > 0 ? kSheetRow + 14 : kHeading;
+    y_ += y_ > 0 ? lineHeight() + 14 : kHeading;
     svg_.text(area_.corner + dvec2(0, y_), text, {.size = kHeading, .isBold = true});
     y_ += 6;
 }
 
-bool TextColumn::hasRoom(int lines) const { return y_ + lines * kSheetRow <= area_.size.y; }
+bool TextColumn::hasRoom(int lines) const { return y_ + lines * lineHeight() <= area_.size.y; }
 
 bool TextColumn::row(const std::string& text, const std::string& color) {
-    const std::vector<std::string> lines = font_.wrap(text, kText, static_cast<int>(area_.size.x));
+    const std::vector<std::string> lines = font_.wrap(text, em_, static_cast<int>(area_.size.x));
     if (!hasRoom(static_cast<int>(lines.size()))) return false;
     for (const std::string& line : lines) {
-        y_ += kSheetRow;
-        svg_.text(area_.corner + dvec2(0, y_), line, {.size = kText, .color = color});
+        y_ += lineHeight();
+        svg_.text(area_.corner + dvec2(0, y_), line, {.size = em_, .color = color});
     }
     return true;
 }

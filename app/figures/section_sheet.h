@@ -6,6 +6,7 @@
 
 #include "app/drawing/labels.h"
 #include "app/figures/drawing_plane.h"
+#include "app/figures/panels.h"
 #include "app/figures/volume/volume_areas.h"
 #include "techniques/foundation/scene/model/scene.h"
 
@@ -72,17 +73,20 @@ void drawLegend(drawing::Drawing& drawing, const drawing::Box& area, std::span<c
 /// Lines of text below one another, each broken where it is too long.
 class TextColumn {
 public:
-    TextColumn(drawing::Drawing& drawing, const drawing::Box& area, const image::Font& font) : svg_(drawing), area_(area), font_(font) {}
+    /// `em`: of the type.
+    TextColumn(drawing::Drawing& drawing, const drawing::Box& area, const image::Font& font, double em = kText)
+        : svg_(drawing), area_(area), font_(font), em_(em) {}
     void heading(const std::string& text);
     /// False where there is no room any more.
     bool row(const std::string& text, const std::string& color = "#1a1a1a");
     [[nodiscard]] bool hasRoom(int lines) const;
 
 private:
+    [[nodiscard]] double lineHeight() const;
     drawing::Drawing& svg_;
     drawing::Box area_;
     const image::Font& font_;
-    double y_ = 0;
+    double em_, y_ = 0;
 };
 
 } // namespace shadowlab::figures

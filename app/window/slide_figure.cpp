@@ -46,8 +46,9 @@ image::Image drawnOfPixel(const WindowState& ui, ivec2 room, float em, const ima
     const double unitsPerPixel = course::kLeastType / (kLeastShare * em);
     const int light = of.snapshot->lights.empty() ? kNoLight : of.light;
     const figures::Figure& figure = figures::findFigure(ui.slides.stops[ui.slides.stop].figure);
+    const image::Font bold(fonts() / "DejaVuSans-Bold.ttf");
     const auto drawn = [&](const dvec2& size) {
-        return pictureOf(figure.draw({picked.probe, of.state.technique, *of.snapshot, of.view, light, font, size}), room);
+        return pictureOf(figure.draw({picked.probe, of.state.technique, *of.snapshot, of.view, light, font, bold, size}), room);
     };
     try {
         return drawn(dvec2(room) * unitsPerPixel);

@@ -70,7 +70,7 @@ void expectOrder(const SlideLayout& layout, const std::string& name) {
     }
     if (count == 0) EXPECT_NEAR(layout.words.corner.x, kMargin, kRounding) << name;
     EXPECT_LE(layout.words.corner.x + layout.words.size.x, layout.width - kMargin + kRounding) << name;
-    const double captionEnd = layout.captionTop + kLineHeight * kCaptionType * static_cast<double>(layout.caption.size());
+    const double captionEnd = layout.captionTop + kLineHeight * layout.captionType * static_cast<double>(layout.caption.size());
     EXPECT_LE(captionEnd, kSlideHeight - 1.8 * kFootType) << name << ": the caption reaches into the slide's foot";
 }
 
@@ -112,6 +112,37 @@ TEST(SlideLayoutTest, PicturesUseTheSlide) {
     const std::vector<PictureNeeds> four(4);
     const SlideLayout square = layOut(slide, 1920, slideFonts(), four);
     EXPECT_NEAR(square.cells[2].corner.x, square.cells[0].corner.x, kRounding) << "two rows of two";
+}
+
+// A side that pictures leave empty is for the caption; a column of words is no wider than its type needs.
+TEST(SlideLayoutTest, NoSideOfTheSlideStaysEmpty) {
+    Slide slide;
+    slide.written.title = slide.title = "Title";
+    slide.written.caption = slide.caption = "Each reflection is one product with a matrix. The sum of all of them is the solution.";
+    for (const std::size_t pictures : {1, 4}) {
+        const SlideLayout layout = layOut(slide, 1920, slideFonts(), std::vector<PictureNeeds>(pictures));
+        EXPECT_TRUE(layout.hasCaptionBeside) << pictures;
+        EXPECT_TRUE(layout.caption.empty()) << pictures;
+        EXPECT_GT(layout.words.size.x, 0.2 * 1920) << pictures;
+        EXPECT_NEAR(layout.words.corner.x + layout.words.size.x, 1920 - kMargin, kRounding) << pictures;
+        EXPECT_GT(layout.pictures.size.y, 0.75 * kSlideHeight) << pictures;
+        EXPECT_EQ(wordsType(slide, true, layout.words.size, slideFonts()).letters, 36) << pictures;
+    }
+    const SlideLayout pair = layOut(slide, 1920, slideFonts(), std::vector<PictureNeeds>(2));
+    EXPECT_FALSE(pair.hasCaptionBeside) << "two pictures fill the width";
+    const SlideLayout row = layOut(slide, 1920, slideFonts(), std::vector<PictureNeeds>(3));
+    EXPECT_FALSE(row.hasCaptionBeside);
+    EXPECT_GT(row.captionType, kCaptionType) << "below a row of three there is room";
+
+    Slide few = slide;
+    few.written.caption.clear();
+    few.text = few.written.text = {"A short text."};
+    Slide many = few;
+    many.text = many.written.text = std::vector<std::string>(7, "A text of which there is a lot, so that it needs the whole column.");
+    const SlideLayout narrow = layOut(few, 1920, slideFonts(), std::vector<PictureNeeds>(1)),
+                      wide = layOut(many, 1920, slideFonts(), std::vector<PictureNeeds>(1));
+    EXPECT_LT(narrow.words.size.x, 0.9 * wide.words.size.x);
+    EXPECT_EQ(wordsType(few, false, narrow.words.size, slideFonts()).letters, 36);
 }
 
 // Marked lines of pseudocode are bold, which is wider: they are broken as they are drawn.

@@ -38,7 +38,7 @@ struct FigureOf {
         probe = slot.technique->probe(scene, view, at, light);
     }
     [[nodiscard]] Diagram draw(const char* figure, dvec2 room = {930, 800}) const {
-        return findFigure(figure).draw({probe, technique, *scene, view, light, testFont(), room});
+        return findFigure(figure).draw({probe, technique, *scene, view, light, testFont(), testBoldFont(), room});
     }
     std::string technique;
     scene::Snapshot scene;

@@ -33,7 +33,7 @@ struct Asked {
     View view;
     Probe probe;
     [[nodiscard]] FigureSource source(dvec2 size) const {
-        return {probe, technique, *scene, view, scene->lights.empty() ? kNoLight : 0, testFont(), size};
+        return {probe, technique, *scene, view, scene->lights.empty() ? kNoLight : 0, testFont(), testBoldFont(), size};
     }
 };
 
@@ -236,7 +236,7 @@ TEST(ExtrusionFigureTest, WritesThePointThatTheTechniqueExtrudes) {
     EXPECT_GT(extruded, 15);
     const Asked endless = ask(deckScene(), "shadow-volume-zfail", {125, 50}, {{"volume-end", "infinity"}});
     const std::vector<Written> all = written(findFigure("extrusion").draw(endless.source(kRooms[1])).document());
-    EXPECT_TRUE(std::ranges::any_of(all, [](const Written& one) { return one.text == "P' at infinity"; }));
+    EXPECT_TRUE(std::ranges::any_of(all, [](const Written& one) { return one.text == "P\u2032 at infinity"; }));
 }
 
 // Each place of the curve is on a receiver, and on the light's line past the outline; on one flat floor the curve is closed.

@@ -24,7 +24,7 @@ FigureOf ball(const char* technique, ivec2 pixel, std::vector<Setting> settings 
 
 Diagram drawLimited(const FigureOf& asked, const char* figure, double mostPixelsPerMetre) {
     return findFigure(figure).draw(
-        {asked.probe, asked.technique, *asked.scene, asked.view, asked.light, testFont(), kHalf, mostPixelsPerMetre});
+        {asked.probe, asked.technique, *asked.scene, asked.view, asked.light, testFont(), testBoldFont(), kHalf, mostPixelsPerMetre});
 }
 
 /// The middle of the only circle of that name.
@@ -85,7 +85,7 @@ TEST(SideBySideTest, SectionsOfOnePlaneHaveOneScaleAndEyeAndLightInTheSamePlaces
 TEST(SideBySideTest, PanelsOfPolygonsKeepALimitAndStandAtTheBottom) {
     const FigureOf asked = ball("shadow-volume-zfail", {480, 173});
     const CasterSolid solid = casterSolid(
-        {asked.probe, asked.technique, *asked.scene, asked.view, asked.light, testFont(), kHalf}, false);
+        {asked.probe, asked.technique, *asked.scene, asked.view, asked.light, testFont(), testBoldFont(), kHalf}, false);
     const drawing::Box area{{0, 0}, {560, 700}};
     FacingPanel panel(solid, 0, area);
     const double own = panel.pixelsPerMetre();
@@ -99,8 +99,8 @@ TEST(SideBySideTest, PanelsOfPolygonsKeepALimitAndStandAtTheBottom) {
         if (const auto* surface = std::get_if<drawing::Line>(&mark))
             for (const dvec2& at : surface->points)
                 lowest = std::max(lowest, at.y);
-    // 58 pixels of margin; strokes and heads of arrows reach a little beyond what they mark.
-    EXPECT_NEAR(lowest, 700 - 58, 8);
+    // 52 pixels of margin; strokes and heads of arrows reach a little beyond what they mark.
+    EXPECT_NEAR(lowest, 700 - 52, 8);
 }
 
 TEST(ShadowRayFigureTest, TheSegmentEndsOnWhatItMeetsFirst) {

@@ -15,6 +15,11 @@ inline const image::Font& testFont() {
     return font;
 }
 
+inline const image::Font& testBoldFont() {
+    static const image::Font font(context::assetsRoot() / "fonts" / "DejaVuSans-Bold.ttf");
+    return font;
+}
+
 /// All that is written, without the rims.
 struct Written {
     std::string text;

@@ -5,18 +5,24 @@
 #include <cmath>
 #include <limits>
 
+#include "app/course/slides/slide_words.h"
+
 namespace shadowlab::course {
 
 namespace {
 
 constexpr double kGap = 28;          ///< between parts
-constexpr double kWordsShare = 0.36; ///< of the width, beside pictures
-// The shapes that scenes are framed for: from two panes side by side to a whole screen.
-constexpr double kWidestPicture = 16.0 / 9, kNarrowestPicture = 1.2;
+// Of the width, beside pictures: at most, at least, and the steps between. In less than the least lines have but two or three words.
+constexpr double kMostWords = 0.36, kLeastWords = 0.26, kWordsStep = 0.02;
+// The shapes that scenes are framed for: from three panes side by side to a whole screen.
+constexpr double kWidestPicture = 16.0 / 9, kNarrowestPicture = 1, kNarrowestOfMany = 1.2;
+constexpr std::size_t kFew = 3; ///< pictures of a row that may be as narrow as that: more of them would be a low strip
 constexpr double kNarrowestDrawing = 0.9; ///< what is narrower has no room for its labels
 constexpr double kWidestUseful = 2;       ///< a drawing in a wider field has empty sides: what it shows follows the height
 constexpr double kLeastHeight = 40;       ///< of a picture; lower ones show nothing
 constexpr double kNearlyAsLarge = 1.12;   ///< pictures in more rows may be so much smaller: they use the whole height of the slide
+constexpr double kFilled = 0.9; ///< of the width: pictures that fill less leave a side of the slide empty
+constexpr double kWorthASide = 1.25; ///< pictures may be so much smaller where the caption fills that side
 
 /// Rows of pictures, all equally high, with their widths.
 struct Rows {
@@ -30,10 +36,18 @@ struct Rows {
             area += std::min(width, kWidestUseful * height) * height;
         return area;
     }
+    /// Of the first row, which is the widest.
+    [[nodiscard]] double width() const {
+        double sum = 0;
+        for (std::size_t i = 0; i < std::min(columns, widths.size()); ++i)
+            sum += widths[i] + (i > 0 ? kGap : 0);
+        return sum;
+    }
 };
 
-double leastWidth(const PictureNeeds& picture, double height) {
-    return height * picture.aspect.value_or(picture.isDrawing ? kNarrowestDrawing : kNarrowestPicture);
+double leastWidth(const PictureNeeds& picture, double height, std::size_t columns) {
+    const double narrowest = picture.isDrawing ? kNarrowestDrawing : columns > kFew ? kNarrowestOfMany : kNarrowestPicture;
+    return height * picture.aspect.value_or(narrowest);
 }
 double mostWidth(const PictureNeeds& picture, double height) {
     if (picture.aspect) return height * *picture.aspect;
@@ -45,7 +59,7 @@ std::vector<double> widthsOf(std::span<const PictureNeeds> row, double height, d
     const auto widthsFor = [&](double common) {
         std::vector<double> widths;
         for (const PictureNeeds& picture : row)
-            widths.push_back(std::clamp(common, leastWidth(picture, height), mostWidth(picture, height)));
+            widths.push_back(std::clamp(common, leastWidth(picture, height, row.size()), mostWidth(picture, height)));
         return widths;
     };
     const auto sum = [&](double common) {
@@ -76,7 +90,7 @@ bool place(Rows& rows, std::span<const PictureNeeds> needs, double height, dvec2
         // Below one another pictures that may be of any width are as wide as the narrowest of them.
         if (first > 0)
             for (std::size_t i = 0; i < row.size(); ++i)
-                widths[i] = std::clamp(rows.widths[i], leastWidth(row[i], height), std::min(mostWidth(row[i], height), widths[i]));
+                widths[i] = std::clamp(rows.widths[i], leastWidth(row[i], height, row.size()), std::min(mostWidth(row[i], height), widths[i]));
         double label = 0, legend = 0;
         for (std::size_t i = 0; i < row.size(); ++i) {
             const auto lines = drawing::wrapProse(row[i].label, kLabelType, widths[i], true, fonts.formula());
@@ -115,9 +129,8 @@ Rows largest(std::span<const PictureNeeds> needs, dvec2 room, const Fonts& fonts
     return best;
 }
 
-void placePictures(SlideLayout& layout, const Box& area, std::span<const PictureNeeds> needs, const Fonts& fonts) {
+void placePictures(SlideLayout& layout, const Box& area, const Rows& rows, std::span<const PictureNeeds> needs) {
     const bool isLabelled = std::ranges::any_of(needs, [](const PictureNeeds& one) { return !one.label.empty(); });
-    const Rows rows = largest(needs, area.size, fonts);
     dvec2 at = area.corner;
     double right = at.x, bottom = at.y;
     for (std::size_t i = 0; i < needs.size(); ++i) {
@@ -134,6 +147,50 @@ void placePictures(SlideLayout& layout, const Box& area, std::span<const Picture
     layout.pictures = {area.corner, dvec2(right, bottom) - area.corner};
 }
 
+/// The narrowest column for words beside pictures, in units, in which their type, and that of their formulas, is as large as in the widest.
+double wordsWidth(const Slide& slide, dvec2 room, const Fonts& fonts) {
+    const auto type = [&](double share) { return wordsType(slide, false, {share * room.x, room.y}, fonts); };
+    const WordsType widest = type(kMostWords);
+    double least = kMostWords;
+    for (double share = kMostWords - kWordsStep; share > kLeastWords - 0.5 * kWordsStep; share -= kWordsStep)
+        if (type(share) == widest) least = share;
+    return least * room.x;
+}
+
+/// The caption beside the pictures, if they are larger then than above it, or leave a side empty there; and if it is well read.
+bool placeBesideCaption(SlideLayout& layout, const Slide& slide, const Box& content, const Rows& above, std::span<const PictureNeeds> needs,
+                        const Fonts& fonts) {
+    const dvec2 column(kLeastWords * content.size.x, content.size.y);
+    if (wordsType(slide, true, column, fonts).letters < kCaptionType) return false;
+    const Box area{content.corner, {content.size.x - column.x - kGap, content.size.y}};
+    const Rows rows = largest(needs, area.size, fonts);
+    const double worth = above.width() < kFilled * content.size.x ? kWorthASide : 1;
+    if (worth * rows.shown() <= above.shown()) return false;
+    layout.caption.clear();
+    layout.hasCaptionBeside = true;
+    layout.content = content;
+    layout.captionTop = content.corner.y + content.size.y;
+    placePictures(layout, area, rows, needs);
+    return true;
+}
+
+/// Where the pictures leave more room above the slide's foot than a caption needs, it is set larger.
+void enlargeCaption(SlideLayout& layout, const std::string& caption, double foot, const Fonts& fonts) {
+    if (caption.empty()) return;
+    for (const double type : {36.0, 32.0, kCaptionType}) {
+        layout.captionType = type;
+        layout.caption = drawing::wrapProse(caption, type, layout.content.size.x, false, fonts.formula());
+        if (layout.captionTop + kLineHeight * type * static_cast<double>(layout.caption.size()) <= foot) return;
+    }
+}
+
+/// Beside the pictures: all that they leave free.
+Box besidePictures(const SlideLayout& layout) {
+    const double left = layout.pictures.corner.x + layout.pictures.size.x + kGap;
+    const Box& content = layout.content;
+    return {{left, content.corner.y}, {content.corner.x + content.size.x - left, content.size.y}};
+}
+
 } // namespace
 
 SlideLayout layOut(const Slide& slide, double width, const Fonts& fonts, std::span<const PictureNeeds> needs) {
@@ -144,22 +201,26 @@ SlideLayout layOut(const Slide& slide, double width, const Fonts& fonts, std::sp
     if (!slide.written.caption.empty())
         layout.caption = drawing::wrapProse(slide.written.caption, kCaptionType, room, false, fonts.formula());
     const double top = kMargin / 2 + kLineHeight * kTitleType * static_cast<double>(layout.title.size()) + kGap / 2;
-    const double captionHeight = kLineHeight * kCaptionType * static_cast<double>(layout.caption.size());
-    const double bottom = kSlideHeight - 2 * kLineHeight * kFootType - captionHeight;
+    const double foot = kSlideHeight - 2 * kLineHeight * kFootType;
+    const double bottom = foot - kLineHeight * kCaptionType * static_cast<double>(layout.caption.size());
     layout.content = {{kMargin, top}, {room, bottom - top}};
     layout.captionTop = bottom + 0.1 * kCaptionType;
     const bool hasWords = !slide.text.empty() || !slide.formulas.empty() || !slide.pseudocode.empty();
     if (hasWords) layout.words = layout.content;
     if (needs.empty()) return layout;
     Box area = layout.content;
-    if (hasWords) area.size.x -= kWordsShare * area.size.x + kGap;
-    placePictures(layout, area, needs, fonts);
-    if (hasWords) { // all that pictures of their own shape leave free
-        layout.words.corner.x = layout.pictures.corner.x + layout.pictures.size.x + kGap;
-        layout.words.size.x = kMargin + room - layout.words.corner.x;
+    if (hasWords) area.size.x -= wordsWidth(slide, area.size, fonts) + kGap;
+    const Rows rows = largest(needs, area.size, fonts);
+    if (hasWords) {
+        placePictures(layout, area, rows, needs);
+        layout.words = besidePictures(layout);
+    } else if (!layout.caption.empty() && placeBesideCaption(layout, slide, {{kMargin, top}, {room, foot - top}}, rows, needs, fonts)) {
+        layout.words = besidePictures(layout);
     } else { // a caption belongs to what it is about
+        placePictures(layout, area, rows, needs);
         layout.content.size.y = layout.pictures.size.y;
-        layout.captionTop += layout.content.corner.y + layout.content.size.y - bottom;
+        layout.captionTop = top + layout.content.size.y + 0.1 * kCaptionType;
+        enlargeCaption(layout, slide.written.caption, foot, fonts);
     }
     return layout;
 }

@@ -16,6 +16,7 @@ using drawing::Drawing;
 
 constexpr image::Color8 kPaper{255, 255, 255, 255};
 constexpr const char *kInk = "#1a1a1a", *kQuiet = "#5a5a5a", *kRule = "#bfbfbf";
+constexpr double kEdgeAhead = 7; ///< by which the dark edge of an arrow's tip is before the tip
 constexpr const char *kCallout = "#e69f00", *kCalloutEdge = "#101012"; ///< seen on light and dark pictures
 
 // The type of a drawing is as large as the least that is read from the last row. Drawings that are higher than a slide has room for
@@ -65,7 +66,7 @@ void drawCallouts(Drawing& drawing, const SlidePicture& picture, const Box& cell
             return std::clamp(left, least, std::max(least, cell.corner.x + cell.size.x - width - kPad));
         };
         if (callout.isArrow) {
-            drawing.arrow(from, to, {kCalloutEdge, 9, false});
+            drawing.arrow(from, to + kEdgeAhead * glm::normalize(to - from), {kCalloutEdge, 9, false});
             drawing.arrow(from, to, {kCallout, 5, false});
             const double foot = to.y < from.y ? from.y + kLabelType : from.y - 0.4 * kLabelType; // at its tail
             if (!callout.label.empty()) drawing.text({within(from.x - width / 2), foot}, callout.label, style);
@@ -145,7 +146,7 @@ DrawnSlide SlidePainter::draw(const Slide& slide, const SlideFoot& foot) const {
     Drawing rim({width, kSlideHeight});
     writeLines(rim, layout.title, {kMargin, kMargin / 4},
                {.size = kTitleType, .isBold = true, .color = kInk, .hasRim = false}, fonts);
-    writeLines(rim, layout.caption, {kMargin, layout.captionTop}, {.size = kCaptionType, .color = kInk, .hasRim = false}, fonts);
+    writeLines(rim, layout.caption, {kMargin, layout.captionTop}, {.size = layout.captionType, .color = kInk, .hasRim = false}, fonts);
     const double footLine = kSlideHeight - 0.75 * kFootType;
     rim.line({kMargin, footLine - 1.1 * kFootType}, {width - kMargin, footLine - 1.1 * kFootType}, {kRule, 2, false});
     rim.text({kMargin, footLine}, foot.deck, {.size = kFootType, .color = kQuiet, .hasRim = false});

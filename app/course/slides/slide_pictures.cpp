@@ -15,7 +15,7 @@ namespace {
 // The drawing of a pixel is about a picture of that size; a share of it is the same place in a picture of any other.
 constexpr ivec2 kProbedSize{1280, 720};
 constexpr dvec2 kTrialSize{320, 180}; ///< units: enough for a legend to have its entries
-constexpr int kMostTries = 3;         ///< a legend whose numbers grow with the picture may need a line more
+constexpr int kMostTries = 3;         ///< of a larger picture the legend may need a line more, or none at all
 
 /// What the technique knows of the pixel that a drawing is about.
 struct Probed {
@@ -36,9 +36,9 @@ Probed probed(const SlidePicture& picture) {
 }
 
 /// A drawing, in a box of that size without the sheet's border.
-figures::Diagram drawingOf(const SlidePicture& picture, const Probed& of, const image::Font& font, dvec2 size, double mostPixelsPerMetre) {
+figures::Diagram drawingOf(const SlidePicture& picture, const Probed& of, const Fonts& fonts, dvec2 size, double mostPixelsPerMetre) {
     const figures::Figure& figure = figures::findFigure(picture.figure);
-    return figure.draw({of.probe, picture.state.slots[0].technique, *picture.state.scene, of.view, of.light, font,
+    return figure.draw({of.probe, picture.state.slots[0].technique, *picture.state.scene, of.view, of.light, fonts.upright, fonts.bold,
                         size + 2 * figure.border, mostPixelsPerMetre});
 }
 
@@ -61,8 +61,9 @@ public:
             for (std::size_t part = 0; part < parts_.size(); ++part)
                 if (states_[part])
                     drawState(part, layout.cells[part].size, slide_.supersample.value_or(request_.supersample));
-            if (legendsFit(layout)) break;
-            layout = layOut(slide_, request_.slideWidth, fonts_, needs_);
+            SlideLayout next = layOut(slide_, request_.slideWidth, fonts_, needs_);
+            if (isAlike(next, layout)) break;
+            layout = std::move(next);
         }
         drawDiagrams(layout);
         return {std::move(layout), std::move(parts_), std::move(drawn_)};
@@ -111,10 +112,9 @@ private:
         return height;
     }
 
-    [[nodiscard]] bool legendsFit(const SlideLayout& layout) const {
-        for (std::size_t i = 0; i < parts_.size(); ++i)
-            if (needs_[i].legendHeight && heightOfLegend(i, layout.cells[i].size.x) > layout.legends[i].size.y) return false;
-        return true;
+    /// Is there room for each picture and its legend where there was?
+    static bool isAlike(const SlideLayout& a, const SlideLayout& b) {
+        return std::ranges::equal(a.cells, b.cells, [](const Box& x, const Box& y) { return x.corner == y.corner && x.size == y.size; });
     }
 
     /// Colours that stand for the same unit get one range in all pictures: a colour means one value on the slide.
@@ -139,26 +139,26 @@ private:
         }
     }
 
-    /// Sections that stand side by side have the least of their scales: twice where a later one has a smaller scale than one before.
+    /// Sections that stand side by side have the least of their scales, and begin at one corner: they are drawn once more with that scale.
     void drawDiagrams(const SlideLayout& layout) {
         double least = std::numeric_limits<double>::infinity();
         std::vector<std::optional<Probed>> probes(parts_.size()); // of the drawings
         for (std::size_t part = 0; part < parts_.size(); ++part)
             if (!parts_[part].picture.figure.empty()) probes[part] = probed(parts_[part].picture);
         for (int i = 0; i < 2; ++i) {
-            bool isOneScale = true;
+            int scaled = 0;
             for (std::size_t part = 0; part < parts_.size(); ++part) {
                 if (!probes[part]) continue;
                 const SlidePicture& picture = parts_[part].picture;
                 DrawnPart& drawn = drawn_[part];
-                drawn.diagram = drawingOf(picture, *probes[part], fonts_.upright, layout.cells[part].size, least);
+                drawn.diagram = drawingOf(picture, *probes[part], fonts_, layout.cells[part].size, least);
                 drawn.diagramBorder = figures::findFigure(picture.figure).border;
                 if (const double scale = drawn.diagram->pixelsPerMetre; scale > 0) {
-                    isOneScale = isOneScale && (std::isinf(least) || scale == least);
+                    ++scaled;
                     least = std::min(least, scale);
                 }
             }
-            if (isOneScale) break;
+            if (scaled < 2) break;
         }
     }
 

@@ -51,12 +51,13 @@ public:
             em *= box_.size.x / extent.width;
             extent = formula.measure(em, fonts);
         }
-        isTooSmall_ = isTooSmall_ || em < kLeastType;
+        smallestFormula_ = smallestFormula_ > 0 ? std::min(smallestFormula_, em) : em;
         y_ += extent.above;
         if (svg_) formula.draw(*svg_, box_.corner + dvec2(0, y_), em, kTextInk, fonts);
         y_ += extent.below + kBetween * type_;
     }
-    [[nodiscard]] bool fits() const { return y_ <= box_.size.y && !isTooSmall_; }
+    [[nodiscard]] bool fits() const { return y_ <= box_.size.y && (smallestFormula_ == 0 || smallestFormula_ >= kLeastType); }
+    [[nodiscard]] double smallestFormula() const { return smallestFormula_; }
 
 private:
     void put(const std::string& line, double indent, bool isMarked) {
@@ -75,12 +76,16 @@ private:
     double type_;
     const Fonts& fonts_;
     double y_ = 0;
-    bool isTooSmall_ = false;
+    double smallestFormula_ = 0; ///< em; 0: there is none
 };
 
-/// Text first, then formulas, then the pseudocode. Does it fit?
-bool write(Drawing* drawing, const Slide& slide, const Box& box, double type, const Fonts& fonts) {
+/// Text first, then formulas, then the pseudocode; or the caption alone.
+Column write(Drawing* drawing, const Slide& slide, bool isCaption, const Box& box, double type, const Fonts& fonts) {
     Column column(drawing, box, type, fonts);
+    if (isCaption) {
+        column.paragraph(slide.written.caption);
+        return column;
+    }
     for (const std::string& text : slide.written.text)
         column.paragraph(text);
     for (const std::string& tex : slide.formulas)
@@ -88,16 +93,23 @@ bool write(Drawing* drawing, const Slide& slide, const Box& box, double type, co
     int number = 0;
     for (const std::string& line : slide.pseudocode)
         column.code(line, std::ranges::find(slide.marked, ++number) != slide.marked.end());
-    return column.fits();
+    return column;
 }
 
 } // namespace
 
+WordsType wordsType(const Slide& slide, bool isCaption, dvec2 size, const Fonts& fonts) {
+    for (const double type : {36.0, 32.0, 29.0, 26.0, kLeastType})
+        if (const Column column = write(nullptr, slide, isCaption, {{}, size}, type, fonts); column.fits())
+            return {type, column.smallestFormula()};
+    return {};
+}
+
 void writeWords(Drawing& drawing, const Slide& slide, const SlideLayout& layout, const Fonts& fonts) {
     if (layout.words.size.x <= 0) return;
-    for (const double type : {36.0, 32.0, 29.0, 26.0, kLeastType}) {
-        if (!write(nullptr, slide, layout.words, type, fonts)) continue;
-        write(&drawing, slide, layout.words, type, fonts);
+    const double type = wordsType(slide, layout.hasCaptionBeside, layout.words.size, fonts).letters;
+    if (type > 0) {
+        write(&drawing, slide, layout.hasCaptionBeside, layout.words, type, fonts);
         return;
     }
     throw Error(ExitStatus::badInput,

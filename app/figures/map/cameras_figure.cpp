@@ -24,6 +24,7 @@ constexpr double kLinesHeight = 122; ///< pixels; kLinesHeight: of the text unde
 constexpr double kAxisLength = 120,
                  kLeastAxis = 0.3; ///< pixels of a whole axis; shorter ones lie too nearly across the paper
 constexpr double kBar = 30;        ///< pixels: thickness of the map
+constexpr double kMeasureText = 28; ///< of what is compared: larger than other words
 constexpr double kBarShare = 0.6, kPictureShare = 0.25; ///< of the way to the nearest thing, or to the point
 constexpr double kBeside = 20;                           ///< pixels from a line to what is measured along it
 constexpr const char *kEyeColor = "#1a1a1a", *kLightsColor = "#a06000", *kStoredColor = "#a06000",
@@ -41,7 +42,7 @@ class Cameras {
 public:
     Cameras(const FigureSource& source, const drawing::Box& field)
         : map_(*source.probe.find<MapProbe>()), camera_(source.view.camera), size_(source.view.size), axes_(axesOf(map_)),
-          sheet_(source.probe, source.scene, field, places(source.probe)), labels_(source.font, field) {}
+          sheet_(source.probe, source.scene, field, places(source.probe)), labels_(source.fonts(), field) {}
 
     void draw(drawing::Drawing& drawing) {
         drawFrustum(drawing);
@@ -143,7 +144,7 @@ private:
         labels_.avoid(bar_[0], bar_[1]);
         labels_.avoid(bar_[0] - thick, bar_[1] - thick);
         labels_.place(drawing, bar_[0].x > bar_[1].x ? bar_[0] : bar_[1], "shadow map",
-                      {.size = kText, .isBold = true, .color = kStoredColor}, 14);
+                      {.size = kMeasureText, .isBold = true, .color = kStoredColor}, 14);
     }
 
     /// Beside a line, as an engineer measures it.
@@ -156,7 +157,7 @@ private:
             drawing.line(end - 0.4 * across, end + 0.4 * across, {color, 3.5, false});
         labels_.avoid(a, b);
         labels_.place(drawing, glm::mix(a, b, 0.55) + 0.6 * across, text,
-                      {.size = kText, .isBold = true, .color = color}, 12);
+                      {.size = kMeasureText, .isBold = true, .color = color}, 12);
     }
 
     void drawLines(drawing::Drawing& drawing) {
@@ -184,18 +185,18 @@ private:
         const dvec2 ray = point - from;
         const double turn = ray.x * (eye.y - from.y) - ray.y * (eye.x - from.x), side = turn > 0 ? -1 : 1;
         const dvec2 start = light.isDirection || !lightIsSeen ? from : sheet_(light.at);
-        measure(drawing, start, point, side, "z(u,v) = " + fourDigits(map_.pointMetres) + " m", kComparedColor);
+        measure(drawing, start, point, side, "$z(u,v) = $" + fourDigits(map_.pointMetres) + " m", kComparedColor);
         if (map_.blockerWorld) {
             const dvec2 blocker = sheet_(sheet_.section().of(*map_.blockerWorld));
             const dvec2 unit = glm::normalize(point - start);
             const dvec2 end = start + glm::dot(blocker - start, unit) * unit;
-            measure(drawing, start, end, -side, "d(u,v) = " + fourDigits(map_.firstMetres) + " m", kStoredColor);
+            measure(drawing, start, end, -side, "$d(u,v) = $" + fourDigits(map_.firstMetres) + " m", kStoredColor);
             drawing.circle(end, 8, kStoredColor, {"#ffffff", 2, false}, "blocker");
         }
-        labels_.place(drawing, glm::mix(eye, point, 0.55), "w(u,v) = " + fourDigits(glm::length(sheet_.eye())) + " m",
-                      {.size = kText, .isBold = true}, 12);
-        labels_.place(drawing, picture_[0].y < picture_[1].y ? picture_[0] : picture_[1], "image A",
-                      {.size = kText, .isBold = true}, 12);
+        labels_.place(drawing, glm::mix(eye, point, 0.55), "$w(u,v) = $" + fourDigits(glm::length(sheet_.eye())) + " m",
+                      {.size = kMeasureText, .isBold = true}, 12);
+        labels_.place(drawing, picture_[0].y < picture_[1].y ? picture_[0] : picture_[1], "image $A$",
+                      {.size = kMeasureText, .isBold = true}, 12);
     }
 
     /// z, and of the other two the one that lies less across the paper.
@@ -229,12 +230,12 @@ private:
         const dvec2 point = sheet_(dvec2(0.0));
         drawing.circle(point, 9, "#1a1a1a", {"#ffffff", 2, false}, "point");
         labels_.avoid({point - 10.0, dvec2(20)});
-        labels_.place(drawing, point, isLit ? "lit" : "shadowed", {.size = kText, .isBold = true}, 14);
+        labels_.place(drawing, point, isLit ? "lit" : "shadowed", {.size = kMeasureText, .isBold = true}, 14);
         if (sheet_.shows(sheet_.eye())) {
             const dvec2 eye = sheet_(sheet_.eye());
             drawing.circle(eye, 11, "#ffffff", {"#1a1a1a", 4, false}, "eye");
             labels_.avoid({eye - 12.0, dvec2(24)});
-            labels_.place(drawing, eye, drawing::LabelText{"P", "0", " eye"}, letter, 14);
+            labels_.place(drawing, eye, "$\\mathbf{P}_0$ eye", letter, 14);
         } else {
             sheet_.drawEye(drawing, labels_);
         }
@@ -242,7 +243,7 @@ private:
             const dvec2 light = sheet_(sheet_.light().at);
             drawing.circle(light, 13, drawing::colorText(look::kChosenLight), {"#1a1a1a", 3, false}, "light");
             labels_.avoid({light - 15.0, dvec2(30)});
-            labels_.place(drawing, light, drawing::LabelText{"P", "L", " light"}, letter, 18);
+            labels_.place(drawing, light, "$\\mathbf{P}_L$ light", letter, 18);
         } else {
             sheet_.drawLight(drawing, labels_);
         }
@@ -276,7 +277,7 @@ Diagram drawCamerasFigure(const FigureSource& source) {
     const MapProbe& map = *probe.find<MapProbe>();
     const bool isLit = map.compared <= map.stored;
     const dvec2 foot = area.corner + dvec2(0, field.size.y + 44);
-    const drawing::FormulaFonts fonts{source.font, source.font};
+    const drawing::FormulaFonts fonts = source.fonts();
     const drawing::Extent extent =
         drawing::Formula(isLit ? "d(u,v) \\ge z(u,v)" : "d(u,v) < z(u,v)").draw(drawing, foot, 36, "#1a1a1a", fonts);
     drawing.text(foot + dvec2(extent.width + 24, 0), isLit ? ": the point is lit" : ": the point is shadowed",

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kPassesBorder = 24, kNumber = 130; ///< pixels; kNumber: of a count at the end of a bar
 constexpr double kNamesWidth = 470;                 ///< of the words before the bars
-constexpr double kLeastRow = 34, kMostRow = 110;
+constexpr double kLeastRow = 34, kMostRow = 140;
+constexpr double kWidePasses = 1200; ///< from which width on there is room for larger type
 constexpr const char *kFromEye = "#0072b2", *kOfLight = "#a06000";
 
 std::string thousands(std::uint64_t number) {
@@ -53,36 +54,37 @@ Diagram drawPassesFigure(const FigureSource& source) {
                  "N = " + n + (lights == 1 ? " light: " : " lights: ") + (isAll ? "N + 1 = " : "") +
                      std::to_string(renderings.size()) + " renderings",
                  {.size = kHeading, .isBold = true});
-    constexpr double kBelow = 4 * 34 + 16; // of the lines below the bars
-    const double row = std::clamp((area.size.y - kHeading - 24 - kBelow) / static_cast<double>(renderings.size()), kLeastRow, kMostRow);
-    const auto rows = std::min(renderings.size(), static_cast<std::size_t>((area.size.y - kHeading - 24 - kBelow) / row));
+    const double type = area.size.x > kWidePasses ? kText + 4 : kText, line = 1.4 * type;
+    const double below = 4 * line + 16; // of the lines below the bars
+    const double row = std::clamp((area.size.y - kHeading - 24 - below) / static_cast<double>(renderings.size()), kLeastRow, kMostRow);
+    const auto rows = std::min(renderings.size(), static_cast<std::size_t>((area.size.y - kHeading - 24 - below) / row));
     const double left = area.corner.x + std::min(kNamesWidth, 0.45 * area.size.x), widest = area.corner.x + area.size.x - kNumber - left;
     dvec2 at = area.corner + dvec2(0, kHeading + 24);
     for (std::size_t i = 0; i < rows; ++i) {
         const Probe::DrawnPass& pass = *renderings[i];
         const bool isMap = pass.id == "depth";
         const double width = widest * static_cast<double>(pass.triangles) / static_cast<double>(most);
-        const double foot = at.y + 0.5 * row + 0.35 * kText;
+        const double foot = at.y + 0.5 * row + 0.35 * type;
         drawing.text({area.corner.x, foot},
                      std::to_string(i + 1) + (isMap ? ". from light " + source.scene.light(pass.light).name + ": depth map"
                                                     : ". from the eye: the image"),
-                     {.size = kText});
+                     {.size = type});
         drawing.rectangle({left, at.y + 8}, {std::max(width, 1.0), row - 16}, isMap ? kOfLight : kFromEye, {"", 0, false});
-        drawing.text({left + width + 12, foot}, thousands(pass.triangles), {.size = kText, .isBold = true});
+        drawing.text({left + width + 12, foot}, thousands(pass.triangles), {.size = type, .isBold = true});
         at.y += row;
     }
     if (rows < renderings.size())
         drawing.text(at + dvec2(0, kText), "and " + std::to_string(renderings.size() - rows) + " more", {.size = kText});
     const std::size_t added = passes.size() - renderings.size();
-    at.y = std::min(at.y + 34, area.corner.y + area.size.y - kBelow + 34);
-    for (const std::string& line : source.font.wrap(
+    at.y = std::min(at.y + line, area.corner.y + area.size.y - below + line);
+    for (const std::string& words : source.font.wrap(
              "This program adds the lights one by one, so that each can be looked at: the image takes a pass with all lights off and " +
                  std::to_string(added) + " more, one for each light. That is " + std::to_string(passes.size()) + " passes" +
                  (passes.size() == 2 * lights + 1 ? ", 2N + 1" : "") + ", and " + thousands(all) +
                  " polygons. A pass that adds a light draws what its map covers in part twice, inside and outside of it.",
-             kText, static_cast<int>(area.size.x))) {
-        at.y += 34;
-        drawing.text(at, line, {.size = kText, .color = "#4d4d4d"});
+             type, static_cast<int>(area.size.x))) {
+        at.y += line;
+        drawing.text(at, words, {.size = type, .color = "#4d4d4d"});
     }
     return {std::move(drawing), "The renderings of a frame with " + n + " lights, and how many polygons each of them draws"};
 }

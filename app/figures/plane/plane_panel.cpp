@@ -175,7 +175,7 @@ void drawNormal(drawing::Drawing& drawing, drawing::Labels& labels, const PlaneC
     const dvec2 tip = from + 90.0 * dvec2(plane.gradient.x, -plane.gradient.y);
     drawing.arrow(from, tip, {"#0072b2", 3.5, false});
     labels.avoid(from, tip);
-    labels.place(drawing, tip, "N", {.size = drawing::kLetter, .isBold = true, .color = "#0072b2"}, 8);
+    labels.place(drawing, tip, "N", {.size = drawing::kLetter, .isBold = true, .color = "#0072b2"}, 14);
 }
 
 void writePlaneNumbers(drawing::Drawing& drawing, const drawing::Box& area, const Probe& probe, const image::Font& font) {
@@ -279,7 +279,7 @@ Diagram drawProjection(const FigureSource& source) {
     const SectionSheet sheet(probe, source.scene, field, places, source.mostPixelsPerMetre, false);
     const PlaneCut plane = cutOf(probe);
     const std::vector<Interval> shadows = shadowsOn(plane, sheet, probe, source.scene);
-    drawing::Labels labels(source.font, field);
+    drawing::Labels labels(source.fonts(), field);
     sheet.drawScene(drawing, labels);
     drawShadows(drawing, labels, sheet, plane, shadows, surfacesOn(plane, sheet, probe, source.scene));
     drawLightLine(drawing, labels, sheet, probe);
@@ -305,17 +305,17 @@ Diagram drawProjection(const FigureSource& source) {
         if (cover.casts && cover.height > planeOf(probe).contact && (!first || cover.height > first->height)) first = &cover;
     const dvec2 caster = first ? sheet(sheet.section().of(first->placeWorld)) : dvec2(0.0);
     if (first) mark(caster, 9, drawing::colorText(look::kOccluded), "cover");
-    labels.place(drawing, point, drawing::LabelText{"P'", "", ""}, letter, 14);
-    if (first) labels.place(drawing, caster, drawing::LabelText{"P", "", ""}, letter, 14);
+    labels.place(drawing, point, "P\u2032", letter, 14);
+    if (first) labels.place(drawing, caster, "P", letter, 14);
     if (lightIsSeen)
-        labels.place(drawing, sheet(sheet.light().at), drawing::LabelText{"P", "L", " light source"}, letter, 20);
+        labels.place(drawing, sheet(sheet.light().at), "$\\mathbf{P}_L$ light source", letter, 20);
     else
         sheet.drawLight(drawing, labels);
-    labels.place(drawing, bare, "plane N \u00b7 P' + D = 0", name, 16);
+    labels.place(drawing, bare, "plane $\\mathbf{N} \\cdot \\mathbf{P}' + D = 0$", name, 20);
     // The shadow that holds the point, and what casts it, where the light's lines touch it.
     const auto own = std::ranges::find_if(shadows, [](const Interval& one) { return one.from <= 0 && one.to >= 0; });
     if (own != shadows.end() && first) {
-        labels.place(drawing, sheet(own->to * plane.along), "projected shadow", name, 16);
+        labels.place(drawing, sheet(own->to * plane.along), "projected shadow", name, 22);
         labels.place(drawing, sheet(own->casterTo), "object: " + first->object, name, 16);
     }
     return {std::move(drawing),

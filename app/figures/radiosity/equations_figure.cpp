@@ -131,7 +131,7 @@ Diagram drawEquations(const FigureSource& source) {
         others.push_back(entryText(rho * equations.fromOthers[i][channel]));
         solution.push_back(entryText(equations.radiosity[i][channel]));
     }
-    const drawing::FormulaFonts fonts{source.font, source.font}; // no vectors in bold are in it
+    const drawing::FormulaFonts fonts = source.fonts();
     const std::vector<Line> lines = {
         {"n equations, n unknown radiosities", {{symbols(), ""}}},
         {"Some of them with the numbers of this scene, and the solution",

@@ -78,7 +78,7 @@ void drawVolumes(drawing::Drawing& drawing, const drawing::Box& area, const Figu
     const dvec3 fromWorld = isCut ? ray.toWorld - way * (0.7 * size / length) : ray.fromWorld;
     places.push_back(fromWorld);
     view.fit(places, {area.corner + dvec2(50, 50), area.size - dvec2(100, 100)});
-    drawing::Labels labels(source.font, area);
+    drawing::Labels labels(source.fonts(), area);
     for (const scene::Object& object : source.scene.objects)
         if (object.emitterOfLight < 0) drawObject(drawing, area, view, object, {"#b3b3b3", 2.5, false});
     for (const Volume& volume : volumes) {
@@ -168,7 +168,7 @@ void drawTree(drawing::Drawing& drawing, const drawing::Box& area, const std::ve
                          {"#1a1a1a", 2.5, false});
     if (roots > 1) {
         drawing.circle(whole, kNode, "#ffffff", {"#1a1a1a", 3, false}, "scene");
-        drawing.text(whole + dvec2(-kNode, -kNode - 10), "scene", {.size = kText});
+        drawing.text(whole + dvec2(-kNode + 4, kNode + kText + 6), "scene", {.size = kText, .anchor = drawing::Anchor::middle});
     }
     for (std::size_t i = 0; i < volumes.size(); ++i) {
         drawing::Stroke stroke = strokeOfAnswer(answerOf(volumes[i]));

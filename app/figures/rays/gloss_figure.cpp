@@ -67,7 +67,7 @@ Diagram drawLobe(const FigureSource& source, const Lobe& lobe) {
         std::min((room.size.x - 2 * margin.x) / (high.x - low.x), (room.size.y - 2 * margin.y) / (high.y - low.y));
     const dvec2 at = room.corner + 0.5 * room.size - 0.5 * unit * (low + high);
 
-    drawing::Labels labels(source.font, room);
+    drawing::Labels labels(source.fonts(), room);
     const dvec2 half(0.46 * room.size.x, 0);
     const double left = std::max(room.corner.x + 20, at.x - half.x),
                  right = std::min(room.corner.x + room.size.x - 20, at.x + half.x);

@@ -17,7 +17,7 @@ namespace shadowlab::figures {
 
 namespace {
 
-constexpr double kListWidth = 520;
+constexpr double kListWidth = 560, kListText = 28;
 constexpr double kLeastLine = 5;                                  ///< pixels between lines: finer grids are a grey area
 constexpr double kLeastNumber = 34;                               ///< pixels of a cell that a number fits into
 const char *const kPassed = "#d6ebf7", *const kHolds = "#fdf3dc"; // light tints of look::kVisited and look::kPatchJ
@@ -41,7 +41,7 @@ void drawLines(drawing::Drawing& drawing, const ParallelView& view, const Struct
 }
 
 void writeLists(drawing::Drawing& drawing, const drawing::Box& area, const StructureProbe& grid, const image::Font& font) {
-    TextColumn column(drawing, area, font);
+    TextColumn column(drawing, area, font, kListText);
     column.heading("Cells on the ray's way");
     for (std::size_t i = 0; i < grid.cells.size(); ++i) {
         std::string text = std::to_string(i + 1) + ": ";
@@ -82,10 +82,10 @@ Diagram drawGrid(const FigureSource& source) {
     dvec3 fromWorld = ray.fromWorld;
     if (isCut)
         fromWorld = ray.toWorld -
-                    glm::normalize(way) * std::min(glm::length(way), glm::length(ray.toWorld - entry) + 0.2 * size);
+                    glm::normalize(way) * std::min(glm::length(way), glm::length(ray.toWorld - entry) + 0.12 * size);
     places.push_back(fromWorld);
-    view.fit(places, {area.corner + dvec2(30, 40), area.size - dvec2(60, 80)});
-    drawing::Labels labels(source.font, area);
+    view.fit(places, {area.corner + dvec2(12, 12), area.size - dvec2(24, 30)});
+    drawing::Labels labels(source.fonts(), area);
     std::map<std::pair<long, long>, std::string> numbers; // cells behind each other share a place
     std::map<std::pair<long, long>, drawing::Box> boxes;
     for (std::size_t i = 0; i < grid.cells.size(); ++i) {
@@ -100,7 +100,7 @@ Diagram drawGrid(const FigureSource& source) {
     for (const auto& [key, box] : boxes)
         drawing.rectangle(box.corner, box.size, "", {"#1a1a1a", 2.5, false});
     for (const scene::Object& object : source.scene.objects)
-        if (object.emitterOfLight < 0) drawObject(drawing, area, view, object, {"#4d4d4d", 3, false});
+        if (object.emitterOfLight < 0) drawObject(drawing, area, view, object, {"#4d4d4d", 3, false}, &labels);
     const dvec2 from = view(fromWorld), to = view(ray.toWorld);
     drawing.arrow(from, to, {drawing::colorText(look::kDepthFail), 4.5, false});
     labels.avoid(from, to);

@@ -98,7 +98,7 @@ void drawSpace(drawing::Drawing& drawing, const drawing::Box& area, const Figure
     places.push_back(point + kLampNormalShare * away * normal);
     places.push_back(point - 0.06 * away * normal);
     view.fit(places, {area.corner + dvec2(50, 60), area.size - dvec2(100, 90)});
-    drawing::Labels labels(source.font, area);
+    drawing::Labels labels(source.fonts(), area);
 
     for (const scene::Object& object : source.scene.objects)
         if (object.emitterOfLight < 0 && isNear(object, rays, away))

@@ -120,7 +120,7 @@ Diagram drawLens(const FigureSource& source) {
     const LensSheet sheet(source, rays, area);
     writeFoot(drawing, room, words(sheet.heightTimes), source.font);
 
-    drawing::Labels labels(source.font, area);
+    drawing::Labels labels(source.fonts(), area);
     drawScene(drawing, sheet, source.scene);
     drawLensShape(drawing, sheet, rays.aperture);
     const double top = area.corner.y + 1.6 * kText, bottom = area.corner.y + area.size.y;

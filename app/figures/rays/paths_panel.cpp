@@ -130,7 +130,7 @@ private:
 };
 
 void drawSurfaces(drawing::Drawing& drawing, const drawing::Box& area, const Paths& paths, const OnSheet& onSheet,
-                  const scene::Scene& scene) {
+                  const scene::Scene& scene, drawing::Labels& labels) {
     std::vector<dvec2> points = cut(scene, paths.plane());
     for (dvec2& point : points)
         point = onSheet(point);
@@ -139,7 +139,9 @@ void drawSurfaces(drawing::Drawing& drawing, const drawing::Box& area, const Pat
     const drawing::Box around{area.corner - area.size, 3.0 * area.size};
     for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
         const dvec2 low = glm::min(points[i], points[i + 1]), high = glm::max(points[i], points[i + 1]);
-        if (around.overlaps({low, high - low + 1e-6})) seen.insert(seen.end(), {points[i], points[i + 1]});
+        if (!around.overlaps({low, high - low + 1e-6})) continue;
+        seen.insert(seen.end(), {points[i], points[i + 1]});
+        labels.avoid(points[i], points[i + 1]);
     }
     drawing.beginClip(area.corner, area.size);
     drawing.segments(seen, {"#8c8c8c", 3.5, false});
@@ -222,7 +224,7 @@ void drawPaths(drawing::Drawing& drawing, const drawing::Box& area, const Probe&
     // Room for labels beyond the outermost lines.
     const OnSheet onSheet(paths, {field.corner + dvec2(70, 60), field.size - dvec2(140, 110)});
     drawing::Labels labels(font, field);
-    drawSurfaces(drawing, field, paths, onSheet, scene);
+    drawSurfaces(drawing, field, paths, onSheet, scene, labels);
     for (const int ray : paths.shadowRays)
         drawRay(drawing, paths, onSheet, ray, labels);
     for (const int ray : paths.rays)

@@ -195,7 +195,7 @@ Diagram drawPenumbra(const FigureSource& source) {
         {sheet.metres(area.corner.x), 0},
         {area.size.x / sheet.scale, std::min((floor.y - top) / sheet.scale, std::max(ends[0].y, ends[1].y))}};
     const std::vector<LitArea> areas = shadowAreas(section, within, kScanPixels / sheet.scale);
-    drawing::Labels labels(source.font, area);
+    drawing::Labels labels(source.fonts(), area);
     drawing.beginClip(area.corner, area.size);
     for (const LitArea& one : areas) {
         std::vector<dvec2> outline;

@@ -91,6 +91,7 @@ void drawPlane(drawing::Drawing& drawing, const Sheet& sheet, ivec2 size, drawin
 /// The pixel with its neighbours, and its centre, enlarged.
 void drawEnlarged(drawing::Drawing& drawing, dvec2 middle, dvec2 from, drawing::Labels& labels) {
     drawing.line(from, middle + kLens * glm::normalize(from - middle), {"#8c8c8c", 2, false});
+    labels.avoid(from, middle);
     const double cell = 2 * kLens / kEnlarged;
     drawing.circle(middle, kLens, "#ffffff", {"#1a1a1a", 3, false});
     const double half = 0.5 * cell, reach = std::sqrt(kLens * kLens - half * half);
@@ -120,7 +121,7 @@ Diagram drawPixelRay(const FigureSource& source) {
                                    std::to_string(each) + " of them; the circle shows single ones.",
                                source.font);
     const Sheet sheet(source, {area.corner + dvec2(60, 60), area.size - dvec2(120, 110)});
-    drawing::Labels labels(source.font, area);
+    drawing::Labels labels(source.fonts(), area);
     for (const scene::Object* thing : sheet.things)
         drawObject(drawing, area, sheet.view, *thing, {"#8c8c8c", 3, false}, &labels);
     drawPlane(drawing, sheet, size, labels);
@@ -148,12 +149,12 @@ Diagram drawPixelRay(const FigureSource& source) {
             {glm::length(corner - eye), glm::length(corner - through), glm::length(corner - 0.5 * (eye + through))});
     };
     drawEnlarged(drawing, room(low) > room(high) ? low : high, through, labels);
-    const drawing::TextStyle bold{.size = kText, .isBold = true};
+    const drawing::TextStyle bold{.size = kHeading, .isBold = true};
     labels.place(drawing, eye, "Projection Reference Point", bold, 16);
     labels.place(drawing, glm::mix(through, hit, 0.4), "Pixel Ray", bold, 12);
     labels.place(drawing, sheet.view(sheet.onPlane({size.x, 0})), "Projection Plane", bold, 14);
     const std::string object = source.probe.tree.empty() ? "" : ": " + source.probe.tree.front().object;
-    labels.place(drawing, hit, "first surface" + object, {.size = kText}, 16);
+    labels.place(drawing, hit, "first surface" + object, {.size = kHeading}, 16);
     return {std::move(drawing), "A pixel ray from the projection reference point through the centre of a pixel of the "
                                 "projection plane to the first surface"};
 }

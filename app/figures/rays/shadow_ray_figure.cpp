@@ -67,7 +67,7 @@ Diagram drawShadowRay(const FigureSource& source) {
     const std::vector<Meeting> met =
         meetings(source.scene, {section.originWorld, section.rightWorld, section.upWorld}, toLight);
 
-    drawing::Labels labels(source.font, field);
+    drawing::Labels labels(source.fonts(), field);
     sheet.drawScene(drawing, labels);
     const dvec2 point = sheet(dvec2(0.0));
     const bool lightIsSeen = !light.isDirection && sheet.shows(light.at);

@@ -125,7 +125,7 @@ Diagram drawShutter(const FigureSource& source) {
     const double scale =
         std::min((figure.size.x - 2 * margin.x) / (high.x - low.x), (figure.size.y - 2 * margin.y) / (high.y - low.y));
     const dvec2 offset = figure.corner + 0.5 * figure.size - 0.5 * scale * (low + high);
-    drawing::Labels labels(source.font, figure);
+    drawing::Labels labels(source.fonts(), figure);
     for (std::size_t i = 0; i < outlines.size(); ++i) {
         for (dvec2& at : outlines[i])
             at = offset + scale * at;

@@ -4,6 +4,7 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "app/drawing/prose.h"
 #include "app/figures/drawing_plane.h"
 #include "app/figures/panels.h"
 #include "techniques/foundation/base/look.h"
@@ -12,7 +13,7 @@ namespace shadowlab::figures {
 
 namespace {
 
-constexpr double kMostUnit = 200;    ///< pixels of a vector of length one
+constexpr double kMostUnit = 320;    ///< pixels of a vector of length one
 constexpr double kArrives = 0.55;    ///< of a vector's length: u ends there, V is a little shorter
 constexpr double kWide = 800;        ///< pixels
 constexpr double kOutOfPlane = 0.05; ///< from which on a vector is said to leave the plane
@@ -100,7 +101,7 @@ void drawPlaneOfVectors(drawing::Drawing& drawing, const drawing::Box& area, con
     drawing.circle(at, 7, "#1a1a1a", {"#ffffff", 1.5, false});
     labels.avoid({at - 8.0, dvec2(16)});
     for (const Tip& tip : tips)
-        labels.place(drawing, tip.at, tip.letter, {.size = kHeading, .isBold = true, .isItalic = true}, 8);
+        labels.place(drawing, tip.at, tip.letter, {.size = drawing::kLetter, .isBold = true}, 8);
     labels.place(drawing, at + dvec2(0, 6), "S1", {.size = kText, .isBold = true}, 12);
 }
 
@@ -112,7 +113,7 @@ void drawVectors(drawing::Drawing& drawing, const drawing::Box& area, const Prob
     const DrawingPlane plane = planeWithNormalUp(probe);
     // Beside the tree of a whole slide there is less room.
     const double em = area.size.x >= kWide ? kText : 0.92 * kText;
-    const double row = kText * 1.15, tableHeight = row * static_cast<double>(probe.vectors.size()) + 2 * row + 8;
+    const double row = kText * 1.25, tableHeight = row * static_cast<double>(probe.vectors.size()) + 2 * row + 8;
     const drawing::Box figure{area.corner + dvec2(0, kHeading + 8), {area.size.x, area.size.y - kHeading - 8 - tableHeight - 4}};
     drawPlaneOfVectors(drawing, figure, probe, plane, font);
     double y = area.corner.y + area.size.y - tableHeight + row;
@@ -120,11 +121,11 @@ void drawVectors(drawing::Drawing& drawing, const drawing::Box& area, const Prob
     for (const Probe::Vector& vector : probe.vectors) {
         const double x = area.corner.x;
         drawing.line({x, y - 8}, {x + 34, y - 8}, strokeOf(vector.label));
-        drawing.text({x + 46, y}, vector.label, {.size = kText, .isBold = true, .isItalic = true});
+        drawing.text({x + 46, y}, vector.label, {.size = kText, .isBold = true});
         std::string words = meaning(vector.label);
-        if (vector.label == "R") words += brought(probe, Probe::Role::reflection, "I_R");
-        if (vector.label == "T") words += brought(probe, Probe::Role::refraction, "I_T");
-        drawing.text({x + 80, y}, words, {.size = em});
+        if (vector.label == "R") words += brought(probe, Probe::Role::reflection, "$I_R$");
+        if (vector.label == "T") words += brought(probe, Probe::Role::refraction, "$I_T$");
+        drawing::drawProse(drawing, {x + 80, y}, words, {.size = em}, {font, font});
         for (int axis = 0; axis < 3; ++axis)
             drawing.text({area.corner.x + area.size.x - 210 + 105 * axis, y}, fixed(vector.directionWorld[axis]),
                          {.size = em, .anchor = drawing::Anchor::end});
@@ -137,7 +138,7 @@ void drawVectors(drawing::Drawing& drawing, const drawing::Box& area, const Prob
     if (t && n) angles += ", of refraction " + degreesOfCosine(-glm::dot(t->directionWorld, n->directionWorld));
     drawing.text({area.corner.x, y + 4}, angles, {.size = em});
     if (leaves)
-        drawing.text({area.corner.x, y + row}, "dashed: not in the plane of the others",
+        drawing.text({area.corner.x, y + 4 + row}, "dashed: not in the plane of the others",
                      {.size = em, .color = "#4d4d4d"});
 }
 

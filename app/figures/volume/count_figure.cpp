@@ -3,6 +3,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "app/drawing/formula.h"
 #include "app/figures/figure_drawers.h"
@@ -63,6 +65,27 @@ void drawEyeLine(drawing::Drawing& drawing, drawing::Labels& labels, const Secti
     if (!isPass) labels.avoid(point, to);
 }
 
+/// Where the light's way to the eye meets the first caster, in metres of the plane; none: the eye is lit.
+std::optional<dvec2> aboveEye(const FigureSource& source, dvec2 eye) {
+    const LightSection& section = *source.probe.section;
+    const Probe::Segment& toLight = source.probe.geometry[1];
+    const dvec2 way = toLight.isEndless ? section.ofDirection(toLight.toWorld - toLight.fromWorld) : section.of(toLight.toWorld) - eye;
+    scene::Scene casters = source.scene;
+    std::erase_if(casters.objects, [](const scene::Object& object) { return !object.castsShadow; });
+    const std::vector<dvec2> lines = cut(casters, {section.originWorld, section.rightWorld, section.upWorld});
+    double nearest = toLight.isEndless ? std::numeric_limits<double>::infinity() : 1; // in lengths of the way
+    std::optional<dvec2> place;
+    for (std::size_t i = 0; i + 1 < lines.size(); i += 2) {
+        const dvec2 along = lines[i + 1] - lines[i], from = lines[i] - eye;
+        const double turn = way.x * along.y - way.y * along.x;
+        const double distance = (from.x * along.y - from.y * along.x) / turn, share = (from.x * way.y - from.y * way.x) / turn;
+        if (!(distance > 0 && distance < nearest && share >= 0 && share <= 1)) continue; // false for parallels, too
+        nearest = distance;
+        place = eye + distance * way;
+    }
+    return place;
+}
+
 } // namespace
 
 Diagram drawCountFigure(const FigureSource& source) {
@@ -81,8 +104,11 @@ Diagram drawCountFigure(const FigureSource& source) {
     const dvec2 eye = probe.section->of(probe.geometry[0].fromWorld);
     for (const Crossing& crossing : volume.crossings)
         if (std::isfinite(crossing.distance)) places.push_back(eye - crossing.distance * glm::normalize(eye));
+    // What the eye is in the shadow of explains its count.
+    if (volume.eyeCount > 0)
+        if (const std::optional<dvec2> above = aboveEye(source, eye)) places.push_back(*above);
     const SectionSheet sheet(probe, source.scene, field, places, source.mostPixelsPerMetre);
-    drawing::Labels labels(source.font, field);
+    drawing::Labels labels(source.fonts(), field);
     drawCountedAreas(drawing, sheet, volume);
     sheet.drawScene(drawing, labels);
     drawEyeLine(drawing, labels, sheet, counts.isPass);
@@ -99,7 +125,7 @@ Diagram drawCountFigure(const FigureSource& source) {
     const std::string number = "n_f = " + std::to_string(counts.fronts) +
                                ", \\quad n_b = " + std::to_string(counts.backs) + ", \\quad n_f " +
                                (isEqual ? "=" : "\\ne") + " n_b";
-    const drawing::FormulaFonts fonts{source.font, source.font};
+    const drawing::FormulaFonts fonts = source.fonts();
     const dvec2 foot = area.corner + dvec2(0, field.size.y + kCountRow);
     const drawing::Extent extent = drawing::Formula(number).draw(drawing, foot, kCountFormulaEm, "#1a1a1a", fonts);
     drawing.text(foot + dvec2(extent.width + 24, 0), isEqual ? ": illuminated" : ": in shadow",

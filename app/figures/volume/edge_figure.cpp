@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "app/drawing/prose.h"
 #include "app/figures/figure_drawers.h"
 #include "app/figures/panels.h"
 #include "app/figures/volume/facing_panel.h"
@@ -14,7 +15,7 @@ namespace shadowlab::figures {
 
 namespace {
 
-constexpr double kEdgeGap = 24, kEdgeRow = 36;
+constexpr double kEdgeGap = 24, kEdgeRow = 36, kEdgeText = 28;
 constexpr double kEdgeLines = 4 * kEdgeRow + 14; ///< pixels of the text under each drawing
 constexpr double kBent = 0.995; ///< cosine between two polygons: at less than six degrees the edge cannot be seen
 
@@ -68,17 +69,16 @@ FacingPanel panelOf(const drawing::Box& cell, const CasterSolid& solid, const Sh
 }
 
 void drawEdge(drawing::Drawing& drawing, const drawing::Box& cell, const CasterSolid& solid, const SharedEdge& edge,
-              const FacingPanel& panel, const image::Font& font) {
+              const FacingPanel& panel, const drawing::FormulaFonts& fonts) {
     const bool outline = isOutline(solid, edge);
-    panel.draw(drawing, font);
+    panel.draw(drawing, fonts.upright);
     dvec2 foot = cell.corner + dvec2(0.5 * cell.size.x, cell.size.y - kEdgeLines);
     const std::vector<double> products = panel.products();
     for (std::size_t i = 0; i < 2; ++i) {
         foot.y += kEdgeRow;
-        drawing.text(foot,
-                     productText(products[i], static_cast<int>(i) + 1, solid.unit()) +
-                         (products[i] > 0 ? ": toward" : ": away"),
-                     {.size = kText, .anchor = drawing::Anchor::middle});
+        drawing::drawProse(drawing, foot,
+                           productText(products[i], static_cast<int>(i) + 1, solid.unit()) + (products[i] > 0 ? ": toward" : ": away"),
+                           {.size = kEdgeText, .anchor = drawing::Anchor::middle}, fonts);
     }
     const std::string sides = outline                              ? "One toward, one away:"
                               : solid.facesLight(edge.polygons[0]) ? "Both toward the light:"
@@ -108,14 +108,14 @@ Diagram drawEdgeFigure(const FigureSource& source) {
     const drawing::Box left{dvec2(kSectionBorder), size}, right{left.corner + dvec2(width + kEdgeGap, 0), size};
     FacingPanel panel = panelOf(left, solid, *outline);
     if (!other) {
-        drawEdge(drawing, left, solid, *outline, panel, source.font);
+        drawEdge(drawing, left, solid, *outline, panel, source.fonts());
     } else {
         FacingPanel beside = panelOf(right, solid, *other);
         const double scale = std::min(panel.pixelsPerMetre(), beside.pixelsPerMetre());
         panel.limitScale(scale);
         beside.limitScale(scale);
-        drawEdge(drawing, left, solid, *outline, panel, source.font);
-        drawEdge(drawing, right, solid, *other, beside, source.font);
+        drawEdge(drawing, left, solid, *outline, panel, source.fonts());
+        drawEdge(drawing, right, solid, *other, beside, source.fonts());
     }
     return {std::move(drawing),
             "An outline edge of " + solid.object->name +

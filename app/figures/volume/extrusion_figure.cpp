@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "app/drawing/formula.h"
+#include "app/drawing/prose.h"
 #include "app/figures/figure_drawers.h"
 #include "app/figures/panels.h"
 #include "app/figures/volume/volume_sketch.h"
@@ -15,7 +15,7 @@ namespace shadowlab::figures {
 
 namespace {
 
-constexpr double kFormulaEm = 40, kExtrusionRow = 34;
+constexpr double kFormulaEm = 40, kExtrusionRow = 36, kExtrusionText = 28;
 constexpr double kExtrusionLines = 110 + 2 * kExtrusionRow; ///< pixels of formula and numbers under the drawing
 
 /// The vertex of the outline whose way from P to P' passes nearest to the picked point.
@@ -50,9 +50,9 @@ Diagram drawExtrusionFigure(const FigureSource& source) {
     drawing::Drawing drawing(source.size);
     const drawing::Box area{dvec2(kSectionBorder), source.size - 2 * kSectionBorder},
         field{area.corner, area.size - dvec2(0, kExtrusionLines)};
-    const VolumeSketch sketch(source, solid, field);
+    const VolumeSketch sketch(source, solid, field, true);
     const SpaceView& view = sketch.view();
-    drawing::Labels labels(source.font, field);
+    drawing::Labels labels(source.fonts(), field);
     sketch.drawReceivers(drawing);
     sketch.drawVolume(drawing, labels, 0.5, 0.16);
 
@@ -80,11 +80,11 @@ Diagram drawExtrusionFigure(const FigureSource& source) {
     sketch.drawLight(drawing, labels, false);
     const drawing::TextStyle letter{.size = drawing::kLetter, .isBold = true};
     labels.place(drawing, at, "P", letter, 12);
-    labels.place(drawing, to, isEndless ? "P' at infinity" : "P'", letter, 12);
+    labels.place(drawing, to, isEndless ? "P\u2032 at infinity" : "P\u2032", letter, 12);
     drawing::TextStyle measure = letter;
     measure.color = drawing::colorText(look::kVolumeSide);
     const double d = isEndless ? 0 : glm::length(dvec3(end) - p);
-    if (!isEndless) labels.place(drawing, glm::mix(at, to, 0.5), "d = " + fourDigits(d) + " m", measure, 12);
+    if (!isEndless) labels.place(drawing, glm::mix(at, to, 0.5), "$d = $" + fourDigits(d) + " m", measure, 16);
 
     const bool isSun = solid.lightWorld.w == 0;
     const char* tex =
@@ -92,7 +92,7 @@ Diagram drawExtrusionFigure(const FigureSource& source) {
         : isEndless        ? "\\mathbf{P}' = (\\mathbf{P} - \\mathbf{P}_L, 0)"
         : isSun            ? "\\mathbf{P}' = \\mathbf{P} - d\\,\\mathbf{L}"
                 : "\\mathbf{P}' = \\mathbf{P} + d \\frac{\\mathbf{P} - \\mathbf{P}_L}{|\\mathbf{P} - \\mathbf{P}_L|}";
-    const drawing::FormulaFonts fonts{source.font, source.font};
+    const drawing::FormulaFonts fonts = source.fonts();
     const drawing::Formula formula(tex);
     const drawing::Extent extent = formula.measure(kFormulaEm, fonts);
     dvec2 foot = area.corner + dvec2(0, field.size.y + 14);
@@ -107,12 +107,17 @@ Diagram drawExtrusionFigure(const FigureSource& source) {
                      {.size = kText, .color = "#4d4d4d"});
     foot.y += 110 + kText - 10;
     const dvec4& l = solid.lightWorld;
-    const std::string from = std::string(isSun ? "toward the light L = " : "light source at ") + coordinates(dvec3(l));
-    drawing.text(foot, from + ",  P = " + coordinates(p), {.size = kText});
-    drawing.text(foot + dvec2(0, kExtrusionRow),
-                 isEndless ? "P' = (" + coordinates(dvec3(end)).substr(1, coordinates(dvec3(end)).size() - 2) + ", 0)"
-                           : "P' = " + coordinates(dvec3(end)) + ",  d = |P' \u2212 P| = " + fourDigits(d) + " m",
-                 {.size = kText});
+    const drawing::TextStyle numbers{.size = kExtrusionText};
+    drawing::drawProse(drawing, foot,
+                       std::string(isSun ? "$\\mathbf{L} = $" : "$\\mathbf{P}_L = $") + coordinates(dvec3(l)) + ",  $\\mathbf{P} = $" +
+                           coordinates(p),
+                       numbers, fonts);
+    std::string extruded = coordinates(dvec3(end));
+    if (isEndless) extruded.insert(extruded.size() - 1, ", 0");
+    drawing::drawProse(drawing, foot + dvec2(0, kExtrusionRow),
+                       "$\\mathbf{P}' = $" + extruded +
+                           (isEndless ? "" : ",  $d = |\\mathbf{P}' - \\mathbf{P}| = $" + fourDigits(d) + " m"),
+                       numbers, fonts);
     return {std::move(drawing),
             "A vertex P of the outline of " + solid.object->name + ", extruded away from the light source to P'"};
 }

@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kEdgesAround = 4.5;     ///< lengths of the longest edge, around P, that are drawn
 constexpr std::size_t kMostAround = 600; ///< polygons; more could not be distinguished
-constexpr double kNormal = 0.62;         ///< length of N as it is drawn, of what is drawn around P
-constexpr double kToLight = 1.25;        ///< likewise of L, where the light is farther away than kNear
+constexpr double kNormal = 0.5;          ///< length of N as it is drawn, of what is drawn around P
+constexpr double kToLight = 1.05;        ///< likewise of L, where the light is farther away than kNear
 constexpr double kNear = 2.2;            ///< likewise
 constexpr double kNeighbours = 0.62;     ///< paleness
-constexpr dvec2 kFacingMargin{64, 58};   ///< pixels for labels
+constexpr dvec2 kFacingMargin{52, 52};   ///< pixels for labels
 constexpr const char* kNormalColor = "#0072b2";
 constexpr const char* kLightColor = "#a06000";
 
@@ -75,7 +75,9 @@ double FacingPanel::worth(const dvec3& d) const {
     const double light = glm::length(glm::cross(glm::normalize(lightTipWorld_ - pWorld_), d));
     // Before the surface, L would cover what it starts from.
     const double usual = d.y > -0.1 && d.y < 0.6 ? 0.25 : 0;
-    return 1.4 * std::min(least, 0.55) + 0.6 * sides + 0.9 * light + usual;
+    // Where N and L lead upward rather than aside, all of it is drawn larger.
+    const double size = viewFrom(d, std::numeric_limits<double>::infinity()).pixelsPerMetre() * reach_ / area_.size.x;
+    return 1.4 * std::min(least, 0.55) + 0.6 * sides + 0.9 * light + usual + 3 * size;
 }
 
 void FacingPanel::chooseView() {
@@ -90,7 +92,9 @@ void FacingPanel::chooseView() {
     limitScale(std::numeric_limits<double>::infinity());
 }
 
-void FacingPanel::limitScale(double mostPixelsPerMetre) {
+void FacingPanel::limitScale(double mostPixelsPerMetre) { view_.emplace(viewFrom(towardViewerWorld_, mostPixelsPerMetre)); }
+
+SpaceView FacingPanel::viewFrom(const dvec3& towardViewerWorld, double mostPixelsPerMetre) const {
     std::vector<dvec3> shown{lightTipWorld_};
     for (const std::size_t polygon : polygons_)
         shown.push_back((edge_ ? solid_.centre(polygon) : pWorld_) + kNormal * reach_ * solid_.normal(polygon));
@@ -98,7 +102,7 @@ void FacingPanel::limitScale(double mostPixelsPerMetre) {
         for (const std::size_t t : *list)
             for (const dvec3& corner : solid_.corners(t))
                 shown.push_back(corner);
-    view_.emplace(shown, towardViewerWorld_, area_, kFacingMargin, mostPixelsPerMetre);
+    return {shown, towardViewerWorld, area_, kFacingMargin, mostPixelsPerMetre};
 }
 
 void FacingPanel::drawPolygons(drawing::Drawing& drawing, drawing::Labels& labels) const {
@@ -160,9 +164,9 @@ std::vector<double> FacingPanel::products() const {
 }
 
 std::string productText(double product, int index, const char* unit) {
-    static constexpr std::array kIndices{"", "\u2081", "\u2082"};
-    return std::string("N") + kIndices[static_cast<std::size_t>(index)] + " \u00b7 L = " + fourDigits(product) + unit +
-           (product > 0 ? " > 0" : " \u2264 0");
+    static constexpr std::array kIndices{"", "_1", "_2"};
+    return std::string("$\\mathbf{N}") + kIndices[static_cast<std::size_t>(index)] + " \\cdot \\mathbf{L} = $" + fourDigits(product) +
+           unit + (product > 0 ? " > 0" : " \u2264 0");
 }
 
 } // namespace shadowlab::figures

@@ -25,6 +25,7 @@ private:
     void findNeighbours();
     void chooseView();
     [[nodiscard]] double worth(const dvec3& towardViewerWorld) const;
+    [[nodiscard]] SpaceView viewFrom(const dvec3& towardViewerWorld, double mostPixelsPerMetre) const;
     void drawPolygons(drawing::Drawing& drawing, drawing::Labels& labels) const;
     void drawVectors(drawing::Drawing& drawing, drawing::Labels& labels) const;
 
@@ -41,7 +42,7 @@ private:
     std::optional<SpaceView> view_;
 };
 
-/// "N · L = 0.412 m > 0", with a number to N where there are several: 0 for none.
+/// "N · L = 0.412 m > 0" with formulas between $ (drawing/prose.h), and a number to N where there are several: 0 for none.
 std::string productText(double product, int index, const char* unit);
 
 } // namespace shadowlab::figures

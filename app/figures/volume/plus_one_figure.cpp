@@ -56,7 +56,7 @@ Diagram drawPlusOneFigure(const FigureSource& source) {
         field{area.corner, area.size - dvec2(0, kPlusOneLines)};
     const VolumeSketch sketch(source, solid, field);
     const SpaceView& view = sketch.view();
-    drawing::Labels labels(source.font, field);
+    drawing::Labels labels(source.fonts(), field);
     sketch.drawReceivers(drawing);
     sketch.drawVolume(drawing, labels, 0.5, 0.16);
     const dvec3 eye = source.probe.geometry[0].fromWorld, point = source.probe.geometry[0].toWorld;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/drawing/prose.h"
 #include "app/figures/figure_drawers.h"
 #include "app/figures/panels.h"
 #include "app/figures/volume/facing_panel.h"
@@ -61,11 +62,11 @@ Diagram drawPolygonFigure(const FigureSource& source) {
         panel.draw(drawing, source.font);
         const double product = panel.products().front();
         const dvec2 foot = cell.corner + dvec2(0.5 * width, cell.size.y - kPolygonLines + 38);
-        drawing.text(foot, productText(product, 0, solid.unit()),
-                     {.size = kHeading, .anchor = drawing::Anchor::middle, .isBold = true});
+        drawing::drawProse(drawing, foot, productText(product, 0, solid.unit()), {.size = kHeading, .anchor = drawing::Anchor::middle},
+                           source.fonts());
         drawing.text(foot + dvec2(0, 36),
                      product > 0 ? "toward the light: front facing" : "away from the light: back facing",
-                     {.size = kText, .anchor = drawing::Anchor::middle});
+                     {.size = kHeading, .anchor = drawing::Anchor::middle, .isBold = true});
     }
     return {std::move(drawing),
             "A polygon of " + solid.object->name +

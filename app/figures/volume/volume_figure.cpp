@@ -19,7 +19,7 @@ Diagram drawVolumeFigure(const FigureSource& source) {
     const drawing::Box area{dvec2(kSectionBorder), source.size - 2 * kSectionBorder},
         field{area.corner, area.size - dvec2(0, kNoteHeight)};
     const VolumeSketch sketch(source, solid, field);
-    drawing::Labels labels(source.font, field);
+    drawing::Labels labels(source.fonts(), field);
     sketch.drawReceivers(drawing);
     sketch.drawVolume(drawing, labels, 0, 0.4);
     sketch.drawLight(drawing, labels, true);

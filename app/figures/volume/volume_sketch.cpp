@@ -23,11 +23,11 @@ constexpr dvec2 kSketchMargin{70, 56}; ///< pixels for labels
 
 } // namespace
 
-VolumeSketch::VolumeSketch(const FigureSource& source, const CasterSolid& solid, const drawing::Box& area)
+VolumeSketch::VolumeSketch(const FigureSource& source, const CasterSolid& solid, const drawing::Box& area, bool hasEnds)
     : scene_(source.scene), solid_(solid), area_(area) {
     findReceivers();
     findStrips();
-    chooseView(source.view.camera.positionWorld);
+    chooseView(source.view.camera.positionWorld, hasEnds);
 }
 
 dvec3 VolumeSketch::away(const dvec3& placeWorld) const { return -glm::normalize(solid_.toLight(placeWorld)); }
@@ -184,8 +184,26 @@ void VolumeSketch::placeLight(double size, const dvec3& middleWorld) {
     lightWorld_ = lightIsNear_ ? dvec3(solid_.lightWorld) : middleWorld + 0.75 * size * glm::normalize(toLight);
 }
 
+/// All that is drawn where the volume meets something: what of it lies beyond that is cut off at the border.
+std::vector<dvec3> VolumeSketch::seenPlaces(const dvec3& middleWorld) const {
+    std::vector<dvec3> seen(solid_.verticesWorld);
+    seen.insert(seen.end(), curveWorld_.begin(), curveWorld_.end());
+    for (const Strip& strip : strips_)
+        for (std::size_t end = 0; end < 2; ++end)
+            if (!strip.hits[end]) seen.push_back(strip.toWorld[end]);
+    const double lowest = std::ranges::min_element(seen, {}, &dvec3::y)->y;
+    seen.push_back(lightWorld_);
+    for (int corner = 0; corner < 8; ++corner) { // what is shown of a floor
+        dvec3 place = shownWorld_.corner(corner);
+        if (place.y >= middleWorld.y) continue;
+        place.y = std::max(place.y, lowest);
+        seen.push_back(place);
+    }
+    return seen;
+}
+
 /// From the side of the light's way, a little from above, and rather from where the eye is.
-void VolumeSketch::chooseView(const dvec3& eyeWorld) {
+void VolumeSketch::chooseView(const dvec3& eyeWorld, bool hasEnds) {
     std::vector<dvec3> shown(solid_.verticesWorld);
     for (const Strip& strip : strips_)
         shown.insert(shown.end(), strip.toWorld.begin(), strip.toWorld.end());
@@ -204,7 +222,7 @@ void VolumeSketch::chooseView(const dvec3& eyeWorld) {
         const double height = d.y > 0.2 && d.y < 0.5 ? 0.35 : d.y < 0 ? -1 : 0;
         return glm::length(glm::cross(axis, d)) + height + 0.25 * glm::dot(d, towardEye);
     });
-    view_.emplace(shown, best, area_, kSketchMargin);
+    view_.emplace(hasEnds || curveWorld_.empty() ? shown : seenPlaces(middle), best, area_, kSketchMargin);
 }
 
 } // namespace shadowlab::figures

@@ -10,7 +10,8 @@ namespace shadowlab::figures {
 
 class VolumeSketch {
 public:
-    VolumeSketch(const FigureSource& source, const CasterSolid& solid, const drawing::Box& area);
+    /// `hasEnds`: there is room for the ends of the volume, also where they lie beyond what it meets.
+    VolumeSketch(const FigureSource& source, const CasterSolid& solid, const drawing::Box& area, bool hasEnds = false);
 
     /// The objects on which the shadow falls, with what of the volume lies beyond them, and the shadow.
     void drawReceivers(drawing::Drawing& drawing) const;
@@ -55,7 +56,8 @@ private:
     void addStrips(const VolumeProbe::Caster::SilhouetteEdge& edge, double from, double to, int depth);
     void addShadow(const std::array<dvec3, 3>& cornersWorld, int depth);
     [[nodiscard]] double lengthOf(std::uint32_t vertex) const; ///< metres from P to P'; infinite: no end
-    void chooseView(const dvec3& eyeWorld);
+    void chooseView(const dvec3& eyeWorld, bool hasEnds);
+    [[nodiscard]] std::vector<dvec3> seenPlaces(const dvec3& middleWorld) const;
     void placeLight(double size, const dvec3& middleWorld);
     void drawBeyond(drawing::Drawing& drawing) const;
     void drawBottom(drawing::Drawing& drawing, double opacity) const;

@@ -87,6 +87,7 @@ void VolumeSketch::drawReceivers(drawing::Drawing& drawing) const {
 /// What of the sides is past what they meet first, and the end of it.
 void VolumeSketch::drawBeyond(drawing::Drawing& drawing) const {
     if (curveWorld_.empty()) return;
+    drawing.beginClip(area_.corner, area_.size);
     drawBottom(drawing, 0.8);
     std::vector<dvec2> beyond, lines;
     for (const Strip& strip : strips_) {
@@ -96,6 +97,7 @@ void VolumeSketch::drawBeyond(drawing::Drawing& drawing) const {
         beyond.insert(beyond.end(), {a, b, c, a, c, d});
     }
     drawing.surface(beyond, sideColor(), 0.35);
+    drawing.endClip();
 }
 
 void VolumeSketch::drawBottom(drawing::Drawing& drawing, double opacity) const {
