@@ -34,12 +34,14 @@ std::pair<std::size_t, std::size_t> covered(int pixel, int pixels, std::size_t c
 /// The layout of the picture, in pixels.
 struct Layout {
     ivec2 size;
-    int margin, left, side;  ///< of the square matrix; on its left there is room for the key
+    int margin, left, side;  ///< of the square matrix
     int barsLeft, unitWidth; ///< where the bars begin, and the length of a bar of 1
+    /// On the left of the matrix there is room for the key. A narrow picture, whose key stands below it, is filled by the matrix.
     explicit Layout(ivec2 size)
-        : size(size), margin(std::max(1, size.y / 24)), left(size.x / 4),
-          side(std::max(1, std::min(size.y - 2 * margin, size.x / 2))), barsLeft(left + side + margin),
+        : size(size), margin(std::max(1, size.y / 24)), left(isNarrow(size) ? margin : size.x / 4),
+          side(std::max(1, std::min(size.y - 2 * margin, isNarrow(size) ? size.x * 5 / 8 : size.x / 2))), barsLeft(left + side + margin),
           unitWidth(std::max(1, (size.x - barsLeft - margin) * 4 / 5)) {}
+    static bool isNarrow(ivec2 size) { return 9 * size.x < 16 * size.y; }
 };
 
 } // namespace
