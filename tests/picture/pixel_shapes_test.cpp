@@ -1,5 +1,5 @@
-// The rays and vectors of a picked pixel as lines: nothing is missing, arrows point where the vectors do, and letters are
-// letters.
+// The rays and vectors of a picked pixel as lines: nothing is missing, arrows point where the vectors do, and names stand at what
+// they name.
 // SPDX-License-Identifier: MIT
 #include "app/picture/outside/pixel_shapes.h"
 
@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#include "app/picture/outside/stroke_letters.h"
 #include "techniques/foundation/base/look.h"
 
 namespace shadowlab::picture {
@@ -92,24 +91,26 @@ TEST(PixelShapesTest, ArrowsAreAsLargeAsTheOnlookerHasToSeeThem) {
     EXPECT_NEAR(longest(far), 2 * longest(near), 1e-9);
 }
 
-TEST(StrokeLettersTest, AllThatAreNeededDifferAndKeepToTheirBox) {
-    std::vector<std::vector<dvec3>> seen;
-    for (const char letter : std::string("HLNRSTVu0123456789")) {
-        std::vector<dvec3> points;
-        addWord(points, std::string(1, letter), {0, 0, 0}, {2, 0, 0}, {0, 3, 0});
-        EXPECT_GE(points.size(), 4u) << letter;
-        EXPECT_EQ(points.size() % 2, 0u) << letter;
-        for (const dvec3& point : points) {
-            EXPECT_LE(std::abs(point.x), 1 + 1e-12) << letter;
-            EXPECT_LE(std::abs(point.y), 1.5 + 1e-12) << letter;
+TEST(PixelNamesTest, NamesStandAtTheEndsOfArrowsAndInTheMiddleOfRays) {
+    const std::vector<NamedPoint> names = pixelNames(probeOfAMirror(), outsideCamera());
+    const std::vector<SceneShape> shapes = pixelShapes(probeOfAMirror(), outsideCamera());
+    ASSERT_EQ(names.size(), 3u);
+    int found = 0;
+    for (const NamedPoint& name : names) {
+        if (name.text == "R1") {
+            EXPECT_EQ(name.placeWorld, dvec3(0, 0.5, -1.5));
+            EXPECT_EQ(name.colorLinear, look::kReflectionRay);
+            ++found;
+            continue;
         }
-        EXPECT_EQ(std::ranges::find(seen, points), seen.end()) << letter << " looks like another";
-        seen.push_back(points);
+        const vec3 color = name.text == "N" ? look::kEyeRay : look::kReflectionRay;
+        EXPECT_EQ(name.colorLinear, color) << name.text;
+        const std::vector<dvec3>& points = ofColor(shapes, color).pointsWorld;
+        EXPECT_NE(std::ranges::find(points, name.placeWorld), points.end()) << name.text << " is the tip of an arrow";
+        ++found;
     }
-    EXPECT_EQ(seen.size(), 18u);
-    std::vector<dvec3> word;
-    addWord(word, "R1", {0, 0, 0}, {2, 0, 0}, {0, 3, 0});
-    EXPECT_EQ(word.size(), 2u * (7 + 2)) << "six strokes and a leg of R, two of 1";
+    EXPECT_EQ(found, 3);
+    EXPECT_TRUE(pixelNames({}, outsideCamera()).empty());
 }
 
 } // namespace

@@ -126,7 +126,9 @@ std::vector<KeyEntry> OutsideView::label(const View& eye, const View& outside, s
     std::ranges::stable_partition(
         order, [](const SceneShape* shape) { return shape->colorLinear != look::kOtherLight; });
 
-    const std::array<NamedPoint, 1> points{{{"eye", look::kEye, eye.camera.positionWorld}}};
+    std::vector<NamedPoint> points{{"eye", look::kEye, eye.camera.positionWorld}};
+    const std::vector<NamedPoint> names = pixelNames(probe_, outside.camera); // in no key: each names one line alone
+    points.insert(points.end(), names.begin(), names.end());
     const int height = look.typeHeight > 0 ? look.typeHeight : outside.size.y;
     std::vector<KeyEntry> missing;
     labels_.clear();
@@ -142,7 +144,8 @@ std::vector<KeyEntry> OutsideView::label(const View& eye, const View& outside, s
         labels_ = std::move(placed);
         missing.clear();
         for (const LabelWish& wish : things.wishes)
-            if (std::ranges::find(labels_, wish.text, &PlacedLabel::text) == labels_.end())
+            if (std::ranges::find(labels_, wish.text, &PlacedLabel::text) == labels_.end() &&
+                std::ranges::find(names, wish.text, &NamedPoint::text) == names.end())
                 missing.push_back({wish.colorLinear, wish.text});
     }
     labelPainter_.draw(labels_, em, painter_, outside.size);

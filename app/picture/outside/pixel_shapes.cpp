@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "app/picture/outside/stroke_letters.h"
 #include "techniques/foundation/base/look.h"
 
 namespace shadowlab::picture {
@@ -12,10 +11,10 @@ namespace shadowlab::picture {
 namespace {
 
 // Of half the picture's height: arrows are read from the last row, and do not hide what they stand on.
-constexpr double kArrowShare = 0.4, kLetterShare = 0.065;
+constexpr double kArrowShare = 0.4;
+constexpr double kLeastNamed = 0.26;  ///< likewise of a ray that has its name beside it
 constexpr double kHeadShare = 0.16;   ///< of an arrow's length
 constexpr std::size_t kNamedRays = 8; ///< more names would cover one another
-constexpr double kLettersLong = 4;    ///< letters' heights that a ray with a name is long at least
 constexpr double kOnRay = 0.6;        ///< length of the arrows on the ray itself, in those of the others
 
 struct ShapeKind {
@@ -32,23 +31,16 @@ const std::array<ShapeKind, 5>& kinds() {
     return all;
 }
 
-/// How large a share of half the picture's height is at a place, and the picture's own axes there.
+/// How large a share of half the picture's height is at a place.
 struct Facing {
-    explicit Facing(const scene::Camera& outside) : camera(outside) {
-        forward = glm::normalize(outside.targetWorld - outside.positionWorld);
-        right = glm::normalize(glm::cross(forward, outside.upWorld));
-        up = glm::cross(right, forward);
-    }
+    explicit Facing(const scene::Camera& outside)
+        : camera(outside), forward(glm::normalize(outside.targetWorld - outside.positionWorld)) {}
     [[nodiscard]] double metres(const dvec3& placeWorld, double share) const {
         return share * std::tan(glm::radians(camera.fovYDegrees / 2)) *
                std::abs(glm::dot(placeWorld - camera.positionWorld, forward));
     }
-    void addName(std::vector<dvec3>& points, std::string_view name, const dvec3& placeWorld) const {
-        const double height = metres(placeWorld, kLetterShare);
-        addWord(points, name, placeWorld, 0.6 * height * right, height * up);
-    }
     const scene::Camera& camera;
-    dvec3 forward, right, up;
+    dvec3 forward;
 };
 
 /// The head lies in the picture's plane, as far as the arrow itself does.
@@ -60,6 +52,23 @@ void addArrow(std::vector<dvec3>& points, const Facing& facing, const dvec3& fro
     across = glm::normalize(across) * glm::length(byWorld);
     for (const double side : {-1.0, 1.0})
         points.insert(points.end(), {tip, tip - kHeadShare * byWorld + side * 0.5 * kHeadShare * across});
+}
+
+Probe::Role roleOf(const Probe::Vector& vector) {
+    return vector.label == "R" ? Probe::Role::reflection : vector.label == "T" ? Probe::Role::refraction : Probe::Role::eye;
+}
+
+/// u and V lie on the eye's ray.
+bool isOnRay(const Probe::Vector& vector) { return vector.label == "u" || vector.label == "V"; }
+
+struct Arrow {
+    dvec3 fromWorld{0.0}, byWorld{0.0};
+};
+/// u is farther out, on its way in, than V.
+Arrow arrowOf(const Probe& probe, const Facing& facing, const Probe::Vector& vector) {
+    const dvec3 atWorld = probe.geometry.front().toWorld;
+    const dvec3 by = (isOnRay(vector) ? kOnRay : 1.0) * facing.metres(atWorld, kArrowShare) * vector.directionWorld;
+    return {vector.label == "u" ? atWorld - 2.5 * by : atWorld, by};
 }
 
 } // namespace
@@ -77,32 +86,32 @@ std::vector<SceneShape> pixelShapes(const Probe& probe, const scene::Camera& out
     if (probe.geometry.empty()) return {};
 
     const Facing facing(outside);
+    for (const Probe::Vector& vector : probe.vectors) {
+        const Arrow arrow = arrowOf(probe, facing, vector);
+        addArrow(pointsOf(roleOf(vector)), facing, arrow.fromWorld, arrow.byWorld);
+    }
+    return shapes;
+}
+
+std::vector<NamedPoint> pixelNames(const Probe& probe, const scene::Camera& outside) {
+    std::vector<NamedPoint> names;
+    if (probe.geometry.empty()) return names;
+    const Facing facing(outside);
+    const auto colorOf = [](Probe::Role role) { return kinds()[static_cast<std::size_t>(role)].color; };
+    for (const Probe::Vector& vector : probe.vectors) {
+        const Arrow arrow = arrowOf(probe, facing, vector);
+        names.push_back({vector.label, colorOf(roleOf(vector)), arrow.fromWorld + (isOnRay(vector) ? 0.5 : 1.0) * arrow.byWorld});
+    }
     std::size_t named = 0;
     for (const Probe::Node& node : probe.tree) {
         if (node.segment < 0 || node.sign.empty() || named == kNamedRays) continue;
         const Probe::Segment& segment = probe.geometry[static_cast<std::size_t>(node.segment)];
         const dvec3 middle = 0.5 * (segment.fromWorld + segment.toWorld);
-        if (glm::length(segment.toWorld - segment.fromWorld) < kLettersLong * facing.metres(middle, kLetterShare))
-            continue;
+        if (glm::length(segment.toWorld - segment.fromWorld) < facing.metres(middle, kLeastNamed)) continue;
         ++named;
-        facing.addName(pointsOf(node.role), node.sign, middle + facing.metres(middle, kLetterShare) * facing.up);
+        names.push_back({node.sign, colorOf(node.role), middle});
     }
-    const dvec3 atWorld = probe.geometry.front().toWorld;
-    const double length = facing.metres(atWorld, kArrowShare);
-    for (const Probe::Vector& vector : probe.vectors) {
-        const Probe::Role role = vector.label == "R"   ? Probe::Role::reflection
-                                 : vector.label == "T" ? Probe::Role::refraction
-                                                       : Probe::Role::eye;
-        // u and V lie on the ray itself: u farther out, on its way in, and the letters of both beside it.
-        const bool onRay = vector.label == "u" || vector.label == "V";
-        const dvec3 by = (onRay ? kOnRay : 1.0) * length * vector.directionWorld;
-        const dvec3 from = vector.label == "u" ? atWorld - 2.5 * by : atWorld;
-        addArrow(pointsOf(role), facing, from, by);
-        const double away = facing.metres(atWorld, kLetterShare);
-        facing.addName(pointsOf(role), vector.label,
-                       onRay ? from + 0.5 * by + away * facing.up : from + by + away * vector.directionWorld);
-    }
-    return shapes;
+    return names;
 }
 
 } // namespace shadowlab::picture
