@@ -9,7 +9,7 @@ namespace shadowlab::course {
 namespace {
 
 SlideStop stopOf(const SlidePicture& picture) {
-    SlideStop stop{documentOf(picture.state), picture.label, picture.figure};
+    SlideStop stop{documentOf(picture.state), picture.label, picture.writtenLabel, picture.figure};
     stop.document.picked = picture.pixel;
     stop.document.partner = picture.partner;
     stop.document.outsideChoice = picture.outsideChoice;
@@ -42,7 +42,10 @@ std::vector<SlideStop> stopsOf(const Slide& slide) {
             continue;
         }
         stops.front().document.panes[i] = stop.document.panes[0];
-        if (!stop.label.empty()) stops.front().label += (stops.front().label.empty() ? "" : "  |  ") + stop.label;
+        if (stop.label.empty()) continue;
+        const std::string between = stops.front().label.empty() ? "" : "  |  ";
+        stops.front().label += between + stop.label;
+        stops.front().writtenLabel += between + stop.writtenLabel;
     }
     if (together) stops.front().document.layout = pictures.size() == 2 ? picture::Layout::side : picture::Layout::grid;
     return stops;

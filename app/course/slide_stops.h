@@ -12,6 +12,7 @@ namespace shadowlab::course {
 struct SlideStop {
     lab::Document document;
     std::string label;  ///< of the picture, or of all of them; may be empty
+    std::string writtenLabel; ///< the same with formulas between $
     std::string figure; ///< the drawing that the slide shows of the picked pixel; empty: it shows what the window does
 };
 

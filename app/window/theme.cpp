@@ -79,6 +79,7 @@ Theme applyTheme(float em, bool presenter, const std::filesystem::path& fontFile
     theme.heading = load(fontFile, theme.headingSize);
     theme.code = load(fontFile.parent_path() / "DejaVuSansMono.ttf", theme.codeSize);
     io.FontDefault = theme.text;
+    theme.faces = std::make_shared<Faces>(fontFile.parent_path());
 
     ImGuiStyle& style = ImGui::GetStyle();
     style = ImGuiStyle();

@@ -2,12 +2,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 #include <filesystem>
+#include <memory>
 
 #include <imgui.h>
 
+#include "techniques/foundation/image/text.h"
 #include "techniques/foundation/math/types.h"
 
 namespace shadowlab::window {
+
+/// The faces by which formulas are set.
+struct Faces {
+    explicit Faces(const std::filesystem::path& folder) : upright(folder / "DejaVuSans.ttf"), bold(folder / "DejaVuSans-Bold.ttf") {}
+    image::Font upright, bold;
+};
 
 struct Theme {
     float em = 16;          ///< pixels: the type size everything is measured in
@@ -15,6 +23,7 @@ struct Theme {
     ImFont* text = nullptr;
     ImFont* heading = nullptr;
     ImFont* code = nullptr; ///< every letter as wide as every other
+    std::shared_ptr<const Faces> faces;
     // In pixels, as em is for `text`. Stored here because ImGui names them differently in each version.
     float headingSize = 20, codeSize = 14;
 };

@@ -17,6 +17,11 @@ std::string placeInDeck(const SlideState& on) {
     return text;
 }
 
+/// Set as a formula where it has one.
+StoryLine lineOf(StoryLine::Kind kind, const std::string& plain, const std::string& written) {
+    return {.kind = kind, .text = plain, .written = written.find('$') == std::string::npos ? "" : written};
+}
+
 } // namespace
 
 StoryPage slidePage(const WindowState& ui) {
@@ -24,17 +29,17 @@ StoryPage slidePage(const WindowState& ui) {
     StoryPage page{.title = on.slide.title, .place = placeInDeck(on), .lines = {}, .code = {}};
     if (!on.stops.empty()) {
         // A slide without pictures is shown whole, with its text and its formulas, in their place.
-        const std::string& label = on.stops[on.stop].label;
-        if (!label.empty()) page.lines.push_back({.kind = StoryLine::Kind::accent, .text = label});
-        for (const std::string& paragraph : on.slide.text)
-            page.lines.push_back({.text = paragraph});
+        const course::SlideStop& stop = on.stops[on.stop];
+        if (!stop.label.empty()) page.lines.push_back(lineOf(StoryLine::Kind::accent, stop.label, stop.writtenLabel));
+        for (std::size_t i = 0; i < on.slide.text.size(); ++i)
+            page.lines.push_back(lineOf(StoryLine::Kind::text, on.slide.text[i], on.slide.written.text[i]));
         for (const std::string& tex : on.slide.formulas)
-            page.lines.push_back({.text = drawing::Formula(tex).spoken()});
+            page.lines.push_back({.text = drawing::Formula(tex).spoken(), .written = "$" + tex + "$"});
         for (std::size_t i = 0; i < on.slide.pseudocode.size(); ++i)
             page.code.push_back({on.slide.pseudocode[i],
                                  std::ranges::find(on.slide.marked, static_cast<int>(i) + 1) != on.slide.marked.end()});
     }
-    if (!on.slide.caption.empty()) page.lines.push_back({.text = on.slide.caption});
+    if (!on.slide.caption.empty()) page.lines.push_back(lineOf(StoryLine::Kind::text, on.slide.caption, on.slide.written.caption));
     return page;
 }
 

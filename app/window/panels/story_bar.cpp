@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/window/panels/prose_text.h"
 #include "app/window/panels/widgets.h"
 #include "app/window/widget_renderer.h"
 
@@ -37,8 +38,12 @@ void tabs(WindowState& ui) {
     }
 }
 
-void drawLine(WindowState& ui, const StoryLine& line, int choice, const Theme& theme) {
+void drawLine(WindowState& ui, const StoryLine& line, int choice, float width, const Theme& theme) {
     const ImVec4 accent = ImGui::ColorConvertU32ToFloat4(kAccent);
+    if (!line.written.empty()) {
+        proseText(line.written, width, line.kind == StoryLine::Kind::accent ? kAccent : ImGui::GetColorU32(ImGuiCol_Text), theme);
+        return;
+    }
     switch (line.kind) {
     case StoryLine::Kind::text: ImGui::TextWrapped("%s", line.text.c_str()); break;
     case StoryLine::Kind::quiet:
@@ -148,7 +153,7 @@ void drawBand(WindowState& ui, const Area& area, const Theme& theme) {
     ImGui::PushTextWrapPos(style.WindowPadding.x + textWidth);
     int choice = 0;
     for (const StoryLine& line : page.lines) {
-        drawLine(ui, line, choice, theme);
+        drawLine(ui, line, choice, textWidth, theme);
         if (line.kind == StoryLine::Kind::choice) ++choice;
     }
     ImGui::PopTextWrapPos();

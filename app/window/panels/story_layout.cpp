@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/course/lessons/lesson.h"
+#include "app/window/panels/prose_text.h"
 #include "app/window/panels/widgets.h"
 #include "app/window/slide_figure.h"
 
@@ -29,6 +30,7 @@ StoryPage pageOf(const WindowState& ui) {
 
 float heightOf(const StoryLine& line, float width, const Theme& theme) {
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
+    if (!line.written.empty()) return proseHeight(line.written, width, theme) + spacing;
     switch (line.kind) {
     case StoryLine::Kind::large: return wrappedHeight(theme.heading, theme.headingSize, line.text, width) + spacing;
     case StoryLine::Kind::key: return theme.em + spacing;

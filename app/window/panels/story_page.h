@@ -21,6 +21,7 @@ struct StoryLine {
     };
     Kind kind = Kind::text;
     std::string text;
+    std::string written{}; ///< the same with formulas between $; empty: it has none
     ImU32 color = 0;      ///< of a key
     bool isChosen = false; ///< of a choice
 };
