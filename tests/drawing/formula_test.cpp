@@ -80,6 +80,12 @@ TEST_F(FormulaTest, AMinusIsASignOrAnOperation) {
     EXPECT_GT(operation[2].place.x - operation[1].place.x, sign[1].place.x - sign[0].place.x + 5);
 }
 
+TEST_F(FormulaTest, AFunctionKeepsAwayFromWhatItIsMultipliedBy) {
+    const double blank = measured("I\\cos x").width - measured("I").width - measured("\\cos x").width;
+    EXPECT_NEAR(blank, 40.0 / 6, 0.5) << "a sixth of an em, as on its other side; letters are measured in whole thousandths";
+    EXPECT_NEAR(measured("+\\cos x").width, measured("+").width + measured("\\cos x").width, 0.5) << "a sign has its own";
+}
+
 TEST_F(FormulaTest, FaultsAreToldWithTheirColumn) {
     const std::pair<const char*, const char*> cases[] = {
         {"a_", "column 3"},

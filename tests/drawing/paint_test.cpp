@@ -6,6 +6,7 @@
 
 #include "app/context/assets.h"
 #include "techniques/foundation/base/error.h"
+#include "techniques/foundation/image/text.h"
 
 namespace shadowlab::drawing {
 namespace {
@@ -40,6 +41,28 @@ TEST_F(PaintTest, WhatIsNoCharacterIsDrawnAsTheReplacementOfOne) {
     // Cairo refuses each of them: U+FFFF, U+FDD0, U+10FFFE, and a byte that begins nothing.
     for (const char* odd : {"a\xEF\xBF\xBF", "a\xEF\xB7\x90", "a\xF4\x8F\xBF\xBE", "a\xFF"})
         EXPECT_EQ(written(odd), expected);
+}
+
+// A line that was measured to fit does not run past the margin, and what follows it does not stand in it.
+TEST_F(PaintTest, LettersEndWhereTheFontMeasuresThem) {
+    const std::string text = "A point is in the shadow of a light source if the segment that connects both meets an object";
+    int compared = 0;
+    for (const bool isBold : {false, true})
+        for (const double em : {15.0, 24.0, 28.0}) {
+            const image::Font font(context::assetsRoot() / "fonts" / (isBold ? "DejaVuSans-Bold.ttf" : "DejaVuSans.ttf"));
+            Drawing drawing({2000, 60});
+            drawing.text({10, 40}, text, {.size = em, .isBold = isBold, .hasRim = false});
+            image::Image picture(2000, 60, kWhite);
+            painter_.paint(drawing, picture, {0, 0}, 1);
+            int last = 0;
+            for (int x = 0; x < picture.width; ++x)
+                for (int y = 0; y < picture.height; ++y)
+                    if (picture.at(x, y) != kWhite) last = x;
+            // The last letter ends within its width; the measure is in whole pixels.
+            EXPECT_NEAR(last, 10 + font.measure(text, em).width, 3) << em;
+            ++compared;
+        }
+    EXPECT_EQ(compared, 6);
 }
 
 TEST_F(PaintTest, FilledRectanglesHaveTheirColorAndPlace) {

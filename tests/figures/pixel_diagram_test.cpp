@@ -168,6 +168,35 @@ TEST(LabelsTest, FindAFreePlaceOrSayThatThereIsNone) {
     EXPECT_LT(placed, 12) << "more do not fit beside one another";
 }
 
+TEST(LabelsTest, MayBeFormulas) {
+    drawing::Drawing drawing({400, 300});
+    drawing::Labels labels(drawing::FormulaFonts{testFont(), testBoldFont()}, {{0, 0}, {400, 300}});
+    ASSERT_TRUE(labels.place(drawing, {200, 150}, "plane $n_f = 2$", {.size = 24}));
+    std::string all;
+    for (const drawing::Mark& mark : drawing.marks())
+        if (const auto* line = std::get_if<drawing::TextLine>(&mark)) all += line->text;
+    EXPECT_EQ(all, "plane nf=2");
+}
+
+// Of two ways to a free place the line to a label takes the one on which nothing lies.
+TEST(LabelsTest, LinesToLabelsKeepAwayFromOtherLines) {
+    drawing::Drawing drawing({600, 400});
+    drawing::Labels labels(testFont(), {{0, 0}, {600, 400}});
+    labels.avoid({{200, 120}, {200, 160}});     // no room near the place
+    labels.avoid({180, 100}, {420, 100});       // above, left and right of it is a line
+    labels.avoid({180, 100}, {180, 300});
+    labels.avoid({420, 100}, {420, 300});
+    ASSERT_TRUE(labels.place(drawing, {300, 200}, "named", {.size = 24}));
+    int leaders = 0;
+    for (const drawing::Mark& mark : drawing.marks())
+        if (const auto* line = std::get_if<drawing::Line>(&mark)) {
+            ++leaders;
+            EXPECT_GT(line->points[1].y, 200) << "downward";
+            EXPECT_GT(glm::length(line->points[1] - line->points[0]), 15) << "no speck";
+        }
+    EXPECT_EQ(leaders, 1);
+}
+
 TEST(SvgTest, EscapesWhatComesFromFiles) {
     drawing::Drawing drawing({10, 10});
     drawing.text({0, 0}, "a<b & \"c\"\n", {});

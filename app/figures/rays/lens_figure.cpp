@@ -162,7 +162,7 @@ Diagram drawLens(const FigureSource& source) {
     const dvec2 rim = sheet({0, -0.5 * rays.aperture});
     labels.avoid({{eye.x - kLensBulge, sheet({0, 0.5 * rays.aperture}).y},
                   {2 * kLensBulge, rim.y - sheet({0, 0.5 * rays.aperture}).y}});
-    labels.place(drawing, rim, "Lens, " + fourDigits(rays.aperture) + " m across", {.size = kText, .isBold = true}, 12);
+    labels.place(drawing, rim, "Lens, " + fourDigits(rays.aperture) + " m", {.size = kText, .isBold = true}, 12);
     labels.place(drawing, pixel, "pixel", {kText}, 14);
     labels.place(drawing, eye, "Projection Reference Point", {kText}, 14);
     labels.place(drawing, focus, "all rays meet here", {kText}, 14);

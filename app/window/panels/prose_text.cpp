@@ -12,6 +12,7 @@ namespace shadowlab::window {
 namespace {
 
 constexpr double kProseAbove = 1.0, kProseBelow = 0.4; ///< em of a line above and below the foot of its letters, at least
+constexpr double kHeightOfEm = 1.164; ///< of DejaVu Sans from its highest to its deepest letter, which is what ImGui calls a size
 constexpr float kProseSlant = 0.2f;  ///< of a variable: DejaVu Sans Oblique leans by 11 degrees
 constexpr float kBoldShift = 0.06f;  ///< em: the window has no bold face, so that a vector is drawn twice
 
@@ -28,9 +29,10 @@ struct SetText {
 };
 SetText setText(const std::string& text, float width, const Theme& theme) {
     const drawing::FormulaFonts fonts = fontsOf(theme);
+    const double whole = theme.em / kHeightOfEm;
     SetText set;
-    for (drawing::ProseLine& line : drawing::wrapProse(text, theme.em, std::max(1.0f, width), false, fonts)) {
-        const double em = theme.em * std::min(1.0, width / std::max(1.0, drawing::proseWidth(line, theme.em, false, fonts)));
+    for (drawing::ProseLine& line : drawing::wrapProse(text, whole, std::max(1.0f, width), false, fonts)) {
+        const double em = whole * std::min(1.0, width / std::max(1.0, drawing::proseWidth(line, whole, false, fonts)));
         double above = kProseAbove * em, below = kProseBelow * em;
         for (const drawing::ProseLine::Piece& piece : line.pieces) {
             if (!piece.isFormula) continue;
@@ -55,7 +57,7 @@ struct ProsePen {
         return {origin.x + static_cast<float>(place.x), origin.y + static_cast<float>(place.y)};
     }
     void operator()(const drawing::TextLine& text) const {
-        const auto size = static_cast<float>(text.style.size);
+        const auto size = static_cast<float>(kHeightOfEm * text.style.size);
         const ImVec2 foot = at(text.place);
         const float ascent = theme.text->Ascent * size / theme.text->FontSize;
         const int first = list->VtxBuffer.Size;
