@@ -98,7 +98,8 @@ gl::Texture2D textureOf(const image::Image& image) {
 }
 
 const Stage* Pane::visibility(int light) const {
-    const bool isWhole = converged_ || drawnShare() >= 1; // pixels without an answer yet would count as wrong
+    // Pixels without an answer yet would count as wrong. Shares of a light's area come last, when the picture is whole already.
+    const bool isWhole = converged_ || (drawnShare() >= 1 && judgedBy() == judge::TruthOf::centre);
     if (!isDrawn_ || !isWhole) return nullptr;
     const auto found = std::ranges::find(rendered_.result.stages, picture::visibilityOf(light), &Stage::key);
     return found == rendered_.result.stages.end() ? nullptr : &*found;

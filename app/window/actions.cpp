@@ -212,7 +212,9 @@ std::vector<std::string> runKeys(WindowState& ui) {
     std::vector<std::string> ran;
     for (const KeyPress& press : std::exchange(ui.keys, {})) {
         if (ImGui::GetIO().WantTextInput || fliesTheCamera(ui, press)) continue;
-        if (isPopupOpen()) { // an open list has the arrows; what commands the window waits until it is closed
+        // An open list has the arrows; what commands the window waits until it is closed. One that the arrows went through closes by
+        // itself at Esc, before this.
+        if (isPopupOpen() || (ui.hadPopup && press.key == GLFW_KEY_ESCAPE)) {
             if (press.key == GLFW_KEY_ESCAPE) {
                 closePopups();
                 ran.emplace_back("leave-popup");
@@ -240,6 +242,7 @@ std::vector<std::string> runKeys(WindowState& ui) {
             ran.emplace_back(action.id);
         }
     }
+    ui.hadPopup = isPopupOpen();
     return ran;
 }
 

@@ -62,6 +62,7 @@ struct WindowState {
     Shown shown;
     Requests requests;
     std::vector<Message> messages;
+    bool hadPopup = false; ///< a list was open when keys were last run
     std::vector<KeyPress> keys; ///< since the last frame, in order, so that none is lost
     std::set<int> heldKeys;     ///< keys that are down, numbered as KeyPress does
     lab::Selection selection, hovered;

@@ -43,7 +43,7 @@ const PassInfo kAutomaticPasses[] = {
      .pseudocodeLines = {3, 4},
      .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil - 1 before the point, + 1 behind it",
-     .anchors = "way-of-a-caster count-passing count-failing count-one-side extrude",
+     .anchors = "count-one-side way-of-a-caster count-passing count-failing extrude",
      .values = kAfterBacks},
     {.id = "volumes-front",
      .title = "Render all volume faces that face toward the viewer",
@@ -55,7 +55,7 @@ const PassInfo kAutomaticPasses[] = {
      .pseudocodeLines = {5, 5},
      .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil + 1 before the point, - 1 behind it",
-     .anchors = "way-of-a-caster count-passing count-failing count-one-side extrude"},
+     .anchors = "count-one-side way-of-a-caster count-passing count-failing extrude"},
     kRepairPass,
     {.id = "light",
      .title = "Render the scene again with the light turned on, only where the stencil is zero",

@@ -36,7 +36,7 @@ const PassInfo kZFailPasses[] = {
      .pseudocodeLines = {3, 4},
      .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil + 1 where a back face fails the depth test: n_b",
-     .anchors = "count-failing count-one-side extrude",
+     .anchors = "count-one-side count-failing extrude",
      .values = kAfterBacks},
     {.id = "volumes-front",
      .title = "Render all volume faces that face toward the viewer",
@@ -47,7 +47,7 @@ const PassInfo kZFailPasses[] = {
      .pseudocodeLines = {5, 5},
      .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil - 1 where a front face fails the depth test: n_f",
-     .anchors = "count-failing count-one-side extrude"},
+     .anchors = "count-one-side count-failing extrude"},
     kRepairPass,
     {.id = "light",
      .title = "Render the scene again with the light turned on, only where the stencil is zero",

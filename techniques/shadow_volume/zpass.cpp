@@ -46,7 +46,7 @@ const PassInfo kZPassPasses[] = {
      .pseudocodeLines = {2, 2},
      .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil + 1 where a front face passes the depth test: n_f",
-     .anchors = "count-passing count-one-side extrude",
+     .anchors = "count-one-side count-passing extrude",
      .values = kAfterFronts},
     {.id = "volumes-back",
      .title = "Render all volume faces that face away from the viewer",
@@ -57,7 +57,7 @@ const PassInfo kZPassPasses[] = {
      .pseudocodeLines = {2, 2},
      .formula = "P' = P + d (P - P_L) / |P - P_L|, or at infinity P' = (P - P_L, 0)\n"
                 "stencil = stencil - 1 where a back face passes the depth test: n_b",
-     .anchors = "count-passing count-one-side extrude"},
+     .anchors = "count-one-side count-passing extrude"},
     kRepairPass,
     {.id = "light",
      .title = "Render the scene again with the light turned on, only where the stencil is zero",

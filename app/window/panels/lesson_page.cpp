@@ -64,8 +64,7 @@ std::string countsLine(const LessonState& on, bool isRemedy) {
     if (quantity.of != course::LessonQuantity::Of::visibility) {
         const std::string name = expected.fact.empty() ? std::string(quantity.id) : expected.fact;
         const std::string unit = quantity.unit.empty() ? "" : " (" + std::string(quantity.unit) + ")";
-        return "Measured:  " + name + unit + ", before " + expected.before.text() +
-               (isRemedy ? ", after " + expected.after.text() : "");
+        return "Measured:  " + name + unit + ": " + expected.before.text() + (isRemedy ? " → " + expected.after.text() : "");
     }
     const auto count = [&](std::size_t state) {
         return on.wrong[state] ? std::to_string(*on.wrong[state]) : std::string("being counted");

@@ -148,7 +148,7 @@ void drawBand(WindowState& ui, const Area& area, const Theme& theme) {
         ImGui::TextWrapped("%s", page.title.c_str());
         ImGui::PopFont();
     }
-    const float textWidth = row.hasColumns ? kTextShare * free : free;
+    const float textWidth = row.textShare * free;
     const ImVec2 top = ImGui::GetCursorPos();
     ImGui::PushTextWrapPos(style.WindowPadding.x + textWidth);
     int choice = 0;

@@ -2,6 +2,7 @@
 #include "app/window/panels/story_layout.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/course/lessons/lesson.h"
@@ -45,6 +46,28 @@ float codeHeight(const StoryPage& page, float width, const Theme& theme) {
     return height;
 }
 
+/// Height of a page's text and pseudocode, where the text has that share of the width: beside one another, or one below the other.
+float pageHeight(const StoryPage& page, float width, float textShare, const Theme& theme) {
+    const bool hasColumns = textShare < 1;
+    float text = 0;
+    for (const StoryLine& line : page.lines)
+        text += heightOf(line, textShare * width, theme);
+    const float code = codeHeight(page, hasColumns ? (1 - textShare) * width - theme.em : width, theme);
+    return hasColumns ? std::max(text, code) : text + code;
+}
+
+/// The share with which the highest page is lowest: lines of pseudocode are long on one page, sentences on another.
+float bestTextShare(const std::vector<StoryPage>& pages, float width, const Theme& theme) {
+    constexpr std::array kShares{0.5f, 0.45f, 0.4f, 0.35f, 0.55f, 0.6f, 0.65f};
+    const auto highest = [&](float share) {
+        float height = 0;
+        for (const StoryPage& page : pages)
+            height = std::max(height, pageHeight(page, width, share, theme));
+        return height;
+    };
+    return *std::ranges::min_element(kShares, {}, highest);
+}
+
 /// Pixels that the band would need at that width.
 float bandHeight(const WindowState& ui, float windowWidth, const Theme& theme) {
     const ImGuiStyle& style = ImGui::GetStyle();
@@ -55,16 +78,11 @@ float bandHeight(const WindowState& ui, float windowWidth, const Theme& theme) {
         return storyTabsWidth() <= width ? ImGui::GetFrameHeight() + style.WindowPadding.y : 0; // a thin one
     const std::vector<StoryPage> pages = pagesOfBand(ui);
     const BandShape shape = bandShape(ui, pages, width, theme);
-    const float textWidth = shape.hasColumns ? kTextShare * width : width;
     float highest = 0;
     for (const StoryPage& page : pages) {
         float height = 0;
         if (!shape.hasTitle) height += wrappedHeight(theme.heading, theme.headingSize, page.title, width) + style.ItemSpacing.y;
-        float text = 0;
-        for (const StoryLine& line : page.lines)
-            text += heightOf(line, textWidth, theme);
-        const float code = codeHeight(page, shape.hasColumns ? width - textWidth - theme.em : width, theme);
-        highest = std::max(highest, height + (shape.hasColumns ? std::max(text, code) : text + code));
+        highest = std::max(highest, height + pageHeight(page, width, shape.textShare, theme));
     }
     return std::ceil(rim + row * (shape.hasTabs ? 1.0f : 2.0f) + highest + style.ItemSpacing.y);
 }
@@ -115,6 +133,7 @@ BandShape bandShape(const WindowState& ui, const std::vector<StoryPage>& pages, 
     row.hasTitle = taken + title + 2 * gap <= width;
     row.hasColumns = width >= kLeastForColumnsEm * theme.em &&
                      std::ranges::any_of(pages, [](const StoryPage& page) { return !page.code.empty(); });
+    if (row.hasColumns) row.textShare = bestTextShare(pages, width, theme);
     return row;
 }
 

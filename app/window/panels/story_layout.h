@@ -51,10 +51,9 @@ struct BandShape {
     bool hasTitle = true; ///< in the first row; else it is wrapped below
     bool hasLeave = true;
     bool hasColumns = false; ///< pseudocode stands beside the text, and not below it
+    float textShare = 1;     ///< of the width, that the text then has
 };
 BandShape bandShape(const WindowState& ui, const std::vector<StoryPage>& pages, float width, const Theme& theme);
-/// Of the width, that the text has beside pseudocode, whose lines are long.
-constexpr float kTextShare = 0.5f;
 /// Between lines of pseudocode: they belong together.
 float codeGap(const Theme& theme);
 

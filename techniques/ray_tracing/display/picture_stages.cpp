@@ -82,8 +82,9 @@ void publishPenumbra(Frame& frame, const Picture& picture, int light, const Ligh
                                   {look::kOccluded, "umbra: nothing of it"},
                                   {look::kNotAsked, "faces away or outside the light"}}};
     const Grid<trace::Visibility>& fromCentre = picture.visibility(light);
-    Grid<vec4> texels(fromCentre.size());
-    for (std::size_t i = 0; i < texels.size(); ++i) {
+    Grid<vec4> texels(fromCentre.size(), vec4(0.0f)); // no value
+    const bool isKnown = !shares || shares->isComplete();
+    for (std::size_t i = 0; isKnown && i < texels.size(); ++i) {
         using enum trace::Visibility;
         const float seen = seenShare(picture, light, shares, i);
         const vec3 color = fromCentre[i] == noSurface    ? frame.scene().background

@@ -15,6 +15,7 @@ void LightShares::restart(ivec2 size, int light) {
     shares_.assign(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y), 0.0f);
     irradiances_.clear();
     next_ = 0;
+    isComplete_ = false;
 }
 
 bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, const scene::Camera& camera,
@@ -45,7 +46,7 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
                                                          ivec2(static_cast<int>(x), static_cast<int>(y))));
         }
     });
-    return next_ >= pieces;
+    return isComplete_ = next_ >= pieces;
 }
 
 bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, const scene::Camera& camera,
@@ -83,7 +84,7 @@ bool LightShares::advance(const Surfaces& surfaces, const Picture& picture, cons
             irradiances_[pixels[i]] = static_cast<float>(found[i].irradiance);
         }
     });
-    return next_ >= squares.count();
+    return isComplete_ = next_ >= squares.count();
 }
 
 double sampledShare(const RayWorld& world, const trace::SurfacePoint& point, const dvec3& toViewerWorld, int light,

@@ -17,6 +17,8 @@ public:
     bool advance(const Surfaces& surfaces, const Picture& picture, const scene::Camera& camera,
                  const trace::AreaVisibility& area, Deadline deadline);
     [[nodiscard]] int light() const { return light_; }
+    /// Of all pixels; before, some shares are those of the light's centre, or none at all.
+    [[nodiscard]] bool isComplete() const { return isComplete_; }
     /// 0..1; for pixels that are not done yet, and lights without an area, the visibility of the light's centre.
     [[nodiscard]] const Grid<float>& shares() const { return shares_; }
     /// Only in closed form: trace::AreaIrradiance::irradiance of each pixel.
@@ -26,6 +28,7 @@ private:
     int light_ = -1;
     Grid<float> shares_, irradiances_;
     std::size_t next_ = 0;
+    bool isComplete_ = false;
 };
 
 /// The share of the sampled points on the light that are visible, weighted by the area that each stands for: exactly 0 in the
