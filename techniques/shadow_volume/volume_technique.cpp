@@ -308,8 +308,6 @@ std::vector<SceneShape> VolumeTechnique::shapes(const scene::Snapshot& snapshot,
     const std::vector<const CasterVolume*> casters = usefulCasters(light);
     std::vector<SceneShape> shapes =
         volumeShapes(*snapshot, view, light, casters, failRule().caps && showsCaps(), shownVolume());
-    // With a pixel picked, the probe shows the faces that its line crosses; all others, and their silhouettes, would hide them.
-    if (view.picked) std::erase_if(shapes, [](const SceneShape& shape) { return shape.object.has_value(); });
     if (showsCountMethods())
         addCountMethods(shapes, casters, [&](const CasterVolume& caster) {
             return countMethodOf(*snapshot, view.camera.positionWorld, caster, light);

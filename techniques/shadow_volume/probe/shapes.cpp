@@ -20,6 +20,8 @@ namespace {
 
 // Shapes that reach infinity are cut off this far beyond the scene, as a share of its size.
 constexpr double kBeyondScene = 0.02;
+// Lines from the silhouette away from the light, where a volume is drawn without faces: enough to see where it is.
+constexpr std::size_t kMostOutlines = 24;
 
 scene::Bounds somewhatLarger(scene::Bounds bounds) {
     const double more = kBeyondScene * glm::length(bounds.upperWorld - bounds.lowerWorld);
@@ -90,6 +92,15 @@ std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view
         };
         for (const SilhouetteEdge& edge : silhouette)
             add(edges, {edge.a, edge.b});
+        if (view.picked) { // the probe shows the faces that its line crosses: all of them would hide these
+            sides.kind = SceneShape::Kind::lines;
+            const std::size_t step = std::max<std::size_t>(1, silhouette.size() / kMostOutlines);
+            for (std::size_t i = 0; i < silhouette.size(); i += step)
+                add(sides, {silhouette[i].a, static_cast<std::uint32_t>(n + silhouette[i].a)});
+            allSides.push_back(std::move(sides));
+            allEdges.push_back(std::move(edges));
+            continue;
+        }
         add(sides, volume.sides);
         add(top, volume.topCap);
         add(top, volume.topCapReversed);

@@ -22,7 +22,8 @@ Volume buildShown(const scene::Object& object, const scene::Light& light, const 
                   const ShownVolume& shown, std::vector<SilhouetteEdge>& silhouette);
 
 /// Sides and, `withCaps`, the caps of the volumes of these casters, at the distance where they end or else cut off a little
-/// beyond the scene, and the silhouettes: of each caster shapes of its own. And the near-clip pyramid, on request.
+/// beyond the scene, and the silhouettes: of each caster shapes of its own; where the view has a picked pixel, lines in place of the
+/// faces. And the near-clip pyramid, on request.
 std::vector<SceneShape> volumeShapes(const scene::Scene& scene, const View& view, int light,
                                      std::span<const CasterVolume* const> casters, bool withCaps,
                                      const ShownVolume& shown);
